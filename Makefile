@@ -1,0 +1,59 @@
+# Front door: every target is a short name for a few commands of cmake, ctest or tools/.
+JOBS ?= $(shell nproc)
+B := build
+MAKEFLAGS += --no-print-directory
+CHAPTERS := $(wildcard chapters/ch[0-9][0-9]_*)
+PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword $(subst _, ,$(notdir $c))))))
+WOVEN := README.md $(wildcard chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
+TEXTS := $(WOVEN) $(wildcard chapters/*/exercises/*/README.md) docs/references.md
+CHAPTER_OF = $(wildcard chapters/$1_*)
+
+all: configure            ## compile everything (the default)
+	@cmake --build $B -j $(JOBS)
+help:                     ## list what there is
+	@sed -n 's/^\([a-z][a-zA-Z0-9.%]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | sed 's/ch%/ch06/; s/ex%/ex6.1/' | expand -t 16
+configure:
+	@cmake --preset release --log-level=NOTICE > /dev/null
+run: chapters             ## run every chapter, draw its figures into build/out, print the summary
+	@status=0; for c in $(PROGRAMS); do tools/chapter.sh run $B/bin/$$c $B/out/$$c || status=1; \
+	    FIGURES=draw tools/chapter.sh figures chapters/$${c}_* $B/out/$$c || status=1; done; \
+	    echo; perl tools/summary.pl $B/out || status=1; exit $$status
+chapters: configure
+	@cmake --build $B -j $(JOBS) --target chapters
+test: all                 ## compile and run every test
+	@ctest --test-dir $B -j $(JOBS) --output-on-failure
+ch%: configure            ## run one chapter, draw its figures into build/out/ch06, print its headline
+	@cmake --build $B -j $(JOBS) --target $@
+	@tools/chapter.sh run $B/bin/$@ $B/out/$@
+	@FIGURES=draw tools/chapter.sh figures $(call CHAPTER_OF,$@) $B/out/$@
+	@echo; perl tools/summary.pl $B/out $@
+ex%: configure            ## check your answer to an exercise, chapters/*/exercises/*/attempt.cpp
+	@cmake --build $B -j $(JOBS) --target $@
+	@ctest --test-dir $B -C answer -R '^$(subst .,\.,$@)/answer' --output-on-failure --no-label-summary
+results: chapters         ## accept what the programs write now: committed numbers, text and figures
+	@for c in $(PROGRAMS); do tools/chapter.sh run $B/bin/$$c $B/out/$$c > /dev/null && \
+	    perl tools/compare.pl --update chapters/$${c}_* $B/out/$$c || exit 1; done
+	@perl tools/weave.pl $(WOVEN)
+	@for f in figures/fig_*.gp; do tools/figure.sh --check $$f 2> /dev/null || \
+	    { tools/figure.sh $$f $${f%.gp}.svg && echo "drew $${f%.gp}.svg"; } || exit 1; done
+figures:                  ## draw every committed picture anew from the committed curves
+	@for f in figures/fig_*.gp; do tools/figure.sh $$f $${f%.gp}.svg || exit 1; done
+text:                     ## put the committed numbers, tables and code into the text
+	@perl tools/weave.pl $(WOVEN)
+lint:                     ## check the text without compiling: quotations, formulas, links
+	@perl tools/weave.pl --check $(WOVEN)
+	@perl tools/lint-md.pl $(TEXTS)
+book: lint                ## the web pages, build/book/index.html
+	@tools/docs.sh $B/book && echo "open $B/book/index.html"
+browser: book             ## open every page in a browser and check it
+	@python3 tools/check-docs.py $B/book
+bench:                    ## what accuracy costs: work and seconds, measured
+	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
+	@cmake --build $B -j $(JOBS) --target price
+	@$B/bin/price
+handout:                  ## build/signorini-handout.tar.gz, without solutions and held-out tests
+	@mkdir -p $B && git archive --format=tar.gz --prefix=signorini/ -o $B/signorini-handout.tar.gz HEAD
+	@ls -l $B/signorini-handout.tar.gz
+clean:                    ## remove everything that was built
+	rm -rf $B
+.PHONY: all help configure run chapters test results figures text lint book browser bench handout clean

@@ -1,0 +1,67 @@
+# Every chapters/chNN_topic/exercises/exK_topic is exercise N.K, proven from both ends:
+#   exN.K/solution, exN.K/solution-heldout   the reference solution passes both test files
+#   exN.K/starter                            attempt.cpp compiles with both and fails a check of the first
+# Your own answer is checked by `make exN.K`, which runs
+#   exN.K/answer, then exN.K/answer-heldout  the held-out tests open when the first ones pass
+# These two exist only for `ctest -C answer`, so that `make test` does not depend on half an answer.
+# A hand-out has neither solutions nor held-out tests: there only exN.K/answer is left.
+set(exercises_from ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/exercises/ex*)
+file(GLOB exercise_headers CONFIGURE_DEPENDS ${exercises_from}/exercise.hpp)
+file(GLOB exercise_heldout CONFIGURE_DEPENDS ${exercises_from}/test_heldout.cpp)
+file(GLOB exercise_solutions CONFIGURE_DEPENDS ${exercises_from}/solution.cpp)
+
+function(signorini_exercise_part target source)  # one source file, compiled once
+  add_library(${target} OBJECT EXCLUDE_FROM_ALL ${source})
+  target_link_libraries(${target} PRIVATE signorini::signorini signorini_warnings Catch2::Catch2WithMain)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+endfunction()
+
+function(signorini_exercise_program target)  # the parts in ARGN, linked
+  add_executable(${target} EXCLUDE_FROM_ALL)
+  foreach(part IN LISTS ARGN)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${part}>)
+  endforeach()
+  target_link_libraries(${target} PRIVATE signorini::signorini Catch2::Catch2WithMain)
+endfunction()
+
+function(signorini_exercise dir)
+  if(NOT dir MATCHES "/ch([0-9]+)_[^/]*/exercises/ex([0-9]+)_[^/]*$")
+    message(FATAL_ERROR "${dir}: an exercise lies in chapters/chNN_topic/exercises/exK_topic")
+  endif()
+  math(EXPR chapter "${CMAKE_MATCH_1}")
+  set(ex ex${chapter}.${CMAKE_MATCH_2})
+  set(heldout ${dir}/test_heldout.cpp)
+  set(solution ${dir}/solution.cpp)
+
+  signorini_exercise_part(${ex}_test ${dir}/test.cpp)
+  signorini_exercise_part(${ex}_attempt ${dir}/attempt.cpp)
+  signorini_exercise_program(${ex}.answer ${ex}_test ${ex}_attempt)
+  add_custom_target(${ex} DEPENDS ${ex}.answer)
+  add_test(NAME ${ex}/answer COMMAND ${ex}.answer CONFIGURATIONS answer)
+  set_tests_properties(${ex}/answer PROPERTIES FIXTURES_SETUP ${ex} LABELS answer TIMEOUT 120)
+  if(EXISTS ${heldout})
+    signorini_exercise_part(${ex}_heldout ${heldout})
+    signorini_exercise_program(${ex}.answer-heldout ${ex}_heldout ${ex}_attempt)
+    add_dependencies(${ex} ${ex}.answer-heldout)
+    add_test(NAME ${ex}/answer-heldout COMMAND ${ex}.answer-heldout CONFIGURATIONS answer)
+    set_tests_properties(${ex}/answer-heldout PROPERTIES FIXTURES_REQUIRED ${ex} LABELS answer TIMEOUT 120)
+  endif()
+
+  if(EXISTS ${solution} AND EXISTS ${heldout})
+    signorini_exercise_part(${ex}_solution ${solution})
+    signorini_exercise_program(${ex}.solution ${ex}_test ${ex}_solution)
+    signorini_exercise_program(${ex}.solution-heldout ${ex}_heldout ${ex}_solution)
+    add_dependencies(exercises ${ex} ${ex}.solution ${ex}.solution-heldout)
+    add_test(NAME ${ex}/solution COMMAND ${ex}.solution)
+    add_test(NAME ${ex}/solution-heldout COMMAND ${ex}.solution-heldout)
+    set_tests_properties(${ex}/solution ${ex}/solution-heldout PROPERTIES LABELS exercise TIMEOUT 300)
+    add_test(NAME ${ex}/starter COMMAND ${PROJECT_SOURCE_DIR}/tools/starter.sh $<TARGET_FILE:${ex}.answer>)
+    set_tests_properties(${ex}/starter PROPERTIES LABELS "exercise;starter" TIMEOUT 120)
+  endif()
+endfunction()
+
+add_custom_target(exercises ALL)
+foreach(header IN LISTS exercise_headers)
+  get_filename_component(dir ${header} DIRECTORY)
+  signorini_exercise(${dir})
+endforeach()

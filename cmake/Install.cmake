@@ -1,0 +1,16 @@
+# cmake --install: library, headers, and the files that make find_package(signorini CONFIG) work.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/signorini)
+install(TARGETS signorini EXPORT signoriniTargets)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/signorini DESTINATION include FILES_MATCHING PATTERN "*.hpp")
+install(EXPORT signoriniTargets NAMESPACE signorini:: DESTINATION ${package_dir})
+file(WRITE ${PROJECT_BINARY_DIR}/signoriniConfig.cmake
+"include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 CONFIG)
+include(\${CMAKE_CURRENT_LIST_DIR}/signoriniTargets.cmake)
+")
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/signoriniConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/signoriniConfig.cmake ${PROJECT_BINARY_DIR}/signoriniConfigVersion.cmake
+        DESTINATION ${package_dir})

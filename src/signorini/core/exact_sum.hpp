@@ -1,0 +1,54 @@
+/// \file
+/// Sums of products in about twice the working precision: what residuals are computed with.
+#pragma once
+
+namespace signorini {
+
+/// A running sum of doubles and of products of doubles, kept as an unevaluated pair.
+///
+/// Every rounding error of a sum or a product of two doubles is itself a double; the pair keeps
+/// those errors instead of dropping them (error-free transformations, see [Ogita, Rump and Oishi
+/// 2005](\ref OgitaRumpOishi2005)). The result is as if computed with about 32 digits and rounded once.
+/// It must not be compiled with `-ffast-math`, which assumes that the errors are zero.
+class ExactSum {
+ public:
+  /// Starts at `value`.
+  explicit ExactSum(double value = 0) : high_(value) {}
+
+  /// Adds one number.
+  void add(double value) {
+    const double sum = high_ + value;
+    const double part = sum - high_;
+    low_ += (high_ - (sum - part)) + (value - part);
+    high_ = sum;
+  }
+  /// Adds `a * b` without rounding the product.
+  void add_product(double a, double b) {
+    const double product = a * b;
+    const Halves x = split(a);
+    const Halves y = split(b);
+    const double error =
+        x.low * y.low - (((product - x.high * y.high) - x.low * y.high) - x.high * y.low);
+    add(product);
+    low_ += error;
+  }
+  /// The sum, rounded once.
+  [[nodiscard]] double value() const { return high_ + low_; }
+
+ private:
+  struct Halves {
+    double high;
+    double low;
+  };
+  /// Two numbers of at most 26 bits whose sum is `a`; valid for |a| < 2^996.
+  static Halves split(double a) {
+    const double scaled = 134217729.0 * a;  // 2^27 + 1
+    const double high = scaled - (scaled - a);
+    return {high, a - high};
+  }
+
+  double high_;
+  double low_ = 0;
+};
+
+}  // namespace signorini

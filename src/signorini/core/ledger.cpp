@@ -1,0 +1,90 @@
+#include "signorini/core/ledger.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace signorini {
+
+Ledger::Phase::Phase(Ledger& ledger, const std::string& name)
+    : ledger_(ledger), parent_(ledger.open_), begin_(std::chrono::steady_clock::now()) {
+  const std::string path = parent_ == none ? name : ledger.entries_[parent_].path + '/' + name;
+  std::vector<LedgerEntry>& entries = ledger.entries_;
+  const auto known = std::find_if(entries.begin(), entries.end(),
+                                  [&](const LedgerEntry& e) { return e.path == path; });
+  entry_ = static_cast<std::size_t>(known - entries.begin());
+  if (known == entries.end()) {
+    entries.emplace_back();
+    entries.back().path = path;
+  }
+  ledger.open_ = entry_;
+}
+
+Ledger::Phase::~Phase() {
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+  ledger_.entries_[entry_].seconds += elapsed.count();
+  ++ledger_.entries_[entry_].calls;
+  ledger_.open_ = parent_;
+}
+
+LedgerEntry& Ledger::open_entry() {
+  if (open_ != none) return entries_[open_];
+  if (find("outside") == nullptr) {
+    entries_.emplace_back();
+    entries_.back().path = "outside";
+  }
+  return *std::find_if(entries_.begin(), entries_.end(),
+                       [](const LedgerEntry& e) { return e.path == "outside"; });
+}
+
+void Ledger::count(const std::string& name, long long amount) {
+  open_entry().counts[name] += amount;
+}
+
+void Ledger::bytes(long long amount) { open_entry().bytes += amount; }
+
+const LedgerEntry* Ledger::find(const std::string& path) const {
+  const auto known = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const LedgerEntry& e) { return e.path == path; });
+  return known == entries_.end() ? nullptr : &*known;
+}
+
+double Ledger::seconds(const std::string& path) const {
+  const LedgerEntry* entry = find(path);
+  return entry == nullptr ? 0 : entry->seconds;
+}
+
+long long Ledger::counted(const std::string& path, const std::string& name) const {
+  const LedgerEntry* entry = find(path);
+  if (entry == nullptr) return 0;
+  const auto known = entry->counts.find(name);
+  return known == entry->counts.end() ? 0 : known->second;
+}
+
+long long Ledger::total_bytes() const {
+  long long total = 0;
+  for (const LedgerEntry& entry : entries_) total += entry.bytes;
+  return total;
+}
+
+std::ostream& operator<<(std::ostream& out, const Ledger& ledger) {
+  std::ostringstream table;
+  table << std::left << std::setw(34) << "phase" << std::right << std::setw(10) << "seconds"
+        << std::setw(7) << "calls" << std::setw(10) << "MB"
+        << "  counts\n";
+  for (const LedgerEntry& entry : ledger.entries()) {
+    const auto depth = std::count(entry.path.begin(), entry.path.end(), '/');
+    const std::string name = entry.path.substr(entry.path.rfind('/') + 1);
+    table << std::left << std::setw(34)
+          << std::string(static_cast<std::size_t>(2 * depth), ' ') + name << std::right
+          << std::fixed << std::setprecision(4) << std::setw(10) << entry.seconds << std::setw(7)
+          << entry.calls << std::setprecision(1) << std::setw(10)
+          << static_cast<double>(entry.bytes) / 1e6;
+    for (const auto& [what, amount] : entry.counts) table << "  " << what << ' ' << amount;
+    table << '\n';
+  }
+  return out << table.str();
+}
+
+}  // namespace signorini

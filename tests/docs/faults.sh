@@ -1,0 +1,130 @@
+#!/bin/sh
+# faults.sh ROOT FOLDER: the checks of text, numbers and figures find the faults that they are there for.  Makes a
+# chapter of a few lines in FOLDER, shows that the checks accept it, and then breaks one thing after the other.
+set -u
+tools=$1/tools
+clean=$2.clean
+rm -rf "$2" "$clean"
+mkdir -p "$2/chapters/ch03_demo/results" "$2/chapters/ch03_demo/exercises/ex1_demo" "$2/figures" "$2/fresh"
+cd "$2" || exit 1
+failures=0
+text=chapters/ch03_demo/README.md
+
+cp "$1/figures/style.gp" figures/
+echo "# Exercise" > chapters/ch03_demo/exercises/ex1_demo/README.md
+: > chapters/ch03_demo/exercises/ex1_demo/solution.cpp
+printf '# headline force 2.5 by hand\nforce 2.5000001 N\npairs 12 -\nseconds 0.3 s varies\n' > fresh/ch03.results
+printf '# tolerance rel 1e-6 abs 1e-9\nx,p\n0,1.25\n1,2.5\n\n0,1\n1,2\n' > fresh/fig_3_1.csv
+printf '| n | p |\n|--:|--:|\n| 4 | 1.25 |\n' > fresh/table.md
+cat > figures/fig_3_1.gp << 'END'
+load 'style.gp'
+plot data.'/fig_3_1.csv' using 'x':'p' with lines ls 1 title 'p'
+END
+printf '// [block]\n  int n = 0;\n  // [block]\n' > chapters/ch03_demo/demo.cpp
+cat > $text << 'END'
+# Demonstration
+
+<!-- nav -->
+<!-- /nav -->
+
+The force of [(3)](#eq-3) is <!--= force %.2f --><!--/--> N with <!--= pairs %d --><!--/--> pairs, $`x_1^*`$ and $p_0$.
+
+<a id="eq-3"></a>
+
+```math
+a = b \tag{3}
+```
+
+<!-- code demo.cpp#block -->
+<!-- /code -->
+
+<!-- table table.md -->
+<!-- /table -->
+
+![The pressure](../../figures/fig_3_1.svg)
+
+[Exercise](exercises/ex1_demo/README.md)
+END
+printf '# Title\n\n[Demonstration](chapters/ch03_demo/README.md)\n' > README.md
+
+expect() { # yes or no, what, command
+    wanted=$1 what=$2
+    shift 2
+    if said=$("$@" 2>&1); then got=yes; else got=no; fi
+    [ "$got" = "$wanted" ] || { echo "$what: accepted: $got, expected $wanted. $said"; failures=$((failures + 1)); }
+}
+compare() { perl "$tools/compare.pl" "$@" chapters/ch03_demo fresh; }
+weave() { perl "$tools/weave.pl" "$@" README.md $text; }
+lint() { perl "$tools/lint-md.pl" README.md $text; }
+draw() { "$tools/figure.sh" figures/fig_3_1.gp "$1" "${2:-figures}"; }
+picture() { "$tools/figure.sh" --check figures/fig_3_1.gp; }
+have_gnuplot() { command -v gnuplot > /dev/null 2>&1; }
+
+expect no "nothing committed yet" compare
+expect yes "results accepted" compare --update
+expect yes "woven" weave
+have_gnuplot && expect yes "drawn" draw figures/fig_3_1.svg || : > figures/fig_3_1.svg
+cp -r . "$clean"
+
+broken() { # yes or no, what, check, sed script, file: from a clean copy, after the change
+    rm -rf ./* && cp -r "$clean/." . && sed -i "$4" "$5"
+    expect "$1" "$2" $3
+}
+expect yes "clean numbers" compare
+expect yes "clean text" weave --check
+expect yes "clean Markdown" lint
+
+broken no "a number that left the tolerance" compare 's/2.5000001/2.50001/' fresh/ch03.results
+broken yes "a number within the tolerance" compare 's/2.5000001/2.5000002/' fresh/ch03.results
+broken no "a changed integer" compare 's/pairs 12/pairs 13/' fresh/ch03.results
+broken no "another unit" compare 's/2.5000001 N/2.5000001 kN/' fresh/ch03.results
+broken no "a lost number" compare '/pairs/d' fresh/ch03.results
+broken no "a new number" compare '$a new 1 -' fresh/ch03.results
+broken no "another reference" compare 's/headline force 2.5/headline force 2.6/' fresh/ch03.results
+broken yes "a time" compare 's/0.3 s/0.9 s/' fresh/ch03.results
+broken no "a value that becomes unquotable" compare 's/12 -/12 - varies/' fresh/ch03.results
+broken no "a curve that moved" compare 's/^1,2.5/1,2.6/' fresh/fig_3_1.csv
+broken no "a lost row" compare '/^1,2.5/d' fresh/fig_3_1.csv
+broken no "a renamed column" compare 's/x,p/x,q/' fresh/fig_3_1.csv
+broken no "a looser tolerance" compare 's/rel 1e-6/rel 1e-1/' fresh/fig_3_1.csv
+broken no "a table that changed" compare 's/1.25/1.35/' fresh/table.md
+broken yes "the last digit of a table" compare 's/1.25/1.26/' fresh/table.md
+
+broken no "a wrong number in the text" "weave --check" 's/-->2.50<!/-->2.51<!/' $text
+broken no "a number that does not exist" "weave --check" 's/!--= force/!--= forse/' $text
+broken no "a number without a format" "weave --check" 's/force %.2f/force/' $text
+broken no "a quoted time" "weave --check" 's/!--= force %.2f/!--= seconds %.2f/' $text
+broken no "code that changed" "weave --check" 's/n = 0/n = 1/' chapters/ch03_demo/demo.cpp
+broken no "a lost block" "weave --check" '1d' chapters/ch03_demo/demo.cpp
+broken no "a table that was edited" "weave --check" 's/1.25/1.24/' $text
+broken no "a quotation that is not closed" "weave --check" '/\/table/d' $text
+broken no "a title that changed" "weave --check" '/^\[Contents/d' $text
+
+broken no "a dead link" lint 's/ch03_demo/ch04_demo/' README.md
+broken no "a dead anchor" lint 's/(#eq-3)/(#eq-4)/' $text
+broken no "a number beside its anchor" lint 's/tag{3}/tag{4}/' $text
+broken no "a formula that Markdown damages" lint 's/`x_1^\*`/x_1^*/' $text
+broken no "a dollar sign without partner" lint 's/\$p_0\$/$p_0/' $text
+broken no "a picture that is not there" lint 's/fig_3_1.svg/fig_3_2.svg/' $text
+broken no "an exercise nobody links to" lint '/^\[Exercise/d' $text
+broken no "a refused macro" lint 's/a = b/\\operatorname{a} = b/' $text
+broken no "a link to a solution" lint 's/^\[Exercise.*/&, [it](exercises\/ex1_demo\/solution.cpp)/' $text
+
+if have_gnuplot; then
+    broken yes "a clean picture" picture 's/a/a/' README.md
+    broken no "a picture older than its data" picture 's/1.25/1.26/' figures/fig_3_1.csv
+    broken no "a picture older than its script" picture 's/ls 1/ls 2/' figures/fig_3_1.gp
+    broken no "a column that is not there" "draw new.svg" "s/'p' with/'q' with/" figures/fig_3_1.gp
+    broken no "data that are not there" "draw new.svg" 's/fig_3_1.csv/fig_3_9.csv/' figures/fig_3_1.gp
+    broken no "a mistake in a script" "draw new.svg" 's/plot/plod/' figures/fig_3_1.gp
+fi
+
+# the starter of an exercise
+starter() { printf '#!/bin/sh\n%s\n' "$1" > program && chmod +x program && "$tools/starter.sh" ./program; }
+expect yes "a starter that fails a check" starter 'echo "assertions: 2 | 1 passed | 1 failed"; exit 1'
+expect no "a starter that passes" starter 'echo "All tests passed (2 assertions in 1 test case)"'
+expect no "a starter that crashes" starter 'echo "due to a fatal error condition:"; echo "assertions: 1 | 1 failed"; kill -SEGV $$'
+expect no "a starter that ends early" starter 'exit 3'
+expect no "a starter that does not exist" "$tools/starter.sh" ./nowhere
+
+[ "$failures" -eq 0 ] || { echo "$failures faults were judged wrongly"; exit 1; }

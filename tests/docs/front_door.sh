@@ -1,0 +1,18 @@
+#!/bin/sh
+# front_door.sh ROOT: run.sh and the set-up explain themselves and refuse what they do not know with status 2.
+set -u
+cd "$1" || exit 1
+bad=0
+for words in "run.sh nonsense" "run.sh test test" "tools/setup.sh nonsense"; do
+    said=$(./$words 2>&1)
+    status=$?
+    if [ "$status" -ne 2 ] || ! printf '%s' "$said" | grep -q "expected"; then
+        echo "$words: status $status, said: $said"
+        bad=1
+    fi
+done
+./run.sh help | grep -q './run.sh test' || { echo "run.sh help does not tell of ./run.sh test"; bad=1; }
+for target in test ch06 ex6.1 book results; do
+    make help | grep -q "make $target " || { echo "make help does not tell of $target"; bad=1; }
+done
+exit $bad

@@ -1,0 +1,27 @@
+#!/bin/sh
+# install.sh BUILD FOLDER COMPILER: the installed library is found by find_package and can be used, with nothing but
+# Eigen beside it.
+set -eu
+rm -rf "$2"
+mkdir -p "$2/user"
+cmake --install "$1" --prefix "$2/prefix" > /dev/null
+cd "$2/user"
+cat > CMakeLists.txt << 'END'
+cmake_minimum_required(VERSION 3.22)
+project(user LANGUAGES CXX)
+find_package(signorini 0.1 CONFIG REQUIRED)
+add_executable(user user.cpp)
+target_link_libraries(user PRIVATE signorini::signorini)
+END
+cat > user.cpp << 'END'
+#include <iostream>
+#include "signorini/core/results.hpp"
+int main() {
+  signorini::Results results("user");
+  results.add("force", 2.5, "N");
+  std::cout << results.value("force") << '\n';
+}
+END
+cmake -S . -B build -DCMAKE_PREFIX_PATH="$2/prefix" -DCMAKE_CXX_COMPILER="$3" --log-level=NOTICE > /dev/null
+cmake --build build > build.log 2>&1 || { cat build.log; exit 1; }
+[ "$(build/user)" = 2.5 ]

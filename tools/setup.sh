@@ -1,0 +1,69 @@
+#!/bin/sh
+# setup.sh GROUP ...: installs the Debian or Ubuntu packages of these groups that are missing.
+#   build   compiler, libraries, gnuplot: all that ./run.sh needs
+#   book    Doxygen, formulas and look of the web pages
+#   check   a browser that opens every page
+#   strict  the second compiler of the stricter presets
+# Without the right to install it prints the command to type and stops with status 2.
+set -eu
+build="g++ make cmake catch2 libeigen3-dev libcli11-dev gnuplot-nox perl-base"
+book="doxygen libjs-mathjax doxygen-awesome-css"
+check="chromium python3 fonts-dejavu-core"
+strict="clang"
+
+wanted=""
+for group in "$@"; do
+    case $group in
+    build) wanted="$wanted $build" ;;
+    book) wanted="$wanted $book" ;;
+    check) wanted="$wanted $check" ;;
+    strict) wanted="$wanted $strict" ;;
+    *) echo "setup.sh: unknown group '$group', expected build, book, check or strict" >&2; exit 2 ;;
+    esac
+done
+
+if ! command -v apt-get > /dev/null 2>&1; then
+    echo "This system does not use apt. Please install what corresponds to these packages, then type make:$wanted" >&2
+    exit 2
+fi
+
+installed() { # a program may have come another way than by its package
+    case $1 in
+    g++ | make | cmake | doxygen | chromium | python3) command -v "$1" ;;
+    gnuplot-nox) command -v gnuplot ;;
+    perl-base) command -v perl ;;
+    clang) command -v clang++ ;;
+    *) false ;;
+    esac > /dev/null 2>&1 || dpkg-query -W -f '${Status}\n' "$1" 2> /dev/null | grep -q "ok installed"
+}
+
+missing=""
+for package in $wanted; do
+    installed "$package" || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+if [ "$(id -u)" = 0 ]; then
+    sudo=""
+elif command -v sudo > /dev/null 2>&1 && sudo -n true 2> /dev/null; then
+    sudo="sudo"
+else
+    echo "Some packages are missing. Please type this once, then try again:" >&2
+    echo "    sudo apt-get update && sudo apt-get install -y --no-install-recommends$missing" >&2
+    exit 2
+fi
+
+echo "installing:$missing"
+export DEBIAN_FRONTEND=noninteractive
+$sudo apt-get update -q
+# The theme and the browser do not exist in every release; the book does without the one, its check is
+# left out without the other.
+for package in doxygen-awesome-css chromium; do
+    case " $missing " in *" $package "*)
+        if [ -z "$(apt-cache madison "$package" 2> /dev/null)" ]; then
+            echo "no package $package in this release, going on without it"
+            missing=$(echo "$missing" | sed "s/ $package\>//")
+        fi ;;
+    esac
+done
+[ -z "$missing" ] || $sudo apt-get install -y --no-install-recommends $missing

@@ -1,0 +1,46 @@
+#!/usr/bin/env perl
+# summary.pl OUT [chNN ...]: the last lines of a run, one per chapter: its headline number beside the
+# reference value, the seconds of the program and the first figure.  Reads OUT/chNN/chNN.results and
+# OUT/chNN/nanoseconds; the headline is the line  # headline KEY REFERENCE SOURCE WORDS ...
+use strict;
+use warnings;
+
+my ($out, @only) = @ARGV;
+binmode STDOUT, ':utf8';
+defined $out or die "usage: summary.pl OUT [chNN ...]\n";
+my @row = (['chapter', 'headline number', 'reference', 'deviation', 'seconds', 'figure']);
+
+for my $folder (grep { -d } glob "$out/ch[0-9][0-9]") {
+    my ($id) = $folder =~ /(ch\d\d)$/;
+    next if @only && !grep { $_ eq $id } @only;
+    open my $in, '<:utf8', "$folder/$id.results" or die "$folder/$id.results: $!\n";
+    my (%value, @headline);
+    while (<$in>) {
+        if    (/^# headline (\S+) (\S+) ?(.*)/) { push @headline, [$1, $2, $3] }
+        elsif (/^([^#\s]\S*) (\S+) (\S+)/)      { $value{$1} = [$2, $3 eq '-' ? '' : " $3"] }
+    }
+    close $in;
+    my $seconds = '';
+    if (open my $t, '<', "$folder/nanoseconds") { $seconds = sprintf '%.2f', <$t> / 1e9 }
+    my ($figure) = sort { length $a <=> length $b || $a cmp $b } glob "$folder/fig_*.svg";
+    my @line = ($id, $seconds, $figure // '');
+    for my $h (@headline) {
+        my ($key, $reference, $source) = @$h;
+        my $v = $value{$key} or die "$folder/$id.results: the headline '$key' is not among the values\n";
+        push @row, [$line[0], sprintf('%s = %.5g%s', $key, @$v), sprintf('%.5g', $reference) . ($source eq '' ? '' : " ($source)"),
+            $reference == 0 ? '-' : sprintf('%+.2g %%', 100 * ($v->[0] / $reference - 1)), $line[1], $line[2]];
+        @line = ('', '', '');
+    }
+    push @row, [$line[0], '-', '-', '-', $line[1], $line[2]] if !@headline;
+}
+@row > 1 or die "$out: no chapter has run yet\n";
+
+my @width;
+for my $r (@row) {
+    for my $k (0 .. $#$r) { $width[$k] = length $r->[$k] if length $r->[$k] > ($width[$k] // 0) }
+}
+for my $r (@row) {
+    my $line = join ' | ', map { sprintf($_ =~ /^[34]$/ ? '%*s' : '%-*s', $width[$_], $r->[$_]) } 0 .. $#$r;
+    print $line =~ s/\s+$//r, "\n";
+    print '-' x length $line, "\n" if $r == $row[0];
+}
