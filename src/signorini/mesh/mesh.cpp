@@ -1,0 +1,123 @@
+#include "signorini/mesh/mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+/// Twice the area of the triangle spanned at corner `k` by its two sides: det J there, times 4.
+double corner_jacobian(const Mesh& mesh, Eigen::Index cell, int k) {
+  const Eigen::RowVector2d here = mesh.nodes.row(mesh.cells(cell, k));
+  const Eigen::RowVector2d next = mesh.nodes.row(mesh.cells(cell, (k + 1) % 4)) - here;
+  const Eigen::RowVector2d last = mesh.nodes.row(mesh.cells(cell, (k + 3) % 4)) - here;
+  return next.x() * last.y() - next.y() * last.x();
+}
+
+std::string corners_of(const Mesh& mesh, Eigen::Index cell) {
+  std::string list;
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::RowVector2d x = mesh.nodes.row(mesh.cells(cell, k));
+    list += text(k == 0 ? "" : ", ", '(', x.x(), ", ", x.y(), ')');
+  }
+  return list;
+}
+
+void check_node_numbers(const Mesh& mesh) {
+  const Eigen::Index n = mesh.n_nodes();
+  pose(mesh.cells.cols() == 4 || mesh.cells.cols() == 8, "mesh '", mesh.name,
+       "': cells must have 4 or 8 nodes, got ", mesh.cells.cols());
+  pose(mesh.nodes.allFinite(), "mesh '", mesh.name, "': a node position is not finite");
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (Eigen::Index k = 0; k < mesh.cells.cols(); ++k)
+      pose(mesh.cells(cell, k) >= 0 && mesh.cells(cell, k) < n, "mesh '", mesh.name, "': cell ",
+           cell, " refers to node ", mesh.cells(cell, k), ", but the nodes are 0 to ", n - 1);
+}
+
+/// Midside nodes must lie in the middle half of their side: beyond it the map of the cell folds.
+void check_midpoints(const Mesh& mesh, Eigen::Index cell) {
+  for (int s = 0; s < 4 && mesh.cells.cols() == 8; ++s) {
+    const Eigen::RowVector2d a = mesh.nodes.row(mesh.cells(cell, s));
+    const Eigen::RowVector2d along = mesh.nodes.row(mesh.cells(cell, (s + 1) % 4)) - a;
+    const Eigen::RowVector2d middle = mesh.nodes.row(mesh.cells(cell, 4 + s)) - a;
+    const double t = middle.dot(along) / along.squaredNorm();
+    pose(t > 0.25 && t < 0.75, "mesh '", mesh.name, "': cell ", cell,
+         " has the middle node of side ", s, " at ", t,
+         " of the side; it must lie between 0.25 and 0.75");
+  }
+}
+
+}  // namespace
+
+std::vector<Eigen::Index> Mesh::side_nodes(const CellSide& side) const {
+  const Eigen::Index first = cells(side.cell, side.side);
+  const Eigen::Index last = cells(side.cell, (side.side + 1) % 4);
+  if (cells.cols() == 4) return {first, last};
+  return {first, cells(side.cell, 4 + side.side), last};
+}
+
+const std::vector<CellSide>& boundary(const Mesh& mesh, const std::string& name) {
+  const auto found = mesh.boundaries.find(name);
+  if (found != mesh.boundaries.end()) return found->second;
+  std::string known;
+  for (const auto& [other, sides] : mesh.boundaries) known += (known.empty() ? "" : ", ") + other;
+  throw ProblemError(text("mesh '", mesh.name, "' has no boundary '", name,
+                          "'; it has: ", known.empty() ? "none" : known));
+}
+
+std::vector<Eigen::Index> boundary_nodes(const Mesh& mesh, const std::string& name) {
+  std::vector<Eigen::Index> list;
+  std::set<Eigen::Index> seen;
+  for (const CellSide& side : boundary(mesh, name))
+    for (const Eigen::Index node : mesh.side_nodes(side))
+      if (seen.insert(node).second) list.push_back(node);
+  return list;
+}
+
+MeshQuality check_mesh(const Mesh& mesh) {
+  check_node_numbers(mesh);
+  // A side shorter than rounding of the coordinates has no length.
+  const double size = mesh.nodes.cwiseAbs().maxCoeff();
+  const double no_length = 4 * std::numeric_limits<double>::epsilon() * size;
+  for (const auto& [name, sides] : mesh.boundaries)
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      const std::vector<Eigen::Index> ends = mesh.side_nodes(sides[s]);
+      const double length = (mesh.nodes.row(ends.front()) - mesh.nodes.row(ends.back())).norm();
+      pose(length > no_length, "mesh '", mesh.name, "': side ", s, " of the boundary '", name,
+           "' (cell ", sides[s].cell, ") has zero length: its end nodes ", ends.front(), " and ",
+           ends.back(), " coincide");
+    }
+  MeshQuality quality{1, 1};
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    double shortest = lowest;
+    double longest = 0;
+    for (int k = 0; k < 4; ++k) {
+      const double jacobian = corner_jacobian(mesh, cell, k);
+      lowest = std::min(lowest, jacobian);
+      highest = std::max(highest, jacobian);
+      const double side =
+          (mesh.nodes.row(mesh.cells(cell, (k + 1) % 4)) - mesh.nodes.row(mesh.cells(cell, k)))
+              .norm();
+      shortest = std::min(shortest, side);
+      longest = std::max(longest, side);
+    }
+    const double flat = 16 * std::numeric_limits<double>::epsilon() * longest * size;
+    pose(lowest > flat, "mesh '", mesh.name, "': cell ", cell,
+         highest < -flat
+             ? " is inverted (its corners run clockwise)"
+             : " is degenerate (a corner of 180 degrees or more, or two corners in one place)",
+         ": corners ", corners_of(mesh, cell));
+    check_midpoints(mesh, cell);
+    quality.smallest_jacobian_ratio = std::min(quality.smallest_jacobian_ratio, lowest / highest);
+    quality.largest_aspect_ratio = std::max(quality.largest_aspect_ratio, longest / shortest);
+  }
+  return quality;
+}
+
+}  // namespace signorini
