@@ -1,0 +1,195 @@
+#include "signorini/complementarity/certificate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <ostream>
+#include <sstream>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
+
+/// Whether u carries a second, smaller part.
+bool has_low(const PrimalDual& solution) { return solution.displacement_low.size() > 0; }
+
+void check_sizes(const QuadraticProgramme& programme, const PrimalDual& solution) {
+  const Index n = programme.load.size();
+  const Index pairs = programme.initial_gap.size();
+  require(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
+              programme.A.rows() == pairs && programme.A.cols() == n,
+          "certify: K must be ", n, " x ", n, " and A ", pairs, " x ", n, ", got ",
+          programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
+          programme.A.rows(), " x ", programme.A.cols());
+  require(solution.displacement.size() == n && solution.force.size() == pairs &&
+              (!has_low(solution) || solution.displacement_low.size() == n),
+          "certify: need ", n, " displacements and ", pairs, " forces, got ",
+          solution.displacement.size(), " and ", solution.force.size());
+}
+
+/// Adds one column of the symmetric K times u. K has both triangles, so a column serves as a row.
+void add_stiffness_row(const QuadraticProgramme& programme, const PrimalDual& solution, Index row,
+                       double sign, ExactSum& sum) {
+  double small = 0;
+  for (Eigen::SparseMatrix<double>::InnerIterator entry(programme.stiffness, row); entry; ++entry) {
+    sum.add_product(sign * entry.value(), solution.displacement(entry.row()));
+    if (has_low(solution)) small += entry.value() * solution.displacement_low(entry.row());
+  }
+  sum.add(sign * small);
+}
+
+/// Scales of one problem: a length and a force.
+struct Scales {
+  double length = 0;
+  double force = 0;
+};
+
+/// What numbers that are not finite deserve.
+Certificate rejected() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  return {infinity, infinity, infinity, infinity, infinity};
+}
+
+}  // namespace
+
+double Certificate::worst() const {
+  return std::max({penetration, tension, complementarity, equilibrium, duality_gap});
+}
+
+Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,
+                                     const PrimalDual& solution) {
+  check_sizes(programme, solution);
+  std::vector<ExactSum> sum;
+  sum.reserve(static_cast<std::size_t>(programme.load.size()));
+  for (Index i = 0; i < programme.load.size(); ++i) {
+    sum.emplace_back(programme.load(i));
+    add_stiffness_row(programme, solution, i, -1, sum.back());
+  }
+  for (Index pair = 0; pair < programme.A.rows(); ++pair)
+    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
+      sum[static_cast<std::size_t>(entry.col())].add_product(-entry.value(), solution.force(pair));
+  Eigen::VectorXd residual(programme.load.size());
+  for (Index i = 0; i < residual.size(); ++i)
+    residual(i) = sum[static_cast<std::size_t>(i)].value();
+  return residual;
+}
+
+Eigen::VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solution) {
+  check_sizes(programme, solution);
+  Eigen::VectorXd gap(programme.initial_gap.size());
+  for (Index pair = 0; pair < gap.size(); ++pair) {
+    ExactSum sum(programme.initial_gap(pair));
+    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry) {
+      sum.add_product(-entry.value(), solution.displacement(entry.col()));
+      if (has_low(solution)) sum.add(-entry.value() * solution.displacement_low(entry.col()));
+    }
+    gap(pair) = sum.value();
+  }
+  return gap;
+}
+
+Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution) {
+  check_sizes(programme, solution);
+  if (!solution.displacement.allFinite() || !solution.force.allFinite()) return rejected();
+  const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
+  const Eigen::VectorXd gap = gaps(programme, solution);
+  const Index pairs = gap.size();
+  Eigen::VectorXd norm(pairs);
+  Scales scale;
+  for (Index pair = 0; pair < pairs; ++pair) {
+    norm(pair) = programme.A.row(pair).norm();
+    if (norm(pair) == 0) norm(pair) = 1;
+    double length = std::abs(programme.initial_gap(pair));
+    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
+      length += std::abs(entry.value() * solution.displacement(entry.col()));
+    scale.length = std::max(scale.length, length / norm(pair));
+    scale.force = std::max(scale.force, std::abs(solution.force(pair)) * norm(pair));
+  }
+  if (programme.load.size() > 0)
+    scale.force = std::max(scale.force, programme.load.cwiseAbs().maxCoeff());
+
+  Certificate certificate;
+  ExactSum gap_energy;
+  double energies = 0;
+  for (Index pair = 0; pair < pairs; ++pair) {
+    const double length = gap(pair) / norm(pair);
+    const double force = solution.force(pair) * norm(pair);
+    certificate.penetration =
+        std::max(certificate.penetration, ratio(std::max(0.0, -length), scale.length));
+    certificate.tension = std::max(certificate.tension, ratio(std::max(0.0, -force), scale.force));
+    certificate.complementarity = std::max(
+        certificate.complementarity, ratio(std::abs(length * force), scale.length * scale.force));
+    // u^T K u - p^T u + lambda^T g = lambda^T gap - u^T (p - K u - A^T lambda)
+    gap_energy.add_product(solution.force(pair), gap(pair));
+    energies += std::abs(solution.force(pair) * programme.initial_gap(pair));
+  }
+  for (Index i = 0; i < residual.size(); ++i) {
+    gap_energy.add_product(-residual(i), solution.displacement(i));
+    energies += std::abs(programme.load(i) * solution.displacement(i));
+  }
+  certificate.equilibrium =
+      residual.size() == 0 ? 0 : ratio(residual.cwiseAbs().maxCoeff(), scale.force);
+  certificate.duality_gap = ratio(std::abs(gap_energy.value()), energies);
+  return certificate;
+}
+
+Certificate certify(const ContactProblem& problem, const ContactState& state) {
+  check_problem(problem);
+  const Index n = problem.free_gap.size();
+  require(state.force.size() == n && state.gap.size() == n, "certify: need ", n,
+          " forces and gaps, got ", state.force.size(), " and ", state.gap.size());
+  Certificate certificate;
+  if (n == 0) return certificate;
+  if (!state.force.allFinite() || !state.gap.allFinite()) return rejected();
+  // Pairs are compared after scaling: gap / sqrt(G_ii) and force * sqrt(G_ii) have one unit.
+  const Eigen::VectorXd scale =
+      problem.compliance.diagonal().unaryExpr([](double g) { return g > 0 ? std::sqrt(g) : 1.0; });
+  double largest = 0;
+  ExactSum gap_energy;
+  double energies = 0;
+  Eigen::VectorXd gap(n);
+  for (Index i = 0; i < n; ++i) {
+    ExactSum sum(problem.free_gap(i));
+    double magnitude = std::abs(problem.free_gap(i));
+    for (Index j = 0; j < n; ++j) {
+      sum.add_product(problem.compliance(i, j), state.force(j));
+      magnitude = std::max(magnitude, std::abs(problem.compliance(i, j) * state.force(j)));
+    }
+    gap(i) = sum.value();
+    largest = std::max({largest, magnitude / scale(i), std::abs(state.force(i)) * scale(i)});
+    gap_energy.add_product(state.force(i), gap(i));
+    energies += std::abs(state.force(i)) * magnitude;
+  }
+  for (Index i = 0; i < n; ++i) {
+    const double length = gap(i) / scale(i);
+    const double force = state.force(i) * scale(i);
+    certificate.penetration =
+        std::max(certificate.penetration, ratio(std::max(0.0, -length), largest));
+    certificate.tension = std::max(certificate.tension, ratio(std::max(0.0, -force), largest));
+    certificate.complementarity =
+        std::max(certificate.complementarity, ratio(std::abs(length * force), largest * largest));
+    certificate.equilibrium = std::max(certificate.equilibrium,
+                                       ratio(std::abs(gap(i) - state.gap(i)) / scale(i), largest));
+  }
+  certificate.duality_gap = ratio(std::abs(gap_energy.value()), energies);
+  return certificate;
+}
+
+std::ostream& operator<<(std::ostream& out, const Certificate& certificate) {
+  std::ostringstream line;
+  line << std::scientific << std::setprecision(1) << "penetration " << certificate.penetration
+       << ", tension " << certificate.tension << ", complementarity " << certificate.complementarity
+       << ", equilibrium " << certificate.equilibrium << ", duality gap "
+       << certificate.duality_gap;
+  return out << line.str();
+}
+
+}  // namespace signorini

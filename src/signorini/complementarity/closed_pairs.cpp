@@ -1,0 +1,88 @@
+#include "signorini/complementarity/closed_pairs.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "signorini/core/exact_sum.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// -d_W - G_WW lambda_W, summed in twice the working precision.
+Eigen::VectorXd residual(const Eigen::MatrixXd& G, const Eigen::VectorXd& d,
+                         const Eigen::VectorXd& force) {
+  std::vector<ExactSum> sum;
+  sum.reserve(static_cast<std::size_t>(d.size()));
+  for (Index i = 0; i < d.size(); ++i) sum.emplace_back(-d(i));
+  for (Index j = 0; j < d.size(); ++j)  // column by column, as G is stored
+    for (Index i = 0; i < d.size(); ++i)
+      sum[static_cast<std::size_t>(i)].add_product(-G(i, j), force(j));
+  Eigen::VectorXd r(d.size());
+  for (Index i = 0; i < d.size(); ++i) r(i) = sum[static_cast<std::size_t>(i)].value();
+  return r;
+}
+
+}  // namespace
+
+ScaledProblem equilibrate(const ContactProblem& problem) {
+  check_problem(problem);
+  ScaledProblem scaled;
+  scaled.scale = problem.compliance.diagonal().unaryExpr(
+      [](double g) { return g > 0 ? 1 / std::sqrt(g) : 1; });
+  scaled.compliance = scaled.scale.asDiagonal() * problem.compliance * scaled.scale.asDiagonal();
+  scaled.free_gap = scaled.scale.cwiseProduct(problem.free_gap);
+  return scaled;
+}
+
+ClosedPairs close_pairs(const ScaledProblem& problem, const std::vector<Index>& active) {
+  const Index n = problem.free_gap.size();
+  const double epsilon = std::numeric_limits<double>::epsilon();
+  ClosedPairs closed;
+  closed.force.setZero(n);
+  closed.force_rounding.setZero(n);
+  closed.solvable = true;
+  if (!active.empty()) {
+    const Eigen::MatrixXd G = problem.compliance(active, active);
+    const Eigen::VectorXd d = problem.free_gap(active);
+    const Eigen::LLT<Eigen::MatrixXd> factor(G);
+    // With unit diagonal a squared pivot of rounding size means that a row repeats the ones before it.
+    const double smallest = factor.info() == Eigen::Success
+                                ? Eigen::MatrixXd(factor.matrixL()).diagonal().minCoeff()
+                                : 0;
+    if (smallest * smallest <= static_cast<double>(active.size()) * epsilon) {
+      closed.solvable = false;
+      return closed;
+    }
+    Eigen::VectorXd force = factor.solve(-d);
+    for (int step = 0; step < 2; ++step) force += factor.solve(residual(G, d, force));
+    for (std::size_t k = 0; k < active.size(); ++k)
+      closed.force(active[k]) = force(static_cast<Index>(k));
+    closed.force_rounding.setConstant(static_cast<double>(active.size()) * epsilon *
+                                      force.cwiseAbs().maxCoeff());
+  }
+  closed.gap = problem.free_gap;
+  closed.gap_rounding = problem.free_gap.cwiseAbs();
+  for (const Index j : active) {
+    closed.gap += closed.force(j) * problem.compliance.col(j);
+    closed.gap_rounding += std::abs(closed.force(j)) * problem.compliance.col(j).cwiseAbs();
+  }
+  closed.gap_rounding *= static_cast<double>(active.size() + 1) * epsilon;
+  for (const Index j : active) closed.gap(j) = 0;
+  return closed;
+}
+
+ContactState unscaled(const ScaledProblem& problem, const ClosedPairs& closed,
+                      std::vector<Index> active, Report report) {
+  ContactState state;
+  state.force = problem.scale.cwiseProduct(closed.force).cwiseMax(0.0);
+  state.gap = closed.gap.cwiseQuotient(problem.scale).cwiseMax(0.0);
+  state.active = std::move(active);
+  state.report = std::move(report);
+  return state;
+}
+
+}  // namespace signorini

@@ -1,0 +1,21 @@
+/// \file
+/// Tries every set of closed pairs: slow, and beyond doubt.
+#pragma once
+#include "signorini/complementarity/problem.hpp"
+
+namespace signorini {
+
+/// Most pairs that enumerate() accepts: 4096 sets.
+inline constexpr Eigen::Index largest_enumeration = 12;
+
+/// Solves a small contact problem by looking at all 2^n_c sets of closed pairs.
+///
+/// A set is a solution if its forces and the gaps of the open pairs are not negative beyond rounding. Of
+/// several (a pair that just touches may be called open or closed) the one with the fewest pairs is
+/// returned. Sets with a singular block are left out: another set gives the same displacements.
+/// \return `Solved`, or `Infeasible` if no set fits
+/// \throws std::invalid_argument if there are more than 12 pairs, or as check_problem()
+[[nodiscard]] ContactState enumerate(const ContactProblem& problem,
+                                     const SolverOptions& options = {});
+
+}  // namespace signorini

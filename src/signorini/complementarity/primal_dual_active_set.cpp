@@ -1,0 +1,85 @@
+#include "signorini/complementarity/primal_dual_active_set.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "signorini/complementarity/closed_pairs.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Membership = std::vector<bool>;
+
+std::vector<Index> members(const Membership& closed) {
+  std::vector<Index> list;
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (closed[i]) list.push_back(static_cast<Index>(i));
+  return list;
+}
+
+/// Pairs on the wrong side: closed ones in tension and open ones that overlap.
+std::vector<Index> wrong_pairs(const Membership& closed, const ClosedPairs& now) {
+  std::vector<Index> wrong;
+  for (std::size_t k = 0; k < closed.size(); ++k) {
+    const Index i = static_cast<Index>(k);
+    const bool is_wrong =
+        closed[k] ? now.force(i) < -now.force_rounding(i) : now.gap(i) < -now.gap_rounding(i);
+    if (is_wrong) wrong.push_back(i);
+  }
+  return wrong;
+}
+
+Iteration summary(const ScaledProblem& scaled, const ClosedPairs& now, Index active,
+                  Index changes) {
+  const ContactState raw{
+      scaled.scale.cwiseProduct(now.force), now.gap.cwiseQuotient(scaled.scale), {}, {}};
+  return {active, changes, std::max(0.0, -raw.gap.minCoeff()),
+          std::max(0.0, -raw.force.minCoeff())};
+}
+
+}  // namespace
+
+ContactState primal_dual_active_set(const ContactProblem& problem, const SolverOptions& options) {
+  const ScaledProblem scaled = equilibrate(problem);
+  const Index n = problem.free_gap.size();
+  const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 10 * n + 10;
+
+  Membership closed(static_cast<std::size_t>(n));
+  for (Index i = 0; i < n; ++i) closed[static_cast<std::size_t>(i)] = scaled.free_gap(i) < 0;
+  std::set<Membership> seen;
+  bool one_at_a_time = false;
+  Report report;
+  ClosedPairs now;
+  while (true) {
+    const std::vector<Index> active = members(closed);
+    now = close_pairs(scaled, active);
+    ++report.iterations;
+    report.factorisations += active.empty() ? 0 : 1;
+    if (!now.solvable) {
+      report.status = Status::Breakdown;
+      now.gap = scaled.free_gap;
+      break;
+    }
+    const std::vector<Index> wrong = wrong_pairs(closed, now);
+    if (n > 0)
+      report.history.push_back(summary(scaled, now, static_cast<Index>(active.size()),
+                                       static_cast<Index>(wrong.size())));
+    if (wrong.empty()) {
+      report.status = Status::Solved;
+      break;
+    }
+    if (report.iterations >= limit) {
+      report.status = Status::IterationLimit;
+      break;
+    }
+    one_at_a_time = one_at_a_time || !seen.insert(closed).second;
+    for (const Index i : wrong) {
+      closed[static_cast<std::size_t>(i)].flip();
+      if (one_at_a_time) break;
+    }
+  }
+  return unscaled(scaled, now, members(closed), report);
+}
+
+}  // namespace signorini

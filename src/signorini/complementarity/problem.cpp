@@ -1,0 +1,45 @@
+#include "signorini/complementarity/problem.hpp"
+
+#include <limits>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+
+const char* to_string(Status status) {
+  switch (status) {
+    case Status::Solved:
+      return "solved";
+    case Status::Infeasible:
+      return "infeasible";
+    case Status::Ray:
+      return "ray";
+    case Status::IterationLimit:
+      return "iteration limit";
+    case Status::Breakdown:
+      return "breakdown";
+  }
+  return "unknown";
+}
+
+void check_problem(const ContactProblem& problem) {
+  const Eigen::MatrixXd& G = problem.compliance;
+  const Eigen::Index n = problem.free_gap.size();
+  require(G.rows() == n && G.cols() == n, "contact problem: compliance must be ", n, " x ", n,
+          " (one row per pair), got ", G.rows(), " x ", G.cols());
+  require(G.allFinite() && problem.free_gap.allFinite(),
+          "contact problem: compliance and free_gap must be finite");
+  if (n == 0) return;
+  const double asymmetry = (G - G.transpose()).cwiseAbs().maxCoeff();
+  const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * G.cwiseAbs().maxCoeff();
+  require(asymmetry <= rounding,
+          "contact problem: compliance must be symmetric, but differs from its "
+          "transpose by ",
+          asymmetry);
+  require((G.diagonal().array() >= 0).all(),
+          "contact problem: compliance must be positive semidefinite, but "
+          "has the diagonal entry ",
+          G.diagonal().minCoeff());
+}
+
+}  // namespace signorini

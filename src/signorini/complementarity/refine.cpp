@@ -1,0 +1,81 @@
+#include "signorini/complementarity/refine.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// u += change, keeping what does not fit into the leading double.
+void add_to_pair(PrimalDual& solution, const Eigen::VectorXd& change) {
+  for (Index i = 0; i < change.size(); ++i) {
+    const double addend = solution.displacement_low(i) + change(i);
+    const double sum = solution.displacement(i) + addend;
+    const double part = sum - solution.displacement(i);
+    solution.displacement_low(i) = (solution.displacement(i) - (sum - part)) + (addend - part);
+    solution.displacement(i) = sum;
+  }
+}
+
+double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
+
+double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+Refinement refine(const QuadraticProgramme& programme,
+                  const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
+                  const Eigen::MatrixXd& compliance, PrimalDual start,
+                  const std::vector<Index>& active) {
+  Refinement result;
+  PrimalDual& solution = result.solution;
+  solution = std::move(start);
+  if (solution.displacement_low.size() == 0)
+    solution.displacement_low.setZero(solution.displacement.size());
+  const Eigen::LLT<Eigen::MatrixXd> factor(compliance(active, active));
+
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  double last_u = 1;
+  double last_force = 1;
+  while (true) {
+    const Eigen::VectorXd change = solve_stiffness(equilibrium_residual(programme, solution));
+    add_to_pair(solution, change);
+    ++result.sweeps;
+    result.gap = gaps(programme, solution);
+    Eigen::VectorXd force_change;
+    if (!active.empty()) {
+      force_change = factor.solve(-Eigen::VectorXd(result.gap(active)));
+      for (std::size_t k = 0; k < active.size(); ++k)
+        solution.force(active[k]) += force_change(static_cast<Index>(k));
+    }
+    // The corrections just made, relative to what they correct, and how fast they shrink: the next ones
+    // are expected to be smaller by the same factor.
+    const double moved_u = ratio(largest(change), largest(solution.displacement));
+    const double moved_force = ratio(largest(force_change), largest(solution.force));
+    const double rounding = epsilon * static_cast<double>(active.size() + 1);
+    const bool settled = moved_u * std::min(1.0, moved_u / last_u) <= rounding &&
+                         moved_force * std::min(1.0, moved_force / last_force) <= rounding;
+    const bool stalled = !(moved_u < 0.5 * last_u) && !(moved_force < 0.5 * last_force);
+    if (settled || stalled) break;
+    last_u = moved_u;
+    last_force = moved_force;
+  }
+  result.confirmed = true;
+  std::vector<bool> is_active(static_cast<std::size_t>(solution.force.size()), false);
+  for (const Index i : active) {
+    is_active[static_cast<std::size_t>(i)] = true;
+    if (solution.force(i) < -epsilon * largest(solution.force)) result.confirmed = false;
+  }
+  const double length = largest(programme.initial_gap) + largest(solution.displacement);
+  for (Index i = 0; i < result.gap.size(); ++i)
+    if (!is_active[static_cast<std::size_t>(i)] && result.gap(i) < -epsilon * length)
+      result.confirmed = false;
+  return result;
+}
+
+}  // namespace signorini

@@ -1,0 +1,33 @@
+/// \file
+/// The last step of every exact method: the KKT system of the final set, from the original data.
+#pragma once
+#include <functional>
+
+#include "signorini/complementarity/certificate.hpp"
+
+namespace signorini {
+
+/// What refine() did.
+struct Refinement {
+  PrimalDual solution;      ///< u in two parts, and lambda
+  Eigen::VectorXd gap;      ///< g - A u `n_c` [length]
+  Eigen::Index sweeps = 0;  ///< solves with K
+  bool confirmed = false;   ///< no force of the set is tensile and no other pair overlaps
+};
+
+/// Refines K u + A^T lambda = p, A_W u = g_W for a set W of closed pairs.
+///
+/// Each sweep corrects u by K^-1 times the residual of equilibrium, then lambda by the gaps left in W;
+/// both residuals come from K, p, A and g in twice the working precision, so the factor and the
+/// compliance may carry errors up to about 1/cond. u is kept as a sum of two doubles. Sweeps end when
+/// both corrections have reached rounding size or no longer shrink.
+/// \param solve_stiffness  K^-1 applied to a vector; need not be accurate
+/// \param compliance       G = A K^-1 A^T `n_c x n_c`; need not be accurate
+/// \param start            a solution to start from; its displacement may still be that without contact
+/// \param active           W, in increasing order
+[[nodiscard]] Refinement refine(
+    const QuadraticProgramme& programme,
+    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
+    const Eigen::MatrixXd& compliance, PrimalDual start, const std::vector<Eigen::Index>& active);
+
+}  // namespace signorini
