@@ -1,0 +1,167 @@
+#include "signorini/elasticity/assembly.hpp"
+
+#include <cmath>
+#include <map>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// Linear or quadratic shape functions of a side at s in [-1, 1], and their slopes.
+struct SideShape {
+  Eigen::Vector3d value;
+  Eigen::Vector3d slope;
+};
+SideShape side_shape(std::size_t n_nodes, double s) {
+  if (n_nodes == 2) return {{(1 - s) / 2, (1 + s) / 2, 0}, {-0.5, 0.5, 0}};
+  return {{s * (s - 1) / 2, 1 - s * s, s * (s + 1) / 2}, {s - 0.5, -2 * s, s + 0.5}};
+}
+
+/// Calls visit(nodes, N, tangent, position, weight) at the Gauss points of every side of a boundary.
+template <typename Visit>
+void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit) {
+  for (const CellSide& side : boundary(mesh, name)) {
+    const std::vector<Index> nodes = mesh.side_nodes(side);
+    for (const GaussPoint& gauss : gauss_line(3)) {
+      const SideShape shape = side_shape(nodes.size(), gauss.xi);
+      Eigen::Vector2d position = Eigen::Vector2d::Zero();
+      Eigen::Vector2d tangent = Eigen::Vector2d::Zero();
+      for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const Eigen::Vector2d x = mesh.nodes.row(nodes[k]).transpose();
+        position += shape.value(static_cast<Index>(k)) * x;
+        tangent += shape.slope(static_cast<Index>(k)) * x;
+      }
+      visit(nodes, shape.value, tangent, position, gauss.weight);
+    }
+  }
+}
+
+void add_body_force(const Mesh& mesh, const Element& element, const Eigen::Matrix3d& D,
+                    double thickness, const VectorField& force, NodeArray& load) {
+  StrainPoints points;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const CellNodes nodes = cell_nodes(mesh, cell);
+    element.strain(nodes, D, points);
+    for (int i = 0; i < points.size; ++i) {
+      const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+      const CellScalars N = element.shape(point.local.x(), point.local.y()).value;
+      const Eigen::Vector2d position = nodes.transpose() * N;
+      const Eigen::Vector2d f = force(position);
+      pose(f.allFinite(), "body force: not finite at (", position.x(), ", ", position.y(), ')');
+      for (Index k = 0; k < element.n_nodes; ++k)
+        load.row(mesh.cells(cell, k)) += thickness * point.area * N(k) * f.transpose();
+    }
+  }
+}
+
+void add_edge_load(const Mesh& mesh, double thickness, const EdgeLoad& edge, NodeArray& load) {
+  integrate_boundary(
+      mesh, edge.boundary,
+      [&](const std::vector<Index>& nodes, const Eigen::Vector3d& N, const Eigen::Vector2d& tangent,
+          const Eigen::Vector2d& position, double weight) {
+        const Eigen::Vector2d inward(-tangent.y(), tangent.x());  // body on the left
+        Eigen::Vector2d force = edge.pressure * inward;
+        if (edge.traction) force += edge.traction(position) * tangent.norm();
+        pose(force.allFinite(), "load on '", edge.boundary, "': not finite at (", position.x(),
+             ", ", position.y(), ')');
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          load.row(nodes[k]) += thickness * weight * N(static_cast<Index>(k)) * force.transpose();
+      });
+}
+
+}  // namespace
+
+CellNodes cell_nodes(const Mesh& mesh, Index cell) {
+  CellNodes nodes(mesh.cells.cols(), 2);
+  for (Index k = 0; k < mesh.cells.cols(); ++k) nodes.row(k) = mesh.nodes.row(mesh.cells(cell, k));
+  return nodes;
+}
+
+CellMatrix cell_stiffness(const Element& element, const CellNodes& nodes, const Eigen::Matrix3d& D,
+                          double thickness) {
+  StrainPoints points;
+  element.strain(nodes, D, points);
+  CellMatrix K = CellMatrix::Zero(2 * element.n_nodes, 2 * element.n_nodes);
+  for (int i = 0; i < points.size; ++i) {
+    const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+    const StrainMatrix stress = thickness * point.area * D * point.B;
+    K.noalias() += point.B.transpose() * stress;
+  }
+  return 0.5 * (K + CellMatrix(K.transpose()));  // exactly symmetric
+}
+
+NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Material& material,
+                      const Loads& loads) {
+  NodeArray load = NodeArray::Zero(mesh.n_nodes(), 2);
+  if (loads.body_force)
+    add_body_force(mesh, element, elasticity_matrix(material), material.thickness, loads.body_force,
+                   load);
+  for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, material.thickness, edge, load);
+  return load;
+}
+
+LinearSystem assemble(const Mesh& mesh, const Element& element, const Material& material,
+                      const Unknowns& unknowns, const Loads& loads) {
+  pose(mesh.cells.cols() == element.n_nodes, "mesh '", mesh.name, "' has cells of ",
+       mesh.cells.cols(), " nodes, but the element ", element.name, " needs ", element.n_nodes);
+  const Eigen::Matrix3d D = elasticity_matrix(material);
+  const Index n_cell = 2 * element.n_nodes;
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(mesh.n_cells() * n_cell * n_cell));
+
+  LinearSystem system;
+  const NodeArray nodal = nodal_loads(mesh, element, material, loads);
+  system.load.resize(unknowns.count);
+  for (Index node = 0; node < mesh.n_nodes(); ++node)
+    for (int axis = 0; axis < 2; ++axis)
+      if (unknowns.number(node, axis) >= 0)
+        system.load(unknowns.number(node, axis)) = nodal(node, axis);
+
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const CellMatrix K = cell_stiffness(element, cell_nodes(mesh, cell), D, material.thickness);
+    for (Index i = 0; i < n_cell; ++i) {
+      const Index row = unknowns.number(mesh.cells(cell, i / 2), i % 2);
+      if (row < 0) continue;
+      for (Index j = 0; j < n_cell; ++j) {
+        const Index column = unknowns.number(mesh.cells(cell, j / 2), j % 2);
+        if (column >= 0)
+          entries.emplace_back(static_cast<int>(row), static_cast<int>(column), K(i, j));
+        else
+          system.load(row) -= K(i, j) * unknowns.held(mesh.cells(cell, j / 2), j % 2);
+      }
+    }
+  }
+  system.stiffness.resize(unknowns.count, unknowns.count);
+  system.stiffness.setFromTriplets(entries.begin(), entries.end());
+  return system;
+}
+
+Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, double thickness) {
+  std::map<Index, double> weight;
+  integrate_boundary(
+      mesh, name,
+      [&](const std::vector<Index>& nodes, const Eigen::Vector3d& N, const Eigen::Vector2d& tangent,
+          const Eigen::Vector2d& /*position*/, double w) {
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          weight[nodes[k]] += thickness * w * N(static_cast<Index>(k)) * tangent.norm();
+      });
+  const std::vector<Index> nodes = boundary_nodes(mesh, name);
+  Eigen::VectorXd weights(static_cast<Index>(nodes.size()));
+  for (std::size_t k = 0; k < nodes.size(); ++k) weights(static_cast<Index>(k)) = weight[nodes[k]];
+  return weights;
+}
+
+NodeArray expand(const Unknowns& unknowns, const Eigen::Ref<const Eigen::VectorXd>& values) {
+  require(values.size() == unknowns.count, "expand: need ", unknowns.count,
+          " values (one per unknown), got ", values.size());
+  NodeArray all = unknowns.held;
+  for (Index node = 0; node < all.rows(); ++node)
+    for (int axis = 0; axis < 2; ++axis)
+      if (unknowns.number(node, axis) >= 0) all(node, axis) = values(unknowns.number(node, axis));
+  return all;
+}
+
+}  // namespace signorini

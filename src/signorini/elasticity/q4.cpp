@@ -1,0 +1,43 @@
+#include "signorini/elasticity/q4.hpp"
+
+#include "signorini/elasticity/elements.hpp"
+
+namespace signorini {
+
+Shape bilinear_shape(double xi, double eta) {
+  Shape shape;
+  shape.value.resize(4);
+  shape.slope.resize(4, 2);
+  for (int k = 0; k < 4; ++k) {
+    const double a = k == 1 || k == 2 ? 1 : -1;  // corner k is at (a, b)
+    const double b = k >= 2 ? 1 : -1;
+    shape.value(k) = 0.25 * (1 + a * xi) * (1 + b * eta);
+    shape.slope(k, 0) = 0.25 * a * (1 + b * eta);
+    shape.slope(k, 1) = 0.25 * b * (1 + a * xi);
+  }
+  return shape;
+}
+
+void bilinear_strain(const CellNodes& nodes, StrainPoints& points) {
+  points.size = 0;
+  for (const GaussPoint& gauss : gauss_square(2)) {
+    const Jacobian map = jacobian(bilinear_shape(gauss.xi, gauss.eta), nodes);
+    StrainPoint& point = points.point[static_cast<std::size_t>(points.size++)];
+    point.local << gauss.xi, gauss.eta;
+    point.area = gauss.weight * map.determinant;
+    point.B = strain_matrix(map.gradient);
+  }
+}
+
+Element q4() {
+  return {"q4",
+          "4 nodes, full integration",
+          4,
+          1,
+          bilinear_shape,
+          [](const CellNodes& nodes, const Eigen::Matrix3d& /*D*/, StrainPoints& points) {
+            bilinear_strain(nodes, points);
+          }};
+}
+
+}  // namespace signorini

@@ -1,0 +1,100 @@
+#include "signorini/elasticity/stress.hpp"
+
+#include <Eigen/QR>
+#include <cmath>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/elasticity/assembly.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, max_strain_points, 3>;
+
+/// Stress at every strain point of one cell, and the points themselves.
+PointStress point_stress(const Mesh& mesh, Index cell, const Element& element,
+                         const Eigen::Matrix3d& D, const NodeArray& displacements,
+                         StrainPoints& points) {
+  element.strain(cell_nodes(mesh, cell), D, points);
+  CellVector u(2 * element.n_nodes);
+  for (Index k = 0; k < element.n_nodes; ++k)
+    u.segment<2>(2 * k) = displacements.row(mesh.cells(cell, k)).transpose();
+  PointStress stress(points.size, 3);
+  for (int i = 0; i < points.size; ++i)
+    stress.row(i) = (D * (points.point[static_cast<std::size_t>(i)].B * u)).transpose();
+  return stress;
+}
+
+/// Takes values at the strain points to the nodes through the bilinear function that fits them best.
+Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points) {
+  const auto monomials = [](const Eigen::Vector2d& x) {
+    return Eigen::RowVector4d(1, x.x(), x.y(), x.x() * x.y());
+  };
+  Eigen::MatrixXd at_points(points.size, 4);
+  for (int i = 0; i < points.size; ++i)
+    at_points.row(i) = monomials(points.point[static_cast<std::size_t>(i)].local);
+  const Eigen::Vector2d corner[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  Eigen::MatrixXd at_nodes(element.n_nodes, 4);
+  for (Index k = 0; k < element.n_nodes; ++k)
+    at_nodes.row(k) =
+        monomials(k < 4 ? corner[k] : Eigen::Vector2d(0.5 * (corner[k - 4] + corner[(k - 3) % 4])));
+  return at_nodes * at_points.completeOrthogonalDecomposition().pseudoInverse();
+}
+
+void check_displacements(const Mesh& mesh, const NodeArray& displacements) {
+  require(displacements.rows() == mesh.n_nodes(), "stress: need the displacements of ",
+          mesh.n_nodes(), " nodes, got ", displacements.rows());
+}
+
+}  // namespace
+
+StressArray nodal_stress(const Mesh& mesh, const Element& element, const Material& material,
+                         const NodeArray& displacements) {
+  check_displacements(mesh, displacements);
+  const Eigen::Matrix3d D = elasticity_matrix(material);
+  StressArray stress = StressArray::Zero(mesh.n_nodes(), 3);
+  Eigen::VectorXd cells_at = Eigen::VectorXd::Zero(mesh.n_nodes());
+  StrainPoints points;
+  Eigen::MatrixXd to_nodes;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const PointStress at_points = point_stress(mesh, cell, element, D, displacements, points);
+    if (to_nodes.size() == 0) to_nodes = extrapolation(element, points);
+    for (Index k = 0; k < element.n_nodes; ++k) {
+      stress.row(mesh.cells(cell, k)) += to_nodes.row(k) * at_points;
+      cells_at(mesh.cells(cell, k)) += 1;
+    }
+  }
+  for (Index node = 0; node < mesh.n_nodes(); ++node)
+    if (cells_at(node) > 0) stress.row(node) /= cells_at(node);
+  return stress;
+}
+
+StressArray cell_stress(const Mesh& mesh, const Element& element, const Material& material,
+                        const NodeArray& displacements) {
+  check_displacements(mesh, displacements);
+  const Eigen::Matrix3d D = elasticity_matrix(material);
+  StressArray stress = StressArray::Zero(mesh.n_cells(), 3);
+  StrainPoints points;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const PointStress at_points = point_stress(mesh, cell, element, D, displacements, points);
+    double area = 0;
+    for (int i = 0; i < points.size; ++i) {
+      const double share = points.point[static_cast<std::size_t>(i)].area;
+      stress.row(cell) += share * at_points.row(i);
+      area += share;
+    }
+    stress.row(cell) /= area;
+  }
+  return stress;
+}
+
+double von_mises(const Material& material, const Eigen::Vector3d& stress) {
+  const double across = stress_across(material, stress);
+  const double xy = stress(0) - stress(1);
+  const double yz = stress(1) - across;
+  const double zx = across - stress(0);
+  return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * stress(2) * stress(2));
+}
+
+}  // namespace signorini

@@ -1,0 +1,29 @@
+/// \file
+/// Stresses from displacements.
+#pragma once
+#include <Eigen/Core>
+
+#include "signorini/elasticity/element.hpp"
+#include "signorini/elasticity/material.hpp"
+#include "signorini/mesh/mesh.hpp"
+
+namespace signorini {
+
+/// One stress (xx, yy, xy) per row [force/length^2], tension positive.
+using StressArray = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// Stress at the nodes: the values at the strain points of each cell are fitted by a bilinear function,
+/// evaluated at the nodes and averaged over the cells that meet there.
+/// \param displacements `n_nodes x 2` [length]
+/// \return `n_nodes x 3`
+[[nodiscard]] StressArray nodal_stress(const Mesh& mesh, const Element& element,
+                                       const Material& material, const NodeArray& displacements);
+
+/// Mean stress of every cell, `n_cells x 3`.
+[[nodiscard]] StressArray cell_stress(const Mesh& mesh, const Element& element,
+                                      const Material& material, const NodeArray& displacements);
+
+/// Von Mises stress, including the stress across the plane [force/length^2].
+[[nodiscard]] double von_mises(const Material& material, const Eigen::Vector3d& stress);
+
+}  // namespace signorini
