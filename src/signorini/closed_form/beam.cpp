@@ -1,0 +1,91 @@
+#include "signorini/closed_form/beam.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+/// Section constants and the load per length.
+struct Section {
+  double bending;  ///< E I [force length^2]
+  double shear;    ///< kappa G A [force]
+  double load;     ///< w = q b [force/length]
+};
+
+Section section_of(const BeamOnFoundation& beam) {
+  require(beam.length > 0 && beam.height > 0 && beam.width > 0 && beam.youngs_modulus > 0 &&
+              beam.gap > 0 && beam.pressure >= 0,
+          "beam: length, height, width, modulus and gap must be positive and the pressure not "
+          "negative");
+  const double area = beam.width * beam.height;
+  const double G = beam.youngs_modulus / (2 * (1 + beam.poisson_ratio));
+  return {beam.youngs_modulus * area * beam.height * beam.height / 12, 5.0 / 6.0 * G * area,
+          beam.pressure * beam.width};
+}
+
+/// Timoshenko beam that touches from s on: point force at the tip, and deflection at s.
+struct TouchAt {
+  double tip_force;
+  double deflection;
+  double clamp_shear;
+};
+TouchAt touch_at(const Section& beam, double length, double s) {
+  const double lambda = std::sqrt(beam.bending / beam.shear);
+  const double c = std::cosh((length - s) / lambda);
+  const double S = std::sinh((length - s) / lambda);
+  // Shear, moment and rotation are continuous at s; this leaves the tip force T ...
+  const double w = beam.load;
+  const double T = w * s * s * s / 6 / (lambda * S * s + c * s * s / 2 + lambda * lambda * c);
+  const double shear = w * s - T * c;                              // at the clamp
+  const double moment = T * (lambda * S + c * s) - w * s * s / 2;  // at the clamp
+  // ... and the deflection that the integrals of moment and shear give.
+  const double v =
+      -(moment * s * s / 2 + shear * s * s * s / 6 - w * s * s * s * s / 24) / beam.bending +
+      (shear * s - w * s * s / 2) / beam.shear;
+  return {T, v, shear};
+}
+
+}  // namespace
+
+double tip_contact_pressure(const BeamOnFoundation& beam) {
+  return 8 * section_of(beam).bending * beam.gap / (beam.width * std::pow(beam.length, 4));
+}
+
+double line_contact_pressure(const BeamOnFoundation& beam) {
+  return 9 * tip_contact_pressure(beam);
+}
+
+BeamContact euler_bernoulli(const BeamOnFoundation& beam) {
+  const Section section = section_of(beam);
+  const double l = beam.length;
+  if (beam.pressure <= line_contact_pressure(beam)) {
+    const double tip = 3 * section.load * l / 8 - 3 * section.bending * beam.gap / (l * l * l);
+    return {l, std::max(0.0, tip)};
+  }
+  const double s = std::pow(72 * section.bending * beam.gap / section.load, 0.25);
+  return {s, section.load * s / 3 + section.load * (l - s)};
+}
+
+BeamContact timoshenko(const BeamOnFoundation& beam) {
+  const Section section = section_of(beam);
+  const double l = beam.length;
+  if (touch_at(section, l, l).deflection <= beam.gap) {
+    const double free_tip =
+        section.load * l * l * (l * l / (8 * section.bending) + 1 / (2 * section.shear));
+    const double softness = l * (l * l / (3 * section.bending) + 1 / section.shear);
+    return {l, std::max(0.0, (free_tip - beam.gap) / softness)};
+  }
+  double low = 0;
+  double high = l;
+  while (true) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) break;
+    (touch_at(section, l, middle).deflection < beam.gap ? low : high) = middle;
+  }
+  return {high, section.load * l - touch_at(section, l, high).clamp_shear};
+}
+
+}  // namespace signorini

@@ -1,0 +1,66 @@
+#include "signorini/contact/obstacle.hpp"
+
+#include <cmath>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+/// Distance from a centre and the direction away from it.
+ObstacleContact seen_from(const Eigen::Vector2d& x, const Eigen::Vector2d& centre,
+                          const std::string& name) {
+  const Eigen::Vector2d arm = x - centre;
+  const double distance = arm.norm();
+  pose(distance > 0, "obstacle '", name, "': the point (", x.x(), ", ", x.y(),
+       ") lies in its centre, where no normal exists");
+  return {distance, arm / distance};
+}
+
+void check_circle(const char* name, const Eigen::Vector2d& centre, double radius) {
+  pose(radius > 0 && std::isfinite(radius) && centre.allFinite(), "obstacle '", name,
+       "': the radius must be positive, got ", radius);
+}
+
+}  // namespace
+
+Obstacle half_plane(const Eigen::Vector2d& point, const Eigen::Vector2d& normal) {
+  pose(point.allFinite() && normal.allFinite() && normal.norm() > 0,
+       "obstacle 'half plane': needs a finite point and a normal of positive length, got (",
+       normal.x(), ", ", normal.y(), ')');
+  const Eigen::Vector2d n = normal.normalized();
+  return {"half plane", [point, n](const Eigen::Vector2d& x) {
+            return ObstacleContact{n.dot(x - point), n};
+          }};
+}
+
+Obstacle disc(const Eigen::Vector2d& centre, double radius) {
+  check_circle("disc", centre, radius);
+  return {"disc", [centre, radius](const Eigen::Vector2d& x) {
+            const ObstacleContact seen = seen_from(x, centre, "disc");
+            return ObstacleContact{seen.gap - radius, seen.normal};
+          }};
+}
+
+Obstacle hole(const Eigen::Vector2d& centre, double radius) {
+  check_circle("hole", centre, radius);
+  return {"hole", [centre, radius](const Eigen::Vector2d& x) {
+            const ObstacleContact seen = seen_from(x, centre, "hole");
+            return ObstacleContact{radius - seen.gap, -seen.normal};
+          }};
+}
+
+Obstacle profile(const std::function<double(double)>& height,
+                 const std::function<double(double)>& slope) {
+  require(height && slope, "profile: needs a height and a slope");
+  return {"profile", [height, slope](const Eigen::Vector2d& x) {
+            const double f = height(x.x());
+            const double df = slope(x.x());
+            pose(std::isfinite(f) && std::isfinite(df), "obstacle 'profile': height ", f,
+                 " and slope ", df, " at x = ", x.x(), " must be finite");
+            const Eigen::Vector2d normal = Eigen::Vector2d(-df, 1).normalized();
+            return ObstacleContact{normal.y() * (x.y() - f), normal};
+          }};
+}
+
+}  // namespace signorini

@@ -1,0 +1,43 @@
+/// \file
+/// Rigid obstacles: where they are, and how far a point is from them.
+#pragma once
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+
+namespace signorini {
+
+/// What a point of the body sees of an obstacle.
+struct ObstacleContact {
+  double gap;              ///< [length], open > 0, overlap < 0
+  Eigen::Vector2d normal;  ///< unit vector out of the obstacle, towards the body [-]
+};
+
+/// A rigid obstacle: the target that has no mesh.
+struct Obstacle {
+  std::string name;                                             ///< what messages call it
+  std::function<ObstacleContact(const Eigen::Vector2d&)> look;  ///< seen from a point [length]
+};
+
+/// Everything behind the line through `point` with the outward normal `normal` (any length > 0).
+/// \throws ProblemError if the normal has no length or a number is not finite
+[[nodiscard]] Obstacle half_plane(const Eigen::Vector2d& point, const Eigen::Vector2d& normal);
+
+/// A disc; the body lies outside it. \param radius [length], positive
+[[nodiscard]] Obstacle disc(const Eigen::Vector2d& centre, double radius);
+
+/// A hole; the body lies inside it, as a shaft in its bearing. \param radius [length], positive
+[[nodiscard]] Obstacle hole(const Eigen::Vector2d& centre, double radius);
+
+/// Everything below the curve y = height(x).
+///
+/// The gap is measured along the normal of the curve at the same x:
+/// \f[ g = n_y\,(y - f(x)), \quad n = (-f', 1)/\sqrt{1 + f'^2}, \f]
+/// \PaperEq{XuanLi2002, 2} with its second division by the root taken out (see erratum in chapter 1).
+/// It is the distance up to terms of the order gap^2 times the curvature.
+/// \param slope f'(x) [-]
+/// \throws ProblemError, when looked at, if height or slope is not finite there
+[[nodiscard]] Obstacle profile(const std::function<double(double)>& height,
+                               const std::function<double(double)>& slope);
+
+}  // namespace signorini
