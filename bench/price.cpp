@@ -1,0 +1,132 @@
+// What contact costs: everything after assembly, over one plain linear solve of the same mesh.
+// Run:  make bench     Reads: nothing     Writes: price.csv (in the folder of --out)
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/results.hpp"
+#include "signorini/mesh/block.hpp"
+#include "signorini/report/program.hpp"
+#include "signorini/scene/scene.hpp"
+
+namespace {
+
+using namespace signorini;
+
+/// A square block pressed on a parabola by its top face, about a third of its base in contact.
+Scene pressed_block(Eigen::Index cells) {
+  Scene scene;
+  BlockSpec spec;
+  spec.name = "block";
+  spec.size = {1, 1};
+  spec.cells_x = spec.cells_y = cells;
+  scene.mesh = make_block(spec);
+  scene.material = {1, 0.3, PlaneState::Strain, 1};
+  scene.supports = {symmetric("left"), prescribed("top", Axis::Y, -0.02),
+                    prescribed("top", Axis::X, 0)};
+  scene.contact = ObstacleContactSpec{
+      "bottom", profile([](double x) { return -0.1 * x * x; }, [](double x) { return -0.2 * x; })};
+  return scene;
+}
+
+/// The cantilever of chapter 6: ten times longer than high, its whole lower side a candidate.
+Scene cantilever(Eigen::Index cells_y) {
+  Scene scene;
+  BlockSpec spec;
+  spec.name = "cantilever";
+  spec.size = {50, 5};
+  spec.cells_x = 10 * cells_y;
+  spec.cells_y = cells_y;
+  scene.mesh = make_block(spec);
+  scene.material = {2.1e4, 0.29, PlaneState::Stress, 1};
+  scene.supports = {fixed("left")};
+  scene.loads.edges = {{"top", 3.6, {}}};
+  scene.contact = ObstacleContactSpec{"bottom", half_plane({0, -1}, {0, 1})};
+  return scene;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+/// Times both ways in turn, so that a change of the machine's speed meets both.
+std::string price_line(const std::string& name, const Scene& scene, int runs) {
+  Ledger setup;
+  const Model model = build(scene, setup);
+  std::vector<double> plain;
+  std::vector<double> contact;
+  std::vector<double> ratio;
+  double fill[2] = {0, 0};
+  double operations[2] = {0, 0};
+  Solution solution;
+  for (int run = 0; run < runs; ++run) {
+    Ledger unused;
+    auto begin = std::chrono::steady_clock::now();
+    {
+      const EliminationOrder order = nested_dissection(
+          model.programme.stiffness, unknown_positions(model.mesh, model.unknowns));
+      const ContactLastFactor factor(model.programme.stiffness, order, 0, unused);
+      const Eigen::VectorXd u = factor.solve(model.programme.load);
+      plain.push_back(seconds_since(begin));
+      fill[0] = static_cast<double>(factor.nonzeros());
+      operations[0] = factor.operations();
+      pose(u.allFinite(), "price: the plain solve of ", name, " failed");
+    }
+    begin = std::chrono::steady_clock::now();
+    {
+      Ledger ledger;
+      const Condensed condensed = condense(model, ledger);
+      solution = solve(model, condensed, scene.solver, std::move(ledger));
+      contact.push_back(seconds_since(begin));
+      fill[1] = static_cast<double>(condensed.factor.nonzeros());
+      operations[1] = condensed.factor.operations();
+    }
+    ratio.push_back(contact.back() / plain.back());
+    pose(solution.contact.report.status == Status::Solved, "price: ", name, " was not solved");
+  }
+  std::cout << std::left << std::setw(11) << name << std::right << std::fixed << std::setw(9)
+            << model.unknowns.count << std::setw(6) << model.gaps.A.rows() << std::setprecision(3)
+            << std::setw(10) << median(plain) << std::setw(10) << median(contact)
+            << std::setprecision(2) << std::setw(8) << median(ratio) << std::setprecision(2)
+            << std::setw(9) << fill[0] / 1e6 << std::setw(9) << fill[1] / 1e6 << std::setw(9)
+            << operations[0] / 1e9 << std::setw(9) << operations[1] / 1e9 << std::scientific
+            << std::setprecision(0) << std::setw(8) << solution.certificate.worst() << '\n';
+  std::ostringstream line;
+  line << name << ',' << model.unknowns.count << ',' << model.gaps.A.rows() << ',' << median(plain)
+       << ',' << median(contact) << ',' << median(ratio) << ',' << fill[0] << ',' << fill[1] << ','
+       << operations[0] << ',' << operations[1] << '\n';
+  return line.str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto body = [](const ProgramOptions& options) {
+    std::cout << "contact: ordering, factor, condensation, solver, refinement, certificate; plain: "
+                 "ordering, factor, "
+                 "one solve\nmedians of runs in turn; fill in millions of entries, work in 1e9 "
+                 "operations\n\n"
+              << "scene       unknowns pairs   plain s contact s   ratio   fill 1   fill c   work "
+                 "1   work c  certif.\n";
+    std::string csv =
+        "scene,unknowns,pairs,plain_s,contact_s,ratio,fill_plain,fill_contact,work_plain,work_"
+        "contact\n";
+    for (const auto& [cells, runs] : {std::pair{99, 15}, {199, 7}, {299, 5}})
+      csv += price_line("block", pressed_block(cells), runs);
+    for (const auto& [cells, runs] : {std::pair{31, 15}, {63, 7}, {94, 5}})
+      csv += price_line("cantilever", cantilever(cells), runs);
+    write_file(options.out / "price.csv", csv);
+    return Status::Solved;
+  };
+  return run_program("price", "What contact costs over one plain linear solve", SIGNORINI_BENCH_OUT,
+                     argc, argv, body);
+}

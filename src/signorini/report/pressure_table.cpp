@@ -1,0 +1,67 @@
+#include "signorini/report/pressure_table.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+void check_solved(const Solution& solution) {
+  require(solution.contact.report.status == Status::Solved,
+          "pressure table: the problem was not solved (", to_string(solution.contact.report.status),
+          ')');
+}
+
+}  // namespace
+
+Resultants resultants(const Gaps& gaps, const Solution& solution) {
+  check_solved(solution);
+  Resultants sum{Eigen::Vector2d::Zero(), 0, 0, 0};
+  for (Index pair = 0; pair < solution.contact.force.size(); ++pair) {
+    const Eigen::Vector2d force = solution.contact.force(pair) * gaps.normal.row(pair).transpose();
+    sum.force += force;
+    sum.moment += gaps.position(pair, 0) * force.y() - gaps.position(pair, 1) * force.x();
+    sum.peak_pressure = std::max(sum.peak_pressure, solution.pressure(pair));
+  }
+  for (const Index pair : solution.contact.active) sum.closed_weight += gaps.weight(pair);
+  return sum;
+}
+
+std::string pressure_csv(const Gaps& gaps, const Solution& solution, const std::string& tolerance) {
+  check_solved(solution);
+  std::vector<const char*> status(static_cast<std::size_t>(solution.contact.force.size()), "open");
+  for (const Index pair : solution.contact.active)
+    status[static_cast<std::size_t>(pair)] = "closed";
+  std::ostringstream out;
+  if (!tolerance.empty()) out << "# tolerance " << tolerance << '\n';
+  out << "x,y,gap,pressure,force,status\n" << std::setprecision(10);
+  for (Index pair = 0; pair < solution.contact.force.size(); ++pair)
+    out << gaps.position(pair, 0) << ',' << gaps.position(pair, 1) << ','
+        << solution.contact.gap(pair) << ',' << solution.pressure(pair) << ','
+        << solution.contact.force(pair) << ',' << status[static_cast<std::size_t>(pair)] << '\n';
+  return out.str();
+}
+
+void print_pressures(std::ostream& out, const Gaps& gaps, const Solution& solution,
+                     const std::string& length, const std::string& force) {
+  const Resultants sum = resultants(gaps, solution);
+  std::ostringstream table;
+  table << std::setw(12) << "x [" + length + "]" << std::setw(14) << "pressure" << std::setw(14)
+        << "force [" + force + "]" << '\n';
+  for (const Index pair : solution.contact.active)
+    table << std::setw(12) << gaps.position(pair, 0) << std::setw(14) << solution.pressure(pair)
+          << std::setw(14) << solution.contact.force(pair) << '\n';
+  table << "closed pairs " << solution.contact.active.size() << " of "
+        << solution.contact.force.size() << ", total force (" << sum.force.x() << ", "
+        << sum.force.y() << ") " << force << ", peak pressure " << sum.peak_pressure << ' ' << force
+        << '/' << length << "^2\n";
+  out << table.str();
+}
+
+}  // namespace signorini

@@ -1,0 +1,29 @@
+/// \file
+/// The frame of every chapter program: options, output folder, messages and exit codes.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "signorini/complementarity/problem.hpp"
+
+namespace signorini {
+
+/// What the command line of a chapter program says.
+struct ProgramOptions {
+  std::filesystem::path
+      out;            ///< folder for results, tables and figure data; exists and can be written to
+  bool full = false;  ///< also run the longer studies
+};
+
+/// Reads `[--out FOLDER] [--full] [--help]`, prepares the folder and runs `body`.
+///
+/// \param name, title  of the chapter, for the help text and messages
+/// \param default_out  folder used without `--out`
+/// \return exit code: 0 if body reports Solved; 1 if it reports anything else; 2 if the command line, the
+///   folder or the problem is wrong, with one line on the error stream that says what to do
+int run_program(const std::string& name, const std::string& title,
+                const std::filesystem::path& default_out, int argc, const char* const* argv,
+                const std::function<Status(const ProgramOptions&)>& body);
+
+}  // namespace signorini

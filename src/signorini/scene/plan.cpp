@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <ostream>
+
+#include "signorini/complementarity/solvers.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/scene.hpp"
+
+namespace signorini {
+namespace {
+
+void plan_body(const Scene& scene, const Unknowns& unknowns, Plan& plan) {
+  const bool stress = scene.material.state == PlaneState::Stress;
+  plan.on.push_back(text("body '", scene.mesh.name, "': ", scene.mesh.n_cells(), " cells ",
+                         scene.element, ", ", unknowns.count, " unknowns, plane ",
+                         stress ? "stress" : "strain"));
+  plan.on.push_back(
+      text("supports: ", 2 * scene.mesh.n_nodes() - unknowns.count, " displacements given"));
+  (scene.loads.body_force ? plan.on : plan.off).emplace_back("body force");
+  if (scene.loads.edges.empty()) plan.off.emplace_back("edge loads");
+  for (const EdgeLoad& load : scene.loads.edges)
+    plan.on.push_back("load on '" + load.boundary + "'");
+  const bool plain = scene.element == "q4";
+  if (plain && !stress && scene.material.poisson_ratio > 0.4)
+    plan.notes.push_back(text("q4 locks for Poisson's ratio ", scene.material.poisson_ratio,
+                              " in plane strain and bears too much load: use q4_bbar or q8"));
+}
+
+void plan_contact(const Scene& scene, const Unknowns& unknowns, Plan& plan) {
+  if (!scene.contact) {
+    plan.off.emplace_back("contact");
+    return;
+  }
+  const Gaps gaps = node_to_obstacle(scene.mesh, scene.contact->boundary, scene.contact->obstacle,
+                                     unknowns, scene.material.thickness);
+  plan.n_pairs = gaps.initial_gap.size();
+  plan.on.push_back(text("contact of '", scene.contact->boundary, "' with a rigid ",
+                         scene.contact->obstacle.name, ": ", plan.n_pairs,
+                         " candidate pairs, no mesh and no search for the obstacle"));
+  plan.on.push_back("solver " + scene.solver +
+                    " on the condensed problem, certified from K, p, A, g");
+  const double lowest = plan.n_pairs > 0 ? gaps.initial_gap.minCoeff() : 0;
+  if (lowest < 0)
+    plan.notes.push_back(text("the body overlaps the obstacle by ", -lowest, " before loading"));
+}
+
+}  // namespace
+
+Plan plan(const Scene& scene) {
+  Plan plan;
+  plan.quality = check_mesh(scene.mesh);
+  static_cast<void>(find_element(scene.element));
+  static_cast<void>(find_solver(scene.solver));
+  check_material(scene.material);
+  for (const EdgeLoad& load : scene.loads.edges)
+    static_cast<void>(boundary(scene.mesh, load.boundary));
+  const Unknowns unknowns = number_unknowns(scene.mesh, scene.supports);
+  plan.n_unknowns = unknowns.count;
+  plan_body(scene, unknowns, plan);
+  plan_contact(scene, unknowns, plan);
+  std::string free;
+  for (const std::string& motion : free_motions(scene.mesh, unknowns))
+    free += (free.empty() ? "" : "; ") + motion;
+  pose(free.empty(), free, ". Contact can only push and is not counted on: add a support");
+  return plan;
+}
+
+std::ostream& operator<<(std::ostream& out, const Plan& plan) {
+  for (const std::string& line : plan.on) out << "  on    " << line << '\n';
+  for (const std::string& line : plan.off) out << "  off   " << line << '\n';
+  for (const std::string& line : plan.notes) out << "  note  " << line << '\n';
+  return out;
+}
+
+}  // namespace signorini
