@@ -88,4 +88,13 @@ BeamContact timoshenko(const BeamOnFoundation& beam) {
   return {high, section.load * l - touch_at(section, l, high).clamp_shear};
 }
 
+double timoshenko_pressure(const BeamOnFoundation& beam, double x) {
+  const double s = timoshenko(beam).touchdown;
+  if (x < s || s >= beam.length) return 0;
+  const Section section = section_of(beam);
+  const double lambda = std::sqrt(section.bending / section.shear);
+  const double tip_force = touch_at(section, beam.length, s).tip_force;
+  return beam.pressure + tip_force / (beam.width * lambda) * std::sinh((beam.length - x) / lambda);
+}
+
 }  // namespace signorini

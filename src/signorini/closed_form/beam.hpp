@@ -41,4 +41,12 @@ struct BeamContact {
 /// left, found by bisection to rounding.
 [[nodiscard]] BeamContact timoshenko(const BeamOnFoundation& beam);
 
+/// Contact pressure of the Timoshenko beam, without the point force that stays at the tip.
+///
+/// p = q + T / (b lambda) sinh((l - x) / lambda) beyond the touch-down, with T the tip force.
+/// \param beam  as for timoshenko()
+/// \param x     distance from the clamp [length]
+/// \return pressure [force/length^2], 0 before the touch-down
+[[nodiscard]] double timoshenko_pressure(const BeamOnFoundation& beam, double x);
+
 }  // namespace signorini

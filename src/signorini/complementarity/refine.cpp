@@ -40,8 +40,9 @@ Refinement refine(const QuadraticProgramme& programme,
   const Eigen::LLT<Eigen::MatrixXd> factor(compliance(active, active));
 
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  double last_u = 1;
-  double last_force = 1;
+  double rate = 1;
+  double last_u = std::numeric_limits<double>::infinity();
+  double last_force = last_u;
   while (true) {
     const Eigen::VectorXd change = solve_stiffness(equilibrium_residual(programme, solution));
     add_to_pair(solution, change);
@@ -53,13 +54,13 @@ Refinement refine(const QuadraticProgramme& programme,
       for (std::size_t k = 0; k < active.size(); ++k)
         solution.force(active[k]) += force_change(static_cast<Index>(k));
     }
-    // The corrections just made, relative to what they correct, and how fast they shrink: the next ones
-    // are expected to be smaller by the same factor.
+    // The corrections just made, relative to what they correct. The second sweep shows by how much one
+    // sweep shrinks the error of u; once lambda has settled, the next correction will be that much smaller.
     const double moved_u = ratio(largest(change), largest(solution.displacement));
     const double moved_force = ratio(largest(force_change), largest(solution.force));
+    if (result.sweeps == 2) rate = std::min(1.0, ratio(moved_u, last_u));
     const double rounding = epsilon * static_cast<double>(active.size() + 1);
-    const bool settled = moved_u * std::min(1.0, moved_u / last_u) <= rounding &&
-                         moved_force * std::min(1.0, moved_force / last_force) <= rounding;
+    const bool settled = moved_u * rate <= rounding && moved_force <= rounding;
     const bool stalled = !(moved_u < 0.5 * last_u) && !(moved_force < 0.5 * last_force);
     if (settled || stalled) break;
     last_u = moved_u;

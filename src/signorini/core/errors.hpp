@@ -1,5 +1,5 @@
 /// \file
-/// Argument checks and the two kinds of errors that the library throws.
+/// Argument checks and the errors that the library throws.
 #pragma once
 #include <sstream>
 #include <stdexcept>
@@ -13,6 +13,11 @@ namespace signorini {
 /// a folder that cannot be written). Programs end with exit code 2. A method that does not converge
 /// is no error: it is reported by its Status.
 class ProblemError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A method ended without a solution, and the program cannot go on. Programs end with exit code 1.
+class NotSolved : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

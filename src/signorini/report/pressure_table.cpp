@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <ostream>
 #include <sstream>
 
 #include "signorini/core/errors.hpp"
@@ -40,28 +39,16 @@ std::string pressure_csv(const Gaps& gaps, const Solution& solution, const std::
     status[static_cast<std::size_t>(pair)] = "closed";
   std::ostringstream out;
   if (!tolerance.empty()) out << "# tolerance " << tolerance << '\n';
-  out << "x,y,gap,pressure,force,status\n" << std::setprecision(10);
+  const Resultants sum = resultants(gaps, solution);
+  out << std::setprecision(10) << "# force of the obstacle (" << sum.force.x() << ", "
+      << sum.force.y() << "), moment about the origin " << sum.moment << ", closed boundary "
+      << sum.closed_weight << ", peak pressure " << sum.peak_pressure
+      << "\nx,y,gap,pressure,force,status\n";
   for (Index pair = 0; pair < solution.contact.force.size(); ++pair)
     out << gaps.position(pair, 0) << ',' << gaps.position(pair, 1) << ','
         << solution.contact.gap(pair) << ',' << solution.pressure(pair) << ','
         << solution.contact.force(pair) << ',' << status[static_cast<std::size_t>(pair)] << '\n';
   return out.str();
-}
-
-void print_pressures(std::ostream& out, const Gaps& gaps, const Solution& solution,
-                     const std::string& length, const std::string& force) {
-  const Resultants sum = resultants(gaps, solution);
-  std::ostringstream table;
-  table << std::setw(12) << "x [" + length + "]" << std::setw(14) << "pressure" << std::setw(14)
-        << "force [" + force + "]" << '\n';
-  for (const Index pair : solution.contact.active)
-    table << std::setw(12) << gaps.position(pair, 0) << std::setw(14) << solution.pressure(pair)
-          << std::setw(14) << solution.contact.force(pair) << '\n';
-  table << "closed pairs " << solution.contact.active.size() << " of "
-        << solution.contact.force.size() << ", total force (" << sum.force.x() << ", "
-        << sum.force.y() << ") " << force << ", peak pressure " << sum.peak_pressure << ' ' << force
-        << '/' << length << "^2\n";
-  out << table.str();
 }
 
 }  // namespace signorini

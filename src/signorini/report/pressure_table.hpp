@@ -1,8 +1,6 @@
 /// \file
 /// What contact did, pair by pair, and in sum.
 #pragma once
-#include <filesystem>
-#include <iosfwd>
 #include <string>
 
 #include "signorini/scene/scene.hpp"
@@ -23,12 +21,10 @@ struct Resultants {
 /// The table as comma separated text: x, y, gap, pressure, force, status, one line per pair.
 ///
 /// `status` is `closed` or `open`. Lines come in the order of the boundary; the first line names the
-/// columns. \param tolerance  if not empty, goes in front as the comment `# tolerance <tolerance>`
+/// columns.
+/// Comments in front of it give the resultants.
+/// \param tolerance  if not empty, goes in front as the comment `# tolerance <tolerance>`
 [[nodiscard]] std::string pressure_csv(const Gaps& gaps, const Solution& solution,
                                        const std::string& tolerance = "");
-
-/// Prints the closed pairs and the resultants as a table. \param length, force  names of the units
-void print_pressures(std::ostream& out, const Gaps& gaps, const Solution& solution,
-                     const std::string& length, const std::string& force);
 
 }  // namespace signorini

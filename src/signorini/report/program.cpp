@@ -36,6 +36,9 @@ int run_program(const std::string& name, const std::string& title,
       return solved;
     }
     std::cerr << name << ": " << wanted.what() << " Known options: --out FOLDER, --full, --help\n";
+  } catch (const NotSolved& error) {
+    std::cerr << name << ": " << error.what() << '\n';
+    return not_solved;
   } catch (const ProblemError& error) {
     std::cerr << name << ": " << error.what() << '\n';
   } catch (const std::invalid_argument& error) {

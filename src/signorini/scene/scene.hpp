@@ -91,6 +91,12 @@ struct Solution {
 [[nodiscard]] Solution solve(const Model& model, const Condensed& condensed,
                              const std::string& solver, Ledger ledger);
 
+/// Stops a program that has no use for an unsolved problem.
+/// \param solution  what solve() returned
+/// \param what      what the message calls it
+/// \throws NotSolved with the status, unless it is Solved
+void require_solved(const Solution& solution, const std::string& what);
+
 /// All of it: plan, build, condense, solve.
 [[nodiscard]] Solution solve(const Scene& scene);
 

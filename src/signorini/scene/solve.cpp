@@ -115,6 +115,13 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   return solution;
 }
 
+void require_solved(const Solution& solution, const std::string& what) {
+  const Report& report = solution.contact.report;
+  if (report.status != Status::Solved)
+    throw NotSolved(text(what, " was not solved: ", to_string(report.status), " after ",
+                         report.iterations, " iterations"));
+}
+
 Solution solve(const Scene& scene) {
   Ledger ledger;
   {

@@ -1,0 +1,173 @@
+// Chapter 1 - The unilateral contact problem (Xuan & Li 2002, sec. 1, eqs. 1-13).
+// Run:  make ch01     Reads: nothing     Writes: ch01.results, candidates.md, fig_1_1.csv,
+//                                                fig_1_1_obstacle.csv, fig_1_2.csv, ch01.vtu
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "signorini/complementarity/enumerate.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/results.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/mesh/block.hpp"
+#include "signorini/report/pressure_table.hpp"
+#include "signorini/report/program.hpp"
+#include "signorini/report/vtu.hpp"
+
+namespace {
+
+using namespace signorini;
+using Eigen::Index;
+using Eigen::Vector2d;
+
+// 1. A rubber block, 40 mm x 20 mm, whose top is pressed down by 1 mm onto a round obstacle.
+// [scene]
+const double radius = 60;  // of the obstacle [mm]
+Scene block_on_obstacle(Index cells_x) {
+  Scene scene;
+  BlockSpec block;
+  block.corner = {-20, 0};
+  block.size = {40, 20};
+  block.cells_x = cells_x;
+  block.cells_y = cells_x / 2;
+  scene.mesh = make_block(block);
+  scene.material = {/*E [N/mm^2]*/ 10, /*nu*/ 0.3, PlaneState::Strain, /*thickness [mm]*/ 1};
+  scene.supports = {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -1.0)};
+  scene.contact = ObstacleContactSpec{"bottom", disc({0, -radius}, radius)};
+  return scene;
+}
+// [scene]
+
+struct Solved {
+  Model model;
+  Condensed condensed;
+  Solution solution;
+};
+
+// 2. From the scene to the quadratic programme (11)-(12), and to its solution.
+// [solve]
+Solved solve_block(Index cells_x) {
+  const Scene scene = block_on_obstacle(cells_x);
+  Ledger ledger;
+  Model model = build(scene, ledger);             // K, p, A, g of (12)
+  Condensed condensed = condense(model, ledger);  // G = A K^-1 A^T and d = g - A u0
+  Solution solution = solve(model, condensed, scene.solver, ledger);
+  require_solved(solution, "the block");
+  // [solve]
+  return {std::move(model), std::move(condensed), std::move(solution)};
+}
+
+// 3. Nine candidates: all 2^9 sets of closed pairs are tried, and one fits.
+void try_all_sets(const ProgramOptions& run, Results& results) {
+  const Solved block = solve_block(8);
+  const ContactState tried = enumerate(block.condensed.problem);
+  if (tried.report.status != Status::Solved) throw NotSolved("no set of closed pairs fits");
+  if (tried.active != block.solution.contact.active)
+    throw NotSolved("enumeration and active set method disagree");
+  Table table({"x [mm]", "gap without contact [mm]", "gap [mm]", "contact force [N]"});
+  for (Index pair = 0; pair < tried.gap.size(); ++pair)
+    table.row({number(block.model.gaps.position(pair, 0), "%.0f"),
+               number(block.condensed.problem.free_gap(pair), "%.3f"),
+               number(tried.gap(pair), "%.3f"), number(tried.force(pair), "%.3f")});
+  write_file(run.out / "candidates.md", table.markdown());
+  results.add("small_candidates", static_cast<double>(tried.gap.size()), "-");
+  results.add("small_closed", static_cast<double>(tried.active.size()), "-");
+}
+
+// 4. The variational inequality (7) on random displacements w: (K u - p).(w - u) >= 0 if A w <= g.
+// [inequality]
+void check_inequality(const Solved& block, Results& results) {
+  const QuadraticProgramme& programme = block.model.programme;
+  const Eigen::VectorXd& u = block.solution.refined.displacement;
+  const Eigen::VectorXd force = programme.stiffness * u - programme.load;
+  const Eigen::VectorXd rounding =  // of each entry of it: a row of K has at most 18 terms
+      18 * std::numeric_limits<double>::epsilon() *
+      (programme.stiffness.cwiseAbs() * u.cwiseAbs() + programme.load.cwiseAbs());
+  std::mt19937_64 engine(1);
+  const auto uniform = [&] { return std::ldexp(static_cast<double>(engine() >> 11), -52) - 1; };
+  int admissible_violate = 0;
+  int free_violate = 0;
+  for (int sample = 0; sample < 1000; ++sample) {
+    const double size = std::pow(10.0, -sample % 5);  // near u and far from it [mm]
+    Eigen::VectorXd w = u.unaryExpr([&](double value) { return value + size * uniform(); });
+    free_violate += force.dot(w - u) < 0 ? 1 : 0;
+    // Move every overlapping node back along its normal: one unit vector per row of A.
+    const Eigen::VectorXd overlap = (programme.A * w - programme.initial_gap).cwiseMax(0.0);
+    w -= programme.A.transpose() * overlap;
+    admissible_violate += force.dot(w - u) < -rounding.dot((w - u).cwiseAbs()) ? 1 : 0;
+  }
+  // [inequality]
+  results.add("samples", 1000, "-");
+  results.add("admissible_violate", admissible_violate, "-");
+  results.add("inadmissible_violate", free_violate, "-");
+}
+
+// 5. Gap and pressure along the base, for figure 1.1.
+void gap_and_pressure(const ProgramOptions& run, const Solved& block, Results& results) {
+  const Gaps& gaps = block.model.gaps;
+  write_file(run.out / "fig_1_1.csv", pressure_csv(gaps, block.solution, "rel 1e-6 abs 1e-8"));
+  Table outline({"x", "obstacle", "base"});
+  for (Index pair = 0; pair < gaps.position.rows(); ++pair) {
+    const double x = gaps.position(pair, 0);
+    const Index node = gaps.node[static_cast<std::size_t>(pair)];
+    outline.row(
+        {x, std::sqrt(radius * radius - x * x) - radius, block.solution.displacements(node, 1)});
+  }
+  write_file(run.out / "fig_1_1_obstacle.csv", outline.csv("rel 1e-6 abs 1e-8"));
+  write_vtu(run.out / "ch01.vtu", block.model, block.solution);
+  const Resultants sum = resultants(gaps, block.solution);
+  results.add("candidates", static_cast<double>(gaps.A.rows()), "-");
+  results.add("closed", static_cast<double>(block.solution.contact.active.size()), "-");
+  results.add("total_contact_force", sum.force.y(), "N");
+  results.add("peak_pressure", sum.peak_pressure, "N/mm^2");
+  results.add("half_width", 0.5 * sum.closed_weight, "mm");
+  results.add("certificate", block.solution.certificate.worst(), "-", Repeats::No);
+}
+
+// 6. Erratum: the gap (2), printed with one division too many, of points 1 mm off the obstacle.
+// [erratum]
+void gap_formulas(const ProgramOptions& run, Results& results) {
+  const Obstacle curve =
+      profile([](double x) { return std::sqrt(radius * radius - x * x) - radius; },
+              [](double x) { return -x / std::sqrt(radius * radius - x * x); });
+  Table table({"angle", "repaired", "printed"});  // true distance: 1 mm
+  for (int degrees = 0; degrees <= 60; degrees += 3) {
+    const double angle = degrees * std::acos(-1.0) / 180;
+    const Vector2d normal(std::sin(angle), std::cos(angle));
+    const Vector2d point = Vector2d(0, -radius) + (radius + 1) * normal;
+    const ObstacleContact seen = curve.look(point);
+    const double printed = seen.gap * seen.normal.y();  // the root once more in the denominator
+    table.row({static_cast<double>(degrees), seen.gap, printed});
+    if (degrees == 45) {
+      results.add("repaired_gap_45", seen.gap, "mm");
+      results.add("printed_gap_45", printed, "mm");
+    }
+  }
+  // [erratum]
+  write_file(run.out / "fig_1_2.csv", table.csv());
+}
+
+Status chapter(const ProgramOptions& run) {
+  Results results("ch01");
+  try_all_sets(run, results);
+  const Solved block = solve_block(160);
+  check_inequality(block, results);
+  gap_and_pressure(run, block, results);
+  gap_formulas(run, results);
+  if (run.full) {
+    const Solved fine = solve_block(640);
+    results.add("reference_force", fine.solution.contact.force.sum(), "N", Repeats::No);
+  }
+  results.headline("total_contact_force", 10.5686, "mesh of 640 x 320 cells, --full");
+  results.print();
+  results.write(run.out);
+  return Status::Solved;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return signorini::run_program("ch01", "The unilateral contact problem", SIGNORINI_CHAPTER_OUT,
+                                argc, argv, chapter);
+}

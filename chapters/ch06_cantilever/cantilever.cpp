@@ -1,0 +1,194 @@
+// Chapter 6 - A cantilever on a rigid foundation (Xuan & Li 2002, sec. 4, example 2).
+// Run:  make ch06     Reads: nothing     Writes: ch06.results, elements.md, history.md, units.md,
+//                                                fig_6_1.csv, fig_6_2.csv, fig_6_3.csv, ch06.vtu
+#include <algorithm>
+#include <tuple>
+
+#include "signorini/closed_form/beam.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/results.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/elasticity/stress.hpp"
+#include "signorini/mesh/block.hpp"
+#include "signorini/report/field_csv.hpp"
+#include "signorini/report/pressure_table.hpp"
+#include "signorini/report/program.hpp"
+#include "signorini/report/vtu.hpp"
+
+namespace {
+
+using namespace signorini;
+using Eigen::Index;
+
+// 1. The data of the paper, in cm and kN: a beam clamped on the left, 1 cm above the foundation.
+// [data]
+const BeamOnFoundation paper{/*length*/ 50,     /*height*/ 5,           /*width*/ 1,
+                             /*modulus*/ 2.1e4, /*poisson_ratio*/ 0.29, /*gap*/ 1,
+                             /*pressure*/ 3.6};
+const double total_force_2d = 71.626;  // limit of our own meshes up to 800 x 80 [kN]
+// [data]
+
+// 2. The scene: what a user writes down. All lengths and forces come from `beam`.
+// [scene]
+Scene cantilever(const BeamOnFoundation& beam, const std::string& element, Index cells) {
+  Scene scene;
+  BlockSpec block;
+  block.name = "cantilever";
+  block.size = {beam.length, beam.height};
+  block.cells_x = cells;
+  block.cells_y = cells / 10;
+  block.order = element == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear;
+  scene.mesh = make_block(block);
+  scene.element = element;
+  scene.material = {beam.youngs_modulus, beam.poisson_ratio, PlaneState::Stress, beam.width};
+  scene.supports = {fixed("left")};
+  scene.loads.edges = {{"top", beam.pressure, {}}};
+  scene.contact = ObstacleContactSpec{"bottom", half_plane({0, -beam.gap}, {0, 1})};
+  return scene;
+}
+// [scene]
+
+struct Solved {
+  Model model;
+  Solution solution;
+  Resultants sum;
+};
+
+// 3. From the scene to certified pressures.
+// [solve]
+Solved solve_cantilever(const BeamOnFoundation& beam, const std::string& element, Index cells) {
+  const Scene scene = cantilever(beam, element, cells);
+  Ledger ledger;
+  Model model = build(scene, ledger);                   // K, p, A, g
+  const Condensed condensed = condense(model, ledger);  // factor, compliance G, free gaps d
+  Solution solution = solve(model, condensed, scene.solver, ledger);
+  require_solved(solution, "the cantilever");
+  // [solve]
+  const Resultants sum = resultants(model.gaps, solution);
+  return {std::move(model), std::move(solution), sum};
+}
+
+// 4. The load history: nothing touches, the tip touches, a line touches.
+void load_history(const ProgramOptions& run, Results& results) {
+  Table table({"q [kN/cm²]", "closed nodes", "force [kN]", "Euler-Bernoulli", "Timoshenko"});
+  Table curve({"q", "force", "euler_bernoulli", "timoshenko"});
+  for (int step = 0; step <= 20; ++step) {
+    BeamOnFoundation beam = paper;
+    beam.pressure = 0.2 * step;
+    const Solved now = solve_cantilever(beam, "q4_incompatible", 100);
+    const double force = now.sum.force.y();
+    const double thin = euler_bernoulli(beam).total_force;
+    const double thick = timoshenko(beam).total_force;
+    curve.row({beam.pressure, force, thin, thick});
+    if (step == 1 || step == 5 || step == 10 || step == 18)
+      table.row({number(beam.pressure, "%.1f"), std::to_string(now.solution.contact.active.size()),
+                 number(force, "%.3f"), number(thin, "%.3f"), number(thick, "%.3f")});
+    if (step == 5) results.add("tip_force", force, "kN");
+  }
+  write_file(run.out / "history.md", table.markdown());
+  write_file(run.out / "fig_6_2.csv", curve.csv());
+}
+
+// 5. Four elements on four meshes: the total force, and how far it is from its limit.
+// [elements]
+void compare_elements(const ProgramOptions& run, Results& results) {
+  Table table({"mesh", "q4", "q4_bbar", "q4_incompatible", "q8"});
+  double certificate = 0;
+  double in_doubles = 0;
+  for (const Index cells : {50, 100, 200, 400}) {
+    std::vector<std::string> row = {text(cells, " x ", cells / 10)};
+    for (const Element& element : elements()) {
+      const Solved now = solve_cantilever(paper, element.name, cells);
+      const double force = now.sum.force.y();
+      results.add(text("force_", element.name, '_', cells), force, "kN");
+      row.push_back(number(force, "%.3f ") +
+                    number(100 * (force / total_force_2d - 1), "(%+.3f %%)"));
+      certificate = std::max(certificate, now.solution.certificate.worst());
+      const PrimalDual rounded{now.solution.refined.displacement, {}, now.solution.refined.force};
+      in_doubles = std::max(in_doubles, certify(now.model.programme, rounded).equilibrium);
+    }
+    table.row(row);
+  }
+  // [elements]
+  write_file(run.out / "elements.md", table.markdown());
+  results.add("worst_certificate", certificate, "-", Repeats::No);
+  results.add("equilibrium_in_doubles", in_doubles, "-", Repeats::No);
+}
+
+// 6. The contact pressure on 200 x 20 cells, for figure 6.1, and the deformed beam.
+void contact_pressure(const ProgramOptions& run, Results& results) {
+  Table curve({"x", "q4", "q4_incompatible", "q8", "euler_bernoulli", "timoshenko"});
+  const Solved q4 = solve_cantilever(paper, "q4", 200);
+  const Solved fine = solve_cantilever(paper, "q4_incompatible", 200);
+  const Solved q8 = solve_cantilever(paper, "q8", 100);  // as many nodes on the lower side
+  const double s = euler_bernoulli(paper).touchdown;
+  for (Index pair = 0; pair < fine.solution.pressure.size(); ++pair) {
+    const double x = fine.model.gaps.position(pair, 0);
+    curve.row({x, q4.solution.pressure(pair), fine.solution.pressure(pair),
+               q8.solution.pressure(pair), x < s ? 0 : paper.pressure,
+               timoshenko_pressure(paper, x)});
+  }
+  write_file(run.out / "fig_6_1.csv", curve.csv("rel 1e-6 abs 1e-7"));
+  write_file(run.out / "pressure.csv", pressure_csv(fine.model.gaps, fine.solution));
+  write_vtu(run.out / "ch06.vtu", fine.model, fine.solution);
+  const Solved coarse = solve_cantilever(paper, "q4_incompatible", 100);
+  const StressArray stress = cell_stress(coarse.model.mesh, coarse.model.element,
+                                         coarse.model.material, coarse.solution.displacements);
+  write_file(run.out / "fig_6_3.csv",
+             deformed_cells_csv(coarse.model.mesh, coarse.solution.displacements, stress.col(0)));
+  Index peak = 0;
+  results.add("peak_pressure", fine.solution.pressure.maxCoeff(&peak), "kN/cm^2");
+  results.add("peak_position", fine.model.gaps.position(peak, 0), "cm");
+  results.add("touchdown", fine.model.gaps.position(fine.solution.contact.active.front(), 0), "cm");
+  results.add("euler_bernoulli_touchdown", s, "cm");
+  results.add("timoshenko_touchdown", timoshenko(paper).touchdown, "cm");
+}
+
+// 7. The same beam in other units: lengths times L, forces times F.
+// [units]
+void change_units(const ProgramOptions& run, Results& results) {
+  Table table({"units", "closed nodes", "iterations", "force [kN]", "peak pressure [kN/cm²]"});
+  const Solved base = solve_cantilever(paper, "q4_incompatible", 100);
+  double deviation = 0;
+  const std::tuple<const char*, double, double> units[] = {
+      {"cm, kN", 1, 1}, {"mm, N", 10, 1e3}, {"m, Pa", 1e-2, 1e3}};
+  for (const auto& [name, L, F] : units) {
+    const double stress = F / (L * L);
+    const BeamOnFoundation beam{50 * L, 5 * L, L, 2.1e4 * stress, 0.29, 1 * L, 3.6 * stress};
+    const Solved now = solve_cantilever(beam, "q4_incompatible", 100);
+    const ContactState& contact = now.solution.contact;
+    deviation = std::max(deviation, (contact.force / F - base.solution.contact.force).norm());
+    table.row({name, std::to_string(contact.active.size()),
+               std::to_string(contact.report.iterations), number(now.sum.force.y() / F, "%.6f"),
+               number(now.sum.peak_pressure / stress, "%.6f")});
+  }
+  // [units]
+  write_file(run.out / "units.md", table.markdown());
+  results.add("total_contact_force", base.sum.force.y(), "kN");
+  results.add("closed_nodes", static_cast<double>(base.solution.contact.active.size()), "-");
+  results.add("units_deviation", deviation / base.solution.contact.force.norm(), "-", Repeats::No);
+}
+
+Status chapter(const ProgramOptions& run) {
+  Results results("ch06");
+  load_history(run, results);
+  compare_elements(run, results);
+  contact_pressure(run, results);
+  change_units(run, results);
+  if (run.full)  // what total_force_2d is the limit of; about a minute
+    for (const Index cells : {400, 800})
+      results.add(text("fine_", cells),
+                  solve_cantilever(paper, "q4_incompatible", cells).sum.force.y(), "kN",
+                  Repeats::No);
+  results.headline("total_contact_force", total_force_2d, "limit of finer meshes");
+  results.print();
+  results.write(run.out);
+  return Status::Solved;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return signorini::run_program("ch06", "A cantilever on a rigid foundation", SIGNORINI_CHAPTER_OUT,
+                                argc, argv, chapter);
+}

@@ -1,0 +1,13 @@
+# Figure 6.1 - contact pressure under the cantilever.   In: fig_6_1.csv   Out: fig_6_1.svg
+load 'style.gp'
+set xlabel 'position along the beam {/:Italic x} [cm]'
+set ylabel 'contact pressure {/:Italic q}_N [kN/cm²]'
+set xrange [40:50.2]
+set yrange [0:22]
+set arrow 1 from 45.7346,3.6 to 45.7346,12.9 head filled size 0.12,20 ls 7
+set label 1 'point force' at 45.85,12.6 left font ',11'
+plot data.'/fig_6_1.csv' using 'x':'q4' with linespoints ls 2 ps 0.5 title 'q4, 200 × 20', \
+     '' using 'x':'q8' with linespoints ls 3 ps 0.6 title 'q8, 100 × 10', \
+     '' using 'x':'q4_incompatible' with lines ls 1 title 'q4\_incompatible, 200 × 20', \
+     '' using (column('x')):(column('timoshenko') > 0 ? column('timoshenko') : NaN) with lines ls 4 title 'Timoshenko beam', \
+     '' using (column('x')):(column('euler_bernoulli') > 0 ? column('euler_bernoulli') : NaN) with lines ls 7 title 'Euler-Bernoulli beam'

@@ -1,0 +1,58 @@
+#include "signorini/core/table.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+std::string joined(const std::vector<std::string>& cells, const char* separator) {
+  std::string line;
+  for (std::size_t k = 0; k < cells.size(); ++k) line += (k == 0 ? "" : separator) + cells[k];
+  return line;
+}
+
+}  // namespace
+
+std::string number(double value, const char* format) {
+  std::array<char, 64> buffer{};
+  const int length = std::snprintf(buffer.data(), buffer.size(), format, value);
+  require(length >= 0 && length < static_cast<int>(buffer.size()),
+          "number: cannot print with the format '", format, "'");
+  return buffer.data();
+}
+
+Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
+
+void Table::row(std::vector<std::string> cells) {
+  require(cells.size() == columns_.size(), "Table::row: need ", columns_.size(), " cells (",
+          joined(columns_, ", "), "), got ", cells.size());
+  rows_.push_back(std::move(cells));
+}
+
+void Table::row(const std::vector<double>& values) {
+  std::vector<std::string> cells;
+  cells.reserve(values.size());
+  for (const double value : values) cells.push_back(number(value));
+  row(std::move(cells));
+}
+
+void Table::gap() { rows_.emplace_back(); }
+
+std::string Table::markdown() const {
+  std::string text = "| " + joined(columns_, " | ") + " |\n|";
+  for (std::size_t k = 0; k < columns_.size(); ++k) text += "---:|";
+  text += '\n';
+  for (const std::vector<std::string>& cells : rows_) text += "| " + joined(cells, " | ") + " |\n";
+  return text;
+}
+
+std::string Table::csv(const std::string& tolerance) const {
+  std::string text = "# tolerance " + tolerance + '\n' + joined(columns_, ",") + '\n';
+  for (const std::vector<std::string>& cells : rows_) text += joined(cells, ",") + '\n';
+  return text;
+}
+
+}  // namespace signorini

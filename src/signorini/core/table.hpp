@@ -1,0 +1,42 @@
+/// \file
+/// Small tables that a program writes for its text and its figures.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace signorini {
+
+/// `value` in a printf format such as `%.3f`.
+/// \param value   the number
+/// \param format  one conversion of a double
+/// \return the number as text
+[[nodiscard]] std::string number(double value, const char* format = "%.10g");
+
+/// Rows of cells under named columns.
+class Table {
+ public:
+  /// An empty table. \param columns  their names, in order
+  explicit Table(std::vector<std::string> columns);
+
+  /// Adds a row. \param cells  one per column \throws std::invalid_argument if there are more or fewer
+  void row(std::vector<std::string> cells);
+  /// Adds a row of numbers with 10 digits. \param values  one per column
+  /// \throws std::invalid_argument if there are more or fewer
+  void row(const std::vector<double>& values);
+  /// Adds an empty line, which separates the blocks of a figure's data.
+  void gap();
+
+  /// The table for a chapter text, numbers flush right.
+  /// \return Markdown
+  [[nodiscard]] std::string markdown() const;
+  /// The table for gnuplot.
+  /// \param tolerance  what a fresh run may differ by, such as `rel 1e-6 abs 1e-9`
+  /// \return comma separated lines under a comment with the tolerance and a line of column names
+  [[nodiscard]] std::string csv(const std::string& tolerance = "rel 1e-6 abs 1e-9") const;
+
+ private:
+  std::vector<std::string> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace signorini
