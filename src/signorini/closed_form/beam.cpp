@@ -26,26 +26,25 @@ Section section_of(const BeamOnFoundation& beam) {
           beam.pressure * beam.width};
 }
 
-/// Timoshenko beam that touches from s on: point force at the tip, and deflection at s.
+/// Timoshenko beam that touches from s on: what is known there.
 struct TouchAt {
-  double tip_force;
-  double deflection;
+  double shear;       ///< of the tip force T, as it acts at s: T cosh((l - s) / lambda)
+  double deflection;  ///< that the integrals of moment and shear give
   double clamp_shear;
 };
 TouchAt touch_at(const Section& beam, double length, double s) {
   const double lambda = std::sqrt(beam.bending / beam.shear);
-  const double c = std::cosh((length - s) / lambda);
-  const double S = std::sinh((length - s) / lambda);
-  // Shear, moment and rotation are continuous at s; this leaves the tip force T ...
+  const double tanh = std::tanh((length - s) / lambda);
+  // Shear, moment and rotation are continuous at s, which leaves one unknown, the shear there ...
   const double w = beam.load;
-  const double T = w * s * s * s / 6 / (lambda * S * s + c * s * s / 2 + lambda * lambda * c);
-  const double shear = w * s - T * c;                              // at the clamp
-  const double moment = T * (lambda * S + c * s) - w * s * s / 2;  // at the clamp
-  // ... and the deflection that the integrals of moment and shear give.
+  const double at_s = w * s * s * s / 6 / (lambda * tanh * s + s * s / 2 + lambda * lambda);
+  const double shear = w * s - at_s;                                 // at the clamp
+  const double moment = at_s * (lambda * tanh + s) - w * s * s / 2;  // at the clamp
+  // ... and the deflection, which must be the gap, decides on s.
   const double v =
       -(moment * s * s / 2 + shear * s * s * s / 6 - w * s * s * s * s / 24) / beam.bending +
       (shear * s - w * s * s / 2) / beam.shear;
-  return {T, v, shear};
+  return {at_s, v, shear};
 }
 
 }  // namespace
@@ -93,8 +92,10 @@ double timoshenko_pressure(const BeamOnFoundation& beam, double x) {
   if (x < s || s >= beam.length) return 0;
   const Section section = section_of(beam);
   const double lambda = std::sqrt(section.bending / section.shear);
-  const double tip_force = touch_at(section, beam.length, s).tip_force;
-  return beam.pressure + tip_force / (beam.width * lambda) * std::sinh((beam.length - x) / lambda);
+  // T sinh((l - x) / lambda), written so that it does not overflow in a slender beam
+  const double decay = std::exp((s - x) / lambda) * -std::expm1(-2 * (beam.length - x) / lambda) /
+                       (1 + std::exp(-2 * (beam.length - s) / lambda));
+  return beam.pressure + touch_at(section, beam.length, s).shear * decay / (beam.width * lambda);
 }
 
 }  // namespace signorini

@@ -52,6 +52,43 @@ struct Scales {
   double force = 0;
 };
 
+bool all_finite(const QuadraticProgramme& programme) {
+  return programme.load.allFinite() && programme.initial_gap.allFinite() &&
+         std::isfinite(programme.stiffness.sum()) && std::isfinite(programme.A.sum());
+}
+
+/// Norms of the rows of A; 1 for an empty row.
+Eigen::VectorXd row_norms(const RowMatrix& A) {
+  Eigen::VectorXd norm(A.rows());
+  for (Index pair = 0; pair < A.rows(); ++pair) {
+    norm(pair) = A.row(pair).norm();
+    if (norm(pair) == 0) norm(pair) = 1;
+  }
+  return norm;
+}
+
+/// The largest force, and the largest length: of a gap, of a displacement towards the obstacle, or of
+/// what the forces at hand would move a node by if its neighbours stood still.
+Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution) {
+  const Eigen::VectorXd norm = row_norms(programme.A);
+  const Eigen::VectorXd diagonal = programme.stiffness.diagonal();
+  Scales scale;
+  if (programme.load.size() > 0) scale.force = programme.load.cwiseAbs().maxCoeff();
+  for (Index pair = 0; pair < programme.A.rows(); ++pair) {
+    const double force = std::abs(solution.force(pair));
+    double length = std::abs(programme.initial_gap(pair));
+    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry) {
+      const double a = std::abs(entry.value());
+      const Index j = entry.col();
+      length += a * std::abs(solution.displacement(j));
+      if (diagonal(j) > 0) length += a * (std::abs(programme.load(j)) + a * force) / diagonal(j);
+    }
+    scale.length = std::max(scale.length, length / norm(pair));
+    scale.force = std::max(scale.force, force * norm(pair));
+  }
+  return scale;
+}
+
 /// What numbers that are not finite deserve.
 Certificate rejected() {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -98,23 +135,14 @@ Eigen::VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solu
 
 Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution) {
   check_sizes(programme, solution);
-  if (!solution.displacement.allFinite() || !solution.force.allFinite()) return rejected();
+  if (!all_finite(programme) || !solution.displacement.allFinite() || !solution.force.allFinite() ||
+      !solution.displacement_low.allFinite())
+    return rejected();
   const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
   const Eigen::VectorXd gap = gaps(programme, solution);
   const Index pairs = gap.size();
-  Eigen::VectorXd norm(pairs);
-  Scales scale;
-  for (Index pair = 0; pair < pairs; ++pair) {
-    norm(pair) = programme.A.row(pair).norm();
-    if (norm(pair) == 0) norm(pair) = 1;
-    double length = std::abs(programme.initial_gap(pair));
-    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
-      length += std::abs(entry.value() * solution.displacement(entry.col()));
-    scale.length = std::max(scale.length, length / norm(pair));
-    scale.force = std::max(scale.force, std::abs(solution.force(pair)) * norm(pair));
-  }
-  if (programme.load.size() > 0)
-    scale.force = std::max(scale.force, programme.load.cwiseAbs().maxCoeff());
+  const Scales scale = scales_of(programme, solution);
+  const Eigen::VectorXd norm = row_norms(programme.A);
 
   Certificate certificate;
   ExactSum gap_energy;
@@ -137,7 +165,8 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
   }
   certificate.equilibrium =
       residual.size() == 0 ? 0 : ratio(residual.cwiseAbs().maxCoeff(), scale.force);
-  certificate.duality_gap = ratio(std::abs(gap_energy.value()), energies);
+  certificate.duality_gap =
+      ratio(std::abs(gap_energy.value()), std::max(energies, scale.length * scale.force));
   return certificate;
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// The certificate of a solution: five figures recomputed from the original data, whoever solved it.
+/// The certificate of a solution: five figures, always recomputed from the original data.
 #pragma once
 #include <Eigen/Core>
 #include <iosfwd>
@@ -10,49 +10,75 @@ namespace signorini {
 
 /// How far a claimed solution is from satisfying each condition, made free of units; 0 is perfect.
 ///
-/// Lengths are divided by the largest |g_i| + |a_i||u| and forces by the largest load or contact force
-/// (rows of A scaled to norm 1), so that no figure changes with units or with the scaling of a row.
+/// Lengths are divided by the largest |g_i| + |a_i|(|u| + |v|), where v is how far load and contact
+/// force would move each node if its neighbours stood still, and forces by the largest load or
+/// contact force; rows of A are scaled to norm 1. So no figure changes with units or with the
+/// scaling of a row, and a solution that is zero but for rounding is not measured by its rounding.
 struct Certificate {
   double penetration = 0;      ///< largest overlap / length
   double tension = 0;          ///< largest tensile contact force / force
   double complementarity = 0;  ///< largest |force * gap| / (length * force)
   double equilibrium = 0;      ///< largest entry of p - K u - A^T lambda / force
-  double duality_gap = 0;      ///< |primal - dual energy| / sum of the magnitudes of their terms
+  double duality_gap = 0;      ///< |primal - dual energy| / their size, see certify()
 
-  /// The worst of the five.
+  /// \return the worst of the five
   [[nodiscard]] double worst() const;
-  /// Whether all five are at most `tolerance`.
+  /// Whether this is good enough.
+  /// \param tolerance  for all five [-]
+  /// \return whether none exceeds it
   [[nodiscard]] bool holds(double tolerance = 1e-12) const { return worst() <= tolerance; }
 };
 
 /// A claimed solution of a quadratic programme; u is kept as the unevaluated sum of two vectors.
 struct PrimalDual {
   Eigen::VectorXd displacement;      ///< u `n` [length], rounded to double
-  Eigen::VectorXd displacement_low;  ///< what rounding took away, `n`; empty means zero
-  Eigen::VectorXd force;             ///< lambda `n_c` [force]
+  Eigen::VectorXd displacement_low;  ///< what rounding took away, `n` [length]; empty means zero
+  Eigen::VectorXd force;             ///< lambda `n_c` [force], compression > 0
 };
 
 /// Certificate of (u, lambda) against K, p, A, g. \PaperEq{XuanLi2002, 6}, \PaperEq{XuanLi2002, 21}
 ///
-/// Residuals are summed in twice the working precision. The equilibrium is measured against the loads and
-/// not against |K||u|, which is far larger in a slender body: with u in plain doubles it cannot be
-/// better than about 1e-16 |K||u| / |p|, whatever the solver; `displacement_low` removes this floor.
+/// Residuals are summed in twice the working precision. The equilibrium is measured against the
+/// loads and not against |K||u|, which is far larger in a slender body: with u in plain doubles it
+/// cannot be better than about 1e-16 |K||u| / |p|, whatever the solver; `displacement_low` removes
+/// this floor. The energies are measured against the sum of |lambda g| and |p u|, or length * force
+/// if that is larger.
+/// \param programme  K, p, A, g as they were posed
+/// \param solution   u and lambda, from any solver
+/// \return the five figures; all infinite if any number, given or claimed, is not finite
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution);
 
-/// Certificate of (lambda, gap) against G and d; `equilibrium` then is the largest
-/// |gap - d - G lambda|, as a length.
-/// \throws std::invalid_argument if sizes do not fit
+/// Certificate of (lambda, gap) against G and d.
+///
+/// Pair i is measured in gap / sqrt(G_ii) and force sqrt(G_ii), which have one unit, against the
+/// largest such number of the problem. The gaps are recomputed; `equilibrium` is the largest
+/// difference of the claimed from the recomputed ones.
+/// \param problem  G and d as they were posed
+/// \param state    forces and gaps; its status is not looked at
+/// \return the five figures; all infinite if a force or gap is not finite
+/// \throws std::invalid_argument if sizes do not fit, or as check_problem()
 [[nodiscard]] Certificate certify(const ContactProblem& problem, const ContactState& state);
 
-/// p - K u - A^T lambda `n` [force], summed in twice the working precision.
+/// The forces that are missing in the equilibrium, summed in twice the working precision.
+/// \param programme  K, p, A
+/// \param solution   u in its two parts, and lambda
+/// \return \f$ p - K u - A^T \lambda \f$ `n` [force]
+/// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,
                                                    const PrimalDual& solution);
 
-/// g - A u `n_c` [length], summed in twice the working precision.
+/// The gaps that displacements leave, summed in twice the working precision.
+/// \param programme  A and g
+/// \param solution   u in its two parts
+/// \return \f$ g - A u \f$ `n_c` [length], overlap < 0
+/// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Eigen::VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solution);
 
 /// Prints the five figures on one line.
+/// \param out          where to
+/// \param certificate  what
+/// \return `out`
 std::ostream& operator<<(std::ostream& out, const Certificate& certificate);
 
 }  // namespace signorini

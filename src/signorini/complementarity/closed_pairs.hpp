@@ -8,32 +8,44 @@
 
 namespace signorini {
 
-/// A contact problem with pair i scaled by s_i = 1 / sqrt(G_ii): unit diagonal, one unit for all numbers.
+/// A contact problem with pair i scaled by \f$ s_i = 1 / \sqrt{G_{ii}} \f$: unit diagonal, one unit
+/// for all forces and gaps.
 ///
 /// A change of units, of the stiffness of a body or of the scale of one row leaves it as it is.
 struct ScaledProblem {
-  Eigen::MatrixXd compliance;  ///< s_i G_ij s_j [-]
-  Eigen::VectorXd free_gap;    ///< s_i d_i [sqrt(energy)]
-  Eigen::VectorXd scale;       ///< s_i; force = s * scaled force, gap = scaled gap / s
+  Eigen::MatrixXd compliance;  ///< `n_c x n_c` s_i G_ij s_j [-]
+  Eigen::VectorXd free_gap;    ///< `n_c` s_i d_i [sqrt(energy)]
+  Eigen::VectorXd scale;       ///< `n_c` s_i; force = s * scaled force, gap = scaled gap / s
 };
 
-/// Equilibrates a problem; pairs with G_ii = 0 keep scale 1. \throws std::invalid_argument as check_problem()
+/// Equilibrates a problem.
+/// \param problem  G and d
+/// \return the scaled problem; a pair with G_ii = 0 keeps the scale 1
+/// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ScaledProblem equilibrate(const ContactProblem& problem);
 
-/// Forces and gaps when exactly the pairs of `active` are closed.
+/// Forces and gaps when exactly the pairs of a set are closed; scaled numbers [sqrt(energy)].
 struct ClosedPairs {
-  Eigen::VectorXd force;           ///< `n_c`, 0 outside `active`; scaled
-  Eigen::VectorXd gap;             ///< `n_c`, exactly 0 on `active`; scaled
-  Eigen::VectorXd force_rounding;  ///< `n_c` what rounding may have done to each force
-  Eigen::VectorXd gap_rounding;    ///< `n_c` and to each gap
-  bool solvable = false;  ///< false if the block of `active` is singular to working precision
+  Eigen::VectorXd force;           ///< `n_c`, 0 outside of the set; tension < 0 is possible
+  Eigen::VectorXd gap;             ///< `n_c`, exactly 0 in the set; overlap < 0 is possible
+  Eigen::VectorXd force_rounding;  ///< `n_c`, what rounding may have done to each force
+  Eigen::VectorXd gap_rounding;    ///< `n_c`, and to each gap
+  bool solvable = false;           ///< false if the block of the set is singular to rounding
 };
 
-/// Solves G_WW lambda_W = -d_W with two steps of iterative refinement, then evaluates all gaps.
+/// Solves \f$ G_{WW} \lambda_W = -d_W \f$ with two steps of refinement, then finds all gaps.
+/// \param problem  scaled by equilibrate()
+/// \param active   W, without repetition
+/// \return forces and gaps; if not `solvable`, forces are 0 and the gaps empty
 [[nodiscard]] ClosedPairs close_pairs(const ScaledProblem& problem,
                                       const std::vector<Eigen::Index>& active);
 
 /// Turns scaled numbers into a state of the original problem.
+/// \param problem  whose scales were used
+/// \param closed   forces and gaps `n_c`; negative ones, which may be rounding, become 0
+/// \param active   closed pairs, in increasing order
+/// \param report   how the solver got there
+/// \return the state
 [[nodiscard]] ContactState unscaled(const ScaledProblem& problem, const ClosedPairs& closed,
                                     std::vector<Eigen::Index> active, Report report);
 

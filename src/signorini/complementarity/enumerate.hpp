@@ -10,9 +10,13 @@ inline constexpr Eigen::Index largest_enumeration = 12;
 
 /// Solves a small contact problem by looking at all 2^n_c sets of closed pairs.
 ///
-/// A set is a solution if its forces and the gaps of the open pairs are not negative beyond rounding. Of
-/// several (a pair that just touches may be called open or closed) the one with the fewest pairs is
-/// returned. Sets with a singular block are left out: another set gives the same displacements.
+/// A set is a solution if its forces and the gaps of the open pairs are not negative beyond
+/// rounding. Of several (a pair that just touches may be called open or closed) the one with the
+/// fewest pairs is returned. Sets with a singular block are left out: another set gives the same
+/// displacements.
+///
+/// \param problem  of at most 12 pairs
+/// \param options  not used: every set that could be better than the best so far is tried
 /// \return `Solved`, or `Infeasible` if no set fits
 /// \throws std::invalid_argument if there are more than 12 pairs, or as check_problem()
 [[nodiscard]] ContactState enumerate(const ContactProblem& problem,

@@ -21,10 +21,10 @@ struct QuadraticProgramme {
 /// The same problem with the displacements eliminated: find forces >= 0 with
 /// gap = free_gap + compliance * force >= 0 and force * gap = 0 pair by pair.
 ///
-/// \PaperEq{XuanLi2002, 6} after condensation: d = g - A u0, G = A K^-1 A^T.
+/// \PaperEq{XuanLi2002, 6} after condensation: \f$ d = g - A u^0,\ G = A K^{-1} A^T \f$.
 struct ContactProblem {
   Eigen::MatrixXd compliance;  ///< G `n_c x n_c`, symmetric positive semidefinite [length/force]
-  Eigen::VectorXd free_gap;    ///< d `n_c` [length]: the gap when contact is ignored
+  Eigen::VectorXd free_gap;    ///< d `n_c` [length]: the gap when contact is ignored, overlap < 0
 };
 
 /// How a solver ended. Nothing but `Solved` may be called a solution.
@@ -36,31 +36,34 @@ enum class Status {
   Breakdown        ///< a system the method needs is singular to working precision
 };
 
-/// "solved", "infeasible", "ray", "iteration limit" or "breakdown".
+/// A status in words.
+/// \param status  any
+/// \return "solved", "infeasible", "ray", "iteration limit" or "breakdown"
 [[nodiscard]] const char* to_string(Status status);
 
 /// One iteration of a solver.
 struct Iteration {
   Eigen::Index active;   ///< pairs taken as closed
-  Eigen::Index changes;  ///< pairs that changed sides afterwards
+  Eigen::Index changes;  ///< pairs found on the wrong side, which are candidates for a change
   double penetration;    ///< largest overlap of a pair taken as open [length]
   double tension;        ///< largest tensile force of a pair taken as closed [force]
 };
 
 /// What a solver says about its run.
 struct Report {
-  Status status = Status::Breakdown;
-  Eigen::Index iterations = 0;
-  Eigen::Index factorisations = 0;
-  std::vector<Iteration> history;
+  Status status = Status::Breakdown;  ///< how it ended
+  Eigen::Index iterations = 0;        ///< sets of closed pairs that it looked at
+  Eigen::Index factorisations = 0;    ///< dense factorisations, none for an empty set
+  std::vector<Iteration> history;     ///< one entry per iteration, or empty
 };
 
-/// Forces, gaps and status of all pairs.
+/// Forces, gaps and status of all pairs. Unless `report.status` is Solved, these are the last ones
+/// that the method looked at and no solution.
 struct ContactState {
   Eigen::VectorXd force;             ///< lambda `n_c` [force], compression > 0
   Eigen::VectorXd gap;               ///< `n_c` [length], open > 0
   std::vector<Eigen::Index> active;  ///< closed pairs, in increasing order
-  Report report;
+  Report report;                     ///< how the solver got there
 };
 
 /// Choices that every solver understands.
@@ -68,7 +71,10 @@ struct SolverOptions {
   Eigen::Index iteration_limit = 0;  ///< 0: the solver's own bound, which grows with the problem
 };
 
-/// \throws std::invalid_argument unless G is square and symmetric to rounding, G and d fit and are finite
+/// Checks what every solver relies on.
+/// \param problem  G and d
+/// \throws std::invalid_argument unless G is square, symmetric to rounding and without a negative
+///   diagonal entry, d has its size, and both are finite
 void check_problem(const ContactProblem& problem);
 
 }  // namespace signorini

@@ -15,16 +15,21 @@ struct Refinement {
   bool confirmed = false;   ///< no force of the set is tensile and no other pair overlaps
 };
 
-/// Refines K u + A^T lambda = p, A_W u = g_W for a set W of closed pairs.
+/// Refines \f$ K u + A^T \lambda = p,\ A_W u = g_W \f$ for a set W of closed pairs.
 ///
-/// Each sweep corrects u by K^-1 times the residual of equilibrium, then lambda by the gaps left in W;
-/// both residuals come from K, p, A and g in twice the working precision, so the factor and the
-/// compliance may carry errors up to about 1/cond. u is kept as a sum of two doubles. Sweeps end when
-/// both corrections have reached rounding size or no longer shrink.
-/// \param solve_stiffness  K^-1 applied to a vector; need not be accurate
-/// \param compliance       G = A K^-1 A^T `n_c x n_c`; need not be accurate
-/// \param start            a solution to start from; its displacement may still be that without contact
-/// \param active           W, in increasing order
+/// Each sweep corrects u by K^-1 times the residual of equilibrium, then lambda by the gaps left in
+/// W; both residuals come from K, p, A and g in twice the working precision, so the factor and the
+/// compliance may carry relative errors up to about 1/cond. u is kept as a sum of two doubles.
+/// Sweeps end when lambda has settled and the next correction of u will be of rounding size, or
+/// when neither correction shrinks any more.
+/// \param programme        K, p, A, g as they were posed
+/// \param solve_stiffness  K^-1 applied to a vector [force] -> [length]; need not be accurate
+/// \param compliance       `n_c x n_c` G = A K^-1 A^T [length/force]; need not be accurate
+/// \param start            a solution to start from, forces 0 outside of W; its displacement may
+///                         still be that without contact
+/// \param active           W, in increasing order; its block of G must be regular
+/// \return the refined solution; another set is needed unless it is `confirmed`
+/// \throws std::invalid_argument if the sizes of `programme` and `start` do not fit
 [[nodiscard]] Refinement refine(
     const QuadraticProgramme& programme,
     const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,

@@ -58,7 +58,8 @@ Obstacle profile(const std::function<double(double)>& height,
             const double df = slope(x.x());
             pose(std::isfinite(f) && std::isfinite(df), "obstacle 'profile': height ", f,
                  " and slope ", df, " at x = ", x.x(), " must be finite");
-            const Eigen::Vector2d normal = Eigen::Vector2d(-df, 1).normalized();
+            const double root = std::hypot(df, 1.0);
+            const Eigen::Vector2d normal(-df / root, 1 / root);
             return ObstacleContact{normal.y() * (x.y() - f), normal};
           }};
 }

@@ -19,23 +19,38 @@ struct Obstacle {
   std::function<ObstacleContact(const Eigen::Vector2d&)> look;  ///< seen from a point [length]
 };
 
-/// Everything behind the line through `point` with the outward normal `normal` (any length > 0).
+/// Everything behind a line.
+/// \param point   on the line [length]
+/// \param normal  out of the obstacle, of any length > 0
+/// \return the obstacle; gap and normal are exact
 /// \throws ProblemError if the normal has no length or a number is not finite
 [[nodiscard]] Obstacle half_plane(const Eigen::Vector2d& point, const Eigen::Vector2d& normal);
 
-/// A disc; the body lies outside it. \param radius [length], positive
+/// A disc; the body lies outside of it.
+/// \param centre  [length]
+/// \param radius  [length], positive
+/// \return the obstacle, with gap = distance from the centre - radius
+/// \throws ProblemError if the radius is not positive or a number not finite; when looked at, if
+///   the point is the centre, where no normal exists
 [[nodiscard]] Obstacle disc(const Eigen::Vector2d& centre, double radius);
 
-/// A hole; the body lies inside it, as a shaft in its bearing. \param radius [length], positive
+/// A hole; the body lies inside of it, as a shaft in its bearing.
+/// \param centre  [length]
+/// \param radius  [length], positive
+/// \return the obstacle, with gap = radius - distance from the centre
+/// \throws ProblemError as disc()
 [[nodiscard]] Obstacle hole(const Eigen::Vector2d& centre, double radius);
 
-/// Everything below the curve y = height(x).
+/// Everything below the curve y = f(x).
 ///
 /// The gap is measured along the normal of the curve at the same x:
 /// \f[ g = n_y\,(y - f(x)), \quad n = (-f', 1)/\sqrt{1 + f'^2}, \f]
-/// \PaperEq{XuanLi2002, 2} with its second division by the root taken out (see erratum in chapter 1).
-/// It is the distance up to terms of the order gap^2 times the curvature.
-/// \param slope f'(x) [-]
+/// \PaperEq{XuanLi2002, 2} with its second division by the root taken out (an erratum, see chapter
+/// 1). It is the distance up to terms of the order gap^2 times the curvature.
+/// \param height  f(x) [length]
+/// \param slope   f'(x) [-]
+/// \return the obstacle
+/// \throws std::invalid_argument if a function is missing
 /// \throws ProblemError, when looked at, if height or slope is not finite there
 [[nodiscard]] Obstacle profile(const std::function<double(double)>& height,
                                const std::function<double(double)>& slope);

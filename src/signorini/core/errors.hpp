@@ -11,7 +11,7 @@ namespace signorini {
 ///
 /// Thrown for input that a user of a finished program can get wrong (a free body, an inverted cell,
 /// a folder that cannot be written). Programs end with exit code 2. A method that does not converge
-/// is no error: it is reported by its Status.
+/// is no error of this kind: it is reported by its Status.
 class ProblemError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -21,7 +21,9 @@ class NotSolved : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The streamed parts as one string, numbers with 6 digits.
+/// One string from many parts.
+/// \param parts  anything that can be streamed
+/// \return the parts one after the other, numbers with 6 digits
 template <typename... Parts>
 [[nodiscard]] std::string text(const Parts&... parts) {
   std::ostringstream stream;
@@ -29,13 +31,19 @@ template <typename... Parts>
   return stream.str();
 }
 
-/// Throws std::invalid_argument with the streamed parts unless `ok`: the caller's mistake.
+/// Checks what a caller must get right.
+/// \param ok     what must hold
+/// \param parts  of the message: the function, what it expects, what it got
+/// \throws std::invalid_argument with the parts as text() unless `ok`
 template <typename... Parts>
 void require(bool ok, const Parts&... parts) {
   if (!ok) throw std::invalid_argument(text(parts...));
 }
 
-/// Throws ProblemError with the streamed parts unless `ok`: the problem is posed wrongly.
+/// Checks that a problem is posed rightly.
+/// \param ok     what must hold
+/// \param parts  of the message: what is wrong, what was found, what to change
+/// \throws ProblemError with the parts as text() unless `ok`
 template <typename... Parts>
 void pose(bool ok, const Parts&... parts) {
   if (!ok) throw ProblemError(text(parts...));

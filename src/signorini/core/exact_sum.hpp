@@ -7,22 +7,24 @@ namespace signorini {
 /// A running sum of doubles and of products of doubles, kept as an unevaluated pair.
 ///
 /// Every rounding error of a sum or a product of two doubles is itself a double; the pair keeps
-/// those errors instead of dropping them (error-free transformations, see [Ogita, Rump and Oishi
-/// 2005](\ref OgitaRumpOishi2005)). The result is as if computed with about 32 digits and rounded once.
-/// It must not be compiled with `-ffast-math`, which assumes that the errors are zero.
+/// those errors instead of dropping them (error-free transformations [\ref OgitaRumpOishi2005]).
+/// The result is as if computed with about 32 digits and rounded once. It must not be compiled with
+/// `-ffast-math`, which assumes that the errors are zero.
 class ExactSum {
  public:
-  /// Starts at `value`.
+  /// \param value  what the sum starts at
   explicit ExactSum(double value = 0) : high_(value) {}
 
-  /// Adds one number.
+  /// Adds one number. \param value  the number
   void add(double value) {
     const double sum = high_ + value;
     const double part = sum - high_;
     low_ += (high_ - (sum - part)) + (value - part);
     high_ = sum;
   }
-  /// Adds `a * b` without rounding the product.
+  /// Adds the product `a * b` without rounding it, if no step overflows or underflows.
+  /// \param a  first factor, of magnitude below 2^996
+  /// \param b  second factor, of magnitude below 2^996
   void add_product(double a, double b) {
     const double product = a * b;
     const Halves x = split(a);
@@ -32,7 +34,7 @@ class ExactSum {
     add(product);
     low_ += error;
   }
-  /// The sum, rounded once.
+  /// \return the sum, rounded once
   [[nodiscard]] double value() const { return high_ + low_; }
 
  private:

@@ -13,7 +13,7 @@ namespace signorini {
 struct LedgerEntry {
   std::string path;                         ///< names from the outermost phase in, joined by '/'
   double seconds = 0;                       ///< wall time, all calls together [s]
-  long long calls = 0;                      ///< how often the phase was entered
+  long long calls = 0;                      ///< how often the phase ended
   std::map<std::string, long long> counts;  ///< what was counted in it, by name
   long long bytes = 0;                      ///< memory of what the phase built [byte]
 };
@@ -24,7 +24,11 @@ class Ledger {
   /// Times the block it lives in, nested in the phase that is open when it begins.
   class Phase {
    public:
+    /// Opens a phase; entering the same one again adds to its line.
+    /// \param ledger  receives the line; must outlive the phase
+    /// \param name    last part of the path, without '/'
     Phase(Ledger& ledger, const std::string& name);
+    /// Ends the phase: adds its seconds and one call, and opens the outer phase again.
     ~Phase();
     Phase(const Phase&) = delete;
     Phase& operator=(const Phase&) = delete;
@@ -38,18 +42,26 @@ class Ledger {
     std::chrono::steady_clock::time_point begin_;
   };
 
-  /// Adds `amount` to the count `name` of the open phase.
+  /// Counts something in the open phase, or on the line `outside` if none is open.
+  /// \param name    what is counted
+  /// \param amount  how many to add
   void count(const std::string& name, long long amount);
-  /// Adds `amount` bytes to the open phase.
+  /// Notes memory that the open phase built, or on the line `outside` if none is open.
+  /// \param amount  how much to add [byte]
   void bytes(long long amount);
 
-  /// All lines in the order in which their phases were first entered.
+  /// \return all lines, in the order in which their phases were first entered
   [[nodiscard]] const std::vector<LedgerEntry>& entries() const { return entries_; }
-  /// Seconds of the phase `path` (`"factor/numeric"`), 0 if it was never entered.
+  /// Time of one phase, with what is nested in it.
+  /// \param path  such as `"factor/numeric"`
+  /// \return wall time [s], 0 if the phase was never entered
   [[nodiscard]] double seconds(const std::string& path) const;
-  /// The count `name` of the phase `path`, 0 if there is none.
+  /// One count of one phase, without what is nested in it.
+  /// \param path  such as `"factor/numeric"`
+  /// \param name  what was counted
+  /// \return the count, 0 if there is none
   [[nodiscard]] long long counted(const std::string& path, const std::string& name) const;
-  /// Largest total of bytes over all phases [byte].
+  /// \return sum of the bytes of all phases [byte]
   [[nodiscard]] long long total_bytes() const;
 
  private:
@@ -61,7 +73,10 @@ class Ledger {
   std::size_t open_ = none;
 };
 
-/// Prints the ledger as an indented table.
+/// Prints the ledger as an indented table: seconds, calls, megabytes (10^6 bytes) and counts.
+/// \param out     where to
+/// \param ledger  what
+/// \return `out`
 std::ostream& operator<<(std::ostream& out, const Ledger& ledger);
 
 }  // namespace signorini

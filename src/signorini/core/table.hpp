@@ -6,10 +6,11 @@
 
 namespace signorini {
 
-/// `value` in a printf format such as `%.3f`.
+/// A number as text.
 /// \param value   the number
-/// \param format  one conversion of a double
-/// \return the number as text
+/// \param format  printf format with one conversion of a double, such as `%.3f`
+/// \return at most 63 characters
+/// \throws std::invalid_argument if the text would be longer
 [[nodiscard]] std::string number(double value, const char* format = "%.10g");
 
 /// Rows of cells under named columns.
@@ -18,7 +19,8 @@ class Table {
   /// An empty table. \param columns  their names, in order
   explicit Table(std::vector<std::string> columns);
 
-  /// Adds a row. \param cells  one per column \throws std::invalid_argument if there are more or fewer
+  /// Adds a row. \param cells  one per column
+  /// \throws std::invalid_argument if there are more or fewer
   void row(std::vector<std::string> cells);
   /// Adds a row of numbers with 10 digits. \param values  one per column
   /// \throws std::invalid_argument if there are more or fewer
@@ -26,7 +28,7 @@ class Table {
   /// Adds an empty line, which separates the blocks of a figure's data.
   void gap();
 
-  /// The table for a chapter text, numbers flush right.
+  /// The table for a chapter text, all columns flush right.
   /// \return Markdown
   [[nodiscard]] std::string markdown() const;
   /// The table for gnuplot.

@@ -80,6 +80,11 @@ CellNodes cell_nodes(const Mesh& mesh, Index cell) {
   return nodes;
 }
 
+void check_element(const Mesh& mesh, const Element& element) {
+  pose(mesh.cells.cols() == element.n_nodes, "mesh '", mesh.name, "' has cells of ",
+       mesh.cells.cols(), " nodes, but the element ", element.name, " needs ", element.n_nodes);
+}
+
 CellMatrix cell_stiffness(const Element& element, const CellNodes& nodes, const Eigen::Matrix3d& D,
                           double thickness) {
   StrainPoints points;
@@ -105,8 +110,7 @@ NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Material& 
 
 LinearSystem assemble(const Mesh& mesh, const Element& element, const Material& material,
                       const Unknowns& unknowns, const Loads& loads) {
-  pose(mesh.cells.cols() == element.n_nodes, "mesh '", mesh.name, "' has cells of ",
-       mesh.cells.cols(), " nodes, but the element ", element.name, " needs ", element.n_nodes);
+  check_element(mesh, element);
   const Eigen::Matrix3d D = elasticity_matrix(material);
   const Index n_cell = 2 * element.n_nodes;
   std::vector<Eigen::Triplet<double>> entries;

@@ -14,48 +14,82 @@ namespace signorini {
 
 /// Load on one boundary: a pressure against the body plus a traction.
 struct EdgeLoad {
-  std::string boundary;
-  double pressure = 0;   ///< against the body, normal to it [force/length^2]
+  std::string boundary;  ///< where it acts
+  double pressure = 0;   ///< against the body, normal to it [force/length^2]; < 0 pulls
   VectorField traction;  ///< (x, y) components [force/length^2]; none if empty
 };
 
 /// What acts on a body.
 struct Loads {
-  VectorField body_force;  ///< [force/length^3]; none if empty
-  std::vector<EdgeLoad> edges;
+  VectorField body_force;       ///< [force/length^3]; none if empty
+  std::vector<EdgeLoad> edges;  ///< several on one boundary add up
 };
 
 /// K and p of one body or several, supports already taken out.
 struct LinearSystem {
-  Eigen::SparseMatrix<double> stiffness;  ///< K, both triangles [force/length]
-  Eigen::VectorXd load;                   ///< p, including what given displacements cause [force]
+  Eigen::SparseMatrix<double> stiffness;  ///< K `n x n`, both triangles [force/length]
+  Eigen::VectorXd load;                   ///< p `n` [force], with what given displacements cause
 };
 
-/// Nodes of one cell, ready for the element functions.
+/// Gathers the nodes of one cell for the element functions.
+/// \param mesh  that has it
+/// \param cell  its number
+/// \return positions in the order of the cell [length]
 [[nodiscard]] CellNodes cell_nodes(const Mesh& mesh, Eigen::Index cell);
 
-/// Stiffness of one cell: the integral of B^T D B over its area, times the thickness [force/length].
+/// Checks that an element has as many nodes as the cells it is to be used in.
+/// \param mesh     cells of 4 or 8 nodes
+/// \param element  a member of the family
+/// \throws ProblemError naming both numbers if they differ
+void check_element(const Mesh& mesh, const Element& element);
+
+/// Stiffness of one cell: the integral of \f$ B^T D B \f$ over its area, times the thickness.
+/// \param element    of the cell, `m` nodes
+/// \param nodes      `m x 2`      positions [length]
+/// \param D          `3 x 3`      elasticity_matrix() [force/length^2]
+/// \param thickness  across the plane [length]
+/// \return `2m x 2m`, exactly symmetric, positive semidefinite [force/length]
 [[nodiscard]] CellMatrix cell_stiffness(const Element& element, const CellNodes& nodes,
                                         const Eigen::Matrix3d& D, double thickness);
 
 /// Assembles K and p of the free unknowns. \PaperEq{XuanLi2002, 12}
-///
-/// \throws ProblemError if the element does not fit the cells, the material is out of range, a load is
-///   not finite or its boundary does not exist
+/// \param mesh      the body, already through check_mesh()
+/// \param element   fits its cells
+/// \param material  of all cells
+/// \param unknowns  `n` of the mesh; given displacements move to the right-hand side
+/// \param loads     on the body
+/// \return the system of the `n` unknowns
+/// \throws ProblemError if the element does not fit the cells, the material is out of range, a load
+///   is not finite or its boundary does not exist
 [[nodiscard]] LinearSystem assemble(const Mesh& mesh, const Element& element,
                                     const Material& material, const Unknowns& unknowns,
                                     const Loads& loads);
 
-/// Nodal forces of the loads on all nodes, held or not [force], `n_nodes x 2`.
+/// Nodal forces of the loads, consistent with the shape functions.
+/// \param mesh      the body
+/// \param element   fits its cells
+/// \param material  whose thickness multiplies the loads
+/// \param loads     on the body
+/// \return `n_nodes x 2` on all nodes, held or not [force]
+/// \throws ProblemError if a load is not finite or its boundary does not exist
 [[nodiscard]] NodeArray nodal_loads(const Mesh& mesh, const Element& element,
                                     const Material& material, const Loads& loads);
 
-/// Consistent share of a boundary for each of its nodes: the integral of its shape function along the
-/// boundary times the thickness [length^2], in the order of boundary_nodes().
+/// Consistent share of a boundary for each of its nodes: the integral of its shape function along
+/// the boundary times the thickness.
+/// \param mesh       that has the boundary
+/// \param name       of the boundary
+/// \param thickness  across the plane [length]
+/// \return one number per node [length^2], in the order of boundary_nodes()
+/// \throws ProblemError if there is no such boundary
 [[nodiscard]] Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name,
                                                double thickness);
 
-/// Displacements of all nodes from the unknowns [length].
+/// Displacements of all nodes.
+/// \param unknowns  which are unknown, and what the others are held at
+/// \param values    `n` unknowns u [length]
+/// \return `n_nodes x 2` [length]
+/// \throws std::invalid_argument unless there is one value per unknown
 [[nodiscard]] NodeArray expand(const Unknowns& unknowns,
                                const Eigen::Ref<const Eigen::VectorXd>& values);
 

@@ -29,8 +29,8 @@ Matrix reordered(const Matrix& K, const Permutation& to_new) {
 }
 
 /// Multiplications and additions of the factorisation, from the column lengths of L.
-double operation_count(const Cholesky& analysed) {
-  const Matrix& L = analysed.matrixL().nestedExpression();
+double operation_count(const Cholesky& factor) {
+  const Matrix& L = factor.matrixL().nestedExpression();
   double operations = 0;
   for (Index k = 0; k < L.cols(); ++k) {
     const double below = L.outerIndexPtr()[k + 1] - L.outerIndexPtr()[k];
@@ -68,11 +68,11 @@ ContactLastFactor::ContactLastFactor(const Matrix& stiffness, const EliminationO
     upper = reordered(stiffness, parts_->to_new);
     parts_->factor = std::make_unique<Cholesky>();
     parts_->factor->analyzePattern(upper);
-    parts_->operations = operation_count(*parts_->factor);
   }
   {
     const Ledger::Phase phase(ledger, "numeric");
     parts_->factor->factorize(upper);
+    parts_->operations = operation_count(*parts_->factor);
     ledger.count("nonzeros", nonzeros());
     ledger.count("operations", static_cast<long long>(operations()));
     ledger.bytes(nonzeros() * static_cast<long long>(sizeof(double) + sizeof(int)));

@@ -1,6 +1,7 @@
 /// \file
-/// What an element is, and the family of elements. To add one: write `NAME.cpp` with a function that
-/// returns an Element, declare it in elements.hpp and add its line to the table in elements.cpp.
+/// What an element is, and the family of elements. To add one: write `NAME.cpp` with a function
+/// that returns an Element, declare it in elements.hpp and add its line to the table in
+/// elements.cpp.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -8,7 +9,9 @@
 
 namespace signorini {
 
+/// Most nodes of a cell: room for them is kept on the stack.
 inline constexpr int max_cell_nodes = 8;
+/// Most strain points of a cell.
 inline constexpr int max_strain_points = 9;
 
 /// Positions of the nodes of one cell, one row each [length]; never on the heap.
@@ -37,23 +40,26 @@ struct StrainPoint {
   StrainMatrix B;         ///< strain operator, internal modes already condensed
 };
 
-/// The sampling points of one cell; `size` of them are filled.
+/// The sampling points of one cell.
 struct StrainPoints {
-  std::array<StrainPoint, max_strain_points> point;
-  int size = 0;
+  std::array<StrainPoint, max_strain_points> point;  ///< the first `size` of them are filled
+  int size = 0;                                      ///< how many there are
 };
 
 /// One member of the family.
 ///
-/// Everything else (stiffness, loads, stresses) follows from the two functions. The strain operator may
-/// depend on D, because internal modes are condensed with it; it must give zero strain for every
-/// rigid motion and the exact strain for every linear displacement (after integration over the cell).
+/// Everything else (stiffness, loads, stresses) follows from the two functions. The strain operator
+/// may depend on D, because internal modes are condensed with it; it must give zero strain for
+/// every rigid motion and the exact strain for every linear displacement (after integration over
+/// the cell).
 struct Element {
-  const char* name;
+  const char* name;      ///< as in find_element() and in a scene
   const char* summary;   ///< one line for lists
   Eigen::Index n_nodes;  ///< 4 or 8, in the order of Mesh
   int degree;  ///< complete polynomials it contains; displacements converge with degree + 1
+  /// Shape functions at (xi, eta) of the reference square.
   Shape (*shape)(double xi, double eta);
+  /// Fills `points` for the cell at `nodes` [length] with the elasticity D [force/length^2].
   void (*strain)(const CellNodes& nodes, const Eigen::Matrix3d& D, StrainPoints& points);
 };
 
@@ -65,19 +71,31 @@ struct Jacobian {
 };
 
 /// Derivatives of the shape functions with respect to x and y.
+/// \param shape  of `m` nodes at one place
+/// \param nodes  `m x 2` positions [length]; the cell must not be degenerate there
+/// \return the map at that place
 [[nodiscard]] Jacobian jacobian(const Shape& shape, const CellNodes& nodes);
 
-/// The plain strain operator of displacement shape functions with these gradients.
+/// The plain strain operator of displacement shape functions.
+/// \param gradient  `m x 2` dN/dx, dN/dy [1/length]
+/// \return B `3 x 2m` [1/length]
 [[nodiscard]] StrainMatrix strain_matrix(const CellNodes& gradient);
 
-/// Points and weights of the n x n Gauss rule on the reference square, n = 2 or 3.
+/// One point of a Gauss rule.
 struct GaussPoint {
-  double xi;
-  double eta;
-  double weight;
+  double xi;      ///< first coordinate [-]
+  double eta;     ///< second coordinate [-]
+  double weight;  ///< [-]
 };
+/// The n x n Gauss rule on the square [-1, 1]^2.
+/// \param n  2 or 3
+/// \return points with xi running first; the weights add up to 4
+/// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_square(int n);
-/// The Gauss rule on [-1, 1]; `eta` is 0. n = 1, 2 or 3.
+/// The Gauss rule on the interval [-1, 1].
+/// \param n  1, 2 or 3
+/// \return points with eta = 0 and xi increasing; the weights add up to 2
+/// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_line(int n);
 
 }  // namespace signorini

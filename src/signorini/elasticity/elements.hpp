@@ -9,18 +9,28 @@
 namespace signorini {
 
 /// Bilinear quadrilateral, 2 x 2 Gauss points. Locks in bending and near incompressibility.
+/// \return the element
 [[nodiscard]] Element q4();
-/// Bilinear with the volumetric strain averaged over the cell; bears Poisson's ratio up to 0.4999...
+/// Bilinear with the volumetric strain averaged over the cell [\ref Hughes1980]; bears Poisson's
+/// ratios up to 0.4999, but locks in bending.
+/// \return the element
 [[nodiscard]] Element q4_bbar();
-/// Bilinear with four incompatible modes, condensed in the cell; bends without locking.
+/// Bilinear with four incompatible modes, condensed in the cell [\ref TaylorBeresfordWilson1976];
+/// bends without locking.
+/// \return the element
 [[nodiscard]] Element q4_incompatible();
 /// Eight-node serendipity quadrilateral, 3 x 3 Gauss points.
+/// \return the element
 [[nodiscard]] Element q8();
 
-/// All members, in the order of lists and tables.
+/// The family.
+/// \return all members, in the order of lists and tables
 [[nodiscard]] const std::vector<Element>& elements();
 
-/// The member called `name`. \throws ProblemError listing the known names
+/// Looks up a member.
+/// \param name  of the element
+/// \return the member
+/// \throws ProblemError listing the known names if there is none
 [[nodiscard]] const Element& find_element(const std::string& name);
 
 }  // namespace signorini

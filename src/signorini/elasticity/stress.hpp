@@ -12,18 +12,32 @@ namespace signorini {
 /// One stress (xx, yy, xy) per row [force/length^2], tension positive.
 using StressArray = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Stress at the nodes: the values at the strain points of each cell are fitted by a bilinear function,
-/// evaluated at the nodes and averaged over the cells that meet there.
-/// \param displacements `n_nodes x 2` [length]
-/// \return `n_nodes x 3`
+/// Stress at the nodes: the values at the strain points of each cell are fitted by a bilinear
+/// function, evaluated at the nodes and averaged over the cells that meet there.
+/// \param mesh           the body
+/// \param element        fits its cells
+/// \param material       of all cells
+/// \param displacements  `n_nodes x 2` [length]
+/// \return `n_nodes x 3`; zero at a node without a cell
+/// \throws std::invalid_argument unless there is one displacement per node
+/// \throws ProblemError as check_material()
 [[nodiscard]] StressArray nodal_stress(const Mesh& mesh, const Element& element,
                                        const Material& material, const NodeArray& displacements);
 
-/// Mean stress of every cell, `n_cells x 3`.
+/// Mean stress of every cell.
+/// \param mesh           the body
+/// \param element        fits its cells
+/// \param material       of all cells
+/// \param displacements  `n_nodes x 2` [length]
+/// \return `n_cells x 3`
+/// \throws std::invalid_argument or ProblemError, as nodal_stress()
 [[nodiscard]] StressArray cell_stress(const Mesh& mesh, const Element& element,
                                       const Material& material, const NodeArray& displacements);
 
-/// Von Mises stress, including the stress across the plane [force/length^2].
+/// Von Mises stress, including the stress across the plane.
+/// \param material  gives the stress across the plane, see stress_across()
+/// \param stress    (xx, yy, xy) [force/length^2]
+/// \return never negative [force/length^2]
 [[nodiscard]] double von_mises(const Material& material, const Eigen::Vector3d& stress);
 
 }  // namespace signorini

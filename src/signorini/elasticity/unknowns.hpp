@@ -10,28 +10,42 @@
 
 namespace signorini {
 
-/// A number, or a vector, at every place.
+/// A number at every place.
 using ScalarField = std::function<double(const Eigen::Vector2d&)>;
+/// A vector at every place.
 using VectorField = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
 
 /// Direction of a displacement.
 enum class Axis { X = 0, Y = 1 };
 
-/// Displacements that are given along one boundary.
+/// Displacements that are given along one boundary. Made by fixed(), symmetric() and prescribed().
 struct Support {
-  std::string boundary;
-  bool holds_x = false;
-  bool holds_y = false;
-  VectorField displacement;  ///< [length]; only the held components are used
+  std::string boundary;      ///< where
+  bool holds_x = false;      ///< whether the x component is given
+  bool holds_y = false;      ///< whether the y component is given
+  VectorField displacement;  ///< [length]; must be there, only the held components are used
   bool normal_only = false;  ///< symmetry: hold the component across the (axis-parallel) boundary
 };
 
 /// No displacement. \PaperEq{XuanLi2002, 5}
+/// \param boundary  where
+/// \return the support
 [[nodiscard]] Support fixed(const std::string& boundary);
-/// No displacement across the boundary, free along it; the boundary must be parallel to an axis.
+/// No displacement across the boundary, free along it.
+/// \param boundary  straight and parallel to an axis; number_unknowns() checks it
+/// \return the support
 [[nodiscard]] Support symmetric(const std::string& boundary);
-/// One component is given, constant or varying along the boundary [length].
+/// One component is given and constant, the other one is free.
+/// \param boundary      where
+/// \param axis          which component
+/// \param displacement  its value [length]
+/// \return the support
 [[nodiscard]] Support prescribed(const std::string& boundary, Axis axis, double displacement);
+/// One component is given and varies along the boundary, the other one is free.
+/// \param boundary      where
+/// \param axis          which component
+/// \param displacement  its value at every place [length]
+/// \return the support
 [[nodiscard]] Support prescribed(const std::string& boundary, Axis axis,
                                  const ScalarField& displacement);
 
@@ -39,25 +53,35 @@ struct Support {
 struct Unknowns {
   Eigen::Array<Eigen::Index, Eigen::Dynamic, 2> number;  ///< `n_nodes x 2`: unknown, or -1 if held
   NodeArray held;          ///< `n_nodes x 2`: given displacement where held, else 0 [length]
-  Eigen::Index count = 0;  ///< number of unknowns
-  std::vector<Eigen::Index>
-      node_of;  ///< node of each unknown; unknowns of a node follow each other
+  Eigen::Index count = 0;  ///< number of unknowns `n`
+  std::vector<Eigen::Index> node_of;  ///< `n` node of each unknown, in increasing order
 
-  /// "node 12 at (3, 4), direction y": what a message calls an unknown.
+  /// What a message calls an unknown.
+  /// \param mesh     that was numbered
+  /// \param unknown  its number
+  /// \return such as "node 12 at (3, 4), direction y"
   [[nodiscard]] std::string describe(const Mesh& mesh, Eigen::Index unknown) const;
 };
 
-/// Position of the node of each unknown, `n x 2` [length].
+/// Where the unknowns are.
+/// \param mesh      that was numbered
+/// \param unknowns  `n` of it
+/// \return `n x 2` position of the node of each unknown [length]
 [[nodiscard]] NodeArray unknown_positions(const Mesh& mesh, const Unknowns& unknowns);
 
 /// Numbers the unknowns node by node.
+/// \param mesh      the body
+/// \param supports  what holds it
+/// \return every component that no support gives is unknown
 /// \throws ProblemError if a boundary does not exist, a symmetric one is not parallel to an axis, a
 ///   given displacement is not finite, or two supports contradict each other
 [[nodiscard]] Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports);
 
 /// Finds the rigid motions that the supports leave to each connected body of the mesh.
-/// \return one sentence per body that can move ("body 'x' (cells 0 to 7) can move freely in direction
-///   x"), empty if there is none
+/// \param mesh      one body or several
+/// \param unknowns  of it
+/// \return one sentence per body that can move ("body 'x' (8 cells around (2, 0.5)) can move freely
+///   in direction x"), empty if there is none
 [[nodiscard]] std::vector<std::string> free_motions(const Mesh& mesh, const Unknowns& unknowns);
 
 }  // namespace signorini

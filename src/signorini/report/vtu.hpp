@@ -7,12 +7,16 @@
 
 namespace signorini {
 
-/// Writes mesh, displacements, stresses and contact quantities of a solution.
+/// Writes mesh, displacements, stresses and contact quantities of a solution, with 9 digits.
 ///
-/// Point data: `displacement` [length], `stress` (xx, yy, xy) and `von_mises` [force/length^2, tension
-/// positive], `contact_pressure` [force/length^2, compression positive], `contact_gap` [length, NaN off the
-/// contact boundary]. Cell data: `cell_stress`.
-/// \throws ProblemError if the file cannot be written, std::invalid_argument if the problem is not solved
+/// Point data: `displacement` [length], `stress` (xx, yy, xy) and `von_mises` [force/length^2,
+/// tension positive], `contact_pressure` [force/length^2, compression positive, 0 where there is no
+/// pair], `contact_gap` [length, NaN where there is no pair]. Cell data: `cell_stress`.
+/// \param file      to be written, in a folder that exists
+/// \param model     that was solved
+/// \param solution  of it
+/// \throws std::invalid_argument if the problem is not solved
+/// \throws ProblemError if the file cannot be written
 void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution);
 
 }  // namespace signorini

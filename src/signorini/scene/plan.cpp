@@ -48,7 +48,7 @@ void plan_contact(const Scene& scene, const Unknowns& unknowns, Plan& plan) {
 Plan plan(const Scene& scene) {
   Plan plan;
   plan.quality = check_mesh(scene.mesh);
-  static_cast<void>(find_element(scene.element));
+  check_element(scene.mesh, find_element(scene.element));
   static_cast<void>(find_solver(scene.solver));
   check_material(scene.material);
   for (const EdgeLoad& load : scene.loads.edges)

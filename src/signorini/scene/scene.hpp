@@ -18,21 +18,20 @@ namespace signorini {
 
 /// A boundary that may come to rest on a rigid obstacle.
 struct ObstacleContactSpec {
-  std::string boundary;
-  Obstacle obstacle;
+  std::string boundary;  ///< of the body, the source (slave)
+  Obstacle obstacle;     ///< the target (master)
 };
 
-/// An elastic body, what holds it, what loads it and what it may touch.
-///
-/// Every effect is an optional entry; one that is absent costs nothing.
+/// An elastic body, what holds it, what loads it and what it may touch. Every effect is an optional
+/// entry; one that is absent costs nothing.
 struct Scene {
-  Mesh mesh;
-  std::string element = "q4_incompatible";
-  Material material;
-  std::vector<Support> supports;
-  Loads loads;
-  std::optional<ObstacleContactSpec> contact;
-  std::string solver = "primal_dual_active_set";
+  Mesh mesh;                                      ///< the body
+  std::string element = "q4_incompatible";        ///< name in elements(); fits the cells
+  Material material;                              ///< of all cells
+  std::vector<Support> supports;                  ///< leave no rigid motion
+  Loads loads;                                    ///< none by default
+  std::optional<ObstacleContactSpec> contact;     ///< none by default
+  std::string solver = "primal_dual_active_set";  ///< name in solvers()
 };
 
 /// What a scene calls for, found without assembling anything.
@@ -40,54 +39,68 @@ struct Plan {
   std::vector<std::string> on;     ///< effects that are on, one line each
   std::vector<std::string> off;    ///< effects that are off
   std::vector<std::string> notes;  ///< what a user should know, such as an element that will lock
-  MeshQuality quality{};
-  Eigen::Index n_unknowns = 0;
-  Eigen::Index n_pairs = 0;
+  MeshQuality quality{};           ///< of the worst cells
+  Eigen::Index n_unknowns = 0;     ///< `n`, displacements that are not given
+  Eigen::Index n_pairs = 0;        ///< `n_c`, nodes that may touch
 };
 
 /// Matrices of the body and the gaps it may close.
 struct Model {
-  Mesh mesh;
-  Element element;
-  Material material;
-  Unknowns unknowns;
-  QuadraticProgramme programme;
-  Gaps gaps;
+  Mesh mesh;                     ///< of the scene
+  Element element;               ///< found by its name
+  Material material;             ///< of the scene
+  Unknowns unknowns;             ///< `n`, numbered
+  QuadraticProgramme programme;  ///< K, p, A, g: what the certificate refers to
+  Gaps gaps;                     ///< `n_c` pairs, none without contact
 };
 
 /// The model with all unknowns but the contact forces eliminated.
 struct Condensed {
-  ContactLastFactor factor;
-  ContactProblem problem;
+  ContactLastFactor factor;           ///< of K
+  ContactProblem problem;             ///< G = A K^-1 A^T and d = g - A u0
   Eigen::VectorXd free_displacement;  ///< u0 = K^-1 p `n` [length]
 };
 
-/// Everything that is known at the end.
+/// Everything that is known at the end. Unless `contact.report.status` is Solved, it has the state,
+/// the report and the ledger only, and its certificate says nothing.
 struct Solution {
   NodeArray displacements;   ///< `n_nodes x 2` [length]
   ContactState contact;      ///< refined forces, gaps and status per pair
-  Eigen::VectorXd pressure;  ///< `n_c` force / weight [force/length^2]
+  Eigen::VectorXd pressure;  ///< `n_c` force / weight [force/length^2], compression > 0
   PrimalDual refined;        ///< unknowns in two parts, and forces: what the certificate is about
   Certificate certificate;   ///< of `refined`, from the original K, p, A, g
-  Ledger ledger;
+  Ledger ledger;             ///< what it cost
 };
 
-/// Reads a scene and says what will be computed.
-/// \throws ProblemError for everything that is wrong with it: unknown names, bad cells, bad constants,
-///   a body that can move freely
+/// Reads a scene and says what will be computed. \param scene  to be solved
+/// \return what is on and off, and how large it is
+/// \throws ProblemError for unknown names, bad cells, an element that does not fit them, bad
+///   constants, supports that contradict each other or leave a body free; build() finds the rest
 [[nodiscard]] Plan plan(const Scene& scene);
 
-/// Assembles. \throws ProblemError as plan()
+/// Assembles. \param scene  that plan() accepts; mesh and free motions are not checked again
+/// \param ledger  receives the phase `assembly`
+/// \return matrices and gaps
+/// \throws ProblemError as number_unknowns(), assemble() and node_to_obstacle()
 [[nodiscard]] Model build(const Scene& scene, Ledger& ledger);
 
 /// Factors K with the contact unknowns last and reads the compliance off the trailing block.
+/// \param model   from build()
+/// \param ledger  receives the phases `factor` and `condensation`
+/// \return the small problem, and the factor to recover displacements with
+/// \throws ProblemError if K is singular to working precision, see ContactLastFactor
 [[nodiscard]] Condensed condense(const Model& model, Ledger& ledger);
 
 /// Solves the condensed problem and recovers displacements, all refined from the original data.
 ///
 /// If the refined gaps show that rounding of the condensed data had misplaced a pair, the condensed
-/// problem is solved again with free gaps taken from the refined solution.
-/// \return the solution; check `contact.report.status` before using it
+/// problem is solved again with free gaps from the refined solution.
+/// \param model      from build()
+/// \param condensed  from condense() of it
+/// \param solver     name in solvers()
+/// \param ledger     goes on in the solution, with the phases `contact`, `refinement`, `recovery`
+/// \return the solution; check its `contact.report.status` first, or call require_solved()
+/// \throws ProblemError for an unknown name; std::invalid_argument for more pairs than it accepts
 [[nodiscard]] Solution solve(const Model& model, const Condensed& condensed,
                              const std::string& solver, Ledger ledger);
 
@@ -97,10 +110,11 @@ struct Solution {
 /// \throws NotSolved with the status, unless it is Solved
 void require_solved(const Solution& solution, const std::string& what);
 
-/// All of it: plan, build, condense, solve.
+/// All of it: plan, build, condense, solve. \param scene  to be solved
+/// \return the solution; its status and the errors are those of the four steps
 [[nodiscard]] Solution solve(const Scene& scene);
 
-/// Prints a plan.
+/// Prints a plan, one line per effect or note. \param out where to \param plan what \return `out`
 std::ostream& operator<<(std::ostream& out, const Plan& plan);
 
 }  // namespace signorini
