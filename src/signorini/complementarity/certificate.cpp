@@ -89,16 +89,20 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
   return scale;
 }
 
-/// What numbers that are not finite deserve.
-Certificate rejected() {
+}  // namespace
+
+Certificate uncertified() {
   const double infinity = std::numeric_limits<double>::infinity();
   return {infinity, infinity, infinity, infinity, infinity};
 }
 
-}  // namespace
-
 double Certificate::worst() const {
-  return std::max({penetration, tension, complementarity, equilibrium, duality_gap});
+  double largest = 0;
+  for (const double figure : {penetration, tension, complementarity, equilibrium, duality_gap}) {
+    if (std::isnan(figure)) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, figure);
+  }
+  return largest;
 }
 
 Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,
@@ -137,7 +141,7 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
   check_sizes(programme, solution);
   if (!all_finite(programme) || !solution.displacement.allFinite() || !solution.force.allFinite() ||
       !solution.displacement_low.allFinite())
-    return rejected();
+    return uncertified();
   const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
   const Eigen::VectorXd gap = gaps(programme, solution);
   const Index pairs = gap.size();
@@ -177,7 +181,7 @@ Certificate certify(const ContactProblem& problem, const ContactState& state) {
           " forces and gaps, got ", state.force.size(), " and ", state.gap.size());
   Certificate certificate;
   if (n == 0) return certificate;
-  if (!state.force.allFinite() || !state.gap.allFinite()) return rejected();
+  if (!state.force.allFinite() || !state.gap.allFinite()) return uncertified();
   // Pairs are compared after scaling: gap / sqrt(G_ii) and force * sqrt(G_ii) have one unit.
   const Eigen::VectorXd scale =
       problem.compliance.diagonal().unaryExpr([](double g) { return g > 0 ? std::sqrt(g) : 1.0; });

@@ -29,6 +29,10 @@ struct Certificate {
   [[nodiscard]] bool holds(double tolerance = 1e-12) const { return worst() <= tolerance; }
 };
 
+/// The certificate of what was not solved, or holds a number that is not finite.
+/// \return five times infinity
+[[nodiscard]] Certificate uncertified();
+
 /// A claimed solution of a quadratic programme; u is kept as the unevaluated sum of two vectors.
 struct PrimalDual {
   Eigen::VectorXd displacement;      ///< u `n` [length], rounded to double

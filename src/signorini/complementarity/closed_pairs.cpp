@@ -78,8 +78,12 @@ ClosedPairs close_pairs(const ScaledProblem& problem, const std::vector<Index>& 
 ContactState unscaled(const ScaledProblem& problem, const ClosedPairs& closed,
                       std::vector<Index> active, Report report) {
   ContactState state;
-  state.force = problem.scale.cwiseProduct(closed.force).cwiseMax(0.0);
-  state.gap = closed.gap.cwiseQuotient(problem.scale).cwiseMax(0.0);
+  state.force = problem.scale.cwiseProduct(closed.force);
+  state.gap = closed.gap.cwiseQuotient(problem.scale);
+  if (report.status == Status::Solved) {  // what is negative is of rounding size
+    state.force = state.force.cwiseMax(0.0);
+    state.gap = state.gap.cwiseMax(0.0);
+  }
   state.active = std::move(active);
   state.report = std::move(report);
   return state;

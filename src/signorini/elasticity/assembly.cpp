@@ -39,6 +39,15 @@ void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit
   }
 }
 
+/// A curved cell can fold although its corners are in order; the map then turns over at some point.
+void check_unfolded(const Mesh& mesh, const Element& element, Index cell, const CellNodes& nodes) {
+  if (element.n_nodes == 4) return;  // for straight sides the corners decide, see check_mesh()
+  for (const GaussPoint& at : gauss_square(3))
+    pose(jacobian(element.shape(at.xi, at.eta), nodes).determinant > 0, "mesh '", mesh.name,
+         "': cell ", cell,
+         " folds over itself: move the middle nodes of its sides closer to the straight lines");
+}
+
 void add_body_force(const Mesh& mesh, const Element& element, const Eigen::Matrix3d& D,
                     double thickness, const VectorField& force, NodeArray& load) {
   StrainPoints points;
@@ -125,7 +134,9 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const Material& 
         system.load(unknowns.number(node, axis)) = nodal(node, axis);
 
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    const CellMatrix K = cell_stiffness(element, cell_nodes(mesh, cell), D, material.thickness);
+    const CellNodes nodes = cell_nodes(mesh, cell);
+    check_unfolded(mesh, element, cell, nodes);
+    const CellMatrix K = cell_stiffness(element, nodes, D, material.thickness);
     for (Index i = 0; i < n_cell; ++i) {
       const Index row = unknowns.number(mesh.cells(cell, i / 2), i % 2);
       if (row < 0) continue;

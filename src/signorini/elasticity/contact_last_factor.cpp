@@ -145,7 +145,10 @@ Index ContactLastFactor::nonzeros() const { return parts_->L().nonZeros() + size
 double ContactLastFactor::operations() const { return parts_->operations; }
 
 std::vector<Index> contact_unknowns(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A) {
-  std::vector<Index> columns(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros());
+  std::vector<Index> columns;
+  for (Index row = 0; row < A.outerSize(); ++row)
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(A, row); entry; ++entry)
+      columns.push_back(entry.col());
   std::sort(columns.begin(), columns.end());
   columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
   return columns;

@@ -68,7 +68,7 @@ class ContactLastFactor {
 };
 
 /// The unknowns to order last: columns in which A has entries.
-/// \param A  `n_c x n`, compressed
+/// \param A  `n_c x n`
 /// \return column numbers, in increasing order
 [[nodiscard]] std::vector<Eigen::Index> contact_unknowns(
     const Eigen::SparseMatrix<double, Eigen::RowMajor>& A);

@@ -111,6 +111,8 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports)
   for (const Support& support : supports) {
     bool held[2] = {support.holds_x, support.holds_y};
     if (support.normal_only) held[normal_axis(mesh, support.boundary) == Axis::X ? 0 : 1] = true;
+    pose(static_cast<bool>(support.displacement), "support on '", support.boundary,
+         "': has no displacement; make it with fixed, symmetric or prescribed");
     for (const Index node : boundary_nodes(mesh, support.boundary)) {
       const Eigen::Vector2d value = support.displacement(mesh.nodes.row(node).transpose());
       for (int axis = 0; axis < 2; ++axis) {

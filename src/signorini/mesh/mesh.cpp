@@ -36,6 +36,12 @@ void check_node_numbers(const Mesh& mesh) {
     for (Eigen::Index k = 0; k < mesh.cells.cols(); ++k)
       pose(mesh.cells(cell, k) >= 0 && mesh.cells(cell, k) < n, "mesh '", mesh.name, "': cell ",
            cell, " refers to node ", mesh.cells(cell, k), ", but the nodes are 0 to ", n - 1);
+  for (const auto& [name, sides] : mesh.boundaries)
+    for (const CellSide& side : sides)
+      pose(side.cell >= 0 && side.cell < mesh.n_cells() && side.side >= 0 && side.side < 4,
+           "mesh '", mesh.name, "': the boundary '", name, "' refers to side ", side.side,
+           " of cell ", side.cell, ", but the cells are 0 to ", mesh.n_cells() - 1,
+           " with sides 0 to 3");
 }
 
 /// Midside nodes must lie in the middle half of their side: beyond it the map of the cell folds.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include "signorini/complementarity/solvers.hpp"
@@ -7,6 +8,12 @@
 
 namespace signorini {
 namespace {
+
+void check_load(const Mesh& mesh, const EdgeLoad& load) {
+  static_cast<void>(boundary(mesh, load.boundary));
+  pose(std::isfinite(load.pressure), "load on '", load.boundary, "': the pressure ", load.pressure,
+       " is not finite");
+}
 
 void plan_body(const Scene& scene, const Unknowns& unknowns, Plan& plan) {
   const bool stress = scene.material.state == PlaneState::Stress;
@@ -51,8 +58,7 @@ Plan plan(const Scene& scene) {
   check_element(scene.mesh, find_element(scene.element));
   static_cast<void>(find_solver(scene.solver));
   check_material(scene.material);
-  for (const EdgeLoad& load : scene.loads.edges)
-    static_cast<void>(boundary(scene.mesh, load.boundary));
+  for (const EdgeLoad& load : scene.loads.edges) check_load(scene.mesh, load);
   const Unknowns unknowns = number_unknowns(scene.mesh, scene.supports);
   plan.n_unknowns = unknowns.count;
   plan_body(scene, unknowns, plan);

@@ -68,7 +68,7 @@ struct Solution {
   ContactState contact;      ///< refined forces, gaps and status per pair
   Eigen::VectorXd pressure;  ///< `n_c` force / weight [force/length^2], compression > 0
   PrimalDual refined;        ///< unknowns in two parts, and forces: what the certificate is about
-  Certificate certificate;   ///< of `refined`, from the original K, p, A, g
+  Certificate certificate = uncertified();   ///< of `refined`, from the original K, p, A, g
   Ledger ledger;             ///< what it cost
 };
 

@@ -65,8 +65,8 @@ Model build(const Scene& scene, Ledger& ledger) {
   else
     model.gaps.A.resize(0, model.unknowns.count);
   ledger.count("pairs", model.gaps.A.rows());
-  model.programme.stiffness = std::move(system.stiffness);
-  model.programme.load = std::move(system.load);
+  model.programme.stiffness.swap(system.stiffness);
+  model.programme.load.swap(system.load);
   model.programme.A = model.gaps.A;
   model.programme.initial_gap = model.gaps.initial_gap;
   return model;
