@@ -1,0 +1,37 @@
+// The cantilever above a rigid flat foundation (Xuan & Li 2002, section 3, example 2) as a scene.
+#pragma once
+#include <Eigen/Core>
+#include <string>
+
+#include "signorini/mesh/block.hpp"
+#include "signorini/scene/scene.hpp"
+
+namespace signorini_test {
+
+/// Units of the scene: how many of them make 1 cm and 1 kN.
+struct Units {
+  double length = 1;
+  double force = 1;
+};
+
+inline signorini::Scene cantilever(const std::string& element, Eigen::Index cells_x,
+                                   Eigen::Index cells_y, double pressure = 3.6,
+                                   const Units& units = {}) {
+  const double area = units.length * units.length;
+  signorini::BlockSpec spec;
+  spec.name = "beam";
+  spec.size = units.length * Eigen::Vector2d(50, 5);
+  spec.cells_x = cells_x;
+  spec.cells_y = cells_y;
+  spec.order = element == "q8" ? signorini::MeshOrder::Quadratic : signorini::MeshOrder::Linear;
+  signorini::Scene scene;
+  scene.mesh = signorini::make_block(spec);
+  scene.element = element;
+  scene.material = {2.1e4 * units.force / area, 0.29, signorini::PlaneState::Stress, units.length};
+  scene.supports = {signorini::fixed("left")};
+  scene.loads.edges.push_back({"top", pressure * units.force / area, {}});
+  scene.contact = {"bottom", signorini::half_plane({0, -units.length}, {0, 1})};
+  return scene;
+}
+
+}  // namespace signorini_test

@@ -1,0 +1,23 @@
+// Plain solution of K u = p for tests without contact.
+#pragma once
+#include "signorini/elasticity/assembly.hpp"
+#include "signorini/elasticity/contact_last_factor.hpp"
+
+namespace signorini_test {
+
+inline signorini::NodeArray solve_body(const signorini::Mesh& mesh,
+                                       const signorini::Element& element,
+                                       const signorini::Material& material,
+                                       const std::vector<signorini::Support>& supports,
+                                       const signorini::Loads& loads = {}) {
+  const signorini::Unknowns unknowns = signorini::number_unknowns(mesh, supports);
+  const signorini::LinearSystem system =
+      signorini::assemble(mesh, element, material, unknowns, loads);
+  signorini::Ledger ledger;
+  const signorini::ContactLastFactor factor(
+      system.stiffness,
+      signorini::nested_dissection(system.stiffness, unknown_positions(mesh, unknowns)), 0, ledger);
+  return expand(unknowns, factor.solve(system.load));
+}
+
+}  // namespace signorini_test

@@ -1,0 +1,125 @@
+#include <limits>
+#include <string>
+
+#include "catch_compat.hpp"
+#include "signorini/complementarity/closed_pairs.hpp"
+#include "signorini/complementarity/solvers.hpp"
+#include "support/message.hpp"
+#include "support/problems.hpp"
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using namespace signorini;
+using signorini_test::argument_message;
+
+namespace {
+
+std::string complaint(const Eigen::MatrixXd& G, const Eigen::VectorXd& d) {
+  return argument_message([&] { check_problem({G, d}); });
+}
+
+Matrix2d matrix(double a, double b, double c, double d) {
+  Matrix2d m;
+  m << a, b, c, d;
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("every status has its word", "[problem]") {
+  CHECK(std::string(to_string(Status::Solved)) == "solved");
+  CHECK(std::string(to_string(Status::Infeasible)) == "infeasible");
+  CHECK(std::string(to_string(Status::Ray)) == "ray");
+  CHECK(std::string(to_string(Status::IterationLimit)) == "iteration limit");
+  CHECK(std::string(to_string(Status::Breakdown)) == "breakdown");
+}
+
+TEST_CASE("a report that nobody filled in does not say solved", "[problem]") {
+  CHECK(ContactState{}.report.status != Status::Solved);
+}
+
+TEST_CASE("a problem that is not one is refused", "[problem]") {
+  CHECK(complaint(matrix(2, 1, 1, 2), Vector2d(0, 1)).empty());
+  CHECK(complaint(Eigen::MatrixXd(0, 0), Eigen::VectorXd(0)).empty());
+  CHECK_THAT(complaint(matrix(2, 1, 1, 2), Eigen::Vector3d(0, 1, 2)),
+             ContainsSubstring("must be 3 x 3 (one row per pair), got 2 x 2"));
+  CHECK_THAT(complaint(matrix(2, 1, 0.5, 2), Vector2d(0, 1)),
+             ContainsSubstring("symmetric") && ContainsSubstring("0.5"));
+  CHECK_THAT(complaint(matrix(2, 1, 1, -3), Vector2d(0, 1)),
+             ContainsSubstring("diagonal entry -3"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THAT(complaint(matrix(2, nan, nan, 2), Vector2d(0, 1)), ContainsSubstring("finite"));
+  CHECK_THAT(complaint(matrix(2, 1, 1, 2), Vector2d(0, nan)), ContainsSubstring("finite"));
+}
+
+TEST_CASE("a difference of rounding size between the triangles is accepted", "[problem]") {
+  CHECK(complaint(matrix(2, 1 + 1e-15, 1, 2), Vector2d(0, 1)).empty());
+}
+
+TEST_CASE("equilibration gives a unit diagonal and goes back", "[closed_pairs]") {
+  const ContactProblem problem{matrix(4, 3, 3, 25), Vector2d(-8, 10)};
+  const ScaledProblem scaled = equilibrate(problem);
+  CHECK((scaled.compliance - matrix(1, 0.3, 0.3, 1)).norm() < 1e-15);
+  CHECK((scaled.free_gap - Vector2d(-4, 2)).norm() < 1e-15);
+  const ContactState state = unscaled(scaled, close_pairs(scaled, {0}), {0}, {});
+  CHECK((state.force - Vector2d(2, 0)).norm() < 1e-15);
+  CHECK((state.gap - Vector2d(0, 16)).norm() < 1e-14);
+}
+
+TEST_CASE("the equilibrated problem does not know units or the scale of a row",
+          "[closed_pairs][units]") {
+  signorini_test::Random random(4);
+  const ContactProblem problem = signorini_test::random_problem(random, 5);
+  const ScaledProblem scaled = equilibrate(problem);
+  Eigen::VectorXd row(5);
+  row << 0x1p-20, 0x1p20, 1, 0x1p10, 0x1p-5;  // powers of two: without rounding
+  const ScaledProblem rows = equilibrate(signorini_test::with_rows(problem, row));
+  CHECK((rows.compliance - scaled.compliance).norm() < 1e-15);
+  CHECK((rows.free_gap - scaled.free_gap).norm() < 1e-15 * scaled.free_gap.norm());
+}
+
+TEST_CASE("closing pairs leaves no gap in them and no force elsewhere", "[closed_pairs]") {
+  signorini_test::Random random(6);
+  const ContactProblem problem = signorini_test::random_problem(random, 7);
+  const ScaledProblem scaled = equilibrate(problem);
+  const std::vector<Eigen::Index> active = {1, 2, 5};
+  const ClosedPairs closed = close_pairs(scaled, active);
+  REQUIRE(closed.solvable);
+  const Eigen::VectorXd gap = scaled.free_gap + scaled.compliance * closed.force;
+  for (const Eigen::Index i : {0, 3, 4, 6}) {
+    CHECK(closed.force(i) == 0);
+    CHECK(closed.gap(i) == Approx(gap(i)).epsilon(1e-12));
+  }
+  for (const Eigen::Index i : active) {
+    CHECK(closed.gap(i) == 0);
+    CHECK(std::abs(gap(i)) < 1e-14);
+  }
+}
+
+TEST_CASE("a nearly singular block is solved to the last digits", "[closed_pairs]") {
+  // G = [1, 1 - e; 1 - e, 1], d = -(G * (3, 1)), whole multiples of e = 2^-40: exact data.
+  const double e = 0x1p-40;
+  const ScaledProblem scaled =
+      equilibrate({matrix(1, 1 - e, 1 - e, 1), Vector2d(-(4 - e), -(4 - 3 * e))});
+  const ClosedPairs closed = close_pairs(scaled, {0, 1});
+  REQUIRE(closed.solvable);
+  CHECK(closed.force(0) == Approx(3).epsilon(1e-15).margin(0));
+  CHECK(closed.force(1) == Approx(1).epsilon(1e-15).margin(0));
+}
+
+TEST_CASE("a block that repeats a row is called singular, not solved", "[closed_pairs]") {
+  const ScaledProblem scaled = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -1)});
+  CHECK_FALSE(close_pairs(scaled, {0, 1}).solvable);
+  CHECK(close_pairs(scaled, {1}).solvable);
+  const ScaledProblem nothing =
+      equilibrate({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Ones(1)});
+  CHECK_FALSE(close_pairs(nothing, {0}).solvable);
+}
+
+TEST_CASE("a solver is found by its name, an unknown one is answered with the family",
+          "[solvers]") {
+  CHECK(std::string(find_solver("enumerate").name) == "enumerate");
+  CHECK_THAT(signorini_test::problem_message([] { static_cast<void>(find_solver("guess")); }),
+             ContainsSubstring("unknown solver 'guess'") &&
+                 ContainsSubstring("primal_dual_active_set, enumerate"));
+}

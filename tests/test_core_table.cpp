@@ -1,0 +1,36 @@
+#include "catch_compat.hpp"
+#include "signorini/core/table.hpp"
+#include "support/message.hpp"
+
+using signorini::number;
+using signorini::Table;
+using signorini_test::argument_message;
+
+TEST_CASE("a table for a figure has a tolerance, column names, rows and blocks", "[table]") {
+  Table table({"x", "pressure"});
+  table.row({0.5, 1.25});
+  table.gap();
+  table.row({1.0, -2.0});
+  CHECK(table.csv("rel 1e-3 abs 0") ==
+        "# tolerance rel 1e-3 abs 0\nx,pressure\n0.5,1.25\n\n1,-2\n");
+}
+
+TEST_CASE("a table for a text is Markdown with numbers flush right", "[table]") {
+  Table table({"mesh", "force"});
+  table.row({std::string("50 x 5"), number(71.53025, "%.3f")});
+  CHECK(table.markdown() == "| mesh | force |\n|---:|---:|\n| 50 x 5 | 71.530 |\n");
+}
+
+TEST_CASE("a row with a cell too few or too many names the columns", "[table]") {
+  Table table({"x", "y"});
+  CHECK_THAT(argument_message([&] { table.row(std::vector<double>{1.0}); }),
+             ContainsSubstring("need 2 cells (x, y), got 1"));
+  CHECK_THAT(argument_message([&] { table.row({1.0, 2.0, 3.0}); }), ContainsSubstring("got 3"));
+}
+
+TEST_CASE("a number is printed with the format it is given", "[table]") {
+  CHECK(number(2.0 / 3.0, "%.2f") == "0.67");
+  CHECK(number(-1e-20, "%.1e") == "-1.0e-20");
+  CHECK_THAT(argument_message([] { static_cast<void>(number(1, "%200.3f")); }),
+             ContainsSubstring("%200.3f"));
+}

@@ -1,0 +1,170 @@
+#include <limits>
+
+#include "catch_compat.hpp"
+#include "signorini/elasticity/unknowns.hpp"
+#include "signorini/mesh/block.hpp"
+#include "support/message.hpp"
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using namespace signorini;
+using signorini_test::problem_message;
+
+namespace {
+
+Mesh plate() {
+  BlockSpec spec;
+  spec.name = "plate";
+  spec.size = {3, 2};
+  spec.cells_x = 3;
+  spec.cells_y = 2;
+  return make_block(spec);
+}
+
+std::string complaint(const Mesh& mesh, const std::vector<Support>& supports) {
+  return problem_message([&] { static_cast<void>(number_unknowns(mesh, supports)); });
+}
+
+Index held_at(const Unknowns& unknowns, int axis) {
+  return (unknowns.number.col(axis) < 0).count();
+}
+
+}  // namespace
+
+TEST_CASE("free displacements are numbered without a hole, node by node", "[unknowns]") {
+  const Mesh mesh = plate();
+  const Unknowns unknowns = number_unknowns(mesh, {fixed("left")});
+  CHECK(unknowns.count == 2 * mesh.n_nodes() - 2 * 3);
+  Index next = 0;
+  for (Index node = 0; node < mesh.n_nodes(); ++node)
+    for (int axis = 0; axis < 2; ++axis) {
+      if (unknowns.number(node, axis) < 0) continue;
+      CHECK(unknowns.number(node, axis) == next);
+      CHECK(unknowns.node_of[static_cast<std::size_t>(next)] == node);
+      ++next;
+    }
+  CHECK(next == unknowns.count);
+  for (const Index node : boundary_nodes(mesh, "left"))
+    CHECK((unknowns.number.row(node) < 0).all());
+}
+
+TEST_CASE("an unknown is described by node, place and direction", "[unknowns]") {
+  const Mesh mesh = plate();
+  const Unknowns unknowns = number_unknowns(mesh, {});
+  CHECK(unknowns.describe(mesh, 2 * 6 + 1) == "node 6 at (2, 1), direction y");
+  CHECK(unknowns.describe(mesh, 2 * 6) == "node 6 at (2, 1), direction x");
+  CHECK(unknown_positions(mesh, unknowns).row(13) == Eigen::RowVector2d(2, 1));
+}
+
+TEST_CASE("symmetry holds what lies across the boundary and leaves what runs along it",
+          "[unknowns]") {
+  const Unknowns left = number_unknowns(plate(), {symmetric("left")});
+  CHECK(held_at(left, 0) == 3);
+  CHECK(held_at(left, 1) == 0);
+  const Unknowns bottom = number_unknowns(plate(), {symmetric("bottom")});
+  CHECK(held_at(bottom, 0) == 0);
+  CHECK(held_at(bottom, 1) == 4);
+}
+
+TEST_CASE("symmetry on a boundary that is not parallel to an axis is refused by name",
+          "[unknowns]") {
+  const Mesh skew =
+      mapped(plate(), [](const Vector2d& x) { return Vector2d(x.x() + 0.1 * x.y(), x.y()); });
+  CHECK_THAT(complaint(skew, {symmetric("left")}),
+             ContainsSubstring("'left'") && ContainsSubstring("parallel to an axis"));
+  CHECK(complaint(skew, {symmetric("bottom")}).empty());
+}
+
+TEST_CASE("a displacement may vary along its boundary", "[unknowns]") {
+  const Mesh mesh = plate();
+  const Unknowns unknowns = number_unknowns(
+      mesh, {prescribed("top", Axis::Y, [](const Vector2d& x) { return 0.1 * x.x() - 1; }),
+             prescribed("left", Axis::X, 0.25)});
+  for (const Index node : boundary_nodes(mesh, "top"))
+    CHECK(unknowns.held(node, 1) == 0.1 * mesh.nodes(node, 0) - 1);
+  for (const Index node : boundary_nodes(mesh, "left")) CHECK(unknowns.held(node, 0) == 0.25);
+  CHECK(held_at(unknowns, 0) == 3);
+  CHECK(held_at(unknowns, 1) == 4);
+  CHECK((unknowns.held.array() != 0).count() == 4 + 3);
+}
+
+TEST_CASE("supports that agree at their common corner are accepted, others are not", "[unknowns]") {
+  CHECK(complaint(plate(), {fixed("left"), fixed("bottom")}).empty());
+  CHECK_THAT(complaint(plate(), {fixed("left"), prescribed("bottom", Axis::Y, -0.5)}),
+             ContainsSubstring("support on 'bottom'") && ContainsSubstring("node 0") &&
+                 ContainsSubstring("-0.5 in direction y") && ContainsSubstring("gives it 0"));
+}
+
+TEST_CASE("a support on an unknown boundary lists the known ones", "[unknowns]") {
+  CHECK_THAT(complaint(plate(), {fixed("clamp")}),
+             ContainsSubstring("no boundary 'clamp'") && ContainsSubstring("left, right"));
+}
+
+TEST_CASE("a displacement that is not finite is named with its boundary and node", "[unknowns]") {
+  const ScalarField pole = [](const Vector2d& x) { return 1 / x.x(); };
+  CHECK_THAT(complaint(plate(), {prescribed("bottom", Axis::X, pole)}),
+             ContainsSubstring("'bottom'") && ContainsSubstring("node 0") &&
+                 ContainsSubstring("not finite"));
+}
+
+TEST_CASE("a free body moves in both directions and turns", "[unknowns][free_motions]") {
+  const std::vector<std::string> motions = free_motions(plate(), number_unknowns(plate(), {}));
+  REQUIRE(motions.size() == 1);
+  CHECK_THAT(motions[0], ContainsSubstring("body 'plate'") && ContainsSubstring("direction x") &&
+                             ContainsSubstring("direction y") && ContainsSubstring("turn freely"));
+}
+
+TEST_CASE("a body on rollers moves along them and in no other way", "[unknowns][free_motions]") {
+  const auto only = [](const char* boundary) {
+    const std::vector<std::string> found =
+        free_motions(plate(), number_unknowns(plate(), {symmetric(boundary)}));
+    return found.size() == 1 ? found[0] : "";
+  };
+  CHECK_THAT(only("bottom"), ContainsSubstring("can move freely in direction x") &&
+                                 !ContainsSubstring("direction y") && !ContainsSubstring("turn"));
+  CHECK_THAT(only("left"), ContainsSubstring("can move freely in direction y") &&
+                               !ContainsSubstring("direction x") && !ContainsSubstring("turn"));
+}
+
+TEST_CASE("a body held at one point turns about it", "[unknowns][free_motions]") {
+  Unknowns unknowns = number_unknowns(plate(), {});
+  SECTION("a hinge at node 6") {
+    unknowns.number.row(6).setConstant(-1);
+    const std::vector<std::string> motions = free_motions(plate(), unknowns);
+    REQUIRE(motions.size() == 1);
+    CHECK_THAT(motions[0], ContainsSubstring("can turn freely about (2, 1)"));
+  }
+  SECTION("x held at (0, 0) and y at (3, 2): the centre is where the two normals meet") {
+    unknowns.number(0, 0) = -1;
+    unknowns.number(11, 1) = -1;
+    const std::vector<std::string> motions = free_motions(plate(), unknowns);
+    REQUIRE(motions.size() == 1);
+    CHECK_THAT(motions[0], ContainsSubstring("can turn freely about (3, ") &&
+                               !ContainsSubstring("move freely"));
+  }
+}
+
+TEST_CASE("a body that is held cannot move", "[unknowns][free_motions]") {
+  const auto held = [](const std::vector<Support>& supports) {
+    return free_motions(plate(), number_unknowns(plate(), supports)).empty();
+  };
+  CHECK(held({fixed("left")}));
+  CHECK(held({symmetric("left"), symmetric("bottom")}));
+  CHECK_FALSE(held({symmetric("left"), symmetric("right")}));
+}
+
+TEST_CASE("of two bodies in one mesh the free one is named", "[unknowns][free_motions]") {
+  Mesh both = plate();
+  const Mesh second =
+      mapped(plate(), [](const Vector2d& x) { return Vector2d(x.x() + 10, x.y()); });
+  const Index n = both.n_nodes();
+  both.nodes.conservativeResize(2 * n, 2);
+  both.nodes.bottomRows(n) = second.nodes;
+  both.cells.conservativeResize(12, 4);
+  both.cells.bottomRows(6) = second.cells.array() + n;
+  const std::vector<std::string> motions =
+      free_motions(both, number_unknowns(both, {fixed("left")}));
+  REQUIRE(motions.size() == 1);
+  CHECK_THAT(motions[0], ContainsSubstring("6 cells around (11.5, 1)"));
+  CHECK(free_motions(both, number_unknowns(both, {})).size() == 2);
+}

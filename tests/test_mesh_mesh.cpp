@@ -1,0 +1,141 @@
+#include <limits>
+
+#include "catch_compat.hpp"
+#include "signorini/mesh/block.hpp"
+#include "support/message.hpp"
+
+using Eigen::Index;
+using signorini::check_mesh;
+using signorini::Mesh;
+using signorini::MeshOrder;
+using signorini_test::problem_message;
+
+namespace {
+
+Mesh plate(MeshOrder order = MeshOrder::Linear) {
+  signorini::BlockSpec spec;
+  spec.name = "plate";
+  spec.size = {3, 2};
+  spec.cells_x = 3;
+  spec.cells_y = 2;
+  spec.order = order;
+  return signorini::make_block(spec);
+}
+
+std::string complaint(const Mesh& mesh) {
+  return problem_message([&] { check_mesh(mesh); });
+}
+
+}  // namespace
+
+TEST_CASE("a sound mesh is accepted and measured", "[mesh]") {
+  const signorini::MeshQuality square = check_mesh(plate());
+  CHECK(square.smallest_jacobian_ratio == Approx(1).epsilon(1e-14).margin(0));
+  CHECK(square.largest_aspect_ratio == Approx(1).epsilon(1e-14).margin(0));
+}
+
+TEST_CASE("the quality figures of one trapezium are those of its corners and sides", "[mesh]") {
+  Mesh mesh;
+  mesh.nodes.resize(4, 2);
+  mesh.nodes << 0, 0, 4, 0, 4, 1, 0, 3;  // corner triangles of area 6, 2, 2, 6; sides 4, 1, 4.47, 3
+  mesh.cells.resize(1, 4);
+  mesh.cells << 0, 1, 2, 3;
+  const signorini::MeshQuality quality = check_mesh(mesh);
+  CHECK(quality.smallest_jacobian_ratio == Approx(1.0 / 3.0).epsilon(1e-14).margin(0));
+  CHECK(quality.largest_aspect_ratio == Approx(std::sqrt(20.0)).epsilon(1e-14).margin(0));
+}
+
+TEST_CASE("an inverted cell is named by its number", "[mesh]") {
+  Mesh mesh = plate();
+  mesh.cells.row(4) = mesh.cells.row(4).reverse().eval();
+  CHECK_THAT(complaint(mesh), ContainsSubstring("'plate'") &&
+                                  ContainsSubstring("cell 4 is inverted") &&
+                                  ContainsSubstring("clockwise"));
+}
+
+TEST_CASE("a degenerate cell is named by its number", "[mesh]") {
+  Mesh mesh = plate();
+  SECTION("two corners in one place") {
+    mesh.nodes.row(mesh.cells(5, 2)) = mesh.nodes.row(mesh.cells(5, 3));
+    mesh.boundaries.clear();
+  }
+  SECTION("a corner of 180 degrees") {
+    mesh.nodes.row(mesh.cells(5, 2)) =
+        0.5 * (mesh.nodes.row(mesh.cells(5, 1)) + mesh.nodes.row(mesh.cells(5, 3)));
+  }
+  SECTION("an arrowhead") { mesh.nodes.row(mesh.cells(5, 2)) << 2.3, 1.3; }
+  CHECK_THAT(complaint(mesh), ContainsSubstring("cell 5 is degenerate"));
+}
+
+TEST_CASE("a cell far from the origin is not taken for a degenerate one", "[mesh]") {
+  Mesh mesh = plate();
+  mesh.nodes.array() += 1e6;
+  CHECK_NOTHROW(check_mesh(mesh));
+}
+
+TEST_CASE("a node that does not exist is named with its cell", "[mesh]") {
+  Mesh mesh = plate();
+  mesh.cells(2, 1) = 12;
+  CHECK_THAT(complaint(mesh),
+             ContainsSubstring("cell 2 refers to node 12") && ContainsSubstring("0 to 11"));
+  mesh.cells(2, 1) = -1;
+  CHECK_THAT(complaint(mesh), ContainsSubstring("cell 2 refers to node -1"));
+}
+
+TEST_CASE("a boundary side of zero length is named with its boundary", "[mesh]") {
+  Mesh mesh = plate();
+  const std::vector<Index> side = mesh.side_nodes(mesh.boundaries.at("right")[1]);
+  mesh.nodes.row(side.back()) = mesh.nodes.row(side.front());
+  CHECK_THAT(complaint(mesh), ContainsSubstring("side 1 of the boundary 'right'") &&
+                                  ContainsSubstring("zero length"));
+}
+
+TEST_CASE("a midside node far from the middle is named with its cell and side", "[mesh]") {
+  Mesh mesh = plate(MeshOrder::Quadratic);
+  CHECK_NOTHROW(check_mesh(mesh));
+  const Index middle = mesh.cells(0, 4);  // from (0, 0) to (1, 0)
+  mesh.nodes(middle, 0) = 0.7;
+  CHECK_NOTHROW(check_mesh(mesh));
+  mesh.nodes(middle, 0) = 0.8;
+  CHECK_THAT(complaint(mesh), ContainsSubstring("cell 0") && ContainsSubstring("side 0 at 0.8"));
+}
+
+TEST_CASE("cells of three nodes and positions that are not finite are refused", "[mesh]") {
+  Mesh mesh = plate();
+  mesh.nodes(3, 0) = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THAT(complaint(mesh), ContainsSubstring("not finite"));
+  mesh = plate();
+  mesh.cells.conservativeResize(Eigen::NoChange, 3);
+  CHECK_THAT(complaint(mesh), ContainsSubstring("4 or 8 nodes, got 3"));
+}
+
+TEST_CASE("an unknown boundary is answered with those that exist", "[mesh]") {
+  const std::string message =
+      problem_message([] { static_cast<void>(signorini::boundary(plate(), "lower")); });
+  CHECK_THAT(message, ContainsSubstring("'plate' has no boundary 'lower'") &&
+                          ContainsSubstring("bottom, left, right, top"));
+  Mesh bare = plate();
+  bare.boundaries.clear();
+  CHECK_THAT(problem_message([&] { static_cast<void>(signorini::boundary_nodes(bare, "left")); }),
+             ContainsSubstring("it has: none"));
+}
+
+TEST_CASE("the nodes of a side come in walking order, the midpoint between", "[mesh]") {
+  const Mesh mesh = plate(MeshOrder::Quadratic);
+  for (int side = 0; side < 4; ++side) {
+    const std::vector<Index> nodes = mesh.side_nodes({3, side});
+    REQUIRE(nodes.size() == 3);
+    CHECK(nodes[0] == mesh.cells(3, side));
+    CHECK(nodes[1] == mesh.cells(3, 4 + side));
+    CHECK(nodes[2] == mesh.cells(3, (side + 1) % 4));
+  }
+  CHECK(plate().side_nodes({3, 3}) == std::vector<Index>{plate().cells(3, 3), plate().cells(3, 0)});
+}
+
+TEST_CASE("a boundary is walked along and meets every node once", "[mesh]") {
+  const Mesh mesh = plate(MeshOrder::Quadratic);
+  const std::vector<Index> nodes = signorini::boundary_nodes(mesh, "top");
+  REQUIRE(nodes.size() == 7);
+  for (std::size_t k = 0; k < 7; ++k)
+    CHECK(mesh.nodes(nodes[k], 0) == Approx(3 - 0.5 * static_cast<double>(k)).margin(1e-14));
+}

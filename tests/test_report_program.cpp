@@ -1,0 +1,142 @@
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "catch_compat.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/report/program.hpp"
+#include "support/folder.hpp"
+
+using namespace signorini;
+using signorini_test::Folder;
+
+namespace {
+
+/// Catches what goes to a stream as long as it lives.
+class Caught {
+ public:
+  explicit Caught(std::ostream& stream) : stream_(stream), before_(stream.rdbuf(text_.rdbuf())) {}
+  ~Caught() { stream_.rdbuf(before_); }
+  Caught(const Caught&) = delete;
+  Caught& operator=(const Caught&) = delete;
+  Caught(Caught&&) = delete;
+  Caught& operator=(Caught&&) = delete;
+  [[nodiscard]] std::string text() const { return text_.str(); }
+
+ private:
+  std::ostringstream text_;
+  std::ostream& stream_;
+  std::streambuf* before_;
+};
+
+struct Run {
+  int code;
+  std::string output;
+  std::string errors;
+};
+
+Run run(const std::filesystem::path& folder, std::vector<const char*> arguments,
+        const std::function<Status(const ProgramOptions&)>& body) {
+  arguments.insert(arguments.begin(), "ch00");
+  const Caught output(std::cout);
+  const Caught errors(std::cerr);
+  const int code = run_program("ch00", "A title", folder, static_cast<int>(arguments.size()),
+                               arguments.data(), body);
+  return {code, output.text(), errors.text()};
+}
+
+Status well(const ProgramOptions& /*options*/) { return Status::Solved; }
+
+}  // namespace
+
+TEST_CASE("a program that solved its problem ends with 0 and no complaint", "[program]") {
+  const Folder folder;
+  const Run done = run(folder.path() / "out", {}, well);
+  CHECK(done.code == 0);
+  CHECK(done.errors.empty());
+  CHECK(std::filesystem::is_directory(folder.path() / "out"));
+}
+
+TEST_CASE("options reach the program", "[program]") {
+  const Folder folder;
+  const std::string other = (folder.path() / "other").string();
+  ProgramOptions seen;
+  const auto body = [&](const ProgramOptions& options) {
+    seen = options;
+    return Status::Solved;
+  };
+  CHECK(run(folder.path() / "out", {}, body).code == 0);
+  CHECK(seen.out == folder.path() / "out");
+  CHECK_FALSE(seen.full);
+  CHECK(run(folder.path() / "out", {"--out", other.c_str(), "--full"}, body).code == 0);
+  CHECK(seen.out == other);
+  CHECK(seen.full);
+  CHECK(std::filesystem::is_directory(other));
+}
+
+TEST_CASE("a program that did not solve its problem ends with 1 and says how it ended",
+          "[program]") {
+  const Folder folder;
+  const Run limit =
+      run(folder.path(), {}, [](const ProgramOptions&) { return Status::IterationLimit; });
+  CHECK(limit.code == 1);
+  CHECK(limit.errors == "ch00: not solved: iteration limit\n");
+  const Run thrown = run(folder.path(), {}, [](const ProgramOptions&) -> Status {
+    throw NotSolved("the beam was not solved");
+  });
+  CHECK(thrown.code == 1);
+  CHECK(thrown.errors == "ch00: the beam was not solved\n");
+}
+
+TEST_CASE("bad input ends with 2 and one line that says what is wrong", "[program]") {
+  const Folder folder;
+  const Run posed = run(folder.path(), {}, [](const ProgramOptions&) -> Status {
+    throw ProblemError("cell 7 is inverted");
+  });
+  CHECK(posed.code == 2);
+  CHECK(posed.errors == "ch00: cell 7 is inverted\n");
+  const Run argument = run(folder.path(), {}, [](const ProgramOptions&) -> Status {
+    throw std::invalid_argument("need 2 rows");
+  });
+  CHECK(argument.code == 2);
+  CHECK(argument.errors == "ch00: need 2 rows\n");
+}
+
+TEST_CASE("an unknown option is named and the known ones are listed", "[program]") {
+  const Folder folder;
+  bool called = false;
+  const Run wrong = run(folder.path(), {"--fast"}, [&](const ProgramOptions&) {
+    called = true;
+    return Status::Solved;
+  });
+  CHECK(wrong.code == 2);
+  CHECK_FALSE(called);
+  CHECK_THAT(wrong.errors, ContainsSubstring("--fast") && ContainsSubstring("--out FOLDER"));
+  CHECK(run(folder.path(), {"--out"}, well).code == 2);  // its value is missing
+  CHECK(run(folder.path(), {"word"}, well).code == 2);
+}
+
+TEST_CASE("a folder that cannot be written to ends with 2 before anything is computed",
+          "[program]") {
+  const Folder folder;
+  std::ofstream(folder.path() / "a_file") << "in the way";
+  const std::string below = (folder.path() / "a_file" / "out").string();
+  bool called = false;
+  const Run wrong = run(folder.path(), {"--out", below.c_str()}, [&](const ProgramOptions&) {
+    called = true;
+    return Status::Solved;
+  });
+  CHECK(wrong.code == 2);
+  CHECK_FALSE(called);
+  CHECK_THAT(wrong.errors, ContainsSubstring("a_file") && ContainsSubstring("--out FOLDER"));
+}
+
+TEST_CASE("help is no error and makes no folder", "[program]") {
+  const Folder folder;
+  const Run help = run(folder.path() / "out", {"--help"}, well);
+  CHECK(help.code == 0);
+  CHECK_THAT(help.output, ContainsSubstring("A title") && ContainsSubstring("--full"));
+  CHECK(folder.entries() == 0);
+}

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "catch_compat.hpp"
+#include "signorini/report/vtu.hpp"
+#include "support/cantilever.hpp"
+#include "support/folder.hpp"
+#include "support/message.hpp"
+
+using namespace signorini;
+using signorini_test::content_of;
+using signorini_test::Folder;
+
+namespace {
+
+struct Solved {
+  Model model;
+  Solution solution;
+};
+
+Solved solved(const std::string& element) {
+  const Scene scene = signorini_test::cantilever(element, 10, 2);
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  const Condensed condensed = condense(model, ledger);
+  Solution solution = solve(model, condensed, scene.solver, ledger);
+  return {std::move(model), std::move(solution)};
+}
+
+/// The words between the array called `name` and its end tag; empty if there is none.
+std::vector<std::string> array_of(const std::string& file, const std::string& name) {
+  const std::size_t tag = file.find("Name=\"" + name + "\"");
+  if (tag == std::string::npos) return {};
+  const std::size_t begin = file.find('>', tag) + 1;
+  std::istringstream in(file.substr(begin, file.find("</DataArray>", begin) - begin));
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+/// Whether every tag that is opened is closed in the right order.
+bool is_balanced(const std::string& file) {
+  std::vector<std::string> open;
+  for (std::size_t at = file.find('<'); at != std::string::npos; at = file.find('<', at + 1)) {
+    const std::size_t end = file.find('>', at);
+    if (end == std::string::npos) return false;
+    const std::string tag = file.substr(at + 1, end - at - 1);
+    if (tag[0] == '?') continue;
+    if (tag[0] == '/') {
+      if (open.empty() || open.back() != tag.substr(1)) return false;
+      open.pop_back();
+    } else if (tag.back() != '/') {
+      open.push_back(tag.substr(0, tag.find(' ')));
+    }
+  }
+  return open.empty();
+}
+
+}  // namespace
+
+TEST_CASE("a VTU file is well formed and its arrays have the sizes it names", "[vtu]") {
+  const Folder folder;
+  for (const char* element : {"q4_incompatible", "q8"}) {
+    CAPTURE(element);
+    const Solved run = solved(element);
+    const std::filesystem::path path = folder.path() / "beam.vtu";
+    write_vtu(path, run.model, run.solution);
+    const std::string file = content_of(path);
+    const auto points = static_cast<std::size_t>(run.model.mesh.n_nodes());
+    const auto cells = static_cast<std::size_t>(run.model.mesh.n_cells());
+    const auto nodes = static_cast<std::size_t>(run.model.mesh.cells.cols());
+    CHECK(is_balanced(file));
+    CHECK_THAT(file, ContainsSubstring("type=\"UnstructuredGrid\"") &&
+                         ContainsSubstring("NumberOfPoints=\"" + std::to_string(points) + '"') &&
+                         ContainsSubstring("NumberOfCells=\"" + std::to_string(cells) + '"'));
+    CHECK(array_of(file, "displacement").size() == 3 * points);
+    CHECK(array_of(file, "stress").size() == 3 * points);
+    CHECK(array_of(file, "von_mises").size() == points);
+    CHECK(array_of(file, "contact_pressure").size() == points);
+    CHECK(array_of(file, "contact_gap").size() == points);
+    CHECK(array_of(file, "cell_stress").size() == 3 * cells);
+    CHECK(array_of(file, "points").size() == 3 * points);
+    CHECK(array_of(file, "connectivity").size() == nodes * cells);
+    const std::vector<std::string> offsets = array_of(file, "offsets");
+    REQUIRE(offsets.size() == cells);
+    CHECK(offsets.back() == std::to_string(nodes * cells));
+    const std::vector<std::string> types = array_of(file, "types");
+    CHECK(types == std::vector<std::string>(cells, nodes == 4 ? "9" : "23"));
+  }
+}
+
+TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
+  const Folder folder;
+  const Solved run = solved("q4_incompatible");
+  write_vtu(folder.path() / "beam.vtu", run.model, run.solution);
+  const std::string file = content_of(folder.path() / "beam.vtu");
+  const std::vector<std::string> u = array_of(file, "displacement");
+  const std::vector<std::string> pressure = array_of(file, "contact_pressure");
+  const std::vector<std::string> gap = array_of(file, "contact_gap");
+  const std::vector<Eigen::Index>& pair_nodes = run.model.gaps.node;
+  for (std::size_t node = 0; node < gap.size(); ++node) {
+    const auto row = static_cast<Eigen::Index>(node);
+    CAPTURE(node);
+    CHECK(std::stod(u[3 * node + 1]) ==
+          Approx(run.solution.displacements(row, 1)).epsilon(1e-8).margin(1e-15));
+    const auto pair = std::find(pair_nodes.begin(), pair_nodes.end(), row);
+    if (pair == pair_nodes.end()) {
+      CHECK(gap[node] == "nan");
+      CHECK(pressure[node] == "0");
+    } else {
+      CHECK(std::stod(pressure[node]) ==
+            Approx(run.solution.pressure(pair - pair_nodes.begin())).epsilon(1e-8).margin(1e-12));
+    }
+  }
+}
+
+TEST_CASE("nothing is written of a problem that is not solved, or where nobody can write",
+          "[vtu]") {
+  const Folder folder;
+  Solved run = solved("q4");
+  CHECK_THAT(signorini_test::problem_message([&] {
+               write_vtu(folder.path() / "missing" / "beam.vtu", run.model, run.solution);
+             }),
+             ContainsSubstring("beam.vtu"));
+  run.solution.contact.report.status = Status::Infeasible;
+  CHECK_THROWS_AS(write_vtu(folder.path() / "beam.vtu", run.model, run.solution),
+                  std::invalid_argument);
+  CHECK(folder.entries() == 0);
+}

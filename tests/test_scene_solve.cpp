@@ -1,0 +1,121 @@
+#include <cmath>
+#include <sstream>
+
+#include "catch_compat.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/scene.hpp"
+#include "support/cantilever.hpp"
+#include "support/message.hpp"
+
+using Eigen::Index;
+using namespace signorini;
+using signorini_test::cantilever;
+
+TEST_CASE("a plan says what is on and what is off, without assembling", "[plan]") {
+  const Scene scene = cantilever("q4_incompatible", 50, 5);
+  const Plan found = plan(scene);
+  CHECK(found.n_unknowns == 2 * 51 * 6 - 2 * 6);
+  CHECK(found.n_pairs == 50);  // the corner at the clamp cannot move
+  CHECK(found.quality.largest_aspect_ratio == Approx(1).epsilon(1e-12));
+  CHECK(found.notes.empty());
+  std::ostringstream out;
+  out << found;
+  CHECK_THAT(out.str(),
+             ContainsSubstring("on    body 'beam': 250 cells q4_incompatible") &&
+                 ContainsSubstring("on    load on 'top'") &&
+                 ContainsSubstring("on    contact of 'bottom' with a rigid half plane") &&
+                 ContainsSubstring("off   body force"));
+}
+
+TEST_CASE("what is absent is off", "[plan]") {
+  Scene scene = cantilever("q4", 10, 2);
+  scene.contact.reset();
+  scene.loads = {};
+  const Plan found = plan(scene);
+  CHECK(found.off == std::vector<std::string>{"body force", "edge loads", "contact"});
+  CHECK(found.n_pairs == 0);
+}
+
+TEST_CASE("a plan warns of an element that will lock and of overlap before loading", "[plan]") {
+  Scene scene = cantilever("q4", 10, 2);
+  scene.material.state = PlaneState::Strain;
+  scene.material.poisson_ratio = 0.4999;
+  REQUIRE(plan(scene).notes.size() == 1);
+  CHECK_THAT(plan(scene).notes[0], ContainsSubstring("q4 locks") && ContainsSubstring("q4_bbar"));
+  scene.element = "q4_bbar";
+  CHECK(plan(scene).notes.empty());
+  scene.contact->obstacle = disc({40, -10}, 10.5);
+  REQUIRE(plan(scene).notes.size() == 1);
+  CHECK_THAT(plan(scene).notes[0], ContainsSubstring("overlaps the obstacle by 0.5"));
+}
+
+TEST_CASE("one factorisation of the stiffness serves the whole solution", "[ledger]") {
+  const Solution solution = solve(cantilever("q4_incompatible", 50, 5));
+  long long factorisations = 0;
+  for (const LedgerEntry& entry : solution.ledger.entries())
+    if (entry.path == "factor/numeric") factorisations += entry.calls;
+  CHECK(factorisations == 1);
+  CHECK(solution.ledger.counted("factor/numeric", "nonzeros") > 600);
+  CHECK(solution.ledger.counted("assembly", "unknowns") == 600);
+  CHECK(solution.ledger.counted("assembly", "pairs") == 50);
+  CHECK(solution.ledger.counted("refinement", "sweeps") <= 10);
+  CHECK(solution.contact.report.iterations <= 30);  // of 50 pairs
+}
+
+TEST_CASE("the gap in a solution is that of the displaced nodes", "[solve]") {
+  const Scene scene = cantilever("q4_incompatible", 50, 5);
+  const Solution solution = solve(scene);
+  const Gaps gaps = node_to_obstacle(scene.mesh, "bottom", scene.contact->obstacle,
+                                     number_unknowns(scene.mesh, scene.supports), 1);
+  for (Index pair = 0; pair < solution.contact.gap.size(); ++pair) {
+    const Index node = gaps.node[static_cast<std::size_t>(pair)];
+    CHECK(solution.contact.gap(pair) ==
+          Approx(1 + solution.displacements(node, 1)).epsilon(0).margin(1e-14));
+    CHECK(solution.pressure(pair) ==
+          Approx(solution.contact.force(pair) / gaps.weight(pair)).epsilon(1e-15).margin(0));
+  }
+}
+
+TEST_CASE("both solvers give the same solution of a small scene", "[solve]") {
+  Scene scene = cantilever("q4_incompatible", 12, 2);
+  const Solution fast = solve(scene);
+  scene.solver = "enumerate";
+  const Solution sure = solve(scene);
+  CHECK(fast.contact.active == sure.contact.active);
+  CHECK_FALSE(fast.contact.active.empty());
+  CHECK((fast.contact.force - sure.contact.force).norm() < 1e-13 * sure.contact.force.norm());
+}
+
+TEST_CASE("a body pressed into a disc, a hole and a wave is certified", "[solve]") {
+  const auto wave = profile([](double x) { return -1.5 + 0.4 * std::cos(x); },
+                            [](double x) { return -0.4 * std::sin(x); });
+  for (const Obstacle& obstacle : {disc({40, -6}, 5), hole({30, 400}, 402), wave}) {
+    CAPTURE(obstacle.name);
+    Scene scene = cantilever("q4_incompatible", 60, 6);
+    scene.contact->obstacle = obstacle;
+    const Solution solution = solve(scene);
+    CHECK(solution.contact.report.status == Status::Solved);
+    CHECK_FALSE(solution.contact.active.empty());
+    CHECK(solution.certificate.worst() <= 1e-12);
+  }
+}
+
+TEST_CASE("a body force alone acts like a pressure of the same weight", "[solve]") {
+  Scene weight = cantilever("q4_incompatible", 50, 5);
+  weight.loads = {[](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -3.6 / 5); }, {}};
+  const Solution solution = solve(weight);
+  CHECK(solution.certificate.holds());
+  // Where on the section the load acts changes the local stress, not the beam: a few thousandths.
+  CHECK(solution.contact.force.sum() ==
+        Approx(solve(cantilever("q4_incompatible", 50, 5)).contact.force.sum()).epsilon(0.01));
+}
+
+TEST_CASE("a program that needs a solution stops without one and says why", "[solve]") {
+  Solution solution;
+  solution.contact.report.status = Status::Solved;
+  CHECK_NOTHROW(require_solved(solution, "the beam"));
+  solution.contact.report.status = Status::IterationLimit;
+  solution.contact.report.iterations = 12;
+  CHECK(signorini_test::message_of<NotSolved>([&] { require_solved(solution, "the beam"); }) ==
+        "the beam was not solved: iteration limit after 12 iterations");
+}
