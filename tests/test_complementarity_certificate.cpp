@@ -97,9 +97,10 @@ TEST_CASE("the figures of a programme are what their definitions say", "[certifi
   // u = (2, -1, 2), lambda = (2, 3, -1): gaps (-1, 0, 3), p - K u - A^T lambda = (-3, -1, -1).
   const Certificate forged = certificate_of({2, -1, 2}, {2, 3, -1});
   const double root = std::sqrt(2.0);  // norm of every row
-  // The third pair sets the length: |g| + |a||u|, and what load and force move its nodes by alone.
-  const double length = (3 + 2 + 2 + (5 + 1) / 4.0 + (6 + 1) / 2.0) / root;
-  const double force = 6;  // the largest load; the largest contact force is 3 root 2
+  // A^T lambda = (1, 5, 4). The second pair sets the length: |a||u|, and what load and contact force would
+  // move its two unknowns by alone.
+  const double length = (1 + 2 + (5 + 5) / 3.0 + (6 + 4) / 2.0) / root;
+  const double force = 6;  // the largest load; the largest net contact force is 5
   CHECK(forged.penetration == Approx(1 / root / length).epsilon(1e-14));
   CHECK(forged.tension == Approx(root / force).epsilon(1e-14));
   CHECK(forged.complementarity == Approx(3 / (length * force)).epsilon(1e-14));

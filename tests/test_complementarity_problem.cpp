@@ -44,7 +44,7 @@ TEST_CASE("a problem that is not one is refused", "[problem]") {
   CHECK_THAT(complaint(matrix(2, 1, 1, 2), Eigen::Vector3d(0, 1, 2)),
              ContainsSubstring("must be 3 x 3 (one row per pair), got 2 x 2"));
   CHECK_THAT(complaint(matrix(2, 1, 0.5, 2), Vector2d(0, 1)),
-             ContainsSubstring("symmetric") && ContainsSubstring("0.5"));
+             ContainsSubstring("symmetric") && ContainsSubstring("0.25 of its diagonal"));
   CHECK_THAT(complaint(matrix(2, 1, 1, -3), Vector2d(0, 1)),
              ContainsSubstring("diagonal entry -3"));
   const double nan = std::numeric_limits<double>::quiet_NaN();

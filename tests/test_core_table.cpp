@@ -9,7 +9,7 @@ using signorini_test::argument_message;
 TEST_CASE("a table for a figure has a tolerance, column names, rows and blocks", "[table]") {
   Table table({"x", "pressure"});
   table.row({0.5, 1.25});
-  table.gap();
+  table.blank_line();
   table.row({1.0, -2.0});
   CHECK(table.csv("rel 1e-3 abs 0") ==
         "# tolerance rel 1e-3 abs 0\nx,pressure\n0.5,1.25\n\n1,-2\n");

@@ -100,6 +100,27 @@ TEST_CASE("a free body has a singular matrix, and the unknown that can move is n
   CHECK_THAT(named, ContainsSubstring("(node ") && ContainsSubstring("direction x"));
 }
 
+TEST_CASE("a free body is found out on every mesh, whatever rounding leaves of the last pivot",
+          "[factor]") {
+  int found = 0;
+  for (Index n = 1; n <= 12; ++n)
+    for (const char* side : {"bottom", "left"}) {
+      const Mesh mesh = signorini_test::distorted(
+          signorini_test::block_for(q4(), {3, 2}, n + 1, n), {3, 2},
+          {3.0 / static_cast<double>(n + 1), 2.0 / static_cast<double>(n)},
+          static_cast<std::uint64_t>(n));
+      const Unknowns unknowns = number_unknowns(mesh, {symmetric(side)});
+      const Eigen::SparseMatrix<double> K =
+          assemble(mesh, q4(), {7, 0.3, PlaneState::Strain, 1}, unknowns, {}).stiffness;
+      Ledger ledger;
+      const std::string message = signorini_test::problem_message([&] {
+        ContactLastFactor(K, nested_dissection(K, unknown_positions(mesh, unknowns)), 0, ledger);
+      });
+      found += message.empty() ? 0 : 1;
+    }
+  CHECK(found == 24);
+}
+
 TEST_CASE("a slender body is not taken for a free one", "[factor]") {
   const Mesh mesh = signorini_test::block_for(q4(), {1000, 1}, 400, 2);
   const Unknowns unknowns = number_unknowns(mesh, {fixed("left")});

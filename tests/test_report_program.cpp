@@ -10,6 +10,7 @@
 #include "support/folder.hpp"
 
 using namespace signorini;
+using signorini_test::content_of;
 using signorini_test::Folder;
 
 namespace {
@@ -59,21 +60,52 @@ TEST_CASE("a program that solved its problem ends with 0 and no complaint", "[pr
   CHECK(std::filesystem::is_directory(folder.path() / "out"));
 }
 
-TEST_CASE("options reach the program", "[program]") {
+TEST_CASE("options reach the program and what it writes reaches the folder", "[program]") {
   const Folder folder;
   const std::string other = (folder.path() / "other").string();
-  ProgramOptions seen;
+  bool full = true;
   const auto body = [&](const ProgramOptions& options) {
-    seen = options;
+    full = options.full;
+    std::ofstream(options.out / "data.csv") << "x\n";
     return Status::Solved;
   };
   CHECK(run(folder.path() / "out", {}, body).code == 0);
-  CHECK(seen.out == folder.path() / "out");
-  CHECK_FALSE(seen.full);
+  CHECK(content_of(folder.path() / "out" / "data.csv") == "x\n");
+  CHECK_FALSE(full);
   CHECK(run(folder.path() / "out", {"--out", other.c_str(), "--full"}, body).code == 0);
-  CHECK(seen.out == other);
-  CHECK(seen.full);
-  CHECK(std::filesystem::is_directory(other));
+  CHECK(content_of(folder.path() / "other" / "data.csv") == "x\n");
+  CHECK(full);
+}
+
+TEST_CASE("a program that fails leaves the folder as it was", "[program]") {
+  const Folder folder;
+  std::ofstream(folder.path() / "data.csv") << "old";
+  const auto write_then = [&](const std::function<Status()>& end) {
+    return run(folder.path(), {},
+               [&](const ProgramOptions& options) {
+                 std::ofstream(options.out / "data.csv") << "half";
+                 std::ofstream(options.out / "more.csv") << "half";
+                 return end();
+               })
+        .code;
+  };
+  CHECK(write_then([] { return Status::Breakdown; }) == 1);
+  CHECK(write_then([]() -> Status { throw NotSolved("no"); }) == 1);
+  CHECK(write_then([]() -> Status { throw ProblemError("bad"); }) == 2);
+  CHECK(content_of(folder.path() / "data.csv") == "old");
+  CHECK(folder.entries() == 1);
+  CHECK(write_then([] { return Status::Solved; }) == 0);
+  CHECK(content_of(folder.path() / "data.csv") == "half");
+  CHECK(folder.entries() == 2);
+}
+
+TEST_CASE("an error that nobody foresaw ends with 1 and its message", "[program]") {
+  const Folder folder;
+  const Run odd = run(folder.path(), {}, [](const ProgramOptions&) -> Status {
+    throw std::runtime_error("out of luck");
+  });
+  CHECK(odd.code == 1);
+  CHECK_THAT(odd.errors, ContainsSubstring("ch00: ") && ContainsSubstring("out of luck"));
 }
 
 TEST_CASE("a program that did not solve its problem ends with 1 and says how it ended",

@@ -14,8 +14,8 @@ using signorini_test::cantilever;
 TEST_CASE("a plan says what is on and what is off, without assembling", "[plan]") {
   const Scene scene = cantilever("q4_incompatible", 50, 5);
   const Plan found = plan(scene);
-  CHECK(found.n_unknowns == 2 * 51 * 6 - 2 * 6);
-  CHECK(found.n_pairs == 50);  // the corner at the clamp cannot move
+  CHECK(found.unknowns.count == 2 * 51 * 6 - 2 * 6);
+  CHECK(found.gaps.A.rows() == 50);  // the corner at the clamp cannot move
   CHECK(found.quality.largest_aspect_ratio == Approx(1).epsilon(1e-12));
   CHECK(found.notes.empty());
   std::ostringstream out;
@@ -33,7 +33,7 @@ TEST_CASE("what is absent is off", "[plan]") {
   scene.loads = {};
   const Plan found = plan(scene);
   CHECK(found.off == std::vector<std::string>{"body force", "edge loads", "contact"});
-  CHECK(found.n_pairs == 0);
+  CHECK(found.gaps.A.rows() == 0);
 }
 
 TEST_CASE("a plan warns of an element that will lock and of overlap before loading", "[plan]") {
@@ -111,11 +111,10 @@ TEST_CASE("a body force alone acts like a pressure of the same weight", "[solve]
 }
 
 TEST_CASE("a program that needs a solution stops without one and says why", "[solve]") {
-  Solution solution;
-  solution.contact.report.status = Status::Solved;
+  Solution solution = solve(cantilever("q4", 10, 2));
   CHECK_NOTHROW(require_solved(solution, "the beam"));
   solution.contact.report.status = Status::IterationLimit;
   solution.contact.report.iterations = 12;
-  CHECK(signorini_test::message_of<NotSolved>([&] { require_solved(solution, "the beam"); }) ==
-        "the beam was not solved: iteration limit after 12 iterations");
+  CHECK_THAT(signorini_test::message_of<NotSolved>([&] { require_solved(solution, "the beam"); }),
+             ContainsSubstring("the beam was not solved: iteration limit after 12 iterations"));
 }

@@ -12,6 +12,7 @@
 # With --update the files that differ are copied from FRESH, so that another compiler changes nothing.
 use strict;
 use warnings;
+use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
 use File::Basename;
 
 my $update = @ARGV && $ARGV[0] eq '--update' ? shift : 0;

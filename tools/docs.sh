@@ -29,19 +29,19 @@ HEAD=$root/docs/head.html perl -0pi -e '
 (cd "$mathjax" && tar chf - MathJax.js config/TeX-AMS_SVG.js jax/input/TeX jax/output/SVG/*.js jax/output/SVG/autoload \
     jax/output/SVG/fonts/TeX jax/element extensions/TeX extensions/*.js) | tar xf - -C "$book/mathjax"
 
-css=$root/docs/book.css
+css="\"$root/docs/book.css\""
 if [ -f "$theme/doxygen-awesome.css" ]; then
-    css="$theme/doxygen-awesome.css $theme/doxygen-awesome-sidebar-only.css $css"
+    css="\"$theme/doxygen-awesome.css\" \"$theme/doxygen-awesome-sidebar-only.css\" $css"
 fi
 
 # The order of the input is the order of the sidebar.
-input=$root/README.md
+input="\"$root/README.md\""
 for text in "$root"/chapters/notation.md "$root"/chapters/ch[0-9][0-9]_*/README.md; do
-    [ ! -f "$text" ] || input="$input $text"
+    [ ! -f "$text" ] || input="$input \"$text\""
 done
-input="$input $root/docs/references.md $root/docs/library.dox $root/src"
+input="$input \"$root/docs/references.md\" \"$root/docs/library.dox\" \"$root/src\""
 for file in "$root"/chapters/ch[0-9][0-9]_*/*.cpp "$root"/chapters/ch*/exercises/ex*/README.md; do
-    [ ! -f "$file" ] || input="$input $file"
+    [ ! -f "$file" ] || input="$input \"$file\""
 done
 sed -e "s#@ROOT@#$root#g" -e "s#@WORK@#$work#g" -e "s#@BOOK@#$book#g" -e "s#@INPUT@#$input#" -e "s#@CSS@#$css#" \
     "$root/docs/Doxyfile.in" > Doxyfile

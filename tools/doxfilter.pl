@@ -18,6 +18,7 @@
 # Expects BOOK_ROOT, the project, and BOOK_HTML, the folder of the pages.
 use strict;
 use warnings;
+use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
 use File::Basename;
 use Cwd 'abs_path';
 

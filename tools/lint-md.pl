@@ -6,6 +6,7 @@
 #  * anchors that exist twice, equation numbers that do not fit their anchor: <a id="eq-23"></a> and \tag{23}
 use strict;
 use warnings;
+use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
 use File::Basename;
 
 my ($bad, %anchors) = (0);

@@ -43,27 +43,32 @@ for package in $wanted; do
 done
 [ -n "$missing" ] || exit 0
 
+# The theme and the browser do not exist in every release; the book does without the one, its check is
+# left out without the other.
+drop_unknown() {
+    for package in doxygen-awesome-css chromium; do
+        case " $missing " in *" $package "*)
+            [ -z "$(apt-cache madison make 2> /dev/null)" ] || [ -n "$(apt-cache madison "$package" 2> /dev/null)" ] || {
+                echo "no package $package in this release, going on without it"
+                missing=$(echo "$missing" | sed "s/ $package\>//")
+            } ;;
+        esac
+    done
+}
+
 if [ "$(id -u)" = 0 ]; then
     sudo=""
 elif command -v sudo > /dev/null 2>&1 && sudo -n true 2> /dev/null; then
     sudo="sudo"
 else
+    drop_unknown
+    [ -n "$missing" ] || exit 0
     echo "Some packages are missing. Please type this once, then try again:" >&2
     echo "    sudo apt-get update && sudo apt-get install -y --no-install-recommends$missing" >&2
     exit 2
 fi
 
 echo "installing:$missing"
-export DEBIAN_FRONTEND=noninteractive
-$sudo apt-get update -q
-# The theme and the browser do not exist in every release; the book does without the one, its check is
-# left out without the other.
-for package in doxygen-awesome-css chromium; do
-    case " $missing " in *" $package "*)
-        if [ -z "$(apt-cache madison "$package" 2> /dev/null)" ]; then
-            echo "no package $package in this release, going on without it"
-            missing=$(echo "$missing" | sed "s/ $package\>//")
-        fi ;;
-    esac
-done
-[ -z "$missing" ] || $sudo apt-get install -y --no-install-recommends $missing
+$sudo env DEBIAN_FRONTEND=noninteractive apt-get update -q
+drop_unknown
+[ -z "$missing" ] || $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing

@@ -4,6 +4,7 @@
 # OUT/chNN/nanoseconds; the headline is the line  # headline KEY REFERENCE SOURCE WORDS ...
 use strict;
 use warnings;
+use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
 
 my ($out, @only) = @ARGV;
 binmode STDOUT, ':utf8';

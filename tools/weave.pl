@@ -11,6 +11,7 @@
 # stale is listed and the exit status is 1.
 use strict;
 use warnings;
+use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
 use File::Basename;
 
 my $check = @ARGV && $ARGV[0] eq '--check' ? shift : 0;

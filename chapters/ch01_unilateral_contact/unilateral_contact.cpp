@@ -1,7 +1,6 @@
 // Chapter 1 - The unilateral contact problem (Xuan & Li 2002, sec. 1, eqs. 1-13).
 // Run:  make ch01     Reads: nothing     Writes: ch01.results, candidates.md, fig_1_1.csv,
 //                                                fig_1_1_obstacle.csv, fig_1_2.csv, ch01.vtu
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>

@@ -1,4 +1,4 @@
-// The cantilever above a rigid flat foundation (Xuan & Li 2002, section 3, example 2) as a scene.
+// The cantilever above a rigid flat foundation (Xuan & Li 2002, section 4, example 2) as a scene.
 #pragma once
 #include <Eigen/Core>
 #include <string>

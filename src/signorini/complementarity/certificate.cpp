@@ -53,8 +53,11 @@ struct Scales {
 };
 
 bool all_finite(const QuadraticProgramme& programme) {
+  const auto finite = [](const auto& matrix) {
+    return matrix.nonZeros() == 0 || std::isfinite(matrix.sum());
+  };
   return programme.load.allFinite() && programme.initial_gap.allFinite() &&
-         std::isfinite(programme.stiffness.sum()) && std::isfinite(programme.A.sum());
+         finite(programme.stiffness) && finite(programme.A);
 }
 
 /// Norms of the rows of A; 1 for an empty row.
@@ -67,26 +70,35 @@ Eigen::VectorXd row_norms(const RowMatrix& A) {
   return norm;
 }
 
-/// The largest force, and the largest length: of a gap, of a displacement towards the obstacle, or of
-/// what the forces at hand would move a node by if its neighbours stood still.
+/// The largest net force on an unknown, and the largest length: of a displacement towards the obstacle, or
+/// of what the forces at hand would move a node by if its neighbours stood still. Neither counts what
+/// may be large without meaning anything: the gap of a far obstacle, or contact forces that cancel.
 Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution) {
   const Eigen::VectorXd norm = row_norms(programme.A);
   const Eigen::VectorXd diagonal = programme.stiffness.diagonal();
+  const Eigen::VectorXd contact = programme.A.transpose() * solution.force;
   Scales scale;
-  if (programme.load.size() > 0) scale.force = programme.load.cwiseAbs().maxCoeff();
+  for (Index j = 0; j < programme.load.size(); ++j)
+    scale.force = std::max({scale.force, std::abs(programme.load(j)), std::abs(contact(j))});
   for (Index pair = 0; pair < programme.A.rows(); ++pair) {
-    const double force = std::abs(solution.force(pair));
-    double length = std::abs(programme.initial_gap(pair));
+    double length = 0;
     for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry) {
-      const double a = std::abs(entry.value());
       const Index j = entry.col();
-      length += a * std::abs(solution.displacement(j));
-      if (diagonal(j) > 0) length += a * (std::abs(programme.load(j)) + a * force) / diagonal(j);
+      length += std::abs(entry.value() * solution.displacement(j));
+      if (diagonal(j) > 0)
+        length += std::abs(entry.value()) * (std::abs(programme.load(j)) + std::abs(contact(j))) /
+                  diagonal(j);
     }
     scale.length = std::max(scale.length, length / norm(pair));
-    scale.force = std::max(scale.force, force * norm(pair));
   }
   return scale;
+}
+
+/// Whether a force is claimed for a row of A that is empty and so cannot carry any.
+bool pushes_on_nothing(const QuadraticProgramme& programme, const Eigen::VectorXd& force) {
+  for (Index pair = 0; pair < force.size(); ++pair)
+    if (force(pair) != 0 && programme.A.row(pair).norm() == 0) return true;
+  return false;
 }
 
 }  // namespace
@@ -140,7 +152,7 @@ Eigen::VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solu
 Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution) {
   check_sizes(programme, solution);
   if (!all_finite(programme) || !solution.displacement.allFinite() || !solution.force.allFinite() ||
-      !solution.displacement_low.allFinite())
+      !solution.displacement_low.allFinite() || pushes_on_nothing(programme, solution.force))
     return uncertified();
   const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
   const Eigen::VectorXd gap = gaps(programme, solution);
@@ -185,34 +197,36 @@ Certificate certify(const ContactProblem& problem, const ContactState& state) {
   // Pairs are compared after scaling: gap / sqrt(G_ii) and force * sqrt(G_ii) have one unit.
   const Eigen::VectorXd scale =
       problem.compliance.diagonal().unaryExpr([](double g) { return g > 0 ? std::sqrt(g) : 1.0; });
-  double largest = 0;
+  // The length counts overlaps and what forces do in sum, not the gaps of pairs that are far apart.
+  double length = 0;
+  double force = 0;
   ExactSum gap_energy;
   double energies = 0;
   Eigen::VectorXd gap(n);
   for (Index i = 0; i < n; ++i) {
-    ExactSum sum(problem.free_gap(i));
-    double magnitude = std::abs(problem.free_gap(i));
-    for (Index j = 0; j < n; ++j) {
-      sum.add_product(problem.compliance(i, j), state.force(j));
-      magnitude = std::max(magnitude, std::abs(problem.compliance(i, j) * state.force(j)));
-    }
-    gap(i) = sum.value();
-    largest = std::max({largest, magnitude / scale(i), std::abs(state.force(i)) * scale(i)});
+    ExactSum moved;
+    for (Index j = 0; j < n; ++j) moved.add_product(problem.compliance(i, j), state.force(j));
+    length =
+        std::max({length, -problem.free_gap(i) / scale(i), std::abs(moved.value()) / scale(i)});
+    force = std::max(force, std::abs(state.force(i)) * scale(i));
+    moved.add(problem.free_gap(i));
+    gap(i) = moved.value();
     gap_energy.add_product(state.force(i), gap(i));
-    energies += std::abs(state.force(i)) * magnitude;
+    energies += std::abs(state.force(i) * problem.free_gap(i));
   }
   for (Index i = 0; i < n; ++i) {
-    const double length = gap(i) / scale(i);
-    const double force = state.force(i) * scale(i);
+    const double open = gap(i) / scale(i);
+    const double push = state.force(i) * scale(i);
     certificate.penetration =
-        std::max(certificate.penetration, ratio(std::max(0.0, -length), largest));
-    certificate.tension = std::max(certificate.tension, ratio(std::max(0.0, -force), largest));
+        std::max(certificate.penetration, ratio(std::max(0.0, -open), length));
+    certificate.tension = std::max(certificate.tension, ratio(std::max(0.0, -push), force));
     certificate.complementarity =
-        std::max(certificate.complementarity, ratio(std::abs(length * force), largest * largest));
-    certificate.equilibrium = std::max(certificate.equilibrium,
-                                       ratio(std::abs(gap(i) - state.gap(i)) / scale(i), largest));
+        std::max(certificate.complementarity, ratio(std::abs(open * push), length * force));
+    certificate.equilibrium = std::max(
+        certificate.equilibrium,
+        ratio(std::abs(gap(i) - state.gap(i)) / scale(i), std::max(length, std::abs(open))));
   }
-  certificate.duality_gap = ratio(std::abs(gap_energy.value()), energies);
+  certificate.duality_gap = ratio(std::abs(gap_energy.value()), std::max(energies, length * force));
   return certificate;
 }
 

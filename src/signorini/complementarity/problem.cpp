@@ -1,5 +1,6 @@
 #include "signorini/complementarity/problem.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "signorini/core/errors.hpp"
@@ -30,16 +31,17 @@ void check_problem(const ContactProblem& problem) {
   require(G.allFinite() && problem.free_gap.allFinite(),
           "contact problem: compliance and free_gap must be finite");
   if (n == 0) return;
-  const double asymmetry = (G - G.transpose()).cwiseAbs().maxCoeff();
-  const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * G.cwiseAbs().maxCoeff();
-  require(asymmetry <= rounding,
-          "contact problem: compliance must be symmetric, but differs from its "
-          "transpose by ",
-          asymmetry);
   require((G.diagonal().array() >= 0).all(),
           "contact problem: compliance must be positive semidefinite, but "
           "has the diagonal entry ",
           G.diagonal().minCoeff());
+  const Eigen::VectorXd scale =
+      G.diagonal().unaryExpr([](double g) { return g > 0 ? 1 / std::sqrt(g) : 1.0; });
+  const double asymmetry =
+      (scale.asDiagonal() * (G - G.transpose()).eval() * scale.asDiagonal()).cwiseAbs().maxCoeff();
+  require(asymmetry <= 1e3 * std::numeric_limits<double>::epsilon(),
+          "contact problem: compliance must be symmetric, but differs from its transpose by ",
+          asymmetry, " of its diagonal");
 }
 
 }  // namespace signorini

@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -39,11 +38,13 @@ Refinement refine(const QuadraticProgramme& programme,
     solution.displacement_low.setZero(solution.displacement.size());
   const Eigen::LLT<Eigen::MatrixXd> factor(compliance(active, active));
 
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * static_cast<double>(active.size() + 1);
   double rate = 1;
   double last_u = std::numeric_limits<double>::infinity();
   double last_force = last_u;
-  while (true) {
+  bool settled = false;
+  while (factor.info() == Eigen::Success) {
     const Eigen::VectorXd change = solve_stiffness(equilibrium_residual(programme, solution));
     add_to_pair(solution, change);
     ++result.sweeps;
@@ -59,22 +60,21 @@ Refinement refine(const QuadraticProgramme& programme,
     const double moved_u = ratio(largest(change), largest(solution.displacement));
     const double moved_force = ratio(largest(force_change), largest(solution.force));
     if (result.sweeps == 2) rate = std::min(1.0, ratio(moved_u, last_u));
-    const double rounding = epsilon * static_cast<double>(active.size() + 1);
-    const bool settled = moved_u * rate <= rounding && moved_force <= rounding;
+    settled = moved_u * rate <= rounding && moved_force <= rounding;
     const bool stalled = !(moved_u < 0.5 * last_u) && !(moved_force < 0.5 * last_force);
     if (settled || stalled) break;
     last_u = moved_u;
     last_force = moved_force;
   }
-  result.confirmed = true;
+  result.confirmed = settled && solution.displacement.allFinite() && solution.force.allFinite();
+  const double tension = rounding * largest(solution.force);
+  const double overlap =
+      rounding * (largest(programme.initial_gap) + largest(solution.displacement));
   std::vector<bool> is_active(static_cast<std::size_t>(solution.force.size()), false);
-  for (const Index i : active) {
-    is_active[static_cast<std::size_t>(i)] = true;
-    if (solution.force(i) < -epsilon * largest(solution.force)) result.confirmed = false;
-  }
-  const double length = largest(programme.initial_gap) + largest(solution.displacement);
+  for (const Index i : active) is_active[static_cast<std::size_t>(i)] = true;
   for (Index i = 0; i < result.gap.size(); ++i)
-    if (!is_active[static_cast<std::size_t>(i)] && result.gap(i) < -epsilon * length)
+    if (is_active[static_cast<std::size_t>(i)] ? solution.force(i) < -tension
+                                               : result.gap(i) < -overlap)
       result.confirmed = false;
   return result;
 }

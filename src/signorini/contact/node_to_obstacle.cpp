@@ -12,10 +12,15 @@ namespace {
 
 using Eigen::Index;
 
+/// A component of a unit normal that is more than rounding.
+bool counts(double component) {
+  return std::abs(component) > 4 * std::numeric_limits<double>::epsilon();
+}
+
 /// Whether the supports leave the node no motion along the normal.
 bool is_held(const Unknowns& unknowns, Index node, const Eigen::Vector2d& normal) {
   for (int axis = 0; axis < 2; ++axis)
-    if (unknowns.number(node, axis) >= 0 && normal(axis) != 0) return false;
+    if (unknowns.number(node, axis) >= 0 && counts(normal(axis))) return false;
   return true;
 }
 
@@ -34,6 +39,8 @@ void check_not_supported(const Mesh& mesh, const std::string& name, const std::s
 
 Gaps node_to_obstacle(const Mesh& mesh, const std::string& name, const Obstacle& obstacle,
                       const Unknowns& unknowns, double thickness) {
+  pose(static_cast<bool>(obstacle.look), "obstacle '", obstacle.name,
+       "': cannot be looked at; make it with half_plane, disc, hole or profile");
   const std::vector<Index> nodes = boundary_nodes(mesh, name);
   const Eigen::VectorXd weights = boundary_weights(mesh, name, thickness);
   const double size = mesh.nodes.cwiseAbs().maxCoeff();
@@ -45,6 +52,8 @@ Gaps node_to_obstacle(const Mesh& mesh, const std::string& name, const Obstacle&
     const ObstacleContact& contact = seen.back();
     pose(std::isfinite(contact.gap) && contact.normal.allFinite(), "obstacle '", obstacle.name,
          "': the gap at node ", nodes[k], " is not finite");
+    pose(std::abs(contact.normal.norm() - 1) < 1e-8, "obstacle '", obstacle.name,
+         "': the normal at node ", nodes[k], " must have length 1, got ", contact.normal.norm());
     if (!is_held(unknowns, nodes[k], contact.normal)) {
       kept.push_back(k);
       continue;
@@ -72,7 +81,7 @@ Gaps node_to_obstacle(const Mesh& mesh, const std::string& name, const Obstacle&
     for (int axis = 0; axis < 2; ++axis) {
       const Index unknown = unknowns.number(node, axis);
       const double component = seen[k].normal(axis);
-      if (unknown >= 0 && component != 0)
+      if (unknown >= 0 && counts(component))
         entries.emplace_back(static_cast<int>(pair), static_cast<int>(unknown), -component);
       else
         gaps.initial_gap(pair) += component * unknowns.held(node, axis);

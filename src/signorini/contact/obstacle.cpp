@@ -25,10 +25,10 @@ void check_circle(const char* name, const Eigen::Vector2d& centre, double radius
 }  // namespace
 
 Obstacle half_plane(const Eigen::Vector2d& point, const Eigen::Vector2d& normal) {
-  pose(point.allFinite() && normal.allFinite() && normal.norm() > 0,
+  pose(point.allFinite() && normal.allFinite() && normal.stableNorm() > 0,
        "obstacle 'half plane': needs a finite point and a normal of positive length, got (",
        normal.x(), ", ", normal.y(), ')');
-  const Eigen::Vector2d n = normal.normalized();
+  const Eigen::Vector2d n = normal.stableNormalized();
   return {"half plane", [point, n](const Eigen::Vector2d& x) {
             return ObstacleContact{n.dot(x - point), n};
           }};

@@ -9,7 +9,8 @@ namespace signorini {
 /// Every rounding error of a sum or a product of two doubles is itself a double; the pair keeps
 /// those errors instead of dropping them (error-free transformations [\ref OgitaRumpOishi2005]).
 /// The result is as if computed with about 32 digits and rounded once. It must not be compiled with
-/// `-ffast-math`, which assumes that the errors are zero.
+/// `-ffast-math`, which assumes that the errors are zero, nor with fused multiplications, which
+/// make other errors; the library's CMake target passes `-ffp-contract=off` to its users.
 class ExactSum {
  public:
   /// \param value  what the sum starts at

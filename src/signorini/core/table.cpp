@@ -39,7 +39,7 @@ void Table::row(const std::vector<double>& values) {
   row(std::move(cells));
 }
 
-void Table::gap() { rows_.emplace_back(); }
+void Table::blank_line() { rows_.emplace_back(); }
 
 std::string Table::markdown() const {
   std::string text = "| " + joined(columns_, " | ") + " |\n|";

@@ -26,7 +26,7 @@ class Table {
   /// \throws std::invalid_argument if there are more or fewer
   void row(const std::vector<double>& values);
   /// Adds an empty line, which separates the blocks of a figure's data.
-  void gap();
+  void blank_line();
 
   /// The table for a chapter text, all columns flush right.
   /// \return Markdown

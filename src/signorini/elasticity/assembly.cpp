@@ -1,6 +1,5 @@
 #include "signorini/elasticity/assembly.hpp"
 
-#include <cmath>
 #include <map>
 
 #include "signorini/core/errors.hpp"

@@ -49,7 +49,36 @@ struct ContactLastFactor::Parts {
   double operations = 0;
 
   [[nodiscard]] const Matrix& L() const { return factor->matrixL().nestedExpression(); }
+  void check_pivots(const Matrix& stiffness,
+                    const std::function<std::string(Index)>& describe) const;
 };
+
+/// Eigen reports success for a singular matrix whose pivots are rounding errors. A pivot is a diagonal entry
+/// minus an inner product of as many terms as its row of L is long: that bounds its error. At a pivot
+/// that is exactly zero Eigen stops, and what comes after it in L and D was never written.
+void ContactLastFactor::Parts::check_pivots(
+    const Matrix& stiffness, const std::function<std::string(Index)>& describe) const {
+  const Index n = stiffness.cols();
+  std::vector<Index> row_length(static_cast<std::size_t>(n), 1);
+  if (factor->info() == Eigen::Success)
+    for (Index k = 0; k < L().nonZeros(); ++k)
+      ++row_length[static_cast<std::size_t>(L().innerIndexPtr()[k])];
+  const Permutation to_old = to_new.inverse();
+  const Eigen::VectorXd diagonal = stiffness.diagonal();
+  for (Index k = 0; k < n; ++k) {
+    const Index unknown = to_old.indices()(k);
+    const double rounding = std::numeric_limits<double>::epsilon() *
+                            static_cast<double>(row_length[static_cast<std::size_t>(k)]) *
+                            diagonal(unknown);
+    if (pivots(k) > rounding && diagonal(unknown) > 0) continue;
+    throw ProblemError(
+        text("stiffness matrix is singular at unknown ", unknown,
+             describe ? " (" + describe(unknown) + ")" : "", ": pivot ", pivots(k),
+             " of a diagonal entry ", diagonal(unknown),
+             ". Something can move there without resistance: add a support; or the cells are too "
+             "slender for double precision: use more of them"));
+  }
+}
 
 ContactLastFactor::ContactLastFactor(const Matrix& stiffness, const EliminationOrder& order,
                                      Index n_last, Ledger& ledger,
@@ -72,30 +101,12 @@ ContactLastFactor::ContactLastFactor(const Matrix& stiffness, const EliminationO
   {
     const Ledger::Phase phase(ledger, "numeric");
     parts_->factor->factorize(upper);
+    parts_->pivots = parts_->factor->vectorD();
+    parts_->check_pivots(stiffness, describe);
     parts_->operations = operation_count(*parts_->factor);
     ledger.count("nonzeros", nonzeros());
     ledger.count("operations", static_cast<long long>(operations()));
     ledger.bytes(nonzeros() * static_cast<long long>(sizeof(double) + sizeof(int)));
-  }
-  // Eigen reports success for a singular matrix whose pivots are rounding errors. A pivot is a diagonal
-  // entry minus an inner product of as many terms as its row of L is long: that bounds its error.
-  std::vector<Index> row_length(static_cast<std::size_t>(n), 1);
-  const Matrix& L = parts_->L();
-  for (Index k = 0; k < L.nonZeros(); ++k)
-    ++row_length[static_cast<std::size_t>(L.innerIndexPtr()[k])];
-  const Permutation to_old = parts_->to_new.inverse();
-  parts_->pivots = parts_->factor->vectorD();
-  for (Index k = 0; k < n; ++k) {
-    const double diagonal = upper.coeff(k, k);
-    const double pivot = parts_->pivots(k);
-    const double rounding = std::numeric_limits<double>::epsilon() *
-                            static_cast<double>(row_length[static_cast<std::size_t>(k)]) * diagonal;
-    if (pivot > rounding) continue;
-    const Index unknown = to_old.indices()(k);
-    throw ProblemError(text("stiffness matrix is singular at unknown ", unknown,
-                            describe ? " (" + describe(unknown) + ")" : "", ": pivot ", pivot,
-                            " of a diagonal entry ", diagonal,
-                            ". Something can move there without resistance: add a support"));
   }
 }
 

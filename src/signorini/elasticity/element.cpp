@@ -24,6 +24,18 @@ StrainMatrix strain_matrix(const CellNodes& gradient) {
   return B;
 }
 
+void sample_strain(Shape (*shape)(double xi, double eta), const std::vector<GaussPoint>& rule,
+                   const CellNodes& nodes, StrainPoints& points) {
+  points.size = 0;
+  for (const GaussPoint& gauss : rule) {
+    const Jacobian map = jacobian(shape(gauss.xi, gauss.eta), nodes);
+    StrainPoint& point = points.point[static_cast<std::size_t>(points.size++)];
+    point.local << gauss.xi, gauss.eta;
+    point.area = gauss.weight * map.determinant;
+    point.B = strain_matrix(map.gradient);
+  }
+}
+
 const std::vector<GaussPoint>& gauss_line(int n) {
   static const double two = std::sqrt(1.0 / 3.0);
   static const double three = std::sqrt(0.6);

@@ -98,4 +98,12 @@ struct GaussPoint {
 /// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_line(int n);
 
+/// The plain strain operator at the points of a rule, without internal modes.
+/// \param shape   shape functions of the element
+/// \param rule    gauss_square() of 2 or 3
+/// \param nodes   of the cell [length]
+/// \param points  receives place, area and B of every point of the rule, in its order
+void sample_strain(Shape (*shape)(double xi, double eta), const std::vector<GaussPoint>& rule,
+                   const CellNodes& nodes, StrainPoints& points);
+
 }  // namespace signorini

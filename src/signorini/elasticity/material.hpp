@@ -2,7 +2,6 @@
 /// Isotropic linear elasticity in the plane.
 #pragma once
 #include <Eigen/Core>
-#include <string>
 
 namespace signorini {
 

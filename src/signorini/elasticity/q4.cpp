@@ -19,14 +19,7 @@ Shape bilinear_shape(double xi, double eta) {
 }
 
 void bilinear_strain(const CellNodes& nodes, StrainPoints& points) {
-  points.size = 0;
-  for (const GaussPoint& gauss : gauss_square(2)) {
-    const Jacobian map = jacobian(bilinear_shape(gauss.xi, gauss.eta), nodes);
-    StrainPoint& point = points.point[static_cast<std::size_t>(points.size++)];
-    point.local << gauss.xi, gauss.eta;
-    point.area = gauss.weight * map.determinant;
-    point.B = strain_matrix(map.gradient);
-  }
+  sample_strain(bilinear_shape, gauss_square(2), nodes, points);
 }
 
 Element q4() {

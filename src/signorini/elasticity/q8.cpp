@@ -31,14 +31,7 @@ Shape serendipity_shape(double xi, double eta) {
 
 void serendipity_strain(const CellNodes& nodes, const Eigen::Matrix3d& /*D*/,
                         StrainPoints& points) {
-  points.size = 0;
-  for (const GaussPoint& gauss : gauss_square(3)) {
-    const Jacobian map = jacobian(serendipity_shape(gauss.xi, gauss.eta), nodes);
-    StrainPoint& point = points.point[static_cast<std::size_t>(points.size++)];
-    point.local << gauss.xi, gauss.eta;
-    point.area = gauss.weight * map.determinant;
-    point.B = strain_matrix(map.gradient);
-  }
+  sample_strain(serendipity_shape, gauss_square(3), nodes, points);
 }
 
 }  // namespace

@@ -168,7 +168,8 @@ std::vector<std::string> free_motions(const Mesh& mesh, const Unknowns& unknowns
       if (unknowns.number(node, 1) < 0) forbidden += in_y * in_y.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(forbidden);
-    const double none = members * 16 * std::numeric_limits<double>::epsilon();
+    const double none =
+        16 * std::numeric_limits<double>::epsilon() * std::max(1.0, forbidden.trace());
     std::string motions;
     for (int k = 0; k < 3; ++k) {
       if (modes.eigenvalues()(k) > none) continue;

@@ -1,9 +1,9 @@
 #include "signorini/mesh/mesh.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 
@@ -31,17 +31,30 @@ void check_node_numbers(const Mesh& mesh) {
   const Eigen::Index n = mesh.n_nodes();
   pose(mesh.cells.cols() == 4 || mesh.cells.cols() == 8, "mesh '", mesh.name,
        "': cells must have 4 or 8 nodes, got ", mesh.cells.cols());
+  pose(mesh.n_cells() > 0, "mesh '", mesh.name, "' has no cells");
   pose(mesh.nodes.allFinite(), "mesh '", mesh.name, "': a node position is not finite");
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell)
     for (Eigen::Index k = 0; k < mesh.cells.cols(); ++k)
       pose(mesh.cells(cell, k) >= 0 && mesh.cells(cell, k) < n, "mesh '", mesh.name, "': cell ",
            cell, " refers to node ", mesh.cells(cell, k), ", but the nodes are 0 to ", n - 1);
-  for (const auto& [name, sides] : mesh.boundaries)
-    for (const CellSide& side : sides)
+  std::vector<char> used(static_cast<std::size_t>(n), 0);
+  for (Eigen::Index k = 0; k < mesh.cells.size(); ++k)
+    used[static_cast<std::size_t>(mesh.cells.data()[k])] = 1;
+  for (Eigen::Index node = 0; node < n; ++node)
+    pose(used[static_cast<std::size_t>(node)] != 0, "mesh '", mesh.name, "': node ", node,
+         " belongs to no cell; leave it out");
+  for (const auto& [name, sides] : mesh.boundaries) {
+    pose(!sides.empty(), "mesh '", mesh.name, "': the boundary '", name, "' has no sides");
+    std::set<std::pair<Eigen::Index, int>> seen;
+    for (const CellSide& side : sides) {
       pose(side.cell >= 0 && side.cell < mesh.n_cells() && side.side >= 0 && side.side < 4,
            "mesh '", mesh.name, "': the boundary '", name, "' refers to side ", side.side,
            " of cell ", side.cell, ", but the cells are 0 to ", mesh.n_cells() - 1,
            " with sides 0 to 3");
+      pose(seen.insert({side.cell, side.side}).second, "mesh '", mesh.name, "': the boundary '",
+           name, "' lists side ", side.side, " of cell ", side.cell, " twice");
+    }
+  }
 }
 
 /// Midside nodes must lie in the middle half of their side: beyond it the map of the cell folds.

@@ -22,7 +22,7 @@ std::string deformed_cells_csv(const Mesh& mesh, const NodeArray& displacements,
       field.row({number(moved(node, 0), "%.5g"), number(moved(node, 1), "%.5g"),
                  number(value(cell), "%.5g")});
     }
-    field.gap();
+    field.blank_line();
   }
   return field.csv(text("rel 1e-4 abs ", 2e-5 * std::max(size, largest)));
 }

@@ -27,7 +27,7 @@ struct ProgramOptions {
 ///   throws NotSolved; 2 if the command line, the folder or the problem is wrong (ProblemError,
 ///   std::invalid_argument). Unless it is 0, one line on the error stream says why; other
 ///   exceptions go on to the caller
-int run_program(const std::string& name, const std::string& title,
+[[nodiscard]] int run_program(const std::string& name, const std::string& title,
                 const std::filesystem::path& default_out, int argc, const char* const* argv,
                 const std::function<Status(const ProgramOptions&)>& body);
 

@@ -1,7 +1,6 @@
 #include "signorini/report/vtu.hpp"
 
 #include <iomanip>
-#include <limits>
 #include <sstream>
 
 #include "signorini/core/errors.hpp"
@@ -55,12 +54,16 @@ void write_vtu(const std::filesystem::path& file, const Model& model, const Solu
   for (Index node = 0; node < mesh.n_nodes(); ++node)
     mises(node) = von_mises(model.material, stress.row(node).transpose());
   Eigen::VectorXd pressure = Eigen::VectorXd::Zero(mesh.n_nodes());
-  Eigen::VectorXd gap =
-      Eigen::VectorXd::Constant(mesh.n_nodes(), std::numeric_limits<double>::quiet_NaN());
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(mesh.n_nodes());
+  Eigen::VectorXd status = Eigen::VectorXd::Constant(mesh.n_nodes(), -1);
   for (Index pair = 0; pair < solution.pressure.size(); ++pair) {
-    pressure(model.gaps.node[static_cast<std::size_t>(pair)]) = solution.pressure(pair);
-    gap(model.gaps.node[static_cast<std::size_t>(pair)]) = solution.contact.gap(pair);
+    const Index node = model.gaps.node[static_cast<std::size_t>(pair)];
+    pressure(node) = solution.pressure(pair);
+    gap(node) = solution.contact.gap(pair);
+    status(node) = 0;
   }
+  for (const Index pair : solution.contact.active)
+    status(model.gaps.node[static_cast<std::size_t>(pair)]) = 1;
   std::ostringstream out;
   out << std::setprecision(9);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
@@ -73,6 +76,7 @@ void write_vtu(const std::filesystem::path& file, const Model& model, const Solu
   write_array(out, "von_mises", mises, 1);
   write_array(out, "contact_pressure", pressure, 1);
   write_array(out, "contact_gap", gap, 1);
+  write_array(out, "contact_status", status, 1);
   out << "      </PointData>\n      <CellData>\n";
   write_array(out, "cell_stress",
               cell_stress(mesh, model.element, model.material, solution.displacements), 3);

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -15,13 +14,13 @@ void check_load(const Mesh& mesh, const EdgeLoad& load) {
        " is not finite");
 }
 
-void plan_body(const Scene& scene, const Unknowns& unknowns, Plan& plan) {
+void plan_body(const Scene& scene, Plan& plan) {
   const bool stress = scene.material.state == PlaneState::Stress;
   plan.on.push_back(text("body '", scene.mesh.name, "': ", scene.mesh.n_cells(), " cells ",
-                         scene.element, ", ", unknowns.count, " unknowns, plane ",
+                         scene.element, ", ", plan.unknowns.count, " unknowns, plane ",
                          stress ? "stress" : "strain"));
   plan.on.push_back(
-      text("supports: ", 2 * scene.mesh.n_nodes() - unknowns.count, " displacements given"));
+      text("supports: ", 2 * scene.mesh.n_nodes() - plan.unknowns.count, " displacements given"));
   (scene.loads.body_force ? plan.on : plan.off).emplace_back("body force");
   if (scene.loads.edges.empty()) plan.off.emplace_back("edge loads");
   for (const EdgeLoad& load : scene.loads.edges)
@@ -32,20 +31,21 @@ void plan_body(const Scene& scene, const Unknowns& unknowns, Plan& plan) {
                               " in plane strain and bears too much load: use q4_bbar or q8"));
 }
 
-void plan_contact(const Scene& scene, const Unknowns& unknowns, Plan& plan) {
+void plan_contact(const Scene& scene, Plan& plan) {
+  plan.gaps.A.resize(0, plan.unknowns.count);
   if (!scene.contact) {
     plan.off.emplace_back("contact");
     return;
   }
-  const Gaps gaps = node_to_obstacle(scene.mesh, scene.contact->boundary, scene.contact->obstacle,
-                                     unknowns, scene.material.thickness);
-  plan.n_pairs = gaps.initial_gap.size();
+  plan.gaps = node_to_obstacle(scene.mesh, scene.contact->boundary, scene.contact->obstacle,
+                               plan.unknowns, scene.material.thickness);
+  const Eigen::Index n_pairs = plan.gaps.initial_gap.size();
   plan.on.push_back(text("contact of '", scene.contact->boundary, "' with a rigid ",
-                         scene.contact->obstacle.name, ": ", plan.n_pairs,
+                         scene.contact->obstacle.name, ": ", n_pairs,
                          " candidate pairs, no mesh and no search for the obstacle"));
   plan.on.push_back("solver " + scene.solver +
                     " on the condensed problem, certified from K, p, A, g");
-  const double lowest = plan.n_pairs > 0 ? gaps.initial_gap.minCoeff() : 0;
+  const double lowest = n_pairs > 0 ? plan.gaps.initial_gap.minCoeff() : 0;
   if (lowest < 0)
     plan.notes.push_back(text("the body overlaps the obstacle by ", -lowest, " before loading"));
 }
@@ -59,12 +59,11 @@ Plan plan(const Scene& scene) {
   static_cast<void>(find_solver(scene.solver));
   check_material(scene.material);
   for (const EdgeLoad& load : scene.loads.edges) check_load(scene.mesh, load);
-  const Unknowns unknowns = number_unknowns(scene.mesh, scene.supports);
-  plan.n_unknowns = unknowns.count;
-  plan_body(scene, unknowns, plan);
-  plan_contact(scene, unknowns, plan);
+  plan.unknowns = number_unknowns(scene.mesh, scene.supports);
+  plan_body(scene, plan);
+  plan_contact(scene, plan);
   std::string free;
-  for (const std::string& motion : free_motions(scene.mesh, unknowns))
+  for (const std::string& motion : free_motions(scene.mesh, plan.unknowns))
     free += (free.empty() ? "" : "; ") + motion;
   pose(free.empty(), free, ". Contact can only push and is not counted on: add a support");
   return plan;

@@ -40,8 +40,8 @@ struct Plan {
   std::vector<std::string> off;    ///< effects that are off
   std::vector<std::string> notes;  ///< what a user should know, such as an element that will lock
   MeshQuality quality{};           ///< of the worst cells
-  Eigen::Index n_unknowns = 0;     ///< `n`, displacements that are not given
-  Eigen::Index n_pairs = 0;        ///< `n_c`, nodes that may touch
+  Unknowns unknowns;               ///< `n`, numbered
+  Gaps gaps;                       ///< `n_c` candidate pairs, none without contact
 };
 
 /// Matrices of the body and the gaps it may close.

@@ -1,4 +1,4 @@
-#include <Eigen/Cholesky>
+#include <set>
 #include <utility>
 
 #include "signorini/complementarity/refine.hpp"
@@ -20,6 +20,7 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
   ContactProblem problem = condensed.problem;
   PrimalDual start{condensed.free_displacement, {}, {}};
   Refinement refined;
+  std::set<std::vector<Index>> refuted;
   while (true) {
     {
       const Ledger::Phase phase(ledger, "contact");
@@ -36,12 +37,9 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
     refined = refine(model.programme, solve_stiffness, problem.compliance, start, state.active);
     ledger.count("sweeps", refined.sweeps);
     if (refined.confirmed) return refined;
-    const Eigen::VectorXd corrected = refined.gap - problem.compliance * refined.solution.force;
-    if (corrected == problem.free_gap) {  // nothing left to correct: the set cannot be decided
-      state.report.status = Status::Breakdown;
-      return refined;
-    }
-    problem.free_gap = corrected;
+    // Rounding cannot decide between sets that come back; the certificate will say whether it matters.
+    if (!refuted.insert(state.active).second) return refined;
+    problem.free_gap = refined.gap - problem.compliance * refined.solution.force;
     start = refined.solution;
   }
 }
@@ -49,21 +47,16 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
 }  // namespace
 
 Model build(const Scene& scene, Ledger& ledger) {
+  Plan now = [&] {
+    const Ledger::Phase phase(ledger, "plan");
+    return plan(scene);
+  }();
   const Ledger::Phase phase(ledger, "assembly");
-  Model model{scene.mesh,
-              find_element(scene.element),
-              scene.material,
-              number_unknowns(scene.mesh, scene.supports),
-              {},
-              {}};
+  Model model{scene.mesh, find_element(scene.element), scene.material, std::move(now.unknowns),
+              {},         std::move(now.gaps)};
   LinearSystem system =
       assemble(model.mesh, model.element, model.material, model.unknowns, scene.loads);
   ledger.count("unknowns", model.unknowns.count);
-  if (scene.contact)
-    model.gaps = node_to_obstacle(model.mesh, scene.contact->boundary, scene.contact->obstacle,
-                                  model.unknowns, model.material.thickness);
-  else
-    model.gaps.A.resize(0, model.unknowns.count);
   ledger.count("pairs", model.gaps.A.rows());
   model.programme.stiffness.swap(system.stiffness);
   model.programme.load.swap(system.load);
@@ -110,6 +103,7 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
     solution.pressure = solution.contact.force.cwiseQuotient(model.gaps.weight);
     solution.refined = std::move(refined.solution);
     solution.certificate = certify(model.programme, solution.refined);
+    if (!solution.certificate.holds()) solution.contact.report.status = Status::Breakdown;
   }
   solution.ledger = std::move(ledger);
   return solution;
@@ -119,15 +113,11 @@ void require_solved(const Solution& solution, const std::string& what) {
   const Report& report = solution.contact.report;
   if (report.status != Status::Solved)
     throw NotSolved(text(what, " was not solved: ", to_string(report.status), " after ",
-                         report.iterations, " iterations"));
+                         report.iterations, " iterations; certificate: ", solution.certificate));
 }
 
 Solution solve(const Scene& scene) {
   Ledger ledger;
-  {
-    const Ledger::Phase phase(ledger, "plan");
-    static_cast<void>(plan(scene));
-  }
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);
   return solve(model, condensed, scene.solver, std::move(ledger));
