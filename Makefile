@@ -23,11 +23,13 @@ chapters: configure
 test: all                 ## compile and run every test
 	@ctest --test-dir $B -j $(JOBS) --output-on-failure
 ch%: configure            ## run one chapter, draw its figures into build/out/ch06, print its headline
+	@[ -n "$(filter $@,$(PROGRAMS))" ] || { echo "no chapter $@; there are: $(PROGRAMS)" >&2; exit 2; }
 	@cmake --build $B -j $(JOBS) --target $@
 	@tools/chapter.sh run $B/bin/$@ $B/out/$@
 	@FIGURES=draw tools/chapter.sh figures $(call CHAPTER_OF,$@) $B/out/$@
 	@echo; perl tools/summary.pl $B/out $@
 ex%: configure            ## check your answer to an exercise, chapters/*/exercises/*/attempt.cpp
+	@tools/chapter.sh exercise $@
 	@cmake --build $B -j $(JOBS) --target $@
 	@ctest --test-dir $B -C answer -R '^$(subst .,\.,$@)/answer' --output-on-failure --no-label-summary
 results: chapters         ## accept what the programs write now: committed numbers, text and figures

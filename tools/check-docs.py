@@ -27,6 +27,11 @@ PROBE = r"""(async () => {
     if (window.MathJax && MathJax.Hub)
       await Promise.race([new Promise(done => MathJax.Hub.Queue(done)), wait(20000)]);
   }
+  const there = i => i.complete && i.naturalWidth > 0;    // under load a picture may come late
+  for (let k = 0; k < 60 && ![...document.images].every(there); ++k) {
+    if (k % 20 === 10) for (const i of document.images) if (!there(i)) i.src = i.src;
+    await wait(100);
+  }
   const raw = [], walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   for (let n; (n = walk.nextNode());) {
     if (n.parentElement.closest('script,style,pre,code,.fragment,.tt,.MathJax_SVG,svg,noscript')) continue;

@@ -62,10 +62,10 @@ BeamContact euler_bernoulli(const BeamOnFoundation& beam) {
   const double l = beam.length;
   if (beam.pressure <= line_contact_pressure(beam)) {
     const double tip = 3 * section.load * l / 8 - 3 * section.bending * beam.gap / (l * l * l);
-    return {l, std::max(0.0, tip)};
+    return {l, std::max(0.0, tip), std::max(0.0, tip)};
   }
   const double s = std::pow(72 * section.bending * beam.gap / section.load, 0.25);
-  return {s, section.load * s / 3 + section.load * (l - s)};
+  return {s, section.load * s / 3 + section.load * (l - s), section.load * s / 3};
 }
 
 BeamContact timoshenko(const BeamOnFoundation& beam) {
@@ -75,7 +75,8 @@ BeamContact timoshenko(const BeamOnFoundation& beam) {
     const double free_tip =
         section.load * l * l * (l * l / (8 * section.bending) + 1 / (2 * section.shear));
     const double softness = l * (l * l / (3 * section.bending) + 1 / section.shear);
-    return {l, std::max(0.0, (free_tip - beam.gap) / softness)};
+    const double tip = std::max(0.0, (free_tip - beam.gap) / softness);
+    return {l, tip, tip};
   }
   double low = 0;
   double high = l;
@@ -84,7 +85,9 @@ BeamContact timoshenko(const BeamOnFoundation& beam) {
     if (middle <= low || middle >= high) break;
     (touch_at(section, l, middle).deflection < beam.gap ? low : high) = middle;
   }
-  return {high, section.load * l - touch_at(section, l, high).clamp_shear};
+  const TouchAt touch = touch_at(section, l, high);
+  const double lambda = std::sqrt(section.bending / section.shear);
+  return {high, section.load * l - touch.clamp_shear, touch.shear / std::cosh((l - high) / lambda)};
 }
 
 double timoshenko_pressure(const BeamOnFoundation& beam, double x) {

@@ -20,6 +20,9 @@ struct BeamContact {
   double touchdown;  ///< distance from the clamp to where contact begins [length]; `length` if only
                      ///< the tip touches or nothing does
   double total_force;  ///< of the foundation on the beam [force], upwards, 0 if nothing touches
+  double
+      point_force;  ///< the part of it that acts in one point: at the touchdown (Euler-Bernoulli),
+                    ///< at the tip (Timoshenko, or tip contact) [force]
 };
 
 /// Load at which the tip first touches, Euler-Bernoulli: \f$ 8 E I g / (b l^4) \f$.

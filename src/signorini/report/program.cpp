@@ -71,7 +71,7 @@ int run_program(const std::string& name, const std::string& title,
       std::cout << app.help();
       return solved;
     }
-    std::cerr << name << ": " << wanted.what() << " Known options: --out FOLDER, --full, --help\n";
+    std::cerr << name << ": " << wanted.what() << ". Known options: --out FOLDER, --full, --help\n";
   } catch (const NotSolved& error) {
     std::cerr << name << ": " << error.what() << '\n';
     return not_solved;
