@@ -1,6 +1,6 @@
 // Chapter 6 - A cantilever on a rigid foundation (Xuan & Li 2002, sec. 4, example 2).
 // Run:  make ch06     Reads: nothing     Writes: ch06.results, elements.md, history.md, units.md,
-//                                                fig_6_1.csv, fig_6_2.csv, fig_6_3.csv, ch06.vtu
+//                                                fig_6_1.csv, fig_6_1_body.csv, fig_6_2.csv, fig_6_3.csv, ch06.vtu
 #include <algorithm>
 #include <tuple>
 
@@ -89,8 +89,8 @@ void load_history(const ProgramOptions& run, Results& results) {
     if (step == 25) results.add("tip_force", force, "kN");
   }
   write_file(run.out / "history.md", table.markdown());
-  write_file(run.out / "fig_6_2.csv", beams.csv());
-  write_file(run.out / "fig_6_2_body.csv", body.csv());
+  write_file(run.out / "fig_6_1.csv", beams.csv());
+  write_file(run.out / "fig_6_1_body.csv", body.csv());
 }
 
 // 5. Four elements on four meshes: the total force, and how far it is from its limit.
@@ -119,7 +119,7 @@ void compare_elements(const ProgramOptions& run, Results& results) {
   results.add("equilibrium_in_doubles", in_doubles, "-", Repeats::No);
 }
 
-// 6. The contact pressure on 200 x 20 cells, for figure 6.1, and the deformed beam.
+// 6. The contact pressure on 200 x 20 cells, for figure 6.2, and the deformed beam.
 void contact_pressure(const ProgramOptions& run, Results& results) {
   Table curve({"x", "q4", "q4_incompatible", "q8", "euler_bernoulli", "timoshenko"});
   const Solved q4 = solve_cantilever(paper, "q4", 200);
@@ -132,7 +132,7 @@ void contact_pressure(const ProgramOptions& run, Results& results) {
                q8.solution.pressure(pair), x < s ? 0 : paper.pressure,
                timoshenko_pressure(paper, x)});
   }
-  write_file(run.out / "fig_6_1.csv", curve.csv("rel 1e-6 abs 1e-7"));
+  write_file(run.out / "fig_6_2.csv", curve.csv("rel 1e-6 abs 1e-7"));
   write_file(run.out / "pressure.csv", pressure_csv(fine.model.gaps, fine.solution));
   write_vtu(run.out / "ch06.vtu", fine.model, fine.solution);
   const Solved coarse = solve_cantilever(paper, "q4_incompatible", 100);
