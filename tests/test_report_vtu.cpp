@@ -99,6 +99,11 @@ TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
   const std::vector<std::string> u = array_of(file, "displacement");
   const std::vector<std::string> pressure = array_of(file, "contact_pressure");
   const std::vector<std::string> gap = array_of(file, "contact_gap");
+  const std::vector<std::string> status = array_of(file, "contact_status");
+  REQUIRE(status.size() == gap.size());
+  const std::vector<Eigen::Index>& active = run.solution.contact.active;
+  CHECK_FALSE(active.empty());
+  CHECK(std::count(status.begin(), status.end(), "1") == static_cast<long>(active.size()));
   const std::vector<Eigen::Index>& pair_nodes = run.model.gaps.node;
   for (std::size_t node = 0; node < gap.size(); ++node) {
     const auto row = static_cast<Eigen::Index>(node);
@@ -109,7 +114,11 @@ TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
     if (pair == pair_nodes.end()) {
       CHECK(gap[node] == "0");
       CHECK(pressure[node] == "0");
+      CHECK(status[node] == "-1");
     } else {
+      const bool closed =
+          std::binary_search(active.begin(), active.end(), pair - pair_nodes.begin());
+      CHECK(status[node] == (closed ? "1" : "0"));
       CHECK(std::stod(pressure[node]) ==
             Approx(run.solution.pressure(pair - pair_nodes.begin())).epsilon(1e-8).margin(1e-12));
     }

@@ -110,6 +110,21 @@ TEST_CASE("a body force alone acts like a pressure of the same weight", "[solve]
         Approx(solve(cantilever("q4_incompatible", 50, 5)).contact.force.sum()).epsilon(0.01));
 }
 
+TEST_CASE("a set of closed pairs that wrong condensed data suggest is corrected", "[solve]") {
+  const Scene scene = cantilever("q4_incompatible", 50, 5);
+  Ledger ledger;
+  const Model model = build(scene, ledger);
+  Condensed condensed = condense(model, ledger);
+  const Solution right = solve(model, condensed, scene.solver, ledger);
+  condensed.problem.free_gap.array() += 2;  // as if the foundation were 2 cm further away
+  const Solution corrected = solve(model, condensed, scene.solver, ledger);
+  REQUIRE(corrected.contact.report.status == Status::Solved);
+  CHECK(corrected.contact.active == right.contact.active);
+  CHECK((corrected.contact.force - right.contact.force).norm() <
+        1e-12 * right.contact.force.norm());
+  CHECK(corrected.certificate.holds());
+}
+
 TEST_CASE("a program that needs a solution stops without one and says why", "[solve]") {
   Solution solution = solve(cantilever("q4", 10, 2));
   CHECK_NOTHROW(require_solved(solution, "the beam"));
