@@ -1,6 +1,7 @@
 #include "signorini/complementarity/closed_pairs.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -73,6 +74,32 @@ ClosedPairs close_pairs(const ScaledProblem& problem, const std::vector<Index>& 
   closed.gap_rounding *= static_cast<double>(active.size() + 1) * epsilon;
   for (const Index j : active) closed.gap(j) = 0;
   return closed;
+}
+
+std::optional<std::pair<ClosedPairs, std::vector<Index>>> confirmed(
+    const ScaledProblem& problem, const std::vector<Index>& candidates) {
+  // Row by row a Cholesky factor; a candidate whose squared pivot is of rounding size repeats the others.
+  const double tiny =
+      static_cast<double>(candidates.size() + 1) * std::numeric_limits<double>::epsilon();
+  const Index n = static_cast<Index>(candidates.size());
+  Eigen::MatrixXd L(n, n);
+  std::vector<Index> chosen;
+  for (const Index i : candidates) {
+    const Index k = static_cast<Index>(chosen.size());
+    Eigen::VectorXd row = problem.compliance(chosen, i);
+    L.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(row);
+    const double pivot = problem.compliance(i, i) - row.squaredNorm();
+    if (pivot <= 2 * tiny) continue;
+    L.row(k).head(k) = row.transpose();
+    L(k, k) = std::sqrt(pivot);
+    chosen.push_back(i);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  ClosedPairs closed = close_pairs(problem, chosen);
+  if (!closed.solvable || (closed.force.array() < -closed.force_rounding.array()).any() ||
+      (closed.gap.array() < -closed.gap_rounding.array()).any())
+    return std::nullopt;
+  return std::make_pair(std::move(closed), std::move(chosen));
 }
 
 ContactState unscaled(const ScaledProblem& problem, const ClosedPairs& closed,

@@ -2,6 +2,8 @@
 /// The one linear system that every active-set method solves: the forces that close given pairs.
 #pragma once
 #include <Eigen/Core>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "signorini/complementarity/problem.hpp"
@@ -39,6 +41,15 @@ struct ClosedPairs {
 /// \return forces and gaps; if not `solvable`, forces are 0 and the gaps empty
 [[nodiscard]] ClosedPairs close_pairs(const ScaledProblem& problem,
                                       const std::vector<Eigen::Index>& active);
+
+/// Ends a method that only guesses which pairs are closed: takes as many of them as are independent,
+/// closes these exactly, and looks whether that is a solution.
+/// \param problem     scaled by equilibrate(), symmetric
+/// \param candidates  pairs taken as closed, the most certain first
+/// \return forces and gaps if no force is tensile and no pair overlaps beyond rounding, with the pairs
+///   that were closed in increasing order; otherwise nothing
+[[nodiscard]] std::optional<std::pair<ClosedPairs, std::vector<Eigen::Index>>> confirmed(
+    const ScaledProblem& problem, const std::vector<Eigen::Index>& candidates);
 
 /// Turns scaled numbers into a state of the original problem.
 /// \param problem  whose scales were used

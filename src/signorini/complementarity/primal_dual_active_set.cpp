@@ -32,10 +32,12 @@ std::vector<Index> wrong_pairs(const Membership& closed, const ClosedPairs& now)
 
 Iteration summary(const ScaledProblem& scaled, const ClosedPairs& now, Index active,
                   Index changes) {
-  const ContactState raw{
-      scaled.scale.cwiseProduct(now.force), now.gap.cwiseQuotient(scaled.scale), {}, {}};
-  return {active, changes, std::max(0.0, -raw.gap.minCoeff()),
-          std::max(0.0, -raw.force.minCoeff())};
+  const Eigen::VectorXd force = scaled.scale.cwiseProduct(now.force);
+  const Eigen::VectorXd gap = now.gap.cwiseQuotient(scaled.scale);
+  // gap = d + G lambda, so -d.lambda - 1/2 lambda.G lambda = -1/2 lambda.(d + gap)
+  const double dual_energy = -0.5 * now.force.dot(scaled.free_gap + now.gap);
+  return {active, changes, std::max(0.0, -gap.minCoeff()), std::max(0.0, -force.minCoeff()),
+          dual_energy};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "signorini/complementarity/problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,8 @@ const char* to_string(Status status) {
   switch (status) {
     case Status::Solved:
       return "solved";
+    case Status::Feasible:
+      return "feasible, not optimal";
     case Status::Infeasible:
       return "infeasible";
     case Status::Ray:
@@ -23,25 +26,58 @@ const char* to_string(Status status) {
   return "unknown";
 }
 
-void check_problem(const ContactProblem& problem) {
+namespace {
+
+/// Largest difference from the transpose, in the units of the diagonal.
+double asymmetry(const Eigen::MatrixXd& G) {
+  const Eigen::VectorXd scale =
+      G.diagonal().unaryExpr([](double g) { return g > 0 ? 1 / std::sqrt(g) : 1.0; });
+  double largest = 0;
+  for (Eigen::Index j = 0; j < G.cols(); ++j)
+    for (Eigen::Index i = 0; i < j; ++i)
+      largest = std::max(largest, scale(i) * std::abs(G(i, j) - G(j, i)) * scale(j));
+  return largest;
+}
+
+const double allowed_asymmetry = 1e3 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+void check_finite(const ContactProblem& problem) {
   const Eigen::MatrixXd& G = problem.compliance;
   const Eigen::Index n = problem.free_gap.size();
   require(G.rows() == n && G.cols() == n, "contact problem: compliance must be ", n, " x ", n,
           " (one row per pair), got ", G.rows(), " x ", G.cols());
   require(G.allFinite() && problem.free_gap.allFinite(),
           "contact problem: compliance and free_gap must be finite");
-  if (n == 0) return;
+}
+
+bool is_symmetric(const ContactProblem& problem) {
+  return asymmetry(problem.compliance) <= allowed_asymmetry;
+}
+
+void check_problem(const ContactProblem& problem) {
+  check_finite(problem);
+  const Eigen::MatrixXd& G = problem.compliance;
+  if (G.rows() == 0) return;
   require((G.diagonal().array() >= 0).all(),
           "contact problem: compliance must be positive semidefinite, but "
           "has the diagonal entry ",
           G.diagonal().minCoeff());
-  const Eigen::VectorXd scale =
-      G.diagonal().unaryExpr([](double g) { return g > 0 ? 1 / std::sqrt(g) : 1.0; });
-  const double asymmetry =
-      (scale.asDiagonal() * (G - G.transpose()).eval() * scale.asDiagonal()).cwiseAbs().maxCoeff();
-  require(asymmetry <= 1e3 * std::numeric_limits<double>::epsilon(),
+  const double difference = asymmetry(G);
+  require(difference <= allowed_asymmetry,
           "contact problem: compliance must be symmetric, but differs from its transpose by ",
-          asymmetry, " of its diagonal");
+          difference, " of its diagonal");
+}
+
+ContactProblem multiplied_out(const HalfProblem& problem) {
+  const Eigen::Index n = problem.free_gap.size();
+  require(problem.half.cols() == n, "contact problem: half must have ", n,
+          " columns (one per pair), got ", problem.half.cols());
+  ContactProblem product{Eigen::MatrixXd::Zero(n, n), problem.free_gap};
+  product.compliance.selfadjointView<Eigen::Lower>().rankUpdate(problem.half.transpose());
+  product.compliance.triangularView<Eigen::StrictlyUpper>() = product.compliance.transpose();
+  return product;
 }
 
 }  // namespace signorini

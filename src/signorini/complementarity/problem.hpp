@@ -18,18 +18,40 @@ struct QuadraticProgramme {
   Eigen::VectorXd initial_gap;                     ///< g `n_c` [length], overlap < 0
 };
 
+/// A quadratic programme with dense matrices, as in mathematical programming: the same least energy,
+/// where the first rows may be equations.
+///
+/// \f[ \min_u \tfrac12 u^T K u - p^T u \quad\text{subject to}\quad A_e u = g_e,\ A_i u \le g_i. \f]
+struct DenseProgramme {
+  Eigen::MatrixXd stiffness;    ///< K `n x n`, symmetric; positive definite where A_e u = 0
+  Eigen::VectorXd load;         ///< p `n`
+  Eigen::MatrixXd A;            ///< `m x n`: gap = initial_gap - A u
+  Eigen::VectorXd initial_gap;  ///< g `m`
+  Eigen::Index equations = 0;   ///< so many rows at the top hold with =, their forces have any sign
+};
+
 /// The same problem with the displacements eliminated: find forces >= 0 with
 /// gap = free_gap + compliance * force >= 0 and force * gap = 0 pair by pair.
 ///
-/// \PaperEq{XuanLi2002, 6} after condensation: \f$ d = g - A u^0,\ G = A K^{-1} A^T \f$.
+/// \PaperEq{XuanLi2002, 6} after condensation: \f$ d = g - A u^0,\ G = A K^{-1} A^T \f$. With any
+/// square matrix in the place of G it is the linear complementarity problem w = M z + q; the solvers
+/// that do not list Trait::Asymmetric accept that.
 struct ContactProblem {
   Eigen::MatrixXd compliance;  ///< G `n_c x n_c`, symmetric positive semidefinite [length/force]
   Eigen::VectorXd free_gap;    ///< d `n_c` [length]: the gap when contact is ignored, overlap < 0
 };
 
+/// The condensed problem with G = H^T H left as a product: for many pairs of a small body H is far
+/// smaller than G, and only the columns of pairs that close are ever needed.
+struct HalfProblem {
+  Eigen::MatrixXd half;      ///< H = L^-1 A^T `n x n_c`, where K = L L^T [sqrt(length/force)]
+  Eigen::VectorXd free_gap;  ///< d `n_c` [length]: the gap when contact is ignored, overlap < 0
+};
+
 /// How a solver ended. Nothing but `Solved` may be called a solution.
 enum class Status {
   Solved,          ///< all conditions hold to rounding
+  Feasible,        ///< nothing overlaps and forces balance, but the energy is not the least
   Infeasible,      ///< no forces satisfy the conditions
   Ray,             ///< the method ran off along a ray; a solution may or may not exist
   IterationLimit,  ///< stopped by the limit on iterations
@@ -38,21 +60,22 @@ enum class Status {
 
 /// A status in words.
 /// \param status  any
-/// \return "solved", "infeasible", "ray", "iteration limit" or "breakdown"
+/// \return "solved", "feasible, not optimal", "infeasible", "ray", "iteration limit" or "breakdown"
 [[nodiscard]] const char* to_string(Status status);
 
 /// One iteration of a solver.
 struct Iteration {
-  Eigen::Index active;   ///< pairs taken as closed
-  Eigen::Index changes;  ///< pairs found on the wrong side, which are candidates for a change
-  double penetration;    ///< largest overlap of a pair taken as open [length]
-  double tension;        ///< largest tensile force of a pair taken as closed [force]
+  Eigen::Index active;     ///< pairs taken as closed
+  Eigen::Index changes;    ///< pairs found on the wrong side, which are candidates for a change
+  double penetration;      ///< largest overlap of a pair taken as open [length]
+  double tension;          ///< largest tensile force of a pair taken as closed [force]
+  double dual_energy = 0;  ///< \f$ -d^T\lambda - \tfrac12\lambda^T G\lambda \f$ [force*length]
 };
 
 /// What a solver says about its run.
 struct Report {
   Status status = Status::Breakdown;  ///< how it ended
-  Eigen::Index iterations = 0;        ///< sets of closed pairs that it looked at
+  Eigen::Index iterations = 0;        ///< steps of the method, for active sets: sets it looked at
   Eigen::Index factorisations = 0;    ///< dense factorisations, none for an empty set
   std::vector<Iteration> history;     ///< one entry per iteration, or empty
 };
@@ -64,17 +87,38 @@ struct ContactState {
   Eigen::VectorXd gap;               ///< `n_c` [length], open > 0
   std::vector<Eigen::Index> active;  ///< closed pairs, in increasing order
   Report report;                     ///< how the solver got there
+  /// Proof that nothing solves the problem, or empty: y `n_c` >= 0 with G y = 0 and d^T y < 0. For any
+  /// forces, \f$ y^T(d + G\lambda) = d^T y < 0 \f$, so some gap stays negative.
+  Eigen::VectorXd infeasibility = {};
 };
 
 /// Choices that every solver understands.
 struct SolverOptions {
   Eigen::Index iteration_limit = 0;  ///< 0: the solver's own bound, which grows with the problem
+  /// Where a method that only comes closer and closer may stop [-]: its error relative to that of no
+  /// contact force at all. Methods that end by themselves do not look at it.
+  double tolerance = 1e-12;
 };
 
-/// Checks what every solver relies on.
+/// Checks what every solver relies on: sizes and numbers.
+/// \param problem  G and d, or any M and q
+/// \throws std::invalid_argument unless G is square, d has its size, and both are finite
+void check_finite(const ContactProblem& problem);
+
+/// Checks what the solvers for symmetric problems rely on.
 /// \param problem  G and d
 /// \throws std::invalid_argument unless G is square, symmetric to rounding and without a negative
 ///   diagonal entry, d has its size, and both are finite
 void check_problem(const ContactProblem& problem);
+
+/// Whether G equals its transpose to rounding.
+/// \param problem  G and d
+/// \return whether \f$ |G_{ij} - G_{ji}| \f$ is at most 1e3 epsilon times \f$ \sqrt{G_{ii}G_{jj}} \f$
+[[nodiscard]] bool is_symmetric(const ContactProblem& problem);
+
+/// Multiplies H^T H out.
+/// \param problem  H and d
+/// \return G, exactly symmetric, and d
+[[nodiscard]] ContactProblem multiplied_out(const HalfProblem& problem);
 
 }  // namespace signorini

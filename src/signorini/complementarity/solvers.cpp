@@ -1,5 +1,7 @@
 #include "signorini/complementarity/solvers.hpp"
 
+#include <algorithm>
+
 #include "signorini/complementarity/enumerate.hpp"
 #include "signorini/complementarity/primal_dual_active_set.hpp"
 #include "signorini/core/errors.hpp"
@@ -10,11 +12,38 @@ const std::vector<Solver>& solvers() {
   static const std::vector<Solver> family = {
       {"primal_dual_active_set",
        "whole groups of pairs change sides; single exchanges if a set repeats",
-       primal_dual_active_set, 0},
-      {"enumerate", "tries every set of closed pairs; the oracle of the tests", enumerate,
-       largest_enumeration},
+       primal_dual_active_set,
+       0,
+       {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::IllConditioned}},
+      {"enumerate",
+       "tries every set of closed pairs; the oracle of the tests",
+       enumerate,
+       largest_enumeration,
+       {Trait::Asymmetric}},
   };
   return family;
+}
+
+const char* to_string(Trait trait) {
+  switch (trait) {
+    case Trait::Asymmetric:
+      return "asymmetric";
+    case Trait::Dependent:
+      return "dependent";
+    case Trait::Infeasible:
+      return "infeasible";
+    case Trait::Degenerate:
+      return "degenerate";
+    case Trait::IllConditioned:
+      return "ill-conditioned";
+    case Trait::Slow:
+      return "slow";
+  }
+  return "unknown";
+}
+
+bool may_fail(const Solver& solver, Trait trait) {
+  return std::find(solver.may_fail.begin(), solver.may_fail.end(), trait) != solver.may_fail.end();
 }
 
 const Solver& find_solver(const std::string& name) {

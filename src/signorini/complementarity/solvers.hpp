@@ -9,6 +9,20 @@
 
 namespace signorini {
 
+/// What can be hard about a problem.
+enum class Trait {
+  Asymmetric,      ///< the matrix is not symmetric: no contact, but a complementarity problem
+  Dependent,       ///< gap rows that repeat or contradict each other: G is singular
+  Infeasible,      ///< nothing satisfies all conditions, because gap rows contradict each other
+  Degenerate,      ///< pairs that touch without force, or of which only the sum of forces is known
+  IllConditioned,  ///< nearly dependent rows, a condition of G above about 1e7
+  Slow             ///< built to make a method take a very long way
+};
+
+/// \param trait  any
+/// \return "asymmetric", "dependent", "infeasible", "degenerate", "ill-conditioned" or "slow"
+[[nodiscard]] const char* to_string(Trait trait);
+
 /// One member of the family.
 struct Solver {
   const char* name;     ///< as in find_solver() and in a scene
@@ -16,8 +30,19 @@ struct Solver {
   /// Solves a problem. It may claim `Solved` only if all conditions hold to rounding, and throws
   /// std::invalid_argument as check_problem() or for more than `largest` pairs.
   ContactState (*solve)(const ContactProblem& problem, const SolverOptions& options);
-  Eigen::Index largest;  ///< most pairs it accepts; 0: no bound
+  Eigen::Index largest = 0;  ///< most pairs it accepts; 0: no bound
+  /// Traits of problems on which it may end without a solution, and then says so. One that lists
+  /// Asymmetric throws for such a matrix.
+  std::vector<Trait> may_fail = {};
+  /// The same for a problem whose G is left as a product, or null: then G is multiplied out.
+  ContactState (*solve_half)(const HalfProblem& problem, const SolverOptions& options) = nullptr;
 };
+
+/// Whether a member says that it may fail on a trait.
+/// \param solver  a member
+/// \param trait   of a problem
+/// \return whether its table line lists it
+[[nodiscard]] bool may_fail(const Solver& solver, Trait trait);
 
 /// The family.
 /// \return all members, in the order of lists and tables
