@@ -149,8 +149,11 @@ Eigen::VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solu
   return gap;
 }
 
-Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution) {
+Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
+                    Index equations) {
   check_sizes(programme, solution);
+  require(equations >= 0 && equations <= programme.initial_gap.size(),
+          "certify: equations must be 0 to ", programme.initial_gap.size(), ", got ", equations);
   if (!all_finite(programme) || !solution.displacement.allFinite() || !solution.force.allFinite() ||
       !solution.displacement_low.allFinite() || pushes_on_nothing(programme, solution.force))
     return uncertified();
@@ -164,8 +167,10 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
   ExactSum gap_energy;
   double energies = 0;
   for (Index pair = 0; pair < pairs; ++pair) {
-    const double length = gap(pair) / norm(pair);
-    const double force = solution.force(pair) * norm(pair);
+    const bool equation = pair < equations;
+    const double length = equation ? -std::abs(gap(pair)) / norm(pair) : gap(pair) / norm(pair);
+    const double force =
+        (equation ? std::abs(solution.force(pair)) : solution.force(pair)) * norm(pair);
     certificate.penetration =
         std::max(certificate.penetration, ratio(std::max(0.0, -length), scale.length));
     certificate.tension = std::max(certificate.tension, ratio(std::max(0.0, -force), scale.force));

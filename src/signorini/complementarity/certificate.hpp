@@ -49,9 +49,12 @@ struct PrimalDual {
 /// if that is larger.
 /// \param programme  K, p, A, g as they were posed
 /// \param solution   u and lambda, from any solver
+/// \param equations  so many of the first rows are equations: both signs of their gap count as
+///   penetration, and no force as tension
 /// \return the five figures; all infinite if any number, given or claimed, is not finite
 /// \throws std::invalid_argument if sizes do not fit
-[[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution);
+[[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
+                                  Eigen::Index equations = 0);
 
 /// Certificate of (lambda, gap) against G and d.
 ///

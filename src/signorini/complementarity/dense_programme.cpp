@@ -1,64 +1,126 @@
 #include "signorini/complementarity/dense_programme.hpp"
 
+#include <algorithm>
+#include <numeric>
+#include <set>
 #include <utility>
 
-#include "signorini/complementarity/refine.hpp"
+#include "signorini/complementarity/group_active_set.hpp"
+#include "signorini/complementarity/programme_rows.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
+namespace {
 
 using Eigen::Index;
+using Eigen::VectorXd;
+using Rows = std::vector<Index>;
+
+Rows range(Index first, Index last) {
+  Rows rows(static_cast<std::size_t>(last - first));
+  std::iota(rows.begin(), rows.end(), first);
+  return rows;
+}
+
+/// A basis of the equations, and of closed rows after them.
+ClosedBasis basis_of(ProgrammeRows& data, const Rows& closed) {
+  ClosedBasis basis = data.empty_basis();
+  VectorXd gap;
+  VectorXd rounding;
+  data.gaps(basis, gap, rounding);
+  Rows rows = range(0, data.equations());
+  rows.insert(rows.end(), closed.begin(), closed.end());
+  ClosedBasis::Candidates candidates = data.fetch(rows, basis, gap, rounding);
+  basis.append(candidates, ClosedBasis::Choice::All, static_cast<Index>(rows.size()));
+  for (Index i = 0; i < data.equations(); ++i)
+    if (std::abs(candidates.gap(i)) > 4 * candidates.rounding(i))
+      throw ProblemError(text("quadratic programme: equation ", i + 1,
+                              " contradicts the others; nothing satisfies them all"));
+  return basis;
+}
+
+DenseCondensed condensed_by(ProgrammeRows& data) {
+  const ClosedBasis equations = basis_of(data, {});
+  DenseCondensed condensed{data.factor(), {}, data.displacement(equations)};
+  VectorXd gap;
+  VectorXd rounding;
+  data.gaps(equations, gap, rounding);
+  const Index first = data.equations();
+  condensed.problem.free_gap = gap.tail(data.count() - first);
+  ClosedBasis::Candidates rows = data.fetch(range(first, data.count()), equations, gap, rounding);
+  const auto Q = equations.directions();
+  rows.columns -= Q * (Q.transpose() * rows.columns).eval();
+  condensed.problem.half = rows.columns * data.norms().tail(data.count() - first).asDiagonal();
+  return condensed;
+}
+
+/// Solves the condensed problem, refines, and solves again while the refinement refutes the set.
+DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& solver,
+                              const SolverOptions& options) {
+  ProgrammeRows data(programme);
+  const DenseCondensed condensed = condensed_by(data);
+  const Index first = programme.equations;
+  HalfProblem problem = condensed.problem;
+  DenseSolution solution;
+  std::set<Rows> refuted;
+  while (true) {
+    ContactState state = solver.solve_half != nullptr
+                             ? solver.solve_half(problem, options)
+                             : solver.solve(multiplied_out(problem), options);
+    solution.report = std::move(state.report);
+    for (Index& row : state.active) row += first;
+    solution.active = std::move(state.active);
+    solution.gap.setZero(data.count());
+    solution.gap.tail(state.gap.size()) = state.gap;
+    solution.refined.force.setZero(data.count());
+    solution.refined.force.tail(state.force.size()) = state.force;
+    if (state.infeasibility.size() > 0) {
+      solution.infeasibility.setZero(data.count());
+      solution.infeasibility.tail(state.infeasibility.size()) = state.infeasibility;
+    }
+    solution.refined.displacement =
+        condensed.free_displacement -
+        condensed.factor.matrixU().solve(condensed.problem.half * state.force);
+    if (solution.report.status != Status::Solved) return solution;
+    ClosedBasis basis = basis_of(data, solution.active);
+    ProgrammeRows::Refined refined = data.refine(basis);
+    solution.refined = std::move(refined.solution);
+    solution.gap = std::move(refined.gap);
+    const bool pulls = refined.tension.size() > 0 && refined.tension.maxCoeff() > 0;
+    // Rounding cannot decide between sets that come back; the certificate will say whether it matters.
+    if ((!pulls && refined.violated == 0) || !refuted.insert(solution.active).second)
+      return solution;
+    const VectorXd force = solution.refined.force.tail(problem.free_gap.size());
+    problem.free_gap =
+        solution.gap.tail(force.size()) - problem.half.transpose() * (problem.half * force);
+  }
+}
+
+}  // namespace
 
 DenseCondensed condense(const DenseProgramme& programme) {
-  const Index n = programme.load.size();
-  const Index m = programme.initial_gap.size();
-  require(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
-              programme.A.rows() == m && programme.A.cols() == n,
-          "quadratic programme: K must be ", n, " x ", n, " and A ", m, " x ", n, ", got ",
-          programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
-          programme.A.rows(), " x ", programme.A.cols());
-  require(programme.stiffness.allFinite() && programme.load.allFinite() &&
-              programme.A.allFinite() && programme.initial_gap.allFinite(),
-          "quadratic programme: K, p, A and g must be finite");
-  DenseCondensed condensed{Eigen::LLT<Eigen::MatrixXd>(programme.stiffness), {}, {}};
-  if (condensed.factor.info() != Eigen::Success)
-    throw ProblemError(
-        "quadratic programme: K is not positive definite, so the least energy may have no limit; "
-        "add equations that hold the free directions");
-  condensed.free_displacement = condensed.factor.solve(programme.load);
-  condensed.problem.half = condensed.factor.matrixL().solve(programme.A.transpose());
-  condensed.problem.free_gap = programme.initial_gap - programme.A * condensed.free_displacement;
-  return condensed;
+  ProgrammeRows data(programme);
+  return condensed_by(data);
 }
 
 DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
                     const SolverOptions& options) {
-  const DenseCondensed condensed = condense(programme);
-  ContactState state = solver.solve_half != nullptr
-                           ? solver.solve_half(condensed.problem, options)
-                           : solver.solve(multiplied_out(condensed.problem), options);
-  DenseSolution solution;
-  solution.report = std::move(state.report);
-  solution.active = std::move(state.active);
-  solution.infeasibility = std::move(state.infeasibility);
-  solution.refined.force = std::move(state.force);
-  solution.gap = std::move(state.gap);
-  solution.refined.displacement =
-      condensed.factor.solve(programme.load - programme.A.transpose() * solution.refined.force);
+  DenseSolution solution = solver.solve_programme != nullptr
+                               ? solver.solve_programme(programme, options)
+                               : solve_condensed(programme, solver, options);
   if (solution.report.status != Status::Solved) return solution;
-  const QuadraticProgramme original = sparse(programme);
-  Refinement refined = refine(
-      original, [&](const Eigen::VectorXd& f) { return condensed.factor.solve(f).eval(); },
-      multiplied_out(condensed.problem).compliance, std::move(solution.refined), solution.active);
-  solution.refined = std::move(refined.solution);
-  solution.gap = std::move(refined.gap);
-  solution.certificate = certify(original, solution.refined);
+  for (Index i = programme.equations; i < solution.refined.force.size(); ++i)
+    solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
+  solution.certificate = certify(programme, solution.refined);
+  if (!solution.certificate.holds()) solution.report.status = Status::Breakdown;
   return solution;
 }
 
+Certificate certify(const DenseProgramme& programme, const PrimalDual& solution) {
+  return certify(sparse(programme), solution, programme.equations);
+}
+
 QuadraticProgramme sparse(const DenseProgramme& programme) {
-  require(programme.equations == 0, "sparse: equations have no place in this form, got ",
-          programme.equations);
   QuadraticProgramme result;
   result.stiffness = programme.stiffness.sparseView();
   result.load = programme.load;

@@ -11,18 +11,20 @@
 
 namespace signorini {
 
-/// A dense programme with the displacements eliminated.
+/// A dense programme with the displacements, and the forces of the equations, eliminated.
 struct DenseCondensed {
-  Eigen::LLT<Eigen::MatrixXd> factor;  ///< of K `n x n`
-  HalfProblem problem;                 ///< H = L^-1 A^T and d = g - A u0, rows of inequalities only
-  Eigen::VectorXd free_displacement;   ///< u0 = K^-1 p `n`
+  Eigen::LLT<Eigen::MatrixXd> factor;  ///< of K `n x n`; with equations of K + rho A_e^T A_e
+  HalfProblem problem;                ///< H = L^-1 A^T and d = g - A u0, rows of inequalities only;
+                                      ///< with equations, H is orthogonal to theirs
+  Eigen::VectorXd free_displacement;  ///< u0 `n`: K^-1 p, or the minimiser with equations alone
 };
 
 /// Eliminates the displacements. \PaperEq{XuanLi2002, 20}, \PaperEq{XuanLi2002, 22}
 /// \param programme  K, p, A, g
 /// \return factor, small problem and u0
 /// \throws std::invalid_argument if sizes do not fit or a number is not finite
-/// \throws ProblemError if K is not positive definite to rounding
+/// \throws ProblemError if K is not positive definite to rounding where the equations hold, or if the
+///   equations contradict each other
 [[nodiscard]] DenseCondensed condense(const DenseProgramme& programme);
 
 /// A solution of a dense programme. Unless `report.status` is Solved, u and lambda are the last ones.
@@ -36,18 +38,29 @@ struct DenseSolution {
 };
 
 /// Condenses, solves, recovers u, refines from the original data, and certifies.
+///
+/// If the refined solution shows that rounding had misplaced a row, the condensed problem is solved
+/// again with free gaps from the refined solution.
 /// \param programme  K, p, A, g
 /// \param solver     a member of solvers()
 /// \param options    handed to it
-/// \return the solution; look at its `report.status` first
-/// \throws as condense() and the solver
+/// \return the solution; look at its `report.status` first. A solution that the certificate does not
+///   confirm to 1e-12 is called `Breakdown`
+/// \throws std::invalid_argument, ProblemError as condense() and the solver
 [[nodiscard]] DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
                                   const SolverOptions& options = {});
 
-/// The same programme with sparse matrices, for those who need that form.
-/// \param programme  without equations
+/// Certificate of (u, lambda) against K, p, A, g, as for a QuadraticProgramme. Of an equation both
+/// signs of the gap count as penetration, and no force as tension.
+/// \param programme  K, p, A, g as they were posed
+/// \param solution   u and lambda, from any solver
+/// \return the five figures; all infinite if any number, given or claimed, is not finite
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Certificate certify(const DenseProgramme& programme, const PrimalDual& solution);
+
+/// The same programme with sparse matrices, for those who need that form; equations lose their mark.
+/// \param programme  K, p, A, g
 /// \return K, p, A, g
-/// \throws std::invalid_argument if it has equations
 [[nodiscard]] QuadraticProgramme sparse(const DenseProgramme& programme);
 
 }  // namespace signorini

@@ -4,12 +4,20 @@
 
 #include "signorini/complementarity/enumerate.hpp"
 #include "signorini/complementarity/primal_dual_active_set.hpp"
+#include "signorini/complementarity/quasi_active_set.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
 
 const std::vector<Solver>& solvers() {
   static const std::vector<Solver> family = {
+      {"quasi_active_set",
+       "whole groups of violated pairs join while the dual energy rises: finite and exact",
+       quasi_active_set,
+       0,
+       {Trait::Asymmetric},
+       nullptr,
+       quasi_active_set},
       {"primal_dual_active_set",
        "whole groups of pairs change sides; single exchanges if a set repeats",
        primal_dual_active_set,

@@ -9,6 +9,8 @@
 
 namespace signorini {
 
+struct DenseSolution;
+
 /// What can be hard about a problem.
 enum class Trait {
   Asymmetric,      ///< the matrix is not symmetric: no contact, but a complementarity problem
@@ -36,6 +38,9 @@ struct Solver {
   std::vector<Trait> may_fail = {};
   /// The same for a problem whose G is left as a product, or null: then G is multiplied out.
   ContactState (*solve_half)(const HalfProblem& problem, const SolverOptions& options) = nullptr;
+  /// The same from K, p, A and g to the refined end, or null: then the programme is condensed.
+  DenseSolution (*solve_programme)(const DenseProgramme& programme,
+                                   const SolverOptions& options) = nullptr;
 };
 
 /// Whether a member says that it may fail on a trait.

@@ -1,0 +1,170 @@
+#include "signorini/complementarity/closed_basis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+const double epsilon = std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+ClosedBasis::ClosedBasis(Index space, Index capacity)
+    : L_(capacity, capacity), Q_(space, space > 0 ? capacity : 0), y_(capacity) {
+  rows_.reserve(static_cast<std::size_t>(capacity));
+}
+
+/// Leaves in `cross_` what the candidates share with the basis, in `columns` or `block` the rest of
+/// them, and in `pivot_` the squared length of that rest.
+void ClosedBasis::project(Candidates& candidates) {
+  const Index count = static_cast<Index>(candidates.rows.size());
+  const Index k = size();
+  cross_.resize(k, count);
+  pivot_.resize(count);
+  if (Q_.rows() > 0) {
+    if (k > 0) {
+      const auto Q = Q_.leftCols(k);
+      cross_.noalias() = Q.transpose() * candidates.columns;
+      candidates.columns.noalias() -= Q * cross_;
+      const Eigen::MatrixXd again =
+          Q.transpose() * candidates.columns;  // what rounding left behind
+      candidates.columns.noalias() -= Q * again;
+      cross_ += again;
+    }
+    for (Index i = 0; i < count; ++i) pivot_(i) = candidates.columns.col(i).squaredNorm();
+  } else {
+    cross_ = candidates.cross;
+    L_.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(cross_);
+    candidates.block.noalias() -= cross_.transpose() * cross_;
+    pivot_ = candidates.block.diagonal();
+  }
+}
+
+/// Appends candidate `which` after `before` others of the same batch, and projects the rest off it.
+void ClosedBasis::push(Candidates& candidates, Index which, Index before) {
+  const Index k = size();
+  const Index first = k - before;
+  const Index count = pivot_.size();
+  const double root = std::sqrt(pivot_(which));
+  L_.row(k).head(first) = cross_.col(which).transpose();
+  L_.row(k).segment(first, before) = joined_.row(which).head(before);
+  L_(k, k) = root;
+  y_(k) = -candidates.gap(which) / root;
+  rows_.push_back(candidates.rows[static_cast<std::size_t>(which)]);
+  pivot_(which) = -1;  // has joined
+  if (Q_.rows() > 0) Q_.col(k) = candidates.columns.col(which) / root;
+  for (Index i = 0; i < count; ++i) {
+    if (pivot_(i) < 0) continue;
+    double shared = 0;
+    if (Q_.rows() > 0) {
+      shared = Q_.col(k).dot(candidates.columns.col(i));
+      candidates.columns.col(i) -= shared * Q_.col(k);
+      pivot_(i) = candidates.columns.col(i).squaredNorm();
+    } else {
+      shared = candidates.block(i, which) / root;
+      for (Index j = 0; j < count; ++j)
+        if (pivot_(j) >= 0 && j != i)
+          candidates.block(i, j) -= shared * candidates.block(j, which) / root;
+      pivot_(i) = std::max(0.0, pivot_(i) - shared * shared);
+    }
+    joined_(i, before) = shared;
+    candidates.gap(i) += shared * y_(k);
+  }
+  candidates.gap(which) = 0;
+}
+
+Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
+  const Index count = static_cast<Index>(candidates.rows.size());
+  limit = std::min({limit, count, capacity() - size()});
+  if (limit <= 0) return 0;
+  project(candidates);
+  joined_.resize(count, limit);
+  // A squared length of rounding size: with columns that of their entries, else that of 1 - 1.
+  const double length = static_cast<double>(size() + limit + Q_.rows()) * epsilon;
+  const double smallest = Q_.rows() > 0 ? length * length : length;
+  Index joined = 0;
+  while (joined < limit) {
+    Index best = -1;
+    double most = 0;
+    for (Index i = 0; i < count; ++i) {
+      if (pivot_(i) <= smallest) continue;
+      if (choice == Choice::All) {
+        best = i;
+        break;
+      }
+      const double gap = candidates.gap(i);
+      if (gap >= -candidates.rounding(i) || gap * gap <= most * pivot_(i)) continue;
+      most = gap * gap / pivot_(i);
+      best = i;
+    }
+    if (best < 0) break;
+    push(candidates, best, joined);
+    ++joined;
+  }
+  return joined;
+}
+
+void ClosedBasis::solve(Eigen::VectorXd& force) const {
+  force = y_.head(size());
+  L_.topLeftCorner(size(), size()).triangularView<Eigen::Lower>().transpose().solveInPlace(force);
+}
+
+Eigen::VectorXd ClosedBasis::response(const Candidates& candidates) const {
+  const auto L = L_.topLeftCorner(size(), size()).triangularView<Eigen::Lower>();
+  Eigen::VectorXd r(size());
+  if (Q_.rows() > 0) {
+    r.noalias() = Q_.leftCols(size()).transpose() * candidates.columns.col(0);
+  } else {
+    r = candidates.cross.col(0);
+    L.solveInPlace(r);
+  }
+  L.transpose().solveInPlace(r);
+  return r;
+}
+
+/// Row `position` of L goes; rotations of the columns behind it make L triangular again.
+void ClosedBasis::remove_one(Index position) {
+  const Index last = size() - 1;
+  for (Index i = position; i < last; ++i) L_.row(i).head(i + 2) = L_.row(i + 1).head(i + 2);
+  for (Index j = position; j < last; ++j) {
+    // Row j now ends in columns j and j + 1: turn these so that the second entry vanishes.
+    const double a = L_(j, j);
+    const double b = L_(j, j + 1);
+    const double r = std::hypot(a, b);
+    const double c = a / r;
+    const double s = b / r;
+    for (Index i = j; i < last; ++i) {
+      const double first = L_(i, j);
+      const double second = L_(i, j + 1);
+      L_(i, j) = c * first + s * second;
+      L_(i, j + 1) = c * second - s * first;
+    }
+    const double first = y_(j);
+    y_(j) = c * first + s * y_(j + 1);
+    y_(j + 1) = c * y_(j + 1) - s * first;
+    double* q = Q_.data() + j * Q_.rows();
+    double* p = q + Q_.rows();
+    for (Index i = 0; i < Q_.rows(); ++i) {
+      const double along = q[i];
+      q[i] = c * along + s * p[i];
+      p[i] = c * p[i] - s * along;
+    }
+  }
+  rows_.erase(rows_.begin() + position);
+}
+
+void ClosedBasis::remove(const std::vector<Index>& positions) {
+  for (auto position = positions.rbegin(); position != positions.rend(); ++position)
+    remove_one(*position);
+}
+
+void ClosedBasis::set_force(const Eigen::VectorXd& force) {
+  y_.head(size()) =
+      L_.topLeftCorner(size(), size()).triangularView<Eigen::Lower>().transpose() * force;
+}
+
+}  // namespace signorini

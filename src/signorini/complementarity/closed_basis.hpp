@@ -1,0 +1,97 @@
+/// \file
+/// The triangular factor of the closed pairs' compliance, grown and shrunk pair by pair.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+namespace signorini {
+
+/// L with \f$ L L^T = G_{WW} \f$ for a set W of closed pairs, and \f$ y = -L^{-1} d_W \f$.
+///
+/// All rows are normalised, G_ii = 1. The forces that close W are \f$ \lambda_W = L^{-T} y \f$, and
+/// \f$ \tfrac12 |y|^2 \f$ is the dual energy, which therefore grows with every pair that joins. If the
+/// rows are known as columns h_i of H, G = H^T H, an orthonormal Q with \f$ H_W = Q L^T \f$ is kept as
+/// well: L then comes from the columns themselves and not from their products, which squares neither
+/// their condition nor the angle between two rows that are nearly parallel.
+class ClosedBasis {
+ public:
+  /// Reserves all memory that the basis will need.
+  /// \param space     length of the columns h_i; 0 if only products of them, G, are known
+  /// \param capacity  most pairs that it can hold
+  ClosedBasis(Eigen::Index space, Eigen::Index capacity);
+
+  /// \return number of pairs
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(rows_.size()); }
+  /// \return most pairs that it can hold
+  [[nodiscard]] Eigen::Index capacity() const { return y_.size(); }
+  /// \return the pairs, in the order of the factor
+  [[nodiscard]] const std::vector<Eigen::Index>& rows() const { return rows_; }
+  /// \return y `size` [sqrt(energy)]
+  [[nodiscard]] auto coordinates() const { return y_.head(size()); }
+  /// \return Q `space x size`
+  [[nodiscard]] auto directions() const { return Q_.leftCols(size()); }
+  /// \return L `size x size`; only its lower triangle means anything
+  [[nodiscard]] auto factor() const { return L_.topLeftCorner(size(), size()); }
+  /// \return \f$ \tfrac12|y|^2 \f$ [energy]
+  [[nodiscard]] double dual_energy() const { return 0.5 * y_.head(size()).squaredNorm(); }
+
+  /// Candidates that may join the basis, in normalised rows.
+  struct Candidates {
+    std::vector<Eigen::Index> rows;  ///< `c` pairs
+    Eigen::VectorXd gap;             ///< `c` their present gaps [sqrt(energy)], overlap < 0
+    Eigen::VectorXd rounding;        ///< `c` gaps above minus this count as closed
+    Eigen::MatrixXd columns;         ///< `space x c` h_i; without columns:
+    Eigen::MatrixXd cross;           ///< `size x c` G_Wi
+    Eigen::MatrixXd block;           ///< `c x c` G among the candidates
+  };
+
+  /// Which candidates join.
+  enum class Choice {
+    Violated,  ///< those that overlap, best gain of dual energy gap^2 / pivot first
+    All        ///< all, in their order
+  };
+
+  /// Appends candidates, each after projection off all that joined before; those whose pivot is of
+  /// rounding size are left out.
+  /// \param candidates  overwritten: `gap` becomes the gaps after the others have joined
+  /// \param choice      which ones
+  /// \param limit       most that join
+  /// \return how many joined
+  Eigen::Index append(Candidates& candidates, Choice choice, Eigen::Index limit);
+
+  /// The forces that close the pairs.
+  /// \param force  set to \f$ L^{-T} y \f$ `size` [sqrt(energy)], tension < 0
+  void solve(Eigen::VectorXd& force) const;
+
+  /// How the forces of the basis change to keep its pairs closed when one more pair is pressed.
+  /// \param candidates  one of them, as for append()
+  /// \return \f$ r = G_{WW}^{-1} G_{Wp} \f$ `size` [-]: forces change by -r per unit force
+  [[nodiscard]] Eigen::VectorXd response(const Candidates& candidates) const;
+
+  /// Removes pairs; the coordinates become those of the remaining set.
+  /// \param positions  in rows(), increasing
+  void remove(const std::vector<Eigen::Index>& positions);
+
+  /// Replaces the coordinates by those of given forces, \f$ y = L^T \lambda \f$.
+  /// \param force  `size` [sqrt(energy)]
+  void set_force(const Eigen::VectorXd& force);
+
+  /// Empties the basis.
+  void clear() { rows_.clear(); }
+
+ private:
+  void project(Candidates& candidates);
+  void push(Candidates& candidates, Eigen::Index which, Eigen::Index before);
+  void remove_one(Eigen::Index position);
+
+  std::vector<Eigen::Index> rows_;
+  Eigen::MatrixXd L_;
+  Eigen::MatrixXd Q_;
+  Eigen::VectorXd y_;
+  // Work space of append(): cross terms with the basis, with those that joined just now, pivots.
+  Eigen::MatrixXd cross_;
+  Eigen::MatrixXd joined_;
+  Eigen::VectorXd pivot_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,81 @@
+/// \file
+/// The quasi-active-set method itself, independent of how the gap rows are known.
+#pragma once
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "signorini/complementarity/closed_basis.hpp"
+#include "signorini/complementarity/problem.hpp"
+
+namespace signorini {
+
+/// What the method asks of the rows of a problem.
+struct GapRows {
+  Eigen::Index count = 0;  ///< number of rows m
+  Eigen::Index equations =
+      0;                   ///< so many of the first are always closed, their forces have any sign
+  Eigen::Index rank = 0;   ///< most rows that can be independent
+  Eigen::VectorXd weight;  ///< `m` about 1 / |h_i|, to compare overlaps with
+  /// Sets the gaps of all rows `m` and what rounding may have done to each.
+  std::function<void(const ClosedBasis&, Eigen::VectorXd& gap, Eigen::VectorXd& rounding)> gaps;
+  /// Condenses rows: \f$ h_i / |h_i| \f$ or the same in products.
+  std::function<ClosedBasis::Candidates(const std::vector<Eigen::Index>& rows,
+                                        const ClosedBasis& basis, const Eigen::VectorXd& gap,
+                                        const Eigen::VectorXd& rounding)>
+      fetch;
+};
+
+/// One run of the method, which may be taken up again. See quasi_active_set() for its steps.
+class GroupActiveSet {
+ public:
+  /// Starts with no row closed.
+  /// \param rows    must outlive this
+  /// \param basis   empty, with room for the rank of the rows
+  /// \param report  takes iterations, factorisations and history; must outlive this
+  /// \param limit   most iterations
+  GroupActiveSet(const GapRows& rows, ClosedBasis basis, Report& report, Eigen::Index limit);
+
+  /// Closes the equations, leaving out those that follow from others.
+  /// \return Solved, or Infeasible if they contradict each other
+  Status close_equations();
+  /// Goes on until no row overlaps beyond rounding.
+  /// \return Solved, Infeasible, IterationLimit or Breakdown
+  Status run();
+  /// Opens rows that a refinement has found in tension, and goes back to forces that are the best for
+  /// the others. \param tension  `size` of the basis, > 0 where it pulls
+  void release(const Eigen::VectorXd& tension);
+
+  /// \return the closed rows
+  [[nodiscard]] ClosedBasis& basis() { return basis_; }
+  /// \return their forces, in normalised rows
+  [[nodiscard]] const Eigen::VectorXd& force() const { return force_; }
+  /// \return after Infeasible: numbers y of normalised rows `m`, >= 0 but for equations, with
+  ///   \f$ \sum y_i h_i = 0 \f$ while the same sum of gaps is negative
+  [[nodiscard]] const Eigen::VectorXd& proof() const { return proof_; }
+
+ private:
+  std::vector<Eigen::Index> most_violated();
+  void settle(Eigen::Index before);
+  void step_by_step();
+  Status exchange(Eigen::Index row);
+  void drop(const std::vector<Eigen::Index>& positions);
+  void solve();
+  [[nodiscard]] std::vector<Eigen::Index> pulling(const Eigen::VectorXd& force) const;
+
+  const GapRows& rows_;
+  ClosedBasis basis_;
+  ClosedBasis saved_;
+  Report& report_;
+  Eigen::Index limit_;
+  Eigen::Index group_;
+  Eigen::VectorXd gap_;
+  Eigen::VectorXd rounding_;
+  Eigen::VectorXd force_;
+  Eigen::VectorXd target_;
+  Eigen::VectorXd proof_;
+  std::vector<char> closed_;
+  std::vector<char> fruitless_;
+};
+
+}  // namespace signorini

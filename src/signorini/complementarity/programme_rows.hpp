@@ -1,0 +1,86 @@
+/// \file
+/// The rows of a dense programme as a basis of closed rows needs them: condensed one by one, on demand.
+#pragma once
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <vector>
+
+#include "signorini/complementarity/certificate.hpp"
+#include "signorini/complementarity/closed_basis.hpp"
+#include "signorini/complementarity/problem.hpp"
+
+namespace signorini {
+
+/// A dense programme, the factor of its K, and gaps relative to a solution that is known already.
+///
+/// With equations the factor is that of \f$ K + \rho A_e^T A_e \f$, which has the same solution where
+/// A_e u = g_e and is positive definite where K is so only there.
+class ProgrammeRows {
+ public:
+  /// Factors K and finds the gaps without contact. \PaperEq{XuanLi2002, 20}
+  /// \param programme  K, p, A, g; must outlive this
+  /// \throws std::invalid_argument if sizes do not fit or a number is not finite
+  /// \throws ProblemError if K is not positive definite to rounding where A_e u = 0
+  explicit ProgrammeRows(const DenseProgramme& programme);
+
+  /// \return number of rows m
+  [[nodiscard]] Eigen::Index count() const { return gap_.size(); }
+  /// \return how many of the first rows are equations
+  [[nodiscard]] Eigen::Index equations() const { return programme_.equations; }
+  /// \return an empty basis for them
+  [[nodiscard]] ClosedBasis empty_basis() const;
+  /// \return about 1 / |h_i| of each row `m`, to compare rows with before they are condensed
+  [[nodiscard]] const Eigen::VectorXd& weights() const { return weight_; }
+  /// \return the factor of K, or of K and the equations
+  [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& factor() const { return factor_; }
+  /// \return |h_i| `m`; 0 for rows that have not been condensed yet
+  [[nodiscard]] const Eigen::VectorXd& norms() const { return norm_; }
+
+  /// The present gaps. \PaperEq{XuanLi2002, 22}
+  /// \param basis     closed rows
+  /// \param gap       set to g - A u `m`
+  /// \param rounding  set to what rounding may have done to each
+  void gaps(const ClosedBasis& basis, Eigen::VectorXd& gap, Eigen::VectorXd& rounding) const;
+
+  /// Displacements when a basis of rows is closed.
+  /// \param basis  closed rows
+  /// \return u `n`
+  [[nodiscard]] Eigen::VectorXd displacement(const ClosedBasis& basis) const;
+
+  /// Condenses rows.
+  /// \param rows      which ones
+  /// \param basis     closed rows
+  /// \param gap       their gaps and all others `m`
+  /// \param rounding  of the gaps `m`
+  /// \return the candidates; a row of A without entries has a column of zeros
+  [[nodiscard]] ClosedBasis::Candidates fetch(const std::vector<Eigen::Index>& rows,
+                                              const ClosedBasis& basis, const Eigen::VectorXd& gap,
+                                              const Eigen::VectorXd& rounding);
+
+  /// u and lambda of a basis, refined from the original data.
+  struct Refined {
+    PrimalDual solution;      ///< u in two parts, and lambda `m`
+    Eigen::VectorXd gap;      ///< g - A u `m`, 0 in the basis
+    Eigen::VectorXd tension;  ///< `size` of the basis, lambda |h_i| where negative beyond rounding
+    Eigen::Index violated = 0;  ///< open rows that overlap beyond rounding
+    Eigen::Index sweeps = 0;    ///< corrections that were made
+  };
+  /// Refines \f$ K u + A^T \lambda = p,\ A_W u = g_W \f$ with residuals in twice the working precision;
+  /// later gaps are measured from the result. \PaperEq{XuanLi2002, 21}
+  /// \param basis  W; its coordinates become those of the refined forces
+  /// \return the refined solution
+  [[nodiscard]] Refined refine(ClosedBasis& basis);
+
+ private:
+  const DenseProgramme& programme_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::MatrixXd rows_of_A_;     // A^T `n x m`: one row of A per column
+  Eigen::VectorXd displacement_;  // from which `gap_` comes
+  Eigen::VectorXd gap_;           // where v = base_
+  Eigen::VectorXd base_;          // Q y of the last refinement
+  Eigen::VectorXd floor_;         // rounding of gap_
+  Eigen::VectorXd weight_;
+  Eigen::VectorXd norm_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,130 @@
+#include "signorini/complementarity/quasi_active_set.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "signorini/complementarity/closed_pairs.hpp"
+#include "signorini/complementarity/group_active_set.hpp"
+#include "signorini/complementarity/programme_rows.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Rows = std::vector<Index>;
+
+Index limit_of(const SolverOptions& options, Index count) {
+  return options.iteration_limit > 0 ? options.iteration_limit : 10 * count + 100;
+}
+
+/// Gaps of scaled pairs under the forces of a basis, and what rounding may have done to them.
+void gaps_of_pairs(const ScaledProblem& scaled, const ClosedBasis& basis, VectorXd& gap,
+                   VectorXd& rounding) {
+  VectorXd force;
+  basis.solve(force);
+  gap = scaled.free_gap;
+  rounding = scaled.free_gap.cwiseAbs();
+  for (Index k = 0; k < basis.size(); ++k) {
+    const auto column = scaled.compliance.col(basis.rows()[static_cast<std::size_t>(k)]);
+    gap += force(k) * column;
+    rounding += std::abs(force(k)) * column.cwiseAbs();
+  }
+  rounding *= static_cast<double>(basis.size() + 1) * std::numeric_limits<double>::epsilon();
+}
+
+GapRows rows_of(const ScaledProblem& scaled) {
+  GapRows rows;
+  rows.count = rows.rank = scaled.free_gap.size();
+  rows.weight = VectorXd::Ones(rows.count);
+  rows.gaps = [&scaled](const ClosedBasis& basis, VectorXd& gap, VectorXd& rounding) {
+    gaps_of_pairs(scaled, basis, gap, rounding);
+  };
+  rows.fetch = [&scaled](const Rows& list, const ClosedBasis& basis, const VectorXd& gap,
+                         const VectorXd& rounding) -> ClosedBasis::Candidates {
+    return {list,
+            gap(list),
+            rounding(list),
+            {},
+            scaled.compliance(basis.rows(), list),
+            scaled.compliance(list, list)};
+  };
+  return rows;
+}
+
+GapRows rows_of(ProgrammeRows& programme) {
+  GapRows rows;
+  rows.count = programme.count();
+  rows.equations = programme.equations();
+  rows.rank = programme.empty_basis().capacity();
+  rows.weight = programme.weights();
+  rows.gaps = [&programme](const ClosedBasis& basis, VectorXd& gap, VectorXd& rounding) {
+    programme.gaps(basis, gap, rounding);
+  };
+  rows.fetch = [&programme](const Rows& list, const ClosedBasis& basis, const VectorXd& gap,
+                            const VectorXd& rounding) {
+    return programme.fetch(list, basis, gap, rounding);
+  };
+  return rows;
+}
+
+Rows sorted_active(const ClosedBasis& basis, Index equations) {
+  Rows active;
+  for (const Index row : basis.rows())
+    if (row >= equations) active.push_back(row);
+  std::sort(active.begin(), active.end());
+  return active;
+}
+
+}  // namespace
+
+ContactState quasi_active_set(const ContactProblem& problem, const SolverOptions& options) {
+  const ScaledProblem scaled = equilibrate(problem);
+  const GapRows rows = rows_of(scaled);
+  Report report;
+  GroupActiveSet method(rows, ClosedBasis(0, rows.count), report, limit_of(options, rows.count));
+  report.status = method.run();
+  Rows active = sorted_active(method.basis(), 0);
+  ClosedPairs closed = close_pairs(scaled, active);
+  if (!closed.solvable) {
+    closed.gap = scaled.free_gap;
+    if (report.status == Status::Solved) report.status = Status::Breakdown;
+  }
+  ContactState state = unscaled(scaled, closed, std::move(active), std::move(report));
+  if (state.report.status == Status::Infeasible)
+    state.infeasibility = scaled.scale.cwiseProduct(method.proof());
+  return state;
+}
+
+DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOptions& options) {
+  ProgrammeRows data(programme);
+  const GapRows rows = rows_of(data);
+  DenseSolution solution;
+  GroupActiveSet method(rows, data.empty_basis(), solution.report, limit_of(options, rows.count));
+  Status status = rows.equations > 0 ? method.close_equations() : Status::Solved;
+  for (Index round = 0; status == Status::Solved; ++round) {
+    status = method.run();
+    ProgrammeRows::Refined refined = data.refine(method.basis());
+    solution.refined = std::move(refined.solution);
+    solution.gap = std::move(refined.gap);
+    if (status != Status::Solved) break;
+    const bool pulls = refined.tension.size() > 0 && refined.tension.maxCoeff() > 0;
+    if (!pulls && refined.violated == 0) break;
+    if (round == rows.count + 10) status = Status::Breakdown;
+    method.release(refined.tension);
+  }
+  solution.active = sorted_active(method.basis(), rows.equations);
+  solution.report.status = status;
+  if (status == Status::Infeasible) {
+    solution.infeasibility.setZero(rows.count);
+    for (Index i = 0; i < rows.count; ++i)
+      if (method.proof()(i) != 0) solution.infeasibility(i) = method.proof()(i) / data.norms()(i);
+  } else if (status == Status::Solved) {  // what is negative is of rounding size
+    for (Index i = rows.equations; i < rows.count; ++i)
+      solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
+  }
+  return solution;
+}
+
+}  // namespace signorini

@@ -1,0 +1,30 @@
+/// \file
+/// Residuals of many equations at once in about twice the working precision.
+#pragma once
+#include <Eigen/Core>
+
+namespace signorini {
+
+/// A vector of running sums, as ExactSum for each entry, that takes whole columns of a matrix.
+class ExactVector {
+ public:
+  /// \param start  what the sums start at
+  explicit ExactVector(const Eigen::VectorXd& start)
+      : high_(start), low_(Eigen::VectorXd::Zero(start.size())) {}
+
+  /// Adds a column times a factor without rounding the products.
+  /// \param column  as long as the vector, magnitudes below 2^996
+  /// \param factor  of magnitude below 2^996
+  void add_product(const Eigen::Ref<const Eigen::VectorXd>& column, double factor);
+  /// Adds a small correction, whose rounding does not matter.
+  /// \param correction  as long as the vector
+  void add_small(const Eigen::Ref<const Eigen::VectorXd>& correction) { low_ += correction; }
+  /// \return the sums, each rounded once
+  [[nodiscard]] Eigen::VectorXd value() const { return high_ + low_; }
+
+ private:
+  Eigen::VectorXd high_;
+  Eigen::VectorXd low_;
+};
+
+}  // namespace signorini
