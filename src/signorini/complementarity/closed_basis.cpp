@@ -23,35 +23,37 @@ ClosedBasis::ClosedBasis(Index space, Index capacity)
 void ClosedBasis::project(Candidates& candidates) {
   const Index count = static_cast<Index>(candidates.rows.size());
   const Index k = size();
-  cross_.resize(k, count);
-  pivot_.resize(count);
+  if (cross_.cols() < count || cross_.rows() < capacity()) cross_.resize(capacity(), count);
+  if (pivot_.size() < count) pivot_.resize(count);
   if (Q_.rows() > 0) {
+    auto columns = candidates.columns.leftCols(count);
     if (k > 0) {
       const auto Q = Q_.leftCols(k);
-      cross_.noalias() = Q.transpose() * candidates.columns;
-      candidates.columns.noalias() -= Q * cross_;
-      const Eigen::MatrixXd again =
-          Q.transpose() * candidates.columns;  // what rounding left behind
-      candidates.columns.noalias() -= Q * again;
-      cross_ += again;
+      auto cross = cross_.topLeftCorner(k, count);
+      cross.noalias() = Q.transpose() * columns;
+      columns.noalias() -= Q * cross;
+      if (again_.cols() < count || again_.rows() < capacity()) again_.resize(capacity(), count);
+      auto again = again_.topLeftCorner(k, count);  // what rounding left behind
+      again.noalias() = Q.transpose() * columns;
+      columns.noalias() -= Q * again;
+      cross += again;
     }
-    for (Index i = 0; i < count; ++i) pivot_(i) = candidates.columns.col(i).squaredNorm();
+    for (Index i = 0; i < count; ++i) pivot_(i) = columns.col(i).squaredNorm();
   } else {
-    cross_ = candidates.cross;
-    L_.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(cross_);
-    candidates.block.noalias() -= cross_.transpose() * cross_;
-    pivot_ = candidates.block.diagonal();
+    auto cross = cross_.topLeftCorner(k, count);
+    cross = candidates.cross;
+    L_.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(cross);
+    candidates.block.noalias() -= cross.transpose() * cross;
+    pivot_.head(count) = candidates.block.diagonal();
   }
 }
 
-/// Appends candidate `which` after `before` others of the same batch, and projects the rest off it.
-void ClosedBasis::push(Candidates& candidates, Index which, Index before) {
+/// Appends candidate `which` and projects the others off it.
+void ClosedBasis::push(Candidates& candidates, Index which) {
   const Index k = size();
-  const Index first = k - before;
-  const Index count = pivot_.size();
+  const Index count = static_cast<Index>(candidates.rows.size());
   const double root = std::sqrt(pivot_(which));
-  L_.row(k).head(first) = cross_.col(which).transpose();
-  L_.row(k).segment(first, before) = joined_.row(which).head(before);
+  L_.row(k).head(k) = cross_.col(which).head(k).transpose();
   L_(k, k) = root;
   y_(k) = -candidates.gap(which) / root;
   rows_.push_back(candidates.rows[static_cast<std::size_t>(which)]);
@@ -71,7 +73,7 @@ void ClosedBasis::push(Candidates& candidates, Index which, Index before) {
           candidates.block(i, j) -= shared * candidates.block(j, which) / root;
       pivot_(i) = std::max(0.0, pivot_(i) - shared * shared);
     }
-    joined_(i, before) = shared;
+    cross_(k, i) = shared;
     candidates.gap(i) += shared * y_(k);
   }
   candidates.gap(which) = 0;
@@ -82,7 +84,6 @@ Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
   limit = std::min({limit, count, capacity() - size()});
   if (limit <= 0) return 0;
   project(candidates);
-  joined_.resize(count, limit);
   // A squared length of rounding size: with columns that of their entries, else that of 1 - 1.
   const double length = static_cast<double>(size() + limit + Q_.rows()) * epsilon;
   const double smallest = Q_.rows() > 0 ? length * length : length;
@@ -102,15 +103,19 @@ Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
       best = i;
     }
     if (best < 0) break;
-    push(candidates, best, joined);
+    push(candidates, best);
     ++joined;
   }
   return joined;
 }
 
 void ClosedBasis::solve(Eigen::VectorXd& force) const {
-  force = y_.head(size());
-  L_.topLeftCorner(size(), size()).triangularView<Eigen::Lower>().transpose().solveInPlace(force);
+  if (force.size() < capacity()) force.resize(capacity());
+  for (Index j = size() - 1; j >= 0; --j) {  // backwards, down the columns of L
+    const Index below = size() - j - 1;
+    force(j) =
+        (y_(j) - L_.col(j).segment(j + 1, below).dot(force.segment(j + 1, below))) / L_(j, j);
+  }
 }
 
 Eigen::VectorXd ClosedBasis::response(const Candidates& candidates) const {
@@ -163,8 +168,8 @@ void ClosedBasis::remove(const std::vector<Index>& positions) {
 }
 
 void ClosedBasis::set_force(const Eigen::VectorXd& force) {
-  y_.head(size()) =
-      L_.topLeftCorner(size(), size()).triangularView<Eigen::Lower>().transpose() * force;
+  y_.head(size()) = L_.topLeftCorner(size(), size()).triangularView<Eigen::Lower>().transpose() *
+                    force.head(size());
 }
 
 }  // namespace signorini

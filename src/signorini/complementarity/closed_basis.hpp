@@ -35,7 +35,8 @@ class ClosedBasis {
   /// \return \f$ \tfrac12|y|^2 \f$ [energy]
   [[nodiscard]] double dual_energy() const { return 0.5 * y_.head(size()).squaredNorm(); }
 
-  /// Candidates that may join the basis, in normalised rows.
+  /// Candidates that may join the basis, in normalised rows. The arrays may be larger than needed, so
+  /// that they can be used again.
   struct Candidates {
     std::vector<Eigen::Index> rows;  ///< `c` pairs
     Eigen::VectorXd gap;             ///< `c` their present gaps [sqrt(energy)], overlap < 0
@@ -60,7 +61,7 @@ class ClosedBasis {
   Eigen::Index append(Candidates& candidates, Choice choice, Eigen::Index limit);
 
   /// The forces that close the pairs.
-  /// \param force  set to \f$ L^{-T} y \f$ `size` [sqrt(energy)], tension < 0
+  /// \param force  the first `size` entries are set to \f$ L^{-T} y \f$ [sqrt(energy)], tension < 0
   void solve(Eigen::VectorXd& force) const;
 
   /// How the forces of the basis change to keep its pairs closed when one more pair is pressed.
@@ -73,7 +74,7 @@ class ClosedBasis {
   void remove(const std::vector<Eigen::Index>& positions);
 
   /// Replaces the coordinates by those of given forces, \f$ y = L^T \lambda \f$.
-  /// \param force  `size` [sqrt(energy)]
+  /// \param force  its first `size` entries [sqrt(energy)]
   void set_force(const Eigen::VectorXd& force);
 
   /// Empties the basis.
@@ -81,16 +82,16 @@ class ClosedBasis {
 
  private:
   void project(Candidates& candidates);
-  void push(Candidates& candidates, Eigen::Index which, Eigen::Index before);
+  void push(Candidates& candidates, Eigen::Index which);
   void remove_one(Eigen::Index position);
 
   std::vector<Eigen::Index> rows_;
   Eigen::MatrixXd L_;
   Eigen::MatrixXd Q_;
   Eigen::VectorXd y_;
-  // Work space of append(): cross terms with the basis, with those that joined just now, pivots.
+  // Work space of append(): cross terms with the basis, those that joined just now, pivots. It only grows.
   Eigen::MatrixXd cross_;
-  Eigen::MatrixXd joined_;
+  Eigen::MatrixXd again_;
   Eigen::VectorXd pivot_;
 };
 

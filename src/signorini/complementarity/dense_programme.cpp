@@ -30,7 +30,9 @@ ClosedBasis basis_of(ProgrammeRows& data, const Rows& closed) {
   data.gaps(basis, gap, rounding);
   Rows rows = range(0, data.equations());
   rows.insert(rows.end(), closed.begin(), closed.end());
-  ClosedBasis::Candidates candidates = data.fetch(rows, basis, gap, rounding);
+  ClosedBasis::Candidates candidates;
+  candidates.rows = rows;
+  data.fetch(gap, rounding, candidates);
   basis.append(candidates, ClosedBasis::Choice::All, static_cast<Index>(rows.size()));
   for (Index i = 0; i < data.equations(); ++i)
     if (std::abs(candidates.gap(i)) > 4 * candidates.rounding(i))
@@ -47,7 +49,9 @@ DenseCondensed condensed_by(ProgrammeRows& data) {
   data.gaps(equations, gap, rounding);
   const Index first = data.equations();
   condensed.problem.free_gap = gap.tail(data.count() - first);
-  ClosedBasis::Candidates rows = data.fetch(range(first, data.count()), equations, gap, rounding);
+  ClosedBasis::Candidates rows;
+  rows.rows = range(first, data.count());
+  data.fetch(gap, rounding, rows);
   const auto Q = equations.directions();
   rows.columns -= Q * (Q.transpose() * rows.columns).eval();
   condensed.problem.half = rows.columns * data.norms().tail(data.count() - first).asDiagonal();

@@ -11,7 +11,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using Candidates = ClosedBasis::Candidates;
 
 const double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -27,47 +26,55 @@ bool rises(double now, double before, Index size) {
 GroupActiveSet::GroupActiveSet(const GapRows& rows, ClosedBasis basis, Report& report, Index limit)
     : rows_(rows),
       basis_(std::move(basis)),
-      saved_(basis_),
+      saved_(0, 0),
       report_(report),
       limit_(limit),
-      group_(std::max<Index>(1, rows.rank / 4)),
-      closed_(at(rows.count), 0),
-      fruitless_(at(rows.count), 0) {}
+      group_((rows.rank + 1) / 2),
+      force_(basis_.capacity()),
+      state_(at(rows.count), Row::Open) {
+  report_.history.reserve(8);
+  candidates_.rows.reserve(at(rows.count));
+}
 
 void GroupActiveSet::solve() {
   basis_.solve(target_);
   ++report_.factorisations;
 }
 
-/// Positions of the basis whose force is not positive.
-std::vector<Index> GroupActiveSet::pulling(const VectorXd& force) const {
+/// Positions of the basis whose new force is not positive.
+std::vector<Index> GroupActiveSet::pulling() const {
   std::vector<Index> positions;
-  for (Index k = 0; k < force.size(); ++k)
-    if (force(k) <= 0 && basis_.rows()[at(k)] >= rows_.equations) positions.push_back(k);
+  for (Index k = 0; k < basis_.size(); ++k)
+    if (target_(k) <= 0 && basis_.rows()[at(k)] >= rows_.equations) positions.push_back(k);
   return positions;
 }
 
 void GroupActiveSet::drop(const std::vector<Index>& positions) {
-  for (const Index k : positions) closed_[at(basis_.rows()[at(k)])] = 0;
+  for (const Index k : positions) state_[at(basis_.rows()[at(k)])] = Row::Open;
   basis_.remove(positions);
 }
 
+void GroupActiveSet::fetch(Index row) {
+  candidates_.rows.assign(1, row);
+  rows_.fetch(basis_, gap_, rounding_, candidates_);
+}
+
 Status GroupActiveSet::close_equations() {
-  std::vector<Index> all(at(rows_.equations));
-  std::iota(all.begin(), all.end(), Index{0});
+  candidates_.rows.resize(at(rows_.equations));
+  std::iota(candidates_.rows.begin(), candidates_.rows.end(), Index{0});
+  for (const Index row : candidates_.rows) state_[at(row)] = Row::Closed;
   rows_.gaps(basis_, gap_, rounding_);
-  Candidates candidates = rows_.fetch(all, basis_, gap_, rounding_);
-  basis_.append(candidates, ClosedBasis::Choice::All, rows_.equations);
-  for (const Index row : all) closed_[at(row)] = 1;
+  rows_.fetch(basis_, gap_, rounding_, candidates_);
+  basis_.append(candidates_, ClosedBasis::Choice::All, rows_.equations);
   solve();
-  force_ = target_;
+  force_.head(basis_.size()) = target_.head(basis_.size());
   for (Index i = 0; i < rows_.equations; ++i) {
-    if (std::abs(candidates.gap(i)) <= 4 * candidates.rounding(i)) continue;
+    if (std::abs(candidates_.gap(i)) <= 4 * candidates_.rounding(i)) continue;
     // Row i depends on those that joined, and its own right side contradicts theirs.
-    const Candidates one = rows_.fetch({i}, basis_, gap_, rounding_);
-    const VectorXd response = basis_.response(one);
-    const double sign = candidates.gap(i) < 0 ? 1 : -1;
+    const double sign = candidates_.gap(i) < 0 ? 1 : -1;
+    fetch(i);
     proof_.setZero(rows_.count);
+    const VectorXd response = basis_.response(candidates_);
     for (Index k = 0; k < response.size(); ++k) proof_(basis_.rows()[at(k)]) = -sign * response(k);
     proof_(i) = sign;
     return Status::Infeasible;
@@ -76,75 +83,87 @@ Status GroupActiveSet::close_equations() {
 }
 
 /// Violated rows, the worst first, at most twice as many as may join.
-std::vector<Index> GroupActiveSet::most_violated() {
-  std::vector<Index> violated;
+void GroupActiveSet::find_most_violated() {
+  std::vector<Index>& violated = candidates_.rows;
+  violated.clear();
   double overlap = 0;
   for (Index i = rows_.equations; i < rows_.count; ++i) {
-    if (closed_[at(i)] != 0 || gap_(i) >= -rounding_(i)) continue;
+    if (gap_(i) >= -rounding_(i) || state_[at(i)] == Row::Closed) continue;
     overlap = std::max(overlap, -gap_(i));
-    if (fruitless_[at(i)] == 0) violated.push_back(i);
+    if (state_[at(i)] == Row::Open) violated.push_back(i);
   }
   report_.history.push_back(
       {basis_.size(), static_cast<Index>(violated.size()), overlap, 0, basis_.dual_energy()});
+  const VectorXd& weight = *rows_.weight;
   const auto worse = [&](Index a, Index b) {
-    const double first = gap_(a) * rows_.weight(a);
-    const double second = gap_(b) * rows_.weight(b);
+    const double first = gap_(a) * weight(a);
+    const double second = gap_(b) * weight(b);
     return first < second || (first == second && a < b);
   };
   const std::size_t most = std::min(violated.size(), at(2 * group_));
   std::partial_sort(violated.begin(), violated.begin() + static_cast<std::ptrdiff_t>(most),
                     violated.end(), worse);
   violated.resize(most);
-  return violated;
 }
 
 Status GroupActiveSet::run() {
   while (true) {
     rows_.gaps(basis_, gap_, rounding_);
-    const std::vector<Index> violated = most_violated();
-    if (violated.empty()) return Status::Solved;
+    find_most_violated();
+    if (candidates_.rows.empty()) return Status::Solved;
     if (report_.iterations >= limit_) return Status::IterationLimit;
     ++report_.iterations;
     const Index before = basis_.size();
     const double energy = basis_.dual_energy();
-    Candidates candidates = rows_.fetch(violated, basis_, gap_, rounding_);
-    if (basis_.append(candidates, ClosedBasis::Choice::Violated, group_) > 0) {
+    const Index worst = candidates_.rows.front();
+    rows_.fetch(basis_, gap_, rounding_, candidates_);
+    if (basis_.append(candidates_, ClosedBasis::Choice::Violated, group_) > 0) {
       settle(before);
     } else {
-      const Status status = exchange(violated.front());
+      const Status status = exchange(worst);
       if (status != Status::Solved) return status;
     }
     if (rises(basis_.dual_energy(), energy, basis_.size())) {
-      std::fill(fruitless_.begin(), fruitless_.end(), 0);
+      forget_fruitless();
     } else {
-      for (const Index row : violated) fruitless_[at(row)] = 1;
+      for (const Index row : candidates_.rows)
+        if (state_[at(row)] == Row::Open) {
+          state_[at(row)] = Row::Fruitless;
+          any_fruitless_ = true;
+        }
     }
   }
 }
 
 /// Solves with the rows that joined at position `before` and behind, and drops until no force pulls.
 void GroupActiveSet::settle(Index before) {
-  for (Index k = before; k < basis_.size(); ++k) closed_[at(basis_.rows()[at(k)])] = 1;
+  for (Index k = before; k < basis_.size(); ++k) state_[at(basis_.rows()[at(k)])] = Row::Closed;
   solve();
-  std::vector<Index> negative = pulling(target_);
+  std::vector<Index> negative = pulling();
   if (!negative.empty()) {
     saved_ = basis_;
     const double energy = 0.5 * basis_.coordinates().head(before).squaredNorm();
     while (!negative.empty()) {
       drop(negative);
       solve();
-      negative = pulling(target_);
+      negative = pulling();
     }
     if (!rises(basis_.dual_energy(), energy, basis_.size())) {  // too bold: back, and step by step
       std::swap(basis_, saved_);
-      for (const Index row : basis_.rows()) closed_[at(row)] = 1;
-      force_.conservativeResize(basis_.size());
-      force_.tail(basis_.size() - before).setZero();
+      for (const Index row : basis_.rows()) state_[at(row)] = Row::Closed;
+      force_.segment(before, basis_.size() - before).setZero();
       step_by_step();
       return;
     }
   }
-  force_ = target_;
+  force_.head(basis_.size()) = target_.head(basis_.size());
+}
+
+/// Drops rows and their entries in the forces.
+void GroupActiveSet::open_vanished(const std::vector<Index>& positions) {
+  for (auto k = positions.rbegin(); k != positions.rend(); ++k)
+    for (Index i = *k + 1; i < force_.size(); ++i) force_(i - 1) = force_(i);
+  drop(positions);
 }
 
 /// Moves from forces that do not pull towards the best for all closed rows; where a force vanishes
@@ -152,31 +171,30 @@ void GroupActiveSet::settle(Index before) {
 void GroupActiveSet::step_by_step() {
   while (true) {
     solve();
+    const std::vector<Index> negative = pulling();
+    if (negative.empty()) break;
+    const auto share = [&](Index k) { return force_(k) / (force_(k) - target_(k)); };
     double step = 1;
-    for (const Index k : pulling(target_))
-      step = std::min(step, force_(k) / (force_(k) - target_(k)));
-    if (step == 1 && pulling(target_).empty()) break;
+    for (const Index k : negative) step = std::min(step, share(k));
     std::vector<Index> vanished;
-    for (const Index k : pulling(target_))
-      if (force_(k) / (force_(k) - target_(k)) <= step) vanished.push_back(k);
-    force_ += step * (target_ - force_);
-    drop(vanished);
-    for (auto k = vanished.rbegin(); k != vanished.rend(); ++k) {
-      const Index behind = force_.size() - *k - 1;
-      force_.segment(*k, behind) = force_.segment(*k + 1, behind).eval();
-      force_.conservativeResize(force_.size() - 1);
-    }
+    for (const Index k : negative)
+      if (share(k) <= step) vanished.push_back(k);
+    const Index size = basis_.size();
+    force_.head(size) += step * (target_.head(size) - force_.head(size));
+    open_vanished(vanished);
   }
-  force_ = target_;
+  force_.head(basis_.size()) = target_.head(basis_.size());
 }
 
 /// A violated row depends on the closed ones: presses it, while they yield, until the first one opens.
 Status GroupActiveSet::exchange(Index row) {
-  const VectorXd response = basis_.response(rows_.fetch({row}, basis_, gap_, rounding_));
-  const double tiny = static_cast<double>(basis_.size() + 1) * std::sqrt(epsilon) * epsilon;
+  fetch(row);
+  const VectorXd response = basis_.response(candidates_);
+  const Index size = basis_.size();
+  const double tiny = static_cast<double>(size + 1) * epsilon * (1 + response.norm());
   double press = std::numeric_limits<double>::infinity();
   Index first = -1;
-  for (Index k = 0; k < basis_.size(); ++k) {
+  for (Index k = 0; k < size; ++k) {
     if (basis_.rows()[at(k)] < rows_.equations || response(k) <= tiny) continue;
     const double limit = force_(k) / response(k);
     if (limit < press) {
@@ -186,19 +204,17 @@ Status GroupActiveSet::exchange(Index row) {
   }
   if (first < 0) {
     proof_.setZero(rows_.count);
-    for (Index k = 0; k < basis_.size(); ++k) proof_(basis_.rows()[at(k)]) = -response(k);
+    for (Index k = 0; k < size; ++k) proof_(basis_.rows()[at(k)]) = -response(k);
     proof_(row) = 1;
     return Status::Infeasible;
   }
-  force_ -= press * response;
-  const Index behind = force_.size() - first - 1;
-  force_.segment(first, behind) = force_.segment(first + 1, behind).eval();
-  force_(force_.size() - 1) = press;
-  drop({first});
+  force_.head(size) -= press * response;
+  open_vanished({first});
   rows_.gaps(basis_, gap_, rounding_);
-  Candidates candidates = rows_.fetch({row}, basis_, gap_, rounding_);
-  if (basis_.append(candidates, ClosedBasis::Choice::All, 1) == 0) return Status::Breakdown;
-  closed_[at(row)] = 1;
+  fetch(row);
+  if (basis_.append(candidates_, ClosedBasis::Choice::All, 1) == 0) return Status::Breakdown;
+  force_(size - 1) = press;
+  state_[at(row)] = Row::Closed;
   step_by_step();
   return Status::Solved;
 }
@@ -210,10 +226,15 @@ void GroupActiveSet::release(const VectorXd& tension) {
   do {
     drop(positions);
     solve();
-    positions = pulling(target_);
+    positions = pulling();
   } while (!positions.empty());
-  force_ = target_;
-  std::fill(fruitless_.begin(), fruitless_.end(), 0);
+  force_.head(basis_.size()) = target_.head(basis_.size());
+  forget_fruitless();
+}
+
+void GroupActiveSet::forget_fruitless() {
+  if (any_fruitless_) std::replace(state_.begin(), state_.end(), Row::Fruitless, Row::Open);
+  any_fruitless_ = false;
 }
 
 }  // namespace signorini

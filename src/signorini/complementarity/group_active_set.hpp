@@ -14,15 +14,14 @@ namespace signorini {
 struct GapRows {
   Eigen::Index count = 0;  ///< number of rows m
   Eigen::Index equations =
-      0;                   ///< so many of the first are always closed, their forces have any sign
-  Eigen::Index rank = 0;   ///< most rows that can be independent
-  Eigen::VectorXd weight;  ///< `m` about 1 / |h_i|, to compare overlaps with
+      0;                  ///< so many of the first are always closed, their forces have any sign
+  Eigen::Index rank = 0;  ///< most rows that can be independent
+  const Eigen::VectorXd* weight = nullptr;  ///< `m` about 1 / |h_i|, to compare overlaps with
   /// Sets the gaps of all rows `m` and what rounding may have done to each.
   std::function<void(const ClosedBasis&, Eigen::VectorXd& gap, Eigen::VectorXd& rounding)> gaps;
-  /// Condenses rows: \f$ h_i / |h_i| \f$ or the same in products.
-  std::function<ClosedBasis::Candidates(const std::vector<Eigen::Index>& rows,
-                                        const ClosedBasis& basis, const Eigen::VectorXd& gap,
-                                        const Eigen::VectorXd& rounding)>
+  /// Condenses rows, named by `candidates.rows`: \f$ h_i / |h_i| \f$ or the same in products.
+  std::function<void(const ClosedBasis&, const Eigen::VectorXd& gap,
+                     const Eigen::VectorXd& rounding, ClosedBasis::Candidates& candidates)>
       fetch;
 };
 
@@ -48,20 +47,24 @@ class GroupActiveSet {
 
   /// \return the closed rows
   [[nodiscard]] ClosedBasis& basis() { return basis_; }
-  /// \return their forces, in normalised rows
-  [[nodiscard]] const Eigen::VectorXd& force() const { return force_; }
   /// \return after Infeasible: numbers y of normalised rows `m`, >= 0 but for equations, with
   ///   \f$ \sum y_i h_i = 0 \f$ while the same sum of gaps is negative
   [[nodiscard]] const Eigen::VectorXd& proof() const { return proof_; }
 
  private:
-  std::vector<Eigen::Index> most_violated();
+  /// Fruitless rows have joined without a rise of the energy: their overlap is rounding.
+  enum class Row : char { Open, Closed, Fruitless };
+
+  void forget_fruitless();
+  void find_most_violated();
+  void fetch(Eigen::Index row);
+  void open_vanished(const std::vector<Eigen::Index>& positions);
   void settle(Eigen::Index before);
   void step_by_step();
   Status exchange(Eigen::Index row);
   void drop(const std::vector<Eigen::Index>& positions);
   void solve();
-  [[nodiscard]] std::vector<Eigen::Index> pulling(const Eigen::VectorXd& force) const;
+  [[nodiscard]] std::vector<Eigen::Index> pulling() const;
 
   const GapRows& rows_;
   ClosedBasis basis_;
@@ -74,8 +77,9 @@ class GroupActiveSet {
   Eigen::VectorXd force_;
   Eigen::VectorXd target_;
   Eigen::VectorXd proof_;
-  std::vector<char> closed_;
-  std::vector<char> fruitless_;
+  ClosedBasis::Candidates candidates_;
+  std::vector<Row> state_;
+  bool any_fruitless_ = false;
 };
 
 }  // namespace signorini

@@ -23,6 +23,8 @@ class ProgrammeRows {
   /// \throws ProblemError if K is not positive definite to rounding where A_e u = 0
   explicit ProgrammeRows(const DenseProgramme& programme);
 
+  /// \return number of unknowns n
+  [[nodiscard]] Eigen::Index unknowns() const { return base_.size(); }
   /// \return number of rows m
   [[nodiscard]] Eigen::Index count() const { return gap_.size(); }
   /// \return how many of the first rows are equations
@@ -40,7 +42,7 @@ class ProgrammeRows {
   /// \param basis     closed rows
   /// \param gap       set to g - A u `m`
   /// \param rounding  set to what rounding may have done to each
-  void gaps(const ClosedBasis& basis, Eigen::VectorXd& gap, Eigen::VectorXd& rounding) const;
+  void gaps(const ClosedBasis& basis, Eigen::VectorXd& gap, Eigen::VectorXd& rounding);
 
   /// Displacements when a basis of rows is closed.
   /// \param basis  closed rows
@@ -48,14 +50,11 @@ class ProgrammeRows {
   [[nodiscard]] Eigen::VectorXd displacement(const ClosedBasis& basis) const;
 
   /// Condenses rows.
-  /// \param rows      which ones
-  /// \param basis     closed rows
-  /// \param gap       their gaps and all others `m`
-  /// \param rounding  of the gaps `m`
-  /// \return the candidates; a row of A without entries has a column of zeros
-  [[nodiscard]] ClosedBasis::Candidates fetch(const std::vector<Eigen::Index>& rows,
-                                              const ClosedBasis& basis, const Eigen::VectorXd& gap,
-                                              const Eigen::VectorXd& rounding);
+  /// \param gap         of all rows `m`
+  /// \param rounding    of the gaps `m`
+  /// \param candidates  whose `rows` say which ones; a row of A without entries has a column of zeros
+  void fetch(const Eigen::VectorXd& gap, const Eigen::VectorXd& rounding,
+             ClosedBasis::Candidates& candidates);
 
   /// u and lambda of a basis, refined from the original data.
   struct Refined {
@@ -67,20 +66,29 @@ class ProgrammeRows {
   };
   /// Refines \f$ K u + A^T \lambda = p,\ A_W u = g_W \f$ with residuals in twice the working precision;
   /// later gaps are measured from the result. \PaperEq{XuanLi2002, 21}
+  ///
+  /// Nothing is refined if the residuals are of rounding size already and no row is near enough to
+  /// the wrong side for rounding to matter.
   /// \param basis  W; its coordinates become those of the refined forces
   /// \return the refined solution
   [[nodiscard]] Refined refine(ClosedBasis& basis);
 
  private:
+  struct Work;
+  void correct(const ClosedBasis& basis, Refined& refined, Work& work);
+  void measure(const ClosedBasis& basis, const Eigen::VectorXd& displacement);
+  [[nodiscard]] bool beyond_doubt(const ClosedBasis& basis, Refined& refined, const Work& work);
+  void judge(const ClosedBasis& basis, Refined& refined, const Work& work);
+
   const DenseProgramme& programme_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
-  Eigen::MatrixXd rows_of_A_;     // A^T `n x m`: one row of A per column
-  Eigen::VectorXd displacement_;  // from which `gap_` comes
-  Eigen::VectorXd gap_;           // where v = base_
-  Eigen::VectorXd base_;          // Q y of the last refinement
-  Eigen::VectorXd floor_;         // rounding of gap_
+  Eigen::VectorXd displacement_;  // from which gap_ comes
+  Eigen::VectorXd gap_;           // where Q y = base_
+  Eigen::VectorXd base_;
+  Eigen::VectorXd floor_;  // rounding of gap_
   Eigen::VectorXd weight_;
   Eigen::VectorXd norm_;
+  Eigen::VectorXd moved_;
 };
 
 }  // namespace signorini

@@ -34,21 +34,20 @@ void gaps_of_pairs(const ScaledProblem& scaled, const ClosedBasis& basis, Vector
   rounding *= static_cast<double>(basis.size() + 1) * std::numeric_limits<double>::epsilon();
 }
 
-GapRows rows_of(const ScaledProblem& scaled) {
+GapRows rows_of(const ScaledProblem& scaled, const VectorXd& weight) {
   GapRows rows;
   rows.count = rows.rank = scaled.free_gap.size();
-  rows.weight = VectorXd::Ones(rows.count);
+  rows.weight = &weight;
   rows.gaps = [&scaled](const ClosedBasis& basis, VectorXd& gap, VectorXd& rounding) {
     gaps_of_pairs(scaled, basis, gap, rounding);
   };
-  rows.fetch = [&scaled](const Rows& list, const ClosedBasis& basis, const VectorXd& gap,
-                         const VectorXd& rounding) -> ClosedBasis::Candidates {
-    return {list,
-            gap(list),
-            rounding(list),
-            {},
-            scaled.compliance(basis.rows(), list),
-            scaled.compliance(list, list)};
+  rows.fetch = [&scaled](const ClosedBasis& basis, const VectorXd& gap, const VectorXd& rounding,
+                         ClosedBasis::Candidates& candidates) {
+    const Rows& list = candidates.rows;
+    candidates.gap = gap(list);
+    candidates.rounding = rounding(list);
+    candidates.cross = scaled.compliance(basis.rows(), list);
+    candidates.block = scaled.compliance(list, list);
   };
   return rows;
 }
@@ -57,14 +56,14 @@ GapRows rows_of(ProgrammeRows& programme) {
   GapRows rows;
   rows.count = programme.count();
   rows.equations = programme.equations();
-  rows.rank = programme.empty_basis().capacity();
-  rows.weight = programme.weights();
+  rows.rank = std::min(programme.unknowns(), rows.count);
+  rows.weight = &programme.weights();
   rows.gaps = [&programme](const ClosedBasis& basis, VectorXd& gap, VectorXd& rounding) {
     programme.gaps(basis, gap, rounding);
   };
-  rows.fetch = [&programme](const Rows& list, const ClosedBasis& basis, const VectorXd& gap,
-                            const VectorXd& rounding) {
-    return programme.fetch(list, basis, gap, rounding);
+  rows.fetch = [&programme](const ClosedBasis& /*basis*/, const VectorXd& gap,
+                            const VectorXd& rounding, ClosedBasis::Candidates& candidates) {
+    programme.fetch(gap, rounding, candidates);
   };
   return rows;
 }
@@ -81,7 +80,8 @@ Rows sorted_active(const ClosedBasis& basis, Index equations) {
 
 ContactState quasi_active_set(const ContactProblem& problem, const SolverOptions& options) {
   const ScaledProblem scaled = equilibrate(problem);
-  const GapRows rows = rows_of(scaled);
+  const VectorXd ones = VectorXd::Ones(scaled.free_gap.size());
+  const GapRows rows = rows_of(scaled, ones);
   Report report;
   GroupActiveSet method(rows, ClosedBasis(0, rows.count), report, limit_of(options, rows.count));
   report.status = method.run();

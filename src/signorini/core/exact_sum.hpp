@@ -37,6 +37,10 @@ class ExactSum {
   }
   /// \return the sum, rounded once
   [[nodiscard]] double value() const { return high_ + low_; }
+  /// \return the larger part of the sum
+  [[nodiscard]] double high() const { return high_; }
+  /// \return what the larger part lacks
+  [[nodiscard]] double low() const { return low_; }
 
  private:
   struct Halves {

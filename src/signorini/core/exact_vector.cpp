@@ -1,5 +1,7 @@
 #include "signorini/core/exact_vector.hpp"
 
+#include "signorini/core/exact_sum.hpp"
+
 namespace signorini {
 
 void ExactVector::add_product(const Eigen::Ref<const Eigen::VectorXd>& column, double factor) {
@@ -22,6 +24,15 @@ void ExactVector::add_product(const Eigen::Ref<const Eigen::VectorXd>& column, d
     const double part = sum - high[i];
     low[i] += ((high[i] - (sum - part)) + (product - part)) + error;
     high[i] = sum;
+  }
+}
+
+void ExactVector::add_products(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& factors) {
+  for (Eigen::Index i = 0; i < high_.size(); ++i) {
+    ExactSum sum(high_(i));
+    for (Eigen::Index k = 0; k < factors.size(); ++k) sum.add_product(matrix(k, i), factors(k));
+    high_(i) = sum.high();
+    low_(i) += sum.low();
   }
 }
 

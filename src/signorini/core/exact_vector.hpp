@@ -16,6 +16,10 @@ class ExactVector {
   /// \param column  as long as the vector, magnitudes below 2^996
   /// \param factor  of magnitude below 2^996
   void add_product(const Eigen::Ref<const Eigen::VectorXd>& column, double factor);
+  /// Adds the transpose of a matrix times a vector without rounding the products.
+  /// \param matrix   one column per sum, magnitudes below 2^996
+  /// \param factors  one per row, magnitudes below 2^996
+  void add_products(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& factors);
   /// Adds a small correction, whose rounding does not matter.
   /// \param correction  as long as the vector
   void add_small(const Eigen::Ref<const Eigen::VectorXd>& correction) { low_ += correction; }
