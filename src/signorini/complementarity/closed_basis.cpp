@@ -18,6 +18,11 @@ ClosedBasis::ClosedBasis(Index space, Index capacity)
   rows_.reserve(static_cast<std::size_t>(capacity));
 }
 
+double ClosedBasis::smallest_distance() const {
+  if (Q_.rows() > 0) return static_cast<double>(capacity() + Q_.rows() + 1) * epsilon;
+  return std::pow(epsilon, 0.4);
+}
+
 /// Leaves in `cross_` what the candidates share with the basis, in `columns` or `block` the rest of
 /// them, and in `pivot_` the squared length of that rest.
 void ClosedBasis::project(Candidates& candidates) {
@@ -84,9 +89,7 @@ Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
   limit = std::min({limit, count, capacity() - size()});
   if (limit <= 0) return 0;
   project(candidates);
-  // A squared length of rounding size: with columns that of their entries, else that of 1 - 1.
-  const double length = static_cast<double>(size() + limit + Q_.rows()) * epsilon;
-  const double smallest = Q_.rows() > 0 ? length * length : length;
+  const double smallest = smallest_distance() * smallest_distance();
   Index joined = 0;
   while (joined < limit) {
     Index best = -1;

@@ -35,6 +35,12 @@ class ClosedBasis {
   /// \return \f$ \tfrac12|y|^2 \f$ [energy]
   [[nodiscard]] double dual_energy() const { return 0.5 * y_.head(size()).squaredNorm(); }
 
+  /// A row whose distance from the span of the others is at most this depends on them. With columns it
+  /// is their rounding. Products know the square of the distance only, which carries their rounding and
+  /// that of how they were made: four fifths of the digits are trusted.
+  /// \return the distance, for rows of length 1
+  [[nodiscard]] double smallest_distance() const;
+
   /// Candidates that may join the basis, in normalised rows. The arrays may be larger than needed, so
   /// that they can be used again.
   struct Candidates {

@@ -191,7 +191,7 @@ Status GroupActiveSet::exchange(Index row) {
   fetch(row);
   const VectorXd response = basis_.response(candidates_);
   const Index size = basis_.size();
-  const double tiny = static_cast<double>(size + 1) * epsilon * (1 + response.norm());
+  const double tiny = basis_.smallest_distance() * (1 + response.norm());
   double press = std::numeric_limits<double>::infinity();
   Index first = -1;
   for (Index k = 0; k < size; ++k) {
@@ -203,8 +203,17 @@ Status GroupActiveSet::exchange(Index row) {
     }
   }
   if (first < 0) {
+    const double distance = basis_.smallest_distance();
+    if (-gap_(row) <= rounding_(row) / epsilon * distance * distance) {  // it grazes, no more is known
+      state_[at(row)] = Row::Fruitless;
+      any_fruitless_ = true;
+      return Status::Solved;
+    }
     proof_.setZero(rows_.count);
-    for (Index k = 0; k < size; ++k) proof_(basis_.rows()[at(k)]) = -response(k);
+    for (Index k = 0; k < size; ++k) {
+      const Index closed = basis_.rows()[at(k)];
+      proof_(closed) = closed < rows_.equations ? -response(k) : std::max(0.0, -response(k));
+    }
     proof_(row) = 1;
     return Status::Infeasible;
   }

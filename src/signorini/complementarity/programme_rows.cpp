@@ -18,6 +18,8 @@ const double epsilon = std::numeric_limits<double>::epsilon();
 
 double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
+/// How far a row of this weight can move when the unknowns move so far; a row without entries cannot.
+double reach(double stretch, double weight) { return weight > 0 ? stretch / weight : 0; }
 
 /// x <- L^-1 x down the columns of L; short columns are not worth the blocks of the general routine.
 void solve_lower(const Eigen::MatrixXd& L, Eigen::Ref<VectorXd> x) {
@@ -92,20 +94,20 @@ ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(progr
   norm_.setZero(count());
   // |D^-1/2 a_i| with D = diag K estimates |h_i|, and bounds the terms of a_i u by |D^1/2 u|.
   floor_.setZero(count());
-  double stretch = 0;
+  root_.resize(n);
   for (Index j = 0; j < n; ++j) {
     const double pivot = factor_.matrixLLT()(j, j);
     const double stiffness = std::max(programme.stiffness(j, j), pivot * pivot);
-    stretch += stiffness * displacement_(j) * displacement_(j);
+    root_(j) = std::sqrt(stiffness);
     floor_ += (1 / stiffness) * programme.A.col(j).cwiseAbs2();
   }
+  stretch_ = displacement_.cwiseProduct(root_).norm();
   weight_.resize(count());
-  stretch = std::sqrt(stretch);
   const double rounding = static_cast<double>(n + 4) * epsilon;
   for (Index i = 0; i < count(); ++i) {
     const double size = std::sqrt(floor_(i));
     weight_(i) = size > 0 ? 1 / size : 0;
-    floor_(i) = rounding * (std::abs(programme.initial_gap(i)) + stretch * size);
+    floor_(i) = rounding * (std::abs(programme.initial_gap(i)) + stretch_ * size);
   }
 }
 
@@ -122,7 +124,7 @@ void ProgrammeRows::gaps(const ClosedBasis& basis, VectorXd& gap, VectorXd& roun
   if (size == 0) return;
   solve_upper(factor_.matrixLLT(), moved_);
   gap.noalias() += programme_.A * moved_;
-  for (Index i = 0; i < gap.size(); ++i) rounding(i) += ratio(size, weight_(i));
+  for (Index i = 0; i < gap.size(); ++i) rounding(i) += reach(size, weight_(i));
 }
 
 VectorXd ProgrammeRows::displacement(const ClosedBasis& basis) const {
@@ -255,10 +257,10 @@ void ProgrammeRows::measure(const ClosedBasis& basis, const VectorXd& displaceme
   base_.noalias() = basis.directions() * basis.coordinates();
   gap_ = programme_.initial_gap;
   gap_.noalias() -= programme_.A * displacement;
-  floor_ = programme_.initial_gap.cwiseAbs();
-  for (Index j = 0; j < unknowns(); ++j)
-    floor_ += std::abs(displacement(j)) * programme_.A.col(j).cwiseAbs();
-  floor_ *= 4 * epsilon;
+  // What the row moves is at most |D^-1/2 a_i| |D^1/2 u|, and was so before contact pushed back.
+  stretch_ = std::max(stretch_, displacement.cwiseProduct(root_).norm());
+  for (Index i = 0; i < count(); ++i)
+    floor_(i) = 4 * epsilon * (std::abs(programme_.initial_gap(i)) + reach(stretch_, weight_(i)));
 }
 
 /// Whether the solution satisfies all conditions so well, and all rows are so far from the wrong side,

@@ -89,6 +89,8 @@ class ProgrammeRows {
   Eigen::VectorXd weight_;
   Eigen::VectorXd norm_;
   Eigen::VectorXd moved_;
+  Eigen::VectorXd root_;  // of the diagonal of K
+  double stretch_ = 0;    // |D^1/2 u|, the largest so far
 };
 
 }  // namespace signorini

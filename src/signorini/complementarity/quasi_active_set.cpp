@@ -1,9 +1,11 @@
 #include "signorini/complementarity/quasi_active_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/group_active_set.hpp"
 #include "signorini/complementarity/programme_rows.hpp"
@@ -14,6 +16,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using Rows = std::vector<Index>;
+
+const double epsilon = std::numeric_limits<double>::epsilon();
 
 Index limit_of(const SolverOptions& options, Index count) {
   return options.iteration_limit > 0 ? options.iteration_limit : 10 * count + 100;
@@ -31,7 +35,7 @@ void gaps_of_pairs(const ScaledProblem& scaled, const ClosedBasis& basis, Vector
     gap += force(k) * column;
     rounding += std::abs(force(k)) * column.cwiseAbs();
   }
-  rounding *= static_cast<double>(basis.size() + 1) * std::numeric_limits<double>::epsilon();
+  rounding *= static_cast<double>(basis.size() + 1) * epsilon;
 }
 
 GapRows rows_of(const ScaledProblem& scaled, const VectorXd& weight) {
@@ -68,6 +72,13 @@ GapRows rows_of(ProgrammeRows& programme) {
   return rows;
 }
 
+/// Whether y >= 0 presses pairs that move nothing, while their gaps sum to an overlap.
+bool proves(const ScaledProblem& scaled, const VectorXd& y, const ClosedBasis& basis) {
+  const double moved = y.dot(scaled.compliance * y);
+  return moved <= std::pow(basis.smallest_distance(), 2) * y.squaredNorm() &&
+         scaled.free_gap.dot(y) < 0;
+}
+
 Rows sorted_active(const ClosedBasis& basis, Index equations) {
   Rows active;
   for (const Index row : basis.rows())
@@ -84,16 +95,34 @@ ContactState quasi_active_set(const ContactProblem& problem, const SolverOptions
   const GapRows rows = rows_of(scaled, ones);
   Report report;
   GroupActiveSet method(rows, ClosedBasis(0, rows.count), report, limit_of(options, rows.count));
-  report.status = method.run();
-  Rows active = sorted_active(method.basis(), 0);
-  ClosedPairs closed = close_pairs(scaled, active);
-  if (!closed.solvable) {
-    closed.gap = scaled.free_gap;
-    if (report.status == Status::Solved) report.status = Status::Breakdown;
+  ClosedPairs closed;
+  for (Index round = 0;; ++round) {
+    report.status = method.run();
+    closed = close_pairs(scaled, sorted_active(method.basis(), 0));
+    if (!closed.solvable) {
+      closed.gap = scaled.free_gap;
+      if (report.status == Status::Solved) report.status = Status::Breakdown;
+    }
+    if (report.status != Status::Solved) break;
+    const VectorXd force = closed.force(method.basis().rows());
+    const VectorXd rounding = closed.force_rounding(method.basis().rows());
+    const VectorXd tension = (-force - rounding).cwiseMax(0.0);
+    const double trusted = std::pow(method.basis().smallest_distance(), 2) / epsilon;
+    const bool overlap = (closed.gap.array() < -trusted * closed.gap_rounding.array()).any();
+    if (!overlap && (tension.size() == 0 || tension.maxCoeff() == 0)) break;
+    if (round == rows.count) report.status = Status::Breakdown;
+    if (round == rows.count) break;
+    method.basis().set_force(force);
+    method.release(tension);
   }
-  ContactState state = unscaled(scaled, closed, std::move(active), std::move(report));
+  if (report.status == Status::Infeasible && !proves(scaled, method.proof(), method.basis()))
+    report.status = Status::Breakdown;
+  ContactState state =
+      unscaled(scaled, closed, sorted_active(method.basis(), 0), std::move(report));
   if (state.report.status == Status::Infeasible)
     state.infeasibility = scaled.scale.cwiseProduct(method.proof());
+  if (state.report.status == Status::Solved && !certify(problem, state).holds())
+    state.report.status = Status::Breakdown;
   return state;
 }
 
