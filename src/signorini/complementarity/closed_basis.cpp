@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "signorini/complementarity/triangular.hpp"
+
 namespace signorini {
 namespace {
 
 using Eigen::Index;
+using Eigen::VectorXd;
 
 const double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -114,11 +117,8 @@ Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
 
 void ClosedBasis::solve(Eigen::VectorXd& force) const {
   if (force.size() < capacity()) force.resize(capacity());
-  for (Index j = size() - 1; j >= 0; --j) {  // backwards, down the columns of L
-    const Index below = size() - j - 1;
-    force(j) =
-        (y_(j) - L_.col(j).segment(j + 1, below).dot(force.segment(j + 1, below))) / L_(j, j);
-  }
+  force.head(size()) = y_.head(size());
+  solve_upper(L_, force.head(size()));
 }
 
 Eigen::VectorXd ClosedBasis::response(const Candidates& candidates) const {
@@ -132,6 +132,13 @@ Eigen::VectorXd ClosedBasis::response(const Candidates& candidates) const {
   }
   L.transpose().solveInPlace(r);
   return r;
+}
+
+double ClosedBasis::distance_from_others(Index position) const {
+  // One over the root of the diagonal entry of (L L^T)^-1.
+  VectorXd e = VectorXd::Unit(size(), position);
+  solve_lower(L_, e);
+  return 1 / e.norm();
 }
 
 /// Row `position` of L goes; rotations of the columns behind it make L triangular again.

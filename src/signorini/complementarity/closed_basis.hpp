@@ -75,6 +75,11 @@ class ClosedBasis {
   /// \return \f$ r = G_{WW}^{-1} G_{Wp} \f$ `size` [-]: forces change by -r per unit force
   [[nodiscard]] Eigen::VectorXd response(const Candidates& candidates) const;
 
+  /// How independent a pair of the basis is.
+  /// \param position  in rows()
+  /// \return distance of its row from the span of all others, for rows of length 1
+  [[nodiscard]] double distance_from_others(Eigen::Index position) const;
+
   /// Removes pairs; the coordinates become those of the remaining set.
   /// \param positions  in rows(), increasing
   void remove(const std::vector<Eigen::Index>& positions);

@@ -173,7 +173,9 @@ void GroupActiveSet::step_by_step() {
     solve();
     const std::vector<Index> negative = pulling();
     if (negative.empty()) break;
-    const auto share = [&](Index k) { return force_(k) / (force_(k) - target_(k)); };
+    const auto share = [&](Index k) {
+      return force_(k) > 0 ? force_(k) / (force_(k) - target_(k)) : 0.0;
+    };
     double step = 1;
     for (const Index k : negative) step = std::min(step, share(k));
     std::vector<Index> vanished;
@@ -186,25 +188,32 @@ void GroupActiveSet::step_by_step() {
   force_.head(basis_.size()) = target_.head(basis_.size());
 }
 
+/// The closed row whose force vanishes first when the forces change by -response, and the step to there; -1
+/// if none does. A response so small that without this row the new one would still depend on the others
+/// is rounding.
+std::pair<Index, double> GroupActiveSet::first_to_open(const VectorXd& response) const {
+  std::vector<Index> yielding;
+  for (Index k = 0; k < basis_.size(); ++k)
+    if (response(k) > 0 && basis_.rows()[at(k)] >= rows_.equations) yielding.push_back(k);
+  const auto step = [&](Index k) { return force_(k) / response(k); };
+  std::sort(yielding.begin(), yielding.end(),
+            [&](Index a, Index b) { return step(a) < step(b) || (step(a) == step(b) && a < b); });
+  for (const Index k : yielding)
+    if (response(k) * basis_.distance_from_others(k) > basis_.smallest_distance())
+      return {k, step(k)};
+  return {-1, 0};
+}
+
 /// A violated row depends on the closed ones: presses it, while they yield, until the first one opens.
 Status GroupActiveSet::exchange(Index row) {
   fetch(row);
   const VectorXd response = basis_.response(candidates_);
   const Index size = basis_.size();
-  const double tiny = basis_.smallest_distance() * (1 + response.norm());
-  double press = std::numeric_limits<double>::infinity();
-  Index first = -1;
-  for (Index k = 0; k < size; ++k) {
-    if (basis_.rows()[at(k)] < rows_.equations || response(k) <= tiny) continue;
-    const double limit = force_(k) / response(k);
-    if (limit < press) {
-      press = limit;
-      first = k;
-    }
-  }
+  const auto [first, press] = first_to_open(response);
   if (first < 0) {
     const double distance = basis_.smallest_distance();
-    if (-gap_(row) <= rounding_(row) / epsilon * distance * distance) {  // it grazes, no more is known
+    if (-gap_(row) <=
+        rounding_(row) / epsilon * distance * distance) {  // it grazes, no more is known
       state_[at(row)] = Row::Fruitless;
       any_fruitless_ = true;
       return Status::Solved;
@@ -217,7 +226,10 @@ Status GroupActiveSet::exchange(Index row) {
     proof_(row) = 1;
     return Status::Infeasible;
   }
+  // Rounding may leave forces of rows that yield faster a little below zero.
   force_.head(size) -= press * response;
+  for (Index k = 0; k < size; ++k)
+    if (basis_.rows()[at(k)] >= rows_.equations) force_(k) = std::max(0.0, force_(k));
   open_vanished({first});
   rows_.gaps(basis_, gap_, rounding_);
   fetch(row);

@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "signorini/complementarity/closed_basis.hpp"
@@ -62,6 +63,8 @@ class GroupActiveSet {
   void settle(Eigen::Index before);
   void step_by_step();
   Status exchange(Eigen::Index row);
+  [[nodiscard]] std::pair<Eigen::Index, double> first_to_open(
+      const Eigen::VectorXd& response) const;
   void drop(const std::vector<Eigen::Index>& positions);
   void solve();
   [[nodiscard]] std::vector<Eigen::Index> pulling() const;

@@ -22,7 +22,7 @@ void ExactVector::add_product(const Eigen::Ref<const Eigen::VectorXd>& column, d
         a_low * f_low - (((product - a_high * f_high) - a_low * f_high) - a_high * f_low);
     const double sum = high[i] + product;
     const double part = sum - high[i];
-    low[i] += ((high[i] - (sum - part)) + (product - part)) + error;
+    low[i] = (low[i] + ((high[i] - (sum - part)) + (product - part))) + error;
     high[i] = sum;
   }
 }
