@@ -5,6 +5,7 @@
 #include "signorini/complementarity/enumerate.hpp"
 #include "signorini/complementarity/primal_dual_active_set.hpp"
 #include "signorini/complementarity/quasi_active_set.hpp"
+#include "signorini/complementarity/surrogate_dual.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -28,6 +29,41 @@ const std::vector<Solver>& solvers() {
        enumerate,
        largest_enumeration,
        {Trait::Asymmetric}},
+      {"surrogate_dual",
+       "one weighted gap; weights best on the face of all vertices in use",
+       surrogate_dual<WeightRule::FullyCorrective>,
+       0,
+       {Trait::Asymmetric, Trait::IllConditioned}},
+      {"surrogate_dual_vertex",
+       "one weighted gap; all weight to the most violated pair, which hops",
+       surrogate_dual<WeightRule::LiteralVertex>,
+       0,
+       {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
+        Trait::IllConditioned, Trait::Slow}},
+      {"surrogate_dual_harmonic",
+       "one weighted gap; weights move 2/(k+2) of the way to that pair",
+       surrogate_dual<WeightRule::Harmonic>,
+       0,
+       {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
+        Trait::IllConditioned, Trait::Slow}},
+      {"surrogate_dual_line_search",
+       "one weighted gap; weights move to that pair by a line search",
+       surrogate_dual<WeightRule::LineSearch>,
+       0,
+       {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
+        Trait::IllConditioned, Trait::Slow}},
+      {"surrogate_dual_away_steps",
+       "one weighted gap; or away from the worst pair in use",
+       surrogate_dual<WeightRule::AwaySteps>,
+       0,
+       {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
+        Trait::IllConditioned, Trait::Slow}},
+      {"surrogate_dual_pairwise",
+       "one weighted gap; weight moves from the worst pair to the best",
+       surrogate_dual<WeightRule::Pairwise>,
+       0,
+       {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
+        Trait::IllConditioned, Trait::Slow}},
   };
   return family;
 }
