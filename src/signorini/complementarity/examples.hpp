@@ -29,4 +29,36 @@ struct KnownProgramme {
 /// \throws std::invalid_argument if a size is not positive
 [[nodiscard]] KnownProgramme rosen_suzuki(Eigen::Index n, Eigen::Index m, std::uint64_t seed);
 
+/// What is pressed into a half-plane.
+enum class Punch {
+  Parabola,  ///< x^2 / 2R: it touches over a part of the pairs, with Hertz's pressure
+  Flat       ///< with sharp edges at the ends: it touches everywhere
+};
+
+/// A half-plane under a rigid punch, with the exact solution of the continuum.
+struct Indentation {
+  ContactProblem problem;    ///< G and d, for forces per unit thickness
+  Eigen::VectorXd position;  ///< `n` of the pairs, in (-1, 1) [half-width of the candidates]
+  Eigen::VectorXd force;     ///< `n` exact pressure, summed over the length of each pair
+  double half_width = 0;     ///< exact: pairs with |x| below it are closed
+  double total_force = 0;    ///< exact
+};
+
+/// A rigid punch pressed into an elastic half-plane: n equal elements of constant pressure between
+/// -1 and 1, gaps at their midpoints [\ref Johnson1985].
+///
+/// With E/(1 - nu^2) = 1 and r = |x_i - x_j|, h = 2/n, a force spread over element j moves the surface
+/// at x_i by
+/// \f[ G_{ij} = -\frac{2}{\pi h} \int_{r-h/2}^{r+h/2} \ln\frac{|s|}{c}\,ds \f]
+/// relative to the points at the distance c = 2: symmetric, positive definite because c exceeds a quarter
+/// of the length, with a condition that grows like n. The parabola has R = 1 and is pressed in until
+/// it touches for |x| < b = 0.6, by (ln(2c/b) + 1/2) b^2 / 2; the flat punch carries the force 1 and sinks
+/// by ln(2c) 2/pi. The forces of the discrete problem differ from the exact ones by terms of the
+/// order h.
+/// \param n      pairs, at least 1
+/// \param punch  its shape
+/// \return problem and exact solution of the continuum
+/// \throws std::invalid_argument if n is not positive
+[[nodiscard]] Indentation half_plane_indentation(Eigen::Index n, Punch punch = Punch::Parabola);
+
 }  // namespace signorini
