@@ -151,7 +151,7 @@ TEST_CASE("two pairs: the literal rule hops, the line search arrives at once",
 
 TEST_CASE("all rules but the first two never lower s, and none leaves the simplex",
           "[surrogate_dual]") {
-  const ContactProblem problem = half_plane_indentation(40);
+  const ContactProblem problem = half_plane_indentation(40).problem;
   for (const WeightRule rule : all_rules) {
     WeightIteration run(problem, rule);
     double before = run.value();
@@ -168,7 +168,7 @@ TEST_CASE("all rules but the first two never lower s, and none leaves the simple
 }
 
 TEST_CASE("the bound on the gap that is left holds near the end", "[surrogate_dual]") {
-  const ContactProblem problem = half_plane_indentation(40);
+  const ContactProblem problem = half_plane_indentation(40).problem;
   const ContactState exact = surrogate_dual(problem, WeightRule::FullyCorrective);
   REQUIRE(exact.report.status == Status::Solved);
   const double best = -0.5 * exact.force.dot(problem.free_gap);

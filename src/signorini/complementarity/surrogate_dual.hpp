@@ -18,8 +18,9 @@ namespace signorini {
 [[nodiscard]] double lagrangian(const QuadraticProgramme& programme,
                                 const Eigen::VectorXd& displacement, const Eigen::VectorXd& force);
 
-/// The total contact force that closes the weighted gap. \PaperEq{XuanLi2002, 15},
-/// \PaperEq{XuanLi2002, 19}, \PaperEq{XuanLi2002, 23}
+/// The total contact force that closes the weighted gap \PaperEq{XuanLi2002, 15}, or zero if it is
+/// open: \PaperEq{XuanLi2002, 17}, \PaperEq{XuanLi2002, 18}, \PaperEq{XuanLi2002, 19},
+/// \PaperEq{XuanLi2002, 23}
 ///
 /// \f$ \eta = (b^T\xi)_+ / \xi^T G \xi \f$. The paper has no positive part, so that an open weighted
 /// gap would be closed by tension.
@@ -30,7 +31,7 @@ namespace signorini {
 [[nodiscard]] double total_contact_force(const ContactProblem& problem,
                                          const Eigen::VectorXd& weights);
 
-/// The energy that the best total force for these weights adds to the body. \PaperEq{XuanLi2002, 24}
+/// The energy that the best total force for these weights adds. \PaperEq{XuanLi2002, 24}
 ///
 /// \f$ s = \tfrac12 \eta^2 \xi^T G \xi = \tfrac12 (b^T\xi)_+^2 / \xi^T G \xi \f$, without the
 /// constant \f$ -\tfrac12 p^T K^{-1} p \f$, the energy without contact.
@@ -100,18 +101,15 @@ enum class WeightRule {
 /// \param rule     how the weights change
 /// \param options  `iteration_limit` 0 stands for 100 n_c + 1000; with `tolerance` of
 ///   WeightIteration::relative_gap() the iteration ends
-/// \return `Solved`; `Infeasible` with its proof if weights with \f$ G\xi = 0,\ b^T\xi > 0 \f$ are
-///   met, which only the last rule is sure to do; else `IterationLimit`, which is also how the
-///   literal rule ends when a vertex comes back. The history keeps iterations 0 to 31 and then at
-///   most 16 per doubling; `Iteration::dual_energy` is s
+/// \return `Solved`; `Infeasible` with its proof, weights with \f$ G\xi = 0,\ b^T\xi > 0 \f$, which
+///   only the last rule is sure to find, or `Breakdown` if they hold only nearly; else
+///   `IterationLimit`, which is also how the literal rule ends when a vertex comes back. The history
+///   keeps iterations 0 to 31 and then 16 per doubling; `Iteration::dual_energy` is s
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ContactState surrogate_dual(const ContactProblem& problem, WeightRule rule,
                                           const SolverOptions& options = {});
 
-/// The same with the rule fixed, for the table of solvers.
-/// \param problem  as above
-/// \param options  as above
-/// \return as above
+/// The same with a fixed rule. \param problem  as above \param options  as above \return as above
 template <WeightRule rule>
 [[nodiscard]] ContactState surrogate_dual(const ContactProblem& problem,
                                           const SolverOptions& options) {
