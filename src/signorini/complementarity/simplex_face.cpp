@@ -7,7 +7,8 @@ namespace signorini {
 
 using Eigen::Index;
 
-SimplexFace::SimplexFace(const ContactProblem& problem) : problem_(problem) {}
+SimplexFace::SimplexFace(const ContactProblem& problem)
+    : problem_(problem), root_(problem.compliance.diagonal().cwiseMax(0.0).cwiseSqrt()) {}
 
 Eigen::VectorXd SimplexFace::factor_row(Index vertex) const {
   const Index k = static_cast<Index>(vertices_.size());
@@ -62,8 +63,10 @@ bool SimplexFace::add(Index vertex) {
     const double pivot = own - row.squaredNorm();
     const double overlap = -problem_.free_gap(vertex) - own * force -
                            problem_.compliance(vertices_, vertex).dot(force_);
+    // pivot = z.Gz for z = (1, -yield), so that rounding in G counts with the square of the sum of |z|.
     const double rounding = static_cast<double>(k + 1) * epsilon;
-    double step = pivot > 2 * rounding * own ? overlap / pivot : infinity;
+    const double size = std::sqrt(own) + yield.cwiseAbs().dot(root_(vertices_));
+    double step = pivot > epsilon * size * size ? overlap / pivot : infinity;
     Index weakest = -1;
     for (Index j = 0; j < k; ++j) {
       if (yield(j) <= rounding * yield.cwiseAbs().maxCoeff()) continue;

@@ -42,6 +42,7 @@ class SimplexFace {
   void settle();
 
   const ContactProblem& problem_;
+  Eigen::VectorXd root_;  // sqrt(G_ii)
   std::vector<Eigen::Index> vertices_;
   Eigen::MatrixXd factor_;  // L of G_WW in its upper left corner
   Eigen::VectorXd force_;   // of the vertices, in their order

@@ -33,7 +33,7 @@ const std::vector<Solver>& solvers() {
        "one weighted gap; weights best on the face of all vertices in use",
        surrogate_dual<WeightRule::FullyCorrective>,
        0,
-       {Trait::Asymmetric, Trait::IllConditioned}},
+       {Trait::Asymmetric, Trait::Infeasible, Trait::IllConditioned}},
       {"surrogate_dual_vertex",
        "one weighted gap; all weight to the most violated pair, which hops",
        surrogate_dual<WeightRule::LiteralVertex>,

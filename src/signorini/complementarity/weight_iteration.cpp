@@ -17,8 +17,7 @@ WeightIteration::WeightIteration(const ContactProblem& problem, WeightRule rule)
       visited_(static_cast<std::size_t>(problem.free_gap.size())) {
   Index best = 0;
   const bool one_vertex = rule == WeightRule::FullyCorrective && weights_.sum() > 0;
-  if (one_vertex && problem.free_gap.minCoeff(&best) < 0 && face_.add(best))
-    weights_ = face_.forces();
+  if (one_vertex && problem.free_gap.minCoeff(&best) < 0) take_in(best);
   renew();
   evaluate();
 }
@@ -87,15 +86,20 @@ bool WeightIteration::jump(Index best) {
 }
 
 bool WeightIteration::correct(Index best) {
-  if (!face_.add(best)) {
-    infeasibility_ = face_.infeasibility();
-    return stop(WeightEnd::Unbounded);
-  }
   const double before = value_;
-  weights_ = face_.forces();
+  if (!take_in(best)) return false;
   renew();
   evaluate();
   return value_ > before || stop(WeightEnd::Still);
+}
+
+bool WeightIteration::take_in(Index vertex) {
+  if (face_.add(vertex)) {
+    weights_ = face_.forces();
+    return true;
+  }
+  infeasibility_ = face_.infeasibility();
+  return stop(WeightEnd::Unbounded);
 }
 
 WeightIteration::Direction WeightIteration::direction(Index best) const {

@@ -66,6 +66,7 @@ class WeightIteration {
   bool stop(WeightEnd why);
   bool jump(Eigen::Index best);
   bool correct(Eigen::Index best);
+  bool take_in(Eigen::Index vertex);
   void renew();
   void evaluate();
 
