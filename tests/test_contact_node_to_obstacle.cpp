@@ -46,7 +46,7 @@ TEST_CASE("every free node of the boundary makes a pair, in walking order", "[ga
   }
 }
 
-TEST_CASE("a row of A is minus the normal in the unknowns of its node", "[gaps]") {
+TEST_CASE("a row of A is minus the normal in the unknowns of its node", "[gaps][XuanLi2002-13]") {
   const Mesh mesh = plate();
   const Unknowns unknowns = number_unknowns(mesh, {fixed("right")});
   const Gaps gaps = node_to_obstacle(mesh, "bottom", disc({1, -5}, 4), unknowns, 1);

@@ -37,7 +37,7 @@ TEST_CASE("a gap is open above zero, closed at zero and an overlap below", "[obs
   CHECK(wave().look({0.4, 0}).gap < 0);
 }
 
-TEST_CASE("normals have length 1 and point out of the obstacle", "[obstacle]") {
+TEST_CASE("normals have length 1 and point out of the obstacle", "[obstacle][XuanLi2002-1]") {
   CHECK((half_plane({5, -1}, {3, 4}).look({0, 9}).normal - Vector2d(0.6, 0.8)).norm() < 1e-15);
   CHECK((disc({1, 2}, 5).look({1, 9}).normal - Vector2d(0, 1)).norm() < 1e-15);
   CHECK((hole({1, 2}, 5).look({1, 5}).normal - Vector2d(0, -1)).norm() < 1e-15);
@@ -69,7 +69,7 @@ TEST_CASE("moving along the normal opens the gap at rate 1", "[obstacle]") {
         Approx(1).epsilon(1e-9));
 }
 
-TEST_CASE("the gap over a profile is the distance, up to gap^2 times curvature", "[obstacle]") {
+TEST_CASE("the gap over a profile is the distance, up to gap^2 times curvature", "[obstacle][XuanLi2002-2]") {
   const Obstacle curve = wave();
   const Vector2d foot(0.4, 0.3 * std::sin(0.8));
   const double curvature = 1.2 * std::sin(0.8);

@@ -64,7 +64,7 @@ TEST_CASE("a uniform pressure all around a curved body has no resultant", "[asse
   }
 }
 
-TEST_CASE("a traction that varies along a side has its exact force and moment", "[assembly]") {
+TEST_CASE("a traction that varies along a side has its exact force and moment", "[assembly][XuanLi2002-4]") {
   // t = (y, 2 + y) on x = 3, 0 < y < 2, thickness 0.5: force (1, 3), moment 3 x 3 - 0.5 x 8 / 3.
   for (const Element& element : {q4(), q8()}) {
     CAPTURE(element.name);

@@ -20,7 +20,7 @@ std::string complaint(double E, double nu, PlaneState state, double thickness = 
 }  // namespace
 
 TEST_CASE("Hooke's law in space, with nothing across the plane, gives the plane law",
-          "[material]") {
+          "[material][XuanLi2002-3]") {
   const double E = 210;
   const double nu = 0.3;
   const Eigen::Vector3d strain(1e-3, -4e-4, 7e-4);

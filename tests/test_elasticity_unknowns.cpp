@@ -57,7 +57,7 @@ TEST_CASE("an unknown is described by node, place and direction", "[unknowns]") 
 }
 
 TEST_CASE("symmetry holds what lies across the boundary and leaves what runs along it",
-          "[unknowns]") {
+          "[unknowns][XuanLi2002-5]") {
   const Unknowns left = number_unknowns(plate(), {symmetric("left")});
   CHECK(held_at(left, 0) == 3);
   CHECK(held_at(left, 1) == 0);

@@ -6,6 +6,7 @@
 #include "signorini/scene/scene.hpp"
 #include "support/cantilever.hpp"
 #include "support/message.hpp"
+#include "support/random.hpp"
 
 using Eigen::Index;
 using namespace signorini;
@@ -62,7 +63,7 @@ TEST_CASE("one factorisation of the stiffness serves the whole solution", "[ledg
   CHECK(solution.contact.report.iterations <= 30);  // of 50 pairs
 }
 
-TEST_CASE("the gap in a solution is that of the displaced nodes", "[solve]") {
+TEST_CASE("the gap in a solution is that of the displaced nodes", "[solve][XuanLi2002-13]") {
   const Scene scene = cantilever("q4_incompatible", 50, 5);
   const Solution solution = solve(scene);
   const Gaps gaps = node_to_obstacle(scene.mesh, "bottom", scene.contact->obstacle,
@@ -132,4 +133,31 @@ TEST_CASE("a program that needs a solution stops without one and says why", "[so
   solution.contact.report.iterations = 12;
   CHECK_THAT(signorini_test::message_of<NotSolved>([&] { require_solved(solution, "the beam"); }),
              ContainsSubstring("the beam was not solved: iteration limit after 12 iterations"));
+}
+
+TEST_CASE(
+    "no admissible displacement has less energy, and the inequality holds towards all of them",
+    "[solve][XuanLi2002-7][XuanLi2002-8][XuanLi2002-9][XuanLi2002-10]") {
+  const Scene scene = cantilever("q4_incompatible", 24, 3);
+  Ledger ledger;
+  const Model model = build(scene, ledger);
+  const Solution solution = solve(model, condense(model, ledger), scene.solver, ledger);
+  const QuadraticProgramme& programme = model.programme;
+  const Eigen::VectorXd& u = solution.refined.displacement;
+  const auto energy = [&](const Eigen::VectorXd& w) {
+    return 0.5 * w.dot(programme.stiffness * w) - programme.load.dot(w);
+  };
+  const Eigen::VectorXd force = programme.stiffness * u - programme.load;
+  Random random(17);
+  int outside = 0;
+  for (int sample = 0; sample < 100; ++sample) {
+    Eigen::VectorXd w = u;
+    for (Eigen::Index i = 0; i < w.size(); ++i) w(i) += 0.1 * random.uniform(-1, 1);
+    outside += force.dot(w - u) < 0 ? 1 : 0;
+    // Back along the normals, which are unit vectors of different nodes.
+    w -= programme.A.transpose() * (programme.A * w - programme.initial_gap).cwiseMax(0.0);
+    CHECK(force.dot(w - u) > -1e-12 * force.cwiseAbs().dot((w - u).cwiseAbs()));  // 0 where closed
+    CHECK(energy(w) > energy(u));
+  }
+  CHECK(outside > 10);  // the inequality says something: it fails for displacements that overlap
 }

@@ -75,6 +75,7 @@ void try_all_sets(const ProgramOptions& run, Results& results) {
   results.add("small_closed", static_cast<double>(tried.active.size()), "-");
 }
 
+// \PaperEq{XuanLi2002, 7}, \PaperEq{XuanLi2002, 8}
 // 4. The variational inequality (7) on random displacements w: (K u - p).(w - u) >= 0 if A w <= g.
 // [inequality]
 void check_inequality(const Solved& block, Results& results) {

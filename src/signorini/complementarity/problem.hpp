@@ -8,7 +8,8 @@
 
 namespace signorini {
 
-/// Least potential energy without penetration. \PaperEq{XuanLi2002, 11}, \PaperEq{XuanLi2002, 12}
+/// Least potential energy without penetration, \PaperEq{XuanLi2002, 9} and \PaperEq{XuanLi2002, 10}
+/// on a mesh: \PaperEq{XuanLi2002, 11}, \PaperEq{XuanLi2002, 12}
 ///
 /// \f[ \min_u \tfrac12 u^T K u - p^T u \quad\text{subject to}\quad A u \le g. \f]
 struct QuadraticProgramme {

@@ -12,7 +12,7 @@
 
 namespace signorini {
 
-/// Load on one boundary: a pressure against the body plus a traction.
+/// Load on one boundary: a pressure against the body plus a traction. \PaperEq{XuanLi2002, 4}
 struct EdgeLoad {
   std::string boundary;  ///< where it acts
   double pressure = 0;   ///< against the body, normal to it [force/length^2]; < 0 pulls
