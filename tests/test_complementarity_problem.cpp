@@ -135,6 +135,19 @@ TEST_CASE("a dependent block is found out, whatever rounding leaves of its last 
   CHECK(found == 200);
 }
 
+TEST_CASE("a singular block that rounding lets pass gives no solution", "[closed_pairs]") {
+  // Rows 0, 2 and 3 satisfy a_0 + (a_2 + a_3) / 2 = 0 and contradict each other: the last pivot is 2e-15,
+  // the forces are 1e15, and gaps of the size of the overlaps are rounding.
+  Eigen::Matrix3d G;
+  G << 5, -5, -5, -5, 9, 1, -5, 1, 9;
+  const ContactProblem problem{G, Eigen::Vector3d(-1, -4, 0)};
+  const ScaledProblem scaled = equilibrate(problem);
+  CHECK_FALSE(solves(scaled, close_pairs(scaled, {0, 1, 2})));
+  CHECK_FALSE(confirmed(scaled, {0, 1, 2}).has_value());
+  CHECK(find_solver("enumerate").solve(problem, {}).report.status == Status::Infeasible);
+  CHECK(find_solver("primal_dual_active_set").solve(problem, {}).report.status != Status::Solved);
+}
+
 TEST_CASE("a solver is found by its name, an unknown one is answered with the family",
           "[solvers]") {
   CHECK(std::string(find_solver("enumerate").name) == "enumerate");

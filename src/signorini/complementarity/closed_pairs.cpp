@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "signorini/complementarity/certificate.hpp"
 #include "signorini/core/exact_sum.hpp"
 
 namespace signorini {
@@ -76,6 +77,14 @@ ClosedPairs close_pairs(const ScaledProblem& problem, const std::vector<Index>& 
   return closed;
 }
 
+bool solves(const ScaledProblem& problem, const ClosedPairs& closed) {
+  if (!closed.solvable || (closed.force.array() < -closed.force_rounding.array()).any() ||
+      (closed.gap.array() < -closed.gap_rounding.array()).any())
+    return false;
+  const ContactState state{closed.force.cwiseMax(0.0), closed.gap.cwiseMax(0.0), {}, {}};
+  return certify({problem.compliance, problem.free_gap}, state).holds();
+}
+
 std::optional<std::pair<ClosedPairs, std::vector<Index>>> confirmed(
     const ScaledProblem& problem, const std::vector<Index>& candidates) {
   // Row by row a Cholesky factor; a candidate whose squared pivot is of rounding size repeats the others.
@@ -96,9 +105,7 @@ std::optional<std::pair<ClosedPairs, std::vector<Index>>> confirmed(
   }
   std::sort(chosen.begin(), chosen.end());
   ClosedPairs closed = close_pairs(problem, chosen);
-  if (!closed.solvable || (closed.force.array() < -closed.force_rounding.array()).any() ||
-      (closed.gap.array() < -closed.gap_rounding.array()).any())
-    return std::nullopt;
+  if (!solves(problem, closed)) return std::nullopt;
   return std::make_pair(std::move(closed), std::move(chosen));
 }
 

@@ -42,12 +42,20 @@ struct ClosedPairs {
 [[nodiscard]] ClosedPairs close_pairs(const ScaledProblem& problem,
                                       const std::vector<Eigen::Index>& active);
 
+/// Whether closed pairs are a solution: no force is tensile and no pair overlaps beyond rounding, and
+/// rounding is so small that certify() agrees. It does not where a block passed as regular only because
+/// of its rounding: then the forces are huge, and any gap could be rounding.
+/// \param problem  scaled by equilibrate()
+/// \param closed   from close_pairs() of it
+/// \return whether a solver may say Solved
+[[nodiscard]] bool solves(const ScaledProblem& problem, const ClosedPairs& closed);
+
 /// Ends a method that only guesses which pairs are closed: takes as many of them as are independent,
 /// closes these exactly, and looks whether that is a solution.
 /// \param problem     scaled by equilibrate(), symmetric
 /// \param candidates  pairs taken as closed, the most certain first
-/// \return forces and gaps if no force is tensile and no pair overlaps beyond rounding, with the pairs
-///   that were closed in increasing order; otherwise nothing
+/// \return forces and gaps if they are a solution, see solves(), with the pairs that were closed in
+///   increasing order; otherwise nothing
 [[nodiscard]] std::optional<std::pair<ClosedPairs, std::vector<Eigen::Index>>> confirmed(
     const ScaledProblem& problem, const std::vector<Eigen::Index>& candidates);
 

@@ -26,9 +26,7 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
     const ClosedPairs now = close_pairs(scaled, active);
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
-    if (!now.solvable || (now.force.array() < -now.force_rounding.array()).any() ||
-        (now.gap.array() < -now.gap_rounding.array()).any())
-      continue;
+    if (!solves(scaled, now)) continue;
     best = now;
     best_active = active;
     report.status = Status::Solved;

@@ -68,7 +68,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
       report.history.push_back(summary(scaled, now, static_cast<Index>(active.size()),
                                        static_cast<Index>(wrong.size())));
     if (wrong.empty()) {
-      report.status = Status::Solved;
+      report.status = solves(scaled, now) ? Status::Solved : Status::Breakdown;
       break;
     }
     if (report.iterations >= limit) {
