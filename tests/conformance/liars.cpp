@@ -1,0 +1,165 @@
+// The judge of the conformance suite, judged: every way of being wrong that it must find out.
+#include <Eigen/Cholesky>
+#include <stdexcept>
+
+#include "catch_compat.hpp"
+#include "signorini/complementarity/enumerate.hpp"
+#include "support/problem_classes.hpp"
+
+using namespace signorini;
+using namespace signorini_test;
+using Eigen::VectorXd;
+
+namespace {
+
+using Solve = ContactState (*)(const ContactProblem&, const SolverOptions&);
+
+/// Two pairs, of which both close: force (2, 1).
+Instance solvable() {
+  Eigen::Matrix2d G;
+  G << 2, 1, 1, 2;
+  Instance made{"two pairs", {G, Eigen::Vector2d(-5, -4)}};
+  made.force = Eigen::Vector2d(2, 1);
+  made.gap = Eigen::Vector2d(0, 0);
+  return made;
+}
+
+/// Two walls that are too close.
+Instance unsolvable() {
+  Eigen::Matrix2d G;
+  G << 1, -1, -1, 1;
+  Instance made{"wedged", {G, Eigen::Vector2d(-1, 0.5)}};
+  made.expected = Status::Infeasible;
+  return made;
+}
+
+std::string verdict(Solve solve, const Instance& instance, const std::vector<Trait>& excuse = {}) {
+  return complaint({"liar", "for this test", solve, 0, excuse}, {Trait::Dependent}, instance);
+}
+
+ContactState state(const ContactProblem& problem, const VectorXd& force, Status status) {
+  ContactState made{force, problem.compliance * force + problem.free_gap, {}, {}};
+  made.report.status = status;
+  return made;
+}
+
+template <Status status>
+ContactState says(const ContactProblem& problem, const SolverOptions& /*options*/) {
+  return state(problem, VectorXd::Zero(problem.free_gap.size()), status);
+}
+
+/// The right state, but for one error.
+template <typename Change>
+ContactState changed(const ContactProblem& problem, Change change) {
+  ContactState made = enumerate(problem);
+  change(made);
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("the judge accepts the truth", "[conformance][judge]") {
+  CHECK(verdict(enumerate, solvable()).empty());
+  CHECK(verdict(enumerate, unsolvable()).empty());
+  CHECK(complaints(find_solver("enumerate")).empty());
+}
+
+TEST_CASE("the judge finds a wrong success", "[conformance][judge]") {
+  CHECK_THAT(verdict(says<Status::Solved>, solvable()), ContainsSubstring("certificate"));
+  CHECK_THAT(verdict(says<Status::Solved>, unsolvable()), ContainsSubstring("nothing solves"));
+  const Solve inexact = [](const ContactProblem& problem, const SolverOptions&) {
+    return changed(problem, [](ContactState& made) { made.force *= 1 + 1e-11; });
+  };
+  CHECK_THAT(verdict(inexact, solvable()), ContainsSubstring("certificate"));
+  const Solve negative = [](const ContactProblem& problem, const SolverOptions&) {
+    return changed(problem, [](ContactState& made) { made.gap(0) = -1e-300; });
+  };
+  CHECK_THAT(verdict(negative, solvable()), ContainsSubstring("negative"));
+  const Solve open = [](const ContactProblem& problem, const SolverOptions&) {
+    return changed(problem, [](ContactState& made) { made.active = {1, 0}; });
+  };
+  CHECK_THAT(verdict(open, solvable()), ContainsSubstring("order"));
+  const Solve empty = [](const ContactProblem&, const SolverOptions&) {
+    return state({Eigen::MatrixXd(0, 0), VectorXd(0)}, VectorXd(0), Status::Solved);
+  };
+  CHECK_THAT(verdict(empty, solvable()), ContainsSubstring("0 forces"));
+  Instance other = solvable();  // certified, but not what is known
+  other.force = Eigen::Vector2d(2, 1.001);
+  CHECK_THAT(verdict(enumerate, other), ContainsSubstring("force is wrong"));
+  other = solvable();
+  other.gap = Eigen::Vector2d(0, 1e-9);
+  CHECK_THAT(verdict(enumerate, other), ContainsSubstring("gap is wrong"));
+}
+
+TEST_CASE("no trait excuses a wrong success or a wrong refusal", "[conformance][judge]") {
+  const std::vector<Trait> all = {Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
+                                  Trait::IllConditioned, Trait::Slow};
+  CHECK_FALSE(verdict(says<Status::Solved>, solvable(), all).empty());
+  CHECK_FALSE(verdict(says<Status::Solved>, unsolvable(), all).empty());
+  CHECK_FALSE(verdict(says<Status::Infeasible>, solvable(), all).empty());
+  CHECK_FALSE(verdict(says<Status::Feasible>, solvable(), all).empty());
+  CHECK_FALSE(verdict(says<Status::Feasible>, unsolvable(), all).empty());
+}
+
+TEST_CASE("a trait excuses a failure, and nothing else does", "[conformance][judge]") {
+  for (const Solve solve :
+       {says<Status::Breakdown>, says<Status::IterationLimit>, says<Status::Ray>})
+    for (const Instance& instance : {solvable(), unsolvable()}) {
+      CHECK(verdict(solve, instance, {Trait::Dependent}).empty());
+      CHECK_THAT(verdict(solve, instance), ContainsSubstring("instead of"));
+      CHECK_THAT(verdict(solve, instance, {Trait::Slow}), ContainsSubstring("instead of"));
+    }
+  const Solve feasible = [](const ContactProblem& problem, const SolverOptions&) {
+    return state(problem, Eigen::Vector2d(5, 4), Status::Feasible);  // pressed too hard
+  };
+  CHECK(verdict(feasible, solvable(), {Trait::Dependent}).empty());
+  CHECK_THAT(verdict(feasible, solvable()), ContainsSubstring("instead of"));
+}
+
+TEST_CASE("the judge checks a proof of infeasibility", "[conformance][judge]") {
+  const auto proof = [](const ContactProblem& problem, const VectorXd& y) {
+    ContactState made = says<Status::Infeasible>(problem, {});
+    made.infeasibility = y;
+    return made;
+  };
+  static const auto make = proof;
+  const Solve right = [](const ContactProblem& problem, const SolverOptions&) {
+    return make(problem, Eigen::Vector2d(3, 3));
+  };
+  const Solve moves = [](const ContactProblem& problem, const SolverOptions&) {
+    return make(problem, Eigen::Vector2d(1, 0.999));
+  };
+  const Solve negative = [](const ContactProblem& problem, const SolverOptions&) {
+    return make(problem, Eigen::Vector2d(-1, -1));
+  };
+  const Solve nothing = [](const ContactProblem& problem, const SolverOptions&) {
+    return make(problem, Eigen::Vector2d(0, 0));
+  };
+  CHECK(verdict(right, unsolvable()).empty());
+  CHECK_THAT(verdict(moves, unsolvable()), ContainsSubstring("moves pair"));
+  CHECK_THAT(verdict(negative, unsolvable()), ContainsSubstring("negative weight"));
+  CHECK_THAT(verdict(nothing, unsolvable()), ContainsSubstring("d.y"));
+}
+
+TEST_CASE("the judge hears exceptions and missing refusals", "[conformance][judge]") {
+  const Solve throws = [](const ContactProblem&, const SolverOptions&) -> ContactState {
+    throw std::runtime_error("out of ideas");
+  };
+  CHECK_THAT(verdict(throws, solvable()), ContainsSubstring("out of ideas"));
+  Instance turned = solvable();
+  turned.problem.compliance(0, 1) = 0.5;
+  CHECK_THAT(verdict(says<Status::Breakdown>, turned, {Trait::Asymmetric}),
+             ContainsSubstring("does not refuse"));
+  CHECK(verdict(enumerate, turned, {Trait::Asymmetric}).empty());
+}
+
+TEST_CASE("the judge looks at the product form as well", "[conformance][judge]") {
+  Instance instance = solvable();
+  instance.half = instance.problem.compliance.llt().matrixU();
+  Solver solver{"liar", "right for G, wrong for H^T H", enumerate, 0, {}};
+  CHECK(complaint(solver, {}, instance).empty());
+  solver.solve_half = [](const HalfProblem& problem, const SolverOptions& options) {
+    return says<Status::Solved>(multiplied_out(problem), options);
+  };
+  CHECK_THAT(complaint(solver, {}, instance), ContainsSubstring("H^T H"));
+}

@@ -1,0 +1,70 @@
+// Contact of elastic bodies: the compliances that the chapters condense, a half-plane, a string.
+#include "signorini/core/errors.hpp"
+#include "signorini/mesh/block.hpp"
+#include "signorini/scene/scene.hpp"
+#include "support/cantilever.hpp"
+#include "support/classes/classes.hpp"
+#include "support/problems.hpp"
+
+namespace signorini_test {
+namespace {
+
+using namespace signorini;
+using Eigen::Index;
+
+Instance condensed(std::string name, const Scene& scene) {
+  Ledger ledger;
+  return {std::move(name), condense(build(scene, ledger), ledger).problem};
+}
+
+}  // namespace
+
+Instances block_on_obstacle() {  // chapter 1: rubber, 40 mm x 20 mm, pressed on a disc of 60 mm
+  Instances made;
+  for (const Index cells : {4, 8, 10, 32, 64})
+    for (const double push : {0.05, 1.0}) {
+      Scene scene;
+      BlockSpec block;
+      block.corner = {-20, 0};
+      block.size = {40, 20};
+      block.cells_x = cells;
+      block.cells_y = cells / 2;
+      scene.mesh = make_block(block);
+      scene.material = {10, 0.3, PlaneState::Strain, 1};
+      scene.supports = {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -push)};
+      scene.contact = ObstacleContactSpec{"bottom", disc({0, -60}, 60)};
+      made.push_back(condensed(text(cells, " cells, pushed by ", push), scene));
+    }
+  return made;
+}
+
+Instances cantilever_on_foundation() {  // chapter 6: nothing, the tip, or a part of a line touches
+  Instances made;
+  for (const char* element : {"q4", "q4_incompatible", "q8"})
+    for (const Index cells : {10, 40, 100})
+      for (const double pressure : {0.4, 1.0, 3.6})
+        made.push_back(condensed(text(element, ", ", cells, " cells, pressure ", pressure),
+                                 cantilever(element, cells, cells / 10, pressure)));
+  return made;
+}
+
+Instances half_plane() {
+  Instances made;
+  for (const Punch punch : {Punch::Parabola, Punch::Flat})
+    for (const Index n : {2, 11, 50, 200})
+      made.push_back({text(punch == Punch::Flat ? "flat" : "parabola", ", ", n, " pairs"),
+                      half_plane_indentation(n, punch).problem});
+  return made;
+}
+
+Instances half_plane_large() {
+  return {{"parabola, 1000 pairs", half_plane_indentation(1000).problem}};
+}
+
+Instances string_over_wave() {
+  Instances made;
+  for (const Index n : {10, 80}) made.push_back({text(n, " pairs"), string_problem(n)});
+  return made;
+}
+
+}  // namespace signorini_test

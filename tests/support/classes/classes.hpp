@@ -1,0 +1,66 @@
+// The makers of the instances of all classes, by the file that holds them.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "support/problem_classes.hpp"
+#include "support/random.hpp"
+
+namespace signorini_test {
+
+using Instances = std::vector<Instance>;
+
+/// Entries in [-1, 1).
+Eigen::MatrixXd random_rows(Random& random, Eigen::Index rows, Eigen::Index cols);
+
+/// K = I and rows A, built backwards: the closest point u, forces, and gaps that must come out.
+Instance closest_point(std::string name, const Eigen::MatrixXd& A, const Eigen::VectorXd& u,
+                       const Eigen::VectorXd& force, const Eigen::VectorXd& gap);
+
+// plain.cpp: what every solver should find easy
+Instances empty_problem();
+Instances one_pair();
+Instances two_pairs();
+Instances none_active();
+Instances all_active();
+Instances built_backwards();
+Instances rosen_suzuki_few();   // m <= n
+Instances rosen_suzuki_many();  // m > n
+Instances stiff_mode();         // cond(K) 1e6, 1e10, 1e13
+Instances soft_mode();          // cond(K) and cond(G) 1e6
+
+// rows.cpp: what rows of A can do to a method
+Instances weakly_active();
+Instances half_zero();
+Instances duplicated_rows();
+Instances redundant_rows();
+Instances rounded_dependent_rows();
+
+// parallel.cpp: rows that nearly repeat each other, of very different size, too many
+Instances near_parallel_4();
+Instances near_parallel_8();
+Instances near_parallel_12();
+Instances scaled_rows();
+Instances many_violated();
+
+// whole.cpp: small whole numbers, and contradictions
+Instances whole_independent();
+Instances whole_dependent();
+Instances whole_infeasible();
+Instances wedged();
+Instances simplex_turned_out();
+
+// bodies.cpp: contact of elastic bodies
+Instances block_on_obstacle();
+Instances cantilever_on_foundation();
+Instances half_plane();
+Instances half_plane_large();
+Instances string_over_wave();
+
+// literature.cpp: problems that defeated methods before
+Instances cycling();
+Instances cycling_asymmetric();
+Instances fathi();
+Instances murty();
+
+}  // namespace signorini_test

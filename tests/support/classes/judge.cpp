@@ -1,0 +1,118 @@
+// What may a solver say, and is it true?
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "signorini/complementarity/dense_programme.hpp"
+#include "signorini/core/errors.hpp"
+#include "support/classes/checks.hpp"
+
+namespace signorini_test {
+namespace {
+
+using namespace signorini;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Judges how a solver ended; `must` if no trait excuses a failure.
+/// \param solved    what is wrong with it as a solution
+/// \param feasible  what is wrong with it as a point that satisfies all but the least energy
+std::string judge(const Instance& instance, const Report& report, const VectorXd& farkas, bool must,
+                  const std::function<std::string()>& solved,
+                  const std::function<std::string()>& feasible) {
+  switch (report.status) {
+    case Status::Solved:
+      return instance.expected == Status::Infeasible ? "says solved, but nothing solves this"
+                                                     : solved();
+    case Status::Infeasible:
+      if (instance.expected == Status::Solved) return "says infeasible, but there is a solution";
+      return farkas.size() == 0 ? "" : check_farkas(instance.problem, farkas);
+    case Status::Feasible:
+      if (instance.expected == Status::Infeasible) return "says feasible, but nothing is";
+      if (!must) return feasible();
+      break;
+    case Status::Ray:
+    case Status::IterationLimit:
+    case Status::Breakdown:
+      if (!must || (report.status == Status::Ray && instance.expected == Status::Ray)) return {};
+  }
+  return text("ends with '", to_string(report.status), "' instead of '",
+              to_string(instance.expected), "' after ", report.iterations, " iterations");
+}
+
+std::string judge(const Instance& instance, const ContactState& state, bool must) {
+  return judge(
+      instance, state.report, state.infeasibility, must,
+      [&] { return check_solved(instance, state); },
+      [&] { return check_feasible(certify(instance.problem, state)); });
+}
+
+std::string judge(const Instance& instance, const DenseSolution& solution, bool must) {
+  const auto certificate = [&] {  // sparse() has no place for equations
+    return instance.programme->equations > 0
+               ? solution.certificate
+               : certify(sparse(*instance.programme), solution.refined);
+  };
+  return judge(
+      instance, solution.report, solution.infeasibility, must,
+      [&] {
+        const double error = certificate().worst();
+        return error <= certificate_tolerance
+                   ? differs("displacement", solution.refined.displacement, instance.displacement,
+                             1, instance.accuracy)
+                   : text("says solved, but its certificate is ", error);
+      },
+      [&] { return check_feasible(certificate()); });
+}
+
+std::string prefixed(const char* form, const std::string& wrong) {
+  return wrong.empty() ? wrong : form + wrong;
+}
+
+bool excused(const Solver& solver, const std::vector<Trait>& traits) {
+  return std::any_of(traits.begin(), traits.end(),
+                     [&](Trait trait) { return may_fail(solver, trait); });
+}
+
+}  // namespace
+
+bool takes_part(const Solver& solver, const Instance& instance) {
+  const Index n = instance.problem.free_gap.size();
+  if (solver.largest > 0 && n > solver.largest) return false;
+  return n <= large || !may_fail(solver, Trait::Slow);
+}
+
+std::string complaint(const Solver& solver, const std::vector<Trait>& traits,
+                      const Instance& instance) try {
+  if (may_fail(solver, Trait::Asymmetric) && !is_symmetric(instance.problem)) try {
+      static_cast<void>(solver.solve(instance.problem, {}));
+      return "does not refuse a matrix that is not symmetric";
+    } catch (const std::invalid_argument&) {
+      return {};
+    }
+  const bool must = !excused(solver, traits);
+  std::string wrong = judge(instance, solver.solve(instance.problem, {}), must);
+  if (wrong.empty() && solver.solve_half != nullptr && instance.half.size() > 0)
+    wrong = prefixed(
+        "H^T H: ",
+        judge(instance, solver.solve_half({instance.half, instance.problem.free_gap}, {}), must));
+  if (wrong.empty() && instance.programme)
+    wrong = prefixed("K, p, A, g: ", judge(instance, solve(*instance.programme, solver), must));
+  return wrong;
+} catch (const std::exception& error) {
+  return text("throws: ", error.what());
+}
+
+std::string complaints(const Solver& solver) {
+  std::string all;
+  for (const ProblemClass& group : problem_classes())
+    for (const Instance& instance : group.instances()) {
+      if (!takes_part(solver, instance)) continue;
+      const std::string wrong = complaint(solver, group.traits, instance);
+      if (!wrong.empty())
+        all += text(solver.name, ", class '", group.name, "', ", instance.name, ": ", wrong, '\n');
+    }
+  return all;
+}
+
+}  // namespace signorini_test

@@ -1,0 +1,191 @@
+// What every solver should find easy.
+#include <Eigen/LU>
+#include <cmath>
+
+#include "signorini/complementarity/dense_programme.hpp"
+#include "signorini/core/errors.hpp"
+#include "support/classes/classes.hpp"
+#include "support/problems.hpp"
+
+namespace signorini_test {
+
+using namespace signorini;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+Instance backwards(std::string name, const MatrixXd& G, const VectorXd& force,
+                   const VectorXd& gap) {
+  Instance made{std::move(name), {G, gap - G * force}};
+  made.gap = gap;
+  return made;
+}
+
+Instance from_programme(std::string name, const DenseProgramme& programme) {
+  const DenseCondensed condensed = condense(programme);
+  Instance made{std::move(name), multiplied_out(condensed.problem)};
+  made.half = condensed.problem.half;
+  made.programme = programme;
+  return made;
+}
+
+DenseProgramme projection(const MatrixXd& A, const VectorXd& point, const VectorXd& g) {
+  return {MatrixXd::Identity(A.cols(), A.cols()), point, A, g, 0};
+}
+
+Instances empty_problem() {
+  Instance nothing{"no pair", {MatrixXd(0, 0), VectorXd(0)}};
+  nothing.half = MatrixXd(3, 0);
+  return {nothing};
+}
+
+Instances one_pair() {
+  Instances made;
+  for (const double d :
+       {-9.8, 0.0, 3.0, -1e100, -1e-100, 1e100}) {  // closed form: force = max(0, -d/G)
+    Instance pair{text("d = ", d), {MatrixXd::Constant(1, 1, 2), VectorXd::Constant(1, d)}};
+    pair.force = VectorXd::Constant(1, std::max(0.0, -d / 2));
+    pair.gap = VectorXd::Constant(1, std::max(0.0, d));
+    pair.accuracy = 1e-15;
+    made.push_back(pair);
+  }
+  return made;
+}
+
+Instances two_pairs() {
+  Eigen::Matrix2d G;
+  G << 2, 1, 1, 2;
+  struct Case {
+    Vector2d free_gap, force, gap;
+  };
+  const Case cases[] = {{{1, 2}, {0, 0}, {1, 2}},     // both open
+                        {{-4, 3}, {2, 0}, {0, 5}},    // only the first
+                        {{-4, -1}, {2, 0}, {0, 1}},   // the first one opens the second
+                        {{1, -6}, {0, 3}, {4, 0}},    // only the second
+                        {{-5, -4}, {2, 1}, {0, 0}},   // both closed
+                        {{-4, -2}, {2, 0}, {0, 0}}};  // the second just touches
+  Instances made;
+  for (const Case& known : cases) {
+    Instance pairs{text("d = ", known.free_gap.transpose()), {G, known.free_gap}};
+    pairs.force = known.force;
+    pairs.gap = known.gap;
+    pairs.accuracy = 1e-14;
+    made.push_back(pairs);
+  }
+  return made;
+}
+
+Instances none_active() {
+  Random random(1);
+  Instances made;
+  for (const Index n : {3, 8, 40, 120}) {
+    ContactProblem problem = random_problem(random, n);
+    problem.free_gap = problem.free_gap.cwiseAbs();
+    Instance open{text(n, " pairs"), problem};
+    open.force = VectorXd::Zero(n);
+    open.gap = problem.free_gap;
+    open.accuracy = 1e-15;
+    made.push_back(open);
+  }
+  return made;
+}
+
+Instances all_active() {
+  Random random(2);
+  Instances made;
+  for (const Index n : {3, 8, 12, 40, 120}) {
+    VectorXd force(n);
+    for (Index i = 0; i < n; ++i) force(i) = random.uniform(0.5, 2);
+    made.push_back(backwards(text(n, " pairs"), random_problem(random, n).compliance, force,
+                             VectorXd::Zero(n)));
+    made.back().force = force;  // rounding times the condition, up to 1e5
+  }
+  return made;
+}
+
+Instances built_backwards() {
+  Random random(8);
+  Instances made;
+  for (int sample = 0; sample < 60; ++sample) {
+    const Index n = sample < 50 ? random.whole(2, 9) : 30 + 10 * (sample - 50);
+    const MatrixXd G = random_problem(random, n).compliance;
+    VectorXd force = VectorXd::Zero(n);
+    VectorXd gap = VectorXd::Zero(n);
+    for (Index i = 0; i < n; ++i)
+      (random.whole(0, 1) == 0 ? force : gap)(i) = random.uniform(0.1, 1);
+    made.push_back(backwards(text("sample ", sample, ", ", n, " pairs"), G, force, gap));
+    made.back().force = force;
+  }
+  return made;
+}
+
+namespace {
+
+Instances table_1(bool many) {
+  struct Row {
+    Index n, m[4];
+  };
+  Instances made;
+  for (const Row& row :
+       {Row{10, {5, 10, 20, 40}}, Row{20, {10, 20, 40, 80}}, Row{50, {25, 50, 100, 200}}})
+    for (const Index m : row.m)
+      for (std::uint64_t seed = 1; seed <= 10 && (m > row.n) == many; ++seed) {
+        const KnownProgramme known = rosen_suzuki(row.n, m, seed);
+        Instance instance =
+            from_programme(text("n = ", row.n, ", m = ", m, ", seed ", seed), known.programme);
+        instance.displacement = known.displacement;
+        instance.force = known.force;
+        instance.gap = known.programme.initial_gap - known.programme.A * known.displacement;
+        made.push_back(instance);
+      }
+  return made;
+}
+
+/// A programme in whole numbers, so that u and the forces are exact whatever the condition of
+/// K = [a matrix in whole numbers, condition about 10] * weight + 2^power w w^T with w of ones.
+Instance whole_programme(int power, bool soft, std::uint64_t seed) {
+  Random random(seed);
+  const Index n = 12;
+  const Index m = 8;
+  DenseProgramme made;
+  const MatrixXd ones = MatrixXd::Ones(n, n);
+  const MatrixXd I = MatrixXd::Identity(n, n);
+  made.A.resize(m, n);
+  for (Index k = 0; k < made.A.size(); ++k) made.A.data()[k] = random.whole(-3, 3);
+  // Stiff against the sum of all displacements, or soft against it alone.
+  made.stiffness = soft
+                       ? MatrixXd(std::ldexp(1, power) * (static_cast<double>(n) * I - ones) + ones)
+                       : MatrixXd(8 * I + std::ldexp(1, power) * ones);
+  VectorXd u(n);
+  for (Index i = 0; i < n; ++i) u(i) = random.whole(-4, 4);
+  VectorXd force = VectorXd::Zero(m);
+  VectorXd gap = VectorXd::Zero(m);
+  for (Index i = 0; i < m; ++i) (random.whole(0, 1) == 0 ? force : gap)(i) = random.whole(1, 4);
+  made.load = made.stiffness * u + made.A.transpose() * force;
+  made.initial_gap = made.A * u + gap;
+  Instance instance = from_programme(text("2^", power, ", seed ", seed), made);
+  instance.displacement = u;
+  return instance;
+}
+
+}  // namespace
+
+Instances rosen_suzuki_few() { return table_1(false); }
+Instances rosen_suzuki_many() { return table_1(true); }
+
+Instances stiff_mode() {
+  Instances made;
+  for (const int power : {19, 33, 43})
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+      made.push_back(whole_programme(power, false, seed));
+  return made;
+}
+
+Instances soft_mode() {
+  Instances made;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) made.push_back(whole_programme(20, true, seed));
+  return made;
+}
+
+}  // namespace signorini_test
