@@ -82,6 +82,8 @@ const char* to_string(Trait trait) {
       return "ill-conditioned";
     case Trait::Slow:
       return "slow";
+    case Trait::Several:
+      return "several pairs";
   }
   return "unknown";
 }

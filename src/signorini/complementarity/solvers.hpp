@@ -18,11 +18,13 @@ enum class Trait {
   Infeasible,      ///< nothing satisfies all conditions, because gap rows contradict each other
   Degenerate,      ///< pairs that touch without force, or of which only the sum of forces is known
   IllConditioned,  ///< nearly dependent rows, a condition of G above about 1e7
-  Slow             ///< built to make a method take a very long way
+  Slow,            ///< built to make a method take a very long way
+  Several          ///< more than one pair closes: any problem beyond the simplest
 };
 
 /// \param trait  any
-/// \return "asymmetric", "dependent", "infeasible", "degenerate", "ill-conditioned" or "slow"
+/// \return "asymmetric", "dependent", "infeasible", "degenerate", "ill-conditioned", "slow" or
+///   "several pairs"
 [[nodiscard]] const char* to_string(Trait trait);
 
 /// One member of the family.

@@ -90,9 +90,11 @@ std::string check_farkas(const ContactProblem& problem, const VectorXd& y) {
   if (y.size() != n) return text("proves infeasibility with ", y.size(), " numbers for ", n);
   if (!y.allFinite() || y.minCoeff() < 0) return "proves infeasibility with a negative weight";
   const double rounding = 1e3 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
-  const VectorXd moved = product(problem.compliance.transpose(), y);
-  const VectorXd size = problem.compliance.cwiseAbs().transpose() * y;
   const bool symmetric = is_symmetric(problem);
+  const VectorXd moved = product(problem.compliance.transpose(), y);
+  const VectorXd root = problem.compliance.diagonal().cwiseMax(0).cwiseSqrt();
+  const VectorXd size = symmetric ? VectorXd(root * root.dot(y))  // |G_ij| <= root_i root_j
+                                  : VectorXd(problem.compliance.cwiseAbs().transpose() * y);
   for (Index i = 0; i < n; ++i)
     if ((symmetric ? std::abs(moved(i)) : moved(i)) > rounding * size(i))
       return text("proves infeasibility with a y that moves pair ", i, " by ", moved(i));
