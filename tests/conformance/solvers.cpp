@@ -15,18 +15,25 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// The first few problems of each class that a solver takes part in.
-std::vector<Instance> sample_for(const Solver& solver) {
-  std::vector<Instance> sample;
+/// The first few small problems of each class.
+std::vector<Instance> first_problems() {
+  std::vector<Instance> first;
   for (const ProblemClass& group : problem_classes()) {
     int taken = 0;
     for (const Instance& instance : group.instances())
-      if (taken < 5 && instance.problem.free_gap.size() <= 50 && takes_part(solver, instance) &&
-          (is_symmetric(instance.problem) || !may_fail(solver, Trait::Asymmetric))) {
-        sample.push_back(instance);
-        ++taken;
-      }
+      if (instance.problem.free_gap.size() <= 25 && ++taken <= 3) first.push_back(instance);
   }
+  return first;
+}
+
+/// Those of them that a solver accepts.
+std::vector<Instance> sample_for(const Solver& solver) {
+  static const std::vector<Instance> first = first_problems();
+  std::vector<Instance> sample;
+  for (const Instance& instance : first)
+    if (takes_part(solver, instance) &&
+        (is_symmetric(instance.problem) || !may_fail(solver, Trait::Asymmetric)))
+      sample.push_back(instance);
   return sample;
 }
 
@@ -48,10 +55,13 @@ TEST_CASE("every solver: the same problem gives the same bits", "[conformance]")
 
 TEST_CASE("every solver: units and scales of rows change no bit but the exponent",
           "[conformance][units]") {
-  // Factors of 4^k and their roots are exact, so that a solver on equilibrated data sees the same numbers.
+  // Roots of powers of 4 are exact, so that equilibrated data are the same numbers, but for pairs that
+  // cannot move: these have nothing to be scaled by.
   for (const Solver& solver : solvers())
     for (const Instance& instance : sample_for(solver)) {
-      if (!is_symmetric(instance.problem)) continue;
+      if (!is_symmetric(instance.problem) ||
+          (instance.problem.compliance.diagonal().array() == 0).any())
+        continue;
       const Index n = instance.problem.free_gap.size();
       VectorXd row(n);
       for (Index i = 0; i < n; ++i) row(i) = std::ldexp(1, static_cast<int>((7 * i + 3) % 61) - 30);

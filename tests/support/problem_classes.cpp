@@ -45,7 +45,7 @@ const std::vector<ProblemClass>& problem_classes() {
       {"chapter 1, block on an obstacle", {several}, block_on_obstacle},
       {"chapter 6, cantilever on a foundation", {several}, cantilever_on_foundation},
       {"half-plane", {several}, half_plane},
-      {"half-plane, 1000 pairs", {several}, half_plane_large},
+      {"half-plane, many pairs", {several}, half_plane_large},
       {"string over a wave", {several}, string_over_wave},
       {"cycling", {several}, cycling},
       {"cycling, asymmetric", {asymmetric, several}, cycling_asymmetric},
