@@ -13,9 +13,9 @@ using Eigen::Index;
 
 namespace {
 
-const Trait all_traits[] = {Trait::Asymmetric, Trait::Dependent,      Trait::Infeasible,
-                            Trait::Degenerate, Trait::IllConditioned, Trait::Slow,
-                            Trait::Several};
+const Trait all_traits[] = {Trait::Ordinary,   Trait::Asymmetric, Trait::Dependent,
+                            Trait::Infeasible, Trait::Degenerate, Trait::IllConditioned,
+                            Trait::Slow,       Trait::Several};
 
 bool has_repetition(const std::vector<Trait>& traits) {
   return std::set<Trait>(traits.begin(), traits.end()).size() < traits.size();

@@ -17,10 +17,11 @@ namespace signorini_test {
 struct Instance {
   std::string name;                                        ///< sizes and seed, for messages
   signorini::ContactProblem problem;                       ///< G and d, or any M and q
-  signorini::Status expected = signorini::Status::Solved;  ///< or Infeasible; Ray: that or Solved
+  signorini::Status expected = signorini::Status::Solved;  ///< or Infeasible
   Eigen::VectorXd force = {};                              ///< the only forces that solve it
   Eigen::VectorXd gap = {};                                ///< the only gaps
   double accuracy = 1e-10;    ///< allowed error of both, relative to the largest entry
+  bool may_be_ray = false;    ///< no theorem says that a method along a ray finds the solution
   Eigen::MatrixXd half = {};  ///< H with G = H^T H, for those who solve that form
   std::optional<signorini::DenseProgramme> programme = {};  ///< where G and d come from
   Eigen::VectorXd displacement = {};                        ///< the only u of the programme

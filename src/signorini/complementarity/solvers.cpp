@@ -70,6 +70,8 @@ const std::vector<Solver>& solvers() {
 
 const char* to_string(Trait trait) {
   switch (trait) {
+    case Trait::Ordinary:
+      return "ordinary";
     case Trait::Asymmetric:
       return "asymmetric";
     case Trait::Dependent:

@@ -13,18 +13,19 @@ struct DenseSolution;
 
 /// What can be hard about a problem.
 enum class Trait {
+  Ordinary,        ///< none of these, but many pairs that act on each other in any way
   Asymmetric,      ///< the matrix is not symmetric: no contact, but a complementarity problem
   Dependent,       ///< gap rows that repeat or contradict each other: G is singular
   Infeasible,      ///< nothing satisfies all conditions, because gap rows contradict each other
   Degenerate,      ///< pairs that touch without force, or of which only the sum of forces is known
   IllConditioned,  ///< nearly dependent rows, a condition of G above about 1e7
   Slow,            ///< built to make a method take a very long way
-  Several          ///< more than one pair closes: any problem beyond the simplest
+  Several          ///< more than one pair closes
 };
 
 /// \param trait  any
-/// \return "asymmetric", "dependent", "infeasible", "degenerate", "ill-conditioned", "slow" or
-///   "several pairs"
+/// \return "ordinary", "asymmetric", "dependent", "infeasible", "degenerate", "ill-conditioned",
+///   "slow" or "several pairs"
 [[nodiscard]] const char* to_string(Trait trait);
 
 /// One member of the family.
