@@ -37,7 +37,8 @@ ContactProblem two_pairs(double coupling, const Vector2d& overlap) {
 
 }  // namespace
 
-TEST_CASE("the total force of one pair is the contact force", "[surrogate_dual][closed-form]") {
+TEST_CASE("the total force of one pair is the contact force",
+          "[surrogate_dual][closed-form][XuanLi2002-19][XuanLi2002-23]") {
   for (const double gap : {-9.8, 0.0, 3.0}) {
     const ContactProblem problem{Eigen::MatrixXd::Constant(1, 1, 2), VectorXd::Constant(1, gap)};
     const double force = std::max(0.0, -gap / 2);
@@ -48,7 +49,8 @@ TEST_CASE("the total force of one pair is the contact force", "[surrogate_dual][
 }
 
 // Erratum: without the positive part the first vertex has s = 2 and beats the second with s = 1/2.
-TEST_CASE("an open weighted gap bears no force", "[surrogate_dual][closed-form]") {
+TEST_CASE("an open weighted gap bears no force",
+          "[surrogate_dual][closed-form][XuanLi2002-17][XuanLi2002-18]") {
   const ContactProblem problem = two_pairs(0, {-2, 1});
   CHECK(surrogate_dual_value(problem, Vector2d(1, 0)) == 0);
   CHECK(surrogate_dual_value(problem, Vector2d(0, 1)) == 0.5);
@@ -57,7 +59,8 @@ TEST_CASE("an open weighted gap bears no force", "[surrogate_dual][closed-form]"
   CHECK(start_weights(two_pairs(0, {-1, 0})).norm() == 0);
 }
 
-TEST_CASE("weights in proportion to the forces give the least energy", "[surrogate_dual]") {
+TEST_CASE("weights in proportion to the forces give the least energy",
+          "[surrogate_dual][XuanLi2002-15][XuanLi2002-16]") {
   Random random(3);
   for (int sample = 0; sample < 20; ++sample) {
     const ContactProblem problem = random_problem(random, 7);
@@ -69,7 +72,8 @@ TEST_CASE("weights in proportion to the forces give the least energy", "[surroga
   }
 }
 
-TEST_CASE("s is the least Lagrangian above the energy without contact", "[surrogate_dual]") {
+TEST_CASE("s is the least Lagrangian above the energy without contact",
+          "[surrogate_dual][XuanLi2002-14][XuanLi2002-16][XuanLi2002-24]") {
   const DenseProgramme dense = rosen_suzuki(5, 7, 2).programme;
   const DenseCondensed condensed = condense(dense);
   const QuadraticProgramme programme = sparse(dense);
@@ -87,7 +91,8 @@ TEST_CASE("s is the least Lagrangian above the energy without contact", "[surrog
   }
 }
 
-TEST_CASE("the gradient agrees with central differences", "[surrogate_dual][derivative]") {
+TEST_CASE("the gradient agrees with central differences",
+          "[surrogate_dual][derivative][XuanLi2002-25]") {
   Random random(5);
   for (int sample = 0; sample < 20; ++sample) {
     ContactProblem problem = random_problem(random, 6);
@@ -135,7 +140,7 @@ TEST_CASE("the step in closed form beats golden section", "[surrogate_dual]") {
 }
 
 TEST_CASE("two pairs: the literal rule hops, the line search arrives at once",
-          "[surrogate_dual][closed-form]") {
+          "[surrogate_dual][closed-form][XuanLi2002-28]") {
   const ContactProblem problem = two_pairs(0.5, {4, 3.5});  // forces (3, 2), s = 9.5
   WeightIteration literal(problem, WeightRule::LiteralVertex);
   std::vector<double> values;
@@ -177,4 +182,12 @@ TEST_CASE("the bound on the gap that is left holds near the end", "[surrogate_du
     const double bound = run.relative_gap() * exact.force.sum() / run.total_force();
     CHECK(best - run.value() <= bound * run.value() + 1e-15 * best);
   }
+}
+
+TEST_CASE("the start is the mean of all pairs if they overlap in the mean, else of those that do",
+          "[surrogate_dual][XuanLi2002-26][XuanLi2002-27][XuanLi2002-29]") {
+  CHECK(start_weights(two_pairs(0.3, {2, 1})) == Vector2d(0.5, 0.5));
+  CHECK(start_weights(two_pairs(0.3, {2, -1})) == Vector2d(0.5, 0.5));
+  CHECK(start_weights(two_pairs(0.3, {1, -2})) == Vector2d(1, 0));
+  CHECK(start_weights(two_pairs(0.3, {-1, -2})) == Vector2d(0, 0));
 }
