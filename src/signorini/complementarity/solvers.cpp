@@ -39,7 +39,7 @@ const std::vector<Solver>& solvers() {
        surrogate_dual<WeightRule::LiteralVertex>,
        0,
        {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
-        Trait::IllConditioned, Trait::Slow}},
+        Trait::IllConditioned, Trait::Slow, Trait::Several}},
       {"surrogate_dual_harmonic",
        "one weighted gap; weights move 2/(k+2) of the way to that pair",
        surrogate_dual<WeightRule::Harmonic>,
