@@ -25,6 +25,7 @@ const std::vector<ProblemClass>& problem_classes() {
       {"Rosen-Suzuki, at most as many rows as unknowns", {ordinary, several}, rosen_suzuki_few},
       {"Rosen-Suzuki, more rows than unknowns", {ordinary, dependent, several}, rosen_suzuki_many},
       {"stiff mode, cond(K) up to 1e13", {ordinary, several}, stiff_mode},
+      {"two equations", {ordinary, several}, equations},
       {"soft mode, cond(K) 1e6", {ordinary, several}, soft_mode},
       {"weakly active", {ordinary, degenerate, several}, weakly_active},
       {"half of the free gaps zero", {ordinary, degenerate, several}, half_zero},

@@ -49,6 +49,8 @@ DenseCondensed condensed_by(ProgrammeRows& data) {
   data.gaps(equations, gap, rounding);
   const Index first = data.equations();
   condensed.problem.free_gap = gap.tail(data.count() - first);
+  condensed.problem.half.setZero(condensed.free_displacement.size(), data.count() - first);
+  if (first == data.count()) return condensed;
   ClosedBasis::Candidates rows;
   rows.rows = range(first, data.count());
   data.fetch(gap, rounding, rows);

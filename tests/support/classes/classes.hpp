@@ -24,10 +24,13 @@ Instances two_pairs();
 Instances none_active();
 Instances all_active();
 Instances built_backwards();
+
+// programmes.cpp: K, p, A, g
 Instances rosen_suzuki_few();   // m <= n
 Instances rosen_suzuki_many();  // m > n
 Instances stiff_mode();         // cond(K) 1e6, 1e10, 1e13
 Instances soft_mode();          // cond(K) and cond(G) 1e6
+Instances equations();          // some rows of a programme hold with =
 
 // rows.cpp: what rows of A can do to a method
 Instances weakly_active();
