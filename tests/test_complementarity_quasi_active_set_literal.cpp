@@ -52,7 +52,8 @@ double potential_energy(const ContactProblem& problem, const VectorXd& force) {
 }  // namespace
 
 TEST_CASE("moved minima zigzag between two lines and halve their distance from the corner",
-          "[literal][closed-form]") {
+          "[literal][closed-form][XuanLi2002-30][XuanLi2002-31][XuanLi2002-32][XuanLi2002-36]"
+          "[XuanLi2002-37][XuanLi2002-38][XuanLi2002-39]") {
   const ClosestPoint plane = zigzag();
   for (Index k = 1; k <= 20; ++k) {
     SolverOptions options;
@@ -72,7 +73,7 @@ TEST_CASE("moved minima zigzag between two lines and halve their distance from t
 }
 
 TEST_CASE("the last step of the paper ends where it is feasible and not optimal",
-          "[literal][closed-form]") {
+          "[literal][closed-form][XuanLi2002-33][XuanLi2002-34][XuanLi2002-35]") {
   const ClosestPoint space = counter_example();
   const ContactProblem problem = space.problem();
   const QuasiActiveRun run = run_quasi_active_set_literal(problem);

@@ -21,13 +21,24 @@ class LiteralMethod {
   QuasiActiveRun run();
 
  private:
+  /// VIO, all of which is QAS: pairs that overlap. \PaperEq{XuanLi2002, 37}
   [[nodiscard]] std::vector<Index> violated(const ClosedPairs& point) const;
+  /// Pairs without gap.
   [[nodiscard]] std::vector<Index> tight(const ClosedPairs& point) const;
+  /// Gaps that belong to the forces.
   void place(ClosedPairs& point) const;
+  /// One entry of the history.
   void note(const ClosedPairs& point, Index overlapping);
+  /// The problem with some rows alone and given gaps of them: forces that are never tensile.
+  /// The paper's (28) does not converge, so the weights are found exactly.
+  /// \PaperEq{XuanLi2002, 38}, \PaperEq{XuanLi2002, 39}
   bool solve(const std::vector<Index>& rows, const Eigen::VectorXd& gap, ClosedPairs& best);
+  /// u^0, u^1, ..., u^k: \PaperEq{XuanLi2002, 30} to \PaperEq{XuanLi2002, 32}, moved by
+  /// \PaperEq{XuanLi2002, 36}.
   bool outer_loop();
+  /// The tight pairs alone and the way there. \PaperEq{XuanLi2002, 33} to \PaperEq{XuanLi2002, 35}
   bool last_step();
+  /// The end is the solution if the rows that are tight there have no better one.
   void judge();
 
   ScaledProblem scaled_;
@@ -55,7 +66,6 @@ void LiteralMethod::place(ClosedPairs& point) const {  // with unit diagonal no 
   point.gap_rounding = unit * (scaled_.free_gap.array().abs() + point.force.sum());
 }
 
-/// VIO: pairs that overlap.
 std::vector<Index> LiteralMethod::violated(const ClosedPairs& point) const {
   std::vector<Index> rows;
   for (Index i = 0; i < point.gap.size(); ++i)
@@ -80,8 +90,6 @@ void LiteralMethod::note(const ClosedPairs& point, Index overlapping) {
                              dual_energy});
 }
 
-/// The problem with some rows alone and given gaps of them, (38) and (39): forces that are never
-/// tensile. Its own linear programmes (28) do not converge, so that the weights are found exactly.
 bool LiteralMethod::solve(const std::vector<Index>& rows, const Eigen::VectorXd& gap,
                           ClosedPairs& best) {
   best.force.setZero(scaled_.free_gap.size());
@@ -99,15 +107,14 @@ bool LiteralMethod::solve(const std::vector<Index>& rows, const Eigen::VectorXd&
     if (state.report.status != Status::Solved) return false;
     const double total = state.force.sum();
     if (total > 0) {
-      const Eigen::VectorXd weights = state.force / total;              // \PaperEq{XuanLi2002, 38}
-      best.force(rows) = total_contact_force(part, weights) * weights;  // \PaperEq{XuanLi2002, 39}
+      const Eigen::VectorXd weights = state.force / total;              // (38)
+      best.force(rows) = total_contact_force(part, weights) * weights;  // (39)
     }
   }
   place(best);
   return true;
 }
 
-/// u^0, u^1, ..., u^k: \PaperEq{XuanLi2002, 30}, \PaperEq{XuanLi2002, 32}, \PaperEq{XuanLi2002, 37}.
 bool LiteralMethod::outer_loop() {
   for (ClosedPairs step;; ++way_.outer_steps) {
     const std::vector<Index> rows = violated(now_);  // QAS: all of VIO
@@ -117,27 +124,26 @@ bool LiteralMethod::outer_loop() {
       report_.status = Status::IterationLimit;
       return false;
     }
-    // \PaperEq{XuanLi2002, 31}: with the moved objective the free gaps are the present ones.
+    // (31): with the moved objective the free gaps are the present ones.
     if (!solve(rows, now_.gap, step)) return false;
-    now_.force += step.force;  // \PaperEq{XuanLi2002, 36}
+    now_.force += step.force;  // (36)
     place(now_);
   }
 }
 
 bool LiteralMethod::last_step() {
   way_.tight = tight(now_);
-  ClosedPairs next;  // \PaperEq{XuanLi2002, 33}, with the first objective
+  ClosedPairs next;  // (33), with the first objective
   if (!solve(way_.tight, scaled_.free_gap, next)) return false;
   way_.left_over = violated(next);
-  for (const Index i : way_.left_over)  // \PaperEq{XuanLi2002, 34}
+  for (const Index i : way_.left_over)  // (34)
     way_.fraction = std::min(way_.fraction, now_.gap(i) / (now_.gap(i) - next.gap(i)));
-  now_.force += way_.fraction * (next.force - now_.force);  // \PaperEq{XuanLi2002, 35}
+  now_.force += way_.fraction * (next.force - now_.force);  // (35)
   place(now_);
   note(now_, static_cast<Index>(violated(now_).size()));
   return true;
 }
 
-/// The end is the solution if the rows that are tight there have no better one.
 void LiteralMethod::judge() {
   report_.status = Status::Feasible;
   const Report so_far = report_;

@@ -30,7 +30,7 @@ struct QuasiActiveRun {
 /// loop therefore also ends when no overlap exceeds `options.tolerance` of the largest one without
 /// contact, and a pair is tight if its gap is below the square root of that.
 ///
-/// The forces \f$ \Lambda = \sum_k \eta^k\xi^k \f$ of the moved minima, and their mixture by delta in the
+/// The forces \f$ \Lambda = \sum_k \eta^k\xi^k \f$ of the moved minima, and their mixture in the
 /// last step, are never negative and balance the load. So energy_gap() bounds what is lost.
 /// \param problem  G positive semidefinite, and d
 /// \param options  `iteration_limit` on k, 0 stands for 100 n_c + 1000; `tolerance` as above
