@@ -4,6 +4,7 @@
 # Your own answer is checked by `make exN.K`, which runs
 #   exN.K/answer, then exN.K/answer-heldout  the held-out tests open when the first ones pass
 # These two exist only for `ctest -C answer`, so that `make test` does not depend on half an answer.
+# Tests that include support/problem_classes.hpp, for answers that are solvers, are linked with it.
 # A hand-out has neither solutions nor held-out tests: there only exN.K/answer is left.
 set(exercises_from ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/exercises/ex*)
 file(GLOB exercise_headers CONFIGURE_DEPENDS ${exercises_from}/exercise.hpp)
@@ -58,6 +59,13 @@ function(signorini_exercise dir)
     add_test(NAME ${ex}/starter COMMAND ${PROJECT_SOURCE_DIR}/tools/starter.sh $<TARGET_FILE:${ex}.answer>)
     set_tests_properties(${ex}/starter PROPERTIES LABELS "exercise;starter" TIMEOUT 120)
   endif()
+
+  file(STRINGS ${dir}/test.cpp asks REGEX "support/problem_classes\\.hpp")
+  foreach(program ${ex}.answer ${ex}.solution)
+    if(asks AND TARGET ${program})
+      target_link_libraries(${program} PRIVATE problem_classes)
+    endif()
+  endforeach()
 endfunction()
 
 add_custom_target(exercises ALL)

@@ -5,6 +5,7 @@
 #include "signorini/complementarity/enumerate.hpp"
 #include "signorini/complementarity/primal_dual_active_set.hpp"
 #include "signorini/complementarity/quasi_active_set.hpp"
+#include "signorini/complementarity/quasi_active_set_literal.hpp"
 #include "signorini/complementarity/surrogate_dual.hpp"
 #include "signorini/core/errors.hpp"
 
@@ -19,6 +20,12 @@ const std::vector<Solver>& solvers() {
        {Trait::Asymmetric},
        nullptr,
        quasi_active_set},
+      {"quasi_active_set_literal",
+       "the paper's equations (30)-(39): minimum moved, one last step; often not optimal",
+       quasi_active_set_literal,
+       0,
+       {Trait::Ordinary, Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
+        Trait::IllConditioned, Trait::Slow}},
       {"primal_dual_active_set",
        "whole groups of pairs change sides; single exchanges if a set repeats",
        primal_dual_active_set,
