@@ -23,7 +23,11 @@ ClosedBasis::ClosedBasis(Index space, Index capacity)
 
 double ClosedBasis::smallest_distance() const {
   if (Q_.rows() > 0) return static_cast<double>(capacity() + Q_.rows() + 1) * epsilon;
-  return std::pow(epsilon, 0.4);
+  // 1 - |L^-1 G_Wp|^2 carries the rounding of L^-1 G_Wp, which grows with 1 / |L_kk|.
+  double pivot = 1;
+  for (Index k = 0; k < size(); ++k) pivot = std::min(pivot, L_(k, k) * L_(k, k));
+  const double rounding = static_cast<double>(size() + 1) * epsilon / pivot;
+  return std::sqrt(std::max(std::pow(epsilon, 0.8), rounding));
 }
 
 /// Leaves in `cross_` what the candidates share with the basis, in `columns` or `block` the rest of

@@ -87,7 +87,10 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
     solution.refined.displacement =
         condensed.free_displacement -
         condensed.factor.matrixU().solve(condensed.problem.half * state.force);
-    if (solution.report.status != Status::Solved) return solution;
+    if (solution.report.status != Status::Solved) {
+      if (first > 0) data.balance(basis_of(data, {}), solution.refined);
+      return solution;
+    }
     ClosedBasis basis = basis_of(data, solution.active);
     ProgrammeRows::Refined refined = data.refine(basis);
     solution.refined = std::move(refined.solution);

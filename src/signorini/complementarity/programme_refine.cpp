@@ -72,6 +72,18 @@ void ProgrammeRows::correct(const ClosedBasis& basis, Refined& refined, Work& wo
   ++refined.sweeps;
 }
 
+void ProgrammeRows::balance(const ClosedBasis& basis, PrimalDual& solution) const {
+  VectorXd missing = programme_.load - programme_.stiffness * solution.displacement -
+                     programme_.A.transpose() * solution.force;
+  solve_lower(factor_.matrixLLT(), missing);
+  VectorXd force = basis.directions().transpose() * missing;
+  solve_upper(basis.factor(), force);
+  for (Index i = 0; i < basis.size(); ++i) {
+    const Index row = basis.rows()[static_cast<std::size_t>(i)];
+    solution.force(row) += force(i) / norm_(row);
+  }
+}
+
 ProgrammeRows::Refined ProgrammeRows::refine(ClosedBasis& basis) {
   const Index k = basis.size();
   Refined refined;

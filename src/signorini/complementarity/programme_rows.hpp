@@ -73,6 +73,11 @@ class ProgrammeRows {
   /// \return the refined solution
   [[nodiscard]] Refined refine(ClosedBasis& basis);
 
+  /// Adds to the forces of a basis of rows what is missing in the balance of a solution.
+  /// \param basis     rows, such as the equations
+  /// \param solution  u and lambda; the entries of lambda in the basis are changed
+  void balance(const ClosedBasis& basis, PrimalDual& solution) const;
+
  private:
   struct Work;
   void correct(const ClosedBasis& basis, Refined& refined, Work& work);

@@ -107,7 +107,7 @@ ContactState quasi_active_set(const ContactProblem& problem, const SolverOptions
     const VectorXd force = closed.force(method.basis().rows());
     const VectorXd rounding = closed.force_rounding(method.basis().rows());
     const VectorXd tension = (-force - rounding).cwiseMax(0.0);
-    const double trusted = std::pow(method.basis().smallest_distance(), 2) / epsilon;
+    const double trusted = std::pow(epsilon, -0.2);  // as in ClosedBasis::smallest_distance()
     const bool overlap = (closed.gap.array() < -trusted * closed.gap_rounding.array()).any();
     if (!overlap && (tension.size() == 0 || tension.maxCoeff() == 0)) break;
     if (round == rows.count) report.status = Status::Breakdown;
