@@ -22,8 +22,8 @@ struct PinInPlate {
 /// \f[ \frac{E^* \Delta R}{P} = \frac{1 - (E^*/E_h)(\ln(1 + b^2) + 2 b^4)}{\pi b^2 (1 + b^2)}. \f]
 /// \param half_angle      epsilon, half of the arc in contact [rad], between 0 and pi
 /// \param stiffness_ratio E* / E_h [-]: 1 for a rigid pin, 1/2 for equal materials
-/// \return E* Delta R / P [-]; falls with the angle, and is negative where only a pin that is thicker than
-///   the hole could touch so far
+/// \return E* Delta R / P [-]; falls with the angle towards -2/pi of the ratio, and is negative where
+///   only a pin that is thicker than the hole could touch so far
 /// \throws std::invalid_argument if the angle is out of range or the ratio not positive
 [[nodiscard]] double pin_clearance_over_load(double half_angle, double stiffness_ratio);
 
