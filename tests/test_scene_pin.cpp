@@ -27,22 +27,17 @@ struct Bearing {
 Bearing bearing(const Scene& scene) {
   const SolvedScene run = solved(scene, "the pin");
   const double side = scene.loads.edges.front().pressure > 0 ? 1 : -1;
-  const std::vector<Index> nodes = boundary_nodes(scene.mesh, "hole");
-  const Eigen::VectorXd weight = boundary_weights(scene.mesh, "hole", 1);
-  const NodeArray support = support_forces(run.model, scene.loads, run.solution);
-  const Index n = static_cast<Index>(nodes.size());
-  Bearing out{Eigen::VectorXd(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd(n), 0, 0};
+  const BoundaryForces hole =
+      boundary_forces(scene, run, "hole");  // from the left pole to the right
+  const Index n = hole.weight.size();
+  Bearing out{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), 0, 0};
   for (Index k = 0; k < n; ++k) {
-    const Index place = side > 0 ? n - 1 - k : k;  // the hole is walked from its left pole
-    const Index node = nodes[static_cast<std::size_t>(place)];
-    const Eigen::Vector2d x = scene.mesh.nodes.row(node);
+    const Index place = side > 0 ? n - 1 - k : k;
+    const Eigen::RowVector2d x = hole.position.row(place);
     out.angle(k) = std::atan2(x.y(), side * x.x());
-    for (Index pair = 0; pair < run.solution.contact.force.size(); ++pair)
-      if (run.model.gaps.node[static_cast<std::size_t>(pair)] == node)
-        out.force(k) = run.solution.contact.force(pair);
-    if (k == 0) out.force(k) = side * support(node, 0);
-    out.pressure(k) = out.force(k) / weight(place);
-    out.resultant += 2 * out.force(k) * std::cos(out.angle(k));
+    out.force(k) = hole.force.row(place).dot(x) / 5;
+    out.pressure(k) = out.force(k) / hole.weight(place);
+    out.resultant += 2 * side * hole.force(place, 0);
   }
   out.right = run.solution.displacements(boundary_nodes(scene.mesh, "right").front(), 0);
   return out;

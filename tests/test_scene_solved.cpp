@@ -29,6 +29,22 @@ TEST_CASE("forces of supports, obstacle and loads balance", "[solved]") {
   }
 }
 
+TEST_CASE("the forces on a boundary are those of obstacle and supports", "[solved]") {
+  const Scene scene = cantilever("q4", 20, 4);
+  const SolvedScene run = solved(scene, "the beam");
+  const BoundaryForces below = boundary_forces(scene, run, "bottom");
+  REQUIRE(below.force.rows() == 21);
+  const NodeArray support = support_forces(run.model, scene.loads, run.solution);
+  CHECK(below.force.row(0) == support.row(0));  // the clamped corner has no pair
+  CHECK(below.force.col(1).tail(20) == run.solution.contact.force);
+  CHECK(below.force.col(0).tail(20).norm() == 0);
+  CHECK(below.weight.sum() == Approx(50).epsilon(1e-14));
+  CHECK(below.position(20, 0) == 50);
+  const BoundaryForces clamp = boundary_forces(scene, run, "left");
+  CHECK(clamp.force.col(1).sum() + run.solution.contact.force.sum() == Approx(180).epsilon(1e-10));
+  CHECK_THROWS_AS(boundary_forces(scene, run, "side"), ProblemError);
+}
+
 TEST_CASE("a scene that is not solved has no forces", "[solved]") {
   const Scene scene = cantilever("q4", 10, 1);
   auto run = solved(scene, "the beam");

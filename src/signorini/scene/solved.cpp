@@ -33,4 +33,17 @@ NodeArray support_forces(const Model& model, const Loads& loads, const Solution&
          nodal_loads(model.mesh, model.element, model.material, loads) - obstacle;
 }
 
+BoundaryForces boundary_forces(const Scene& scene, const SolvedScene& run,
+                               const std::string& name) {
+  const Model& model = run.model;
+  const std::vector<Eigen::Index> nodes = boundary_nodes(model.mesh, name);
+  NodeArray force = obstacle_forces(model, run.solution);
+  const NodeArray support = support_forces(model, scene.loads, run.solution);
+  for (const Eigen::Index node : nodes)
+    for (int axis = 0; axis < 2; ++axis)
+      if (model.unknowns.number(node, axis) < 0) force(node, axis) += support(node, axis);
+  return {model.mesh.nodes(nodes, Eigen::all), force(nodes, Eigen::all),
+          boundary_weights(model.mesh, name, model.material.thickness)};
+}
+
 }  // namespace signorini

@@ -37,4 +37,20 @@ struct SolvedScene {
 [[nodiscard]] NodeArray support_forces(const Model& model, const Loads& loads,
                                        const Solution& solution);
 
+/// What obstacle and supports do to one boundary, in the order of boundary_nodes().
+struct BoundaryForces {
+  NodeArray position;  ///< `n x 2` before loading [length]
+  NodeArray force;     ///< `n x 2` on the body: of the obstacle, and of supports at held components
+  Eigen::VectorXd weight;  ///< `n` share of the boundary [length^2]: pressure = force / it
+};
+
+/// Collects the forces on one boundary.
+/// \param scene  that was solved
+/// \param run    what solved() made of it
+/// \param name   of the boundary
+/// \return forces at its nodes, exactly zero where neither obstacle nor support acts
+/// \throws ProblemError if there is no such boundary
+[[nodiscard]] BoundaryForces boundary_forces(const Scene& scene, const SolvedScene& run,
+                                             const std::string& name);
+
 }  // namespace signorini
