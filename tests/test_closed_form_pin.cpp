@@ -53,7 +53,7 @@ TEST_CASE("the contact angle undoes the load relation", "[pin][closed-form]") {
   }
 }
 
-// Hertz: half width sqrt(4 P R / (pi E*)) with 1/R = 1/(a - c) - 1/a, so R = a^2 / c for little play c;
+// Hertz: half width sqrt(4 P R / (pi E*)) with 1/R = 1/(a - c) - 1/a, so R = a^2 / c for little clearance c;
 // peak pressure 2 P / (pi half width).
 TEST_CASE("a small contact is that of Hertz", "[pin][closed-form]") {
   const PinInPlate pin = touching(0.2 * degree, 1);
@@ -66,7 +66,7 @@ TEST_CASE("a small contact is that of Hertz", "[pin][closed-form]") {
 }
 
 // Six digits; equal materials: Persson's 84.8 degrees.
-TEST_CASE("without play the contact angle depends on nothing but the moduli",
+TEST_CASE("without clearance the contact angle depends on nothing but the moduli",
           "[pin][closed-form]") {
   CHECK(pin_contact_angle({1, 0, 1, 1, 0.5}) / degree == Approx(84.8279).epsilon(2e-6));
   CHECK(pin_contact_angle({1, 0, 1, 1, 1}) / degree == Approx(72.3483).epsilon(2e-6));

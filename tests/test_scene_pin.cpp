@@ -94,7 +94,7 @@ TEST_CASE("60 x 30 cells have the converged pressures to two percent", "[pin][re
   }
 }
 
-TEST_CASE("a part of load and play gives that part of the pressure", "[pin][units]") {
+TEST_CASE("a part of load and clearance gives that part of the pressure", "[pin][units]") {
   const Bearing whole = bearing(pin_in_plate(-25));
   const Bearing part = bearing(pin_in_plate(-1, 15, 15, 0.2 / 25));
   CHECK((25 * part.force - whole.force).norm() < 1e-12 * whole.force.norm());

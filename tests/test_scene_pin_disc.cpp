@@ -15,7 +15,7 @@ namespace {
 
 const double degree = std::acos(-1.0) / 180;
 
-/// A pin in a disc of 60 radii, shifted by `shift` plays. Another shift changes the free gap only.
+/// A pin in a disc of 60 radii, shifted by `shift` clearances. Another shift changes the free gap only.
 struct Disc {
   double nu;
   SolvedScene run;

@@ -32,7 +32,7 @@ const double degree = std::acos(-1.0) / 180;
 // [data]
 struct Pin {
   double q;                // paper; pressure on the right side: (T) < 0, (C) > 0 [kN/cm^2]
-  double play;             // paper: epsilon; radius of the hole less radius of the pin [cm]
+  double clearance;        // paper: epsilon; radius of the hole less radius of the pin [cm]
   bool linear_gap = true;  // or the exact distance from the pin
   [[nodiscard]] double side() const { return q > 0 ? 1 : -1; }  // of the hole that bears
 };
@@ -54,15 +54,15 @@ Scene pin_in_plate(const Pin& pin, Index cells_radius, const VectorXd& rays) {
   plate.rays = rays;
   plate.sector = Sector::Half;
   const Eigen::Vector2d pole(pin.side() * hole_radius, 0);
-  const Eigen::Vector2d shift(pin.side() * pin.play, 0);  // so far that the pin touches the pole
+  const Eigen::Vector2d shift(pin.side() * pin.clearance, 0);  // the pin touches the pole
   Scene scene;
   scene.mesh = make_plate_with_hole(plate);
   scene.element = "q4";
   scene.material = plate_material;
   scene.supports = {symmetric("symmetry"), prescribed_at("hole", pole, Axis::X)};
   scene.loads.edges = {{"right", pin.q, {}}};
-  scene.contact = {"hole", pin.linear_gap ? pin_in_hole({0, 0}, pin.play, shift)
-                                          : disc(shift, hole_radius - pin.play)};
+  scene.contact = {"hole", pin.linear_gap ? pin_in_hole({0, 0}, pin.clearance, shift)
+                                          : disc(shift, hole_radius - pin.clearance)};
   return scene;
 }
 // [scene]
@@ -171,21 +171,21 @@ void even_meshes(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_7_1.csv", table_of(curve).csv("rel 1e-6 abs 1e-8"));
 }
 
-// 6. How linear is it? The exact gap instead of the linear one; a twenty-fifth of load and play.
+// 6. How linear is it? The exact gap instead of the linear one; a twenty-fifth of load and clearance.
 void linearity(const ProgramOptions& run, Results& results) {
   Table table({"gap", "(T) peak [kN/cm²]", "(C) peak [kN/cm²]"});
   for (const bool linear : {true, false}) {
     std::vector<std::string> row = {linear ? "linear" : "distance from the pin"};
     for (const Pin& pin : {tension, compression})
-      row.push_back(number(even({pin.q, pin.play, linear}, 72).pressure.maxCoeff(), "%.2f"));
+      row.push_back(number(even({pin.q, pin.clearance, linear}, 72).pressure.maxCoeff(), "%.2f"));
     table.row(row);
   }
   write_file(run.out / "gaps.md", table.markdown());
   // [small]
   const VectorXd whole = even(tension, 36).pressure;
-  const VectorXd part = even({tension.q / 25, tension.play / 25}, 36).pressure;
+  const VectorXd part = even({tension.q / 25, tension.clearance / 25}, 36).pressure;
   const double deviation = (25 * part - whole).norm() / whole.norm();
-  if (deviation > 1e-10) throw NotSolved("pressures are not proportional to load and play");
+  if (deviation > 1e-10) throw NotSolved("pressures are not proportional to load and clearance");
   // [small]
   results.add("small_deviation", deviation, "-", Repeats::No);
 }
@@ -199,7 +199,7 @@ struct InDisc {
 };
 
 // [disc]
-InDisc pin_in_disc(double poisson_ratio, double play, double shift) {
+InDisc pin_in_disc(double poisson_ratio, double clearance, double shift) {
   AnnulusSpec disc;
   disc.outer_radius = 60;
   disc.cells_angle = 120;
@@ -211,7 +211,7 @@ InDisc pin_in_disc(double poisson_ratio, double play, double shift) {
   scene.element = "q4_bbar";
   scene.material = {/*E*/ 1, poisson_ratio, PlaneState::Strain, /*thickness*/ 1};
   scene.supports = {symmetric("symmetry"), prescribed("outer", Axis::X, 0.0)};
-  scene.contact = {"inner", pin_in_hole({0, 0}, play, {shift, 0})};
+  scene.contact = {"inner", pin_in_hole({0, 0}, clearance, {shift, 0})};
   const auto [model, condensed, solution] = solved(scene, "the pin in the disc");
   const double force = 2 * obstacle_forces(model, solution).col(0).sum();
   const double modulus = 1 / (1 - poisson_ratio * poisson_ratio);  // the pin is rigid
@@ -219,12 +219,12 @@ InDisc pin_in_disc(double poisson_ratio, double play, double shift) {
   for (Index k = 0; k < theta.size(); ++k)
     theta(k) = std::atan2(model.gaps.position(k, 1), model.gaps.position(k, 0));
   const double last = theta(solution.contact.active.front());  // they run towards the pole
-  return {{1, play, force, modulus, modulus}, theta, solution.pressure / force, last};
+  return {{1, clearance, force, modulus, modulus}, theta, solution.pressure / force, last};
 }
 // [disc]
 
 void infinite_plate(const ProgramOptions& run, Results& results) {
-  Table table({"ν", "shift / play", "last closed node [deg]", "closed form [deg]", "p(0) a/P",
+  Table table({"ν", "shift / clearance", "last closed node [deg]", "closed form [deg]", "p(0) a/P",
                "closed form"});
   Table curve({"theta", "fe", "closed"});
   for (const double nu : {0.4999, 0.3})

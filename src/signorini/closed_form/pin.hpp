@@ -4,7 +4,7 @@
 
 namespace signorini {
 
-/// A pin with play in a hole of an infinite plate; forces are per thickness.
+/// A pin with clearance in a hole of an infinite plate; forces are per thickness.
 ///
 /// The closed form is exact if (1 - 2 nu) / G is the same in pin and plate (plane strain): for equal
 /// materials, and for a rigid pin in an incompressible plate. Else the pressure for a given contact

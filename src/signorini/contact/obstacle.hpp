@@ -41,7 +41,7 @@ struct Obstacle {
 /// \throws ProblemError as disc()
 [[nodiscard]] Obstacle hole(const Eigen::Vector2d& centre, double radius);
 
-/// A round pin in a round hole with little play, seen from the hole: radial normals and the gap
+/// A round pin in a round hole with little clearance, seen from the hole: radial normals and the gap
 /// \f[ g = c - n \cdot s, \f]
 /// with the clearance c, the shift s of the pin and the radial direction n. It is linear in both, as
 /// the displacements are, and differs from that of disc() by \f$ |s|^2 / 2 \f$ over the radius at most.

@@ -1,5 +1,5 @@
 /// \file
-/// Exercise 7.2 - the contact angle of a pin from play and load. Do not change this file.
+/// Exercise 7.2 - the contact angle of a pin from clearance and load. Do not change this file.
 #pragma once
 
 namespace ex7_2 {

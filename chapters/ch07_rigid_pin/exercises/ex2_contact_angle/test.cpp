@@ -8,7 +8,7 @@ using ex7_2::half_contact_angle;
 
 static const double degree = std::acos(-1.0) / 180;
 
-TEST_CASE("ex7.2 without play the angle is the same for every load", "[ex7.2]") {
+TEST_CASE("ex7.2 without clearance the angle is the same for every load", "[ex7.2]") {
   CHECK(half_contact_angle(0, 1).angle / degree == Approx(72.348).epsilon(1e-5).margin(0));
   CHECK(half_contact_angle(0, 0.5).angle / degree == Approx(84.828).epsilon(1e-5).margin(0));
 }
