@@ -6,9 +6,9 @@ namespace signorini {
 
 /// A pin with clearance in a hole of an infinite plate; forces are per thickness.
 ///
-/// The closed form is exact if (1 - 2 nu) / G is the same in pin and plate (plane strain): for equal
-/// materials, and for a rigid pin in an incompressible plate. Else the pressure for a given contact
-/// angle is off by about 1 %, the relation of load and angle by much more.
+/// The closed form is exact if (1 - 2 nu) / G is the same in pin and plate (plane strain): for
+/// equal materials, and for a rigid pin in an incompressible plate. Else the pressure for a given
+/// contact angle is off by about 1 %, the relation of load and angle by much more.
 struct PinInPlate {
   double hole_radius;      ///< a [length]
   double clearance;        ///< Delta R, radius of the hole less radius of the pin [length], >= 0

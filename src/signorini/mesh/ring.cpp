@@ -14,7 +14,7 @@ using Eigen::Index;
 
 const double pi = std::acos(-1.0);
 
-/// Numbers the nodes ray by ray, from the inner to the outer line; half rays hold corners' midpoints only.
+/// Numbers the nodes ray by ray, outwards; half rays hold midpoints only.
 class RayLattice {
  public:
   RayLattice(Index rays, Index steps, bool closed, bool quadratic)
