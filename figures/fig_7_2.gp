@@ -12,19 +12,19 @@ set palette maxcolors 12
 set cbrange [-90:90]
 set multiplot
 set lmargin at screen 0.10
-set rmargin at screen 0.47
+set rmargin at screen 0.465
 set title '(T) the load pulls'
 set ylabel '{/:Italic y} [cm]'
 unset colorbox
 set object 1 circle at -0.2,0 size 4.8 arc [0:180] fc rgb LIGHT fs solid border lc rgb BLACK behind
 plot data.'/fig_7_2_t.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
      '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1
-set lmargin at screen 0.52
-set rmargin at screen 0.89
+set lmargin at screen 0.51
+set rmargin at screen 0.875
 set title '(C) the load presses'
 unset ylabel
 set format y ''
-set colorbox user origin 0.905,0.25 size 0.02,0.5
+set colorbox user origin 0.885,0.25 size 0.02,0.5
 set cblabel 'σ_{xx} [kN/cm²]' offset 0.5,0
 set cbtics 30
 set object 1 circle at 0.2,0 size 4.8 arc [0:180] fc rgb LIGHT fs solid border lc rgb BLACK behind
