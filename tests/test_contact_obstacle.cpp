@@ -124,3 +124,25 @@ TEST_CASE("a profile that is not finite names the place", "[obstacle]") {
                              [](double) { return std::numeric_limits<double>::infinity(); })),
              ContainsSubstring("slope inf") && ContainsSubstring("x = -2.5"));
 }
+
+TEST_CASE("the pin in a hole is the linear part of a disc", "[obstacle]") {
+  // Shift and play get smaller together: the difference falls with their square.
+  double before = 1;
+  for (const double size : {0.1, 0.01, 0.001}) {
+    const signorini::Obstacle pin = signorini::pin_in_hole({1, 2}, size, {0.6 * size, 0.8 * size});
+    const signorini::Obstacle disc = signorini::disc({1 + 0.6 * size, 2 + 0.8 * size}, 3 - size);
+    double difference = 0;
+    for (int k = 0; k < 24; ++k) {
+      const Eigen::Vector2d n(std::cos(0.3 * k), std::sin(0.3 * k));
+      const Eigen::Vector2d x = Eigen::Vector2d(1, 2) + 3 * n;
+      CHECK((pin.look(x).normal - n).norm() < 1e-15);
+      CHECK(pin.look(x).gap == Approx(size * (1 - 0.6 * n.x() - 0.8 * n.y())).margin(1e-16));
+      difference = std::max(difference, std::abs(pin.look(x).gap - disc.look(x).gap));
+    }
+    CHECK(difference <= size * size / 2 / 3 * 1.1);
+    CHECK(difference < before / 90);
+    before = difference;
+  }
+  CHECK_THROWS_AS(signorini::pin_in_hole({0, 0}, std::nan(""), {0, 0}), signorini::ProblemError);
+  CHECK_THROWS_AS(signorini::pin_in_hole({0, 0}, 1, {0, 0}).look({0, 0}), signorini::ProblemError);
+}

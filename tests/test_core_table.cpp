@@ -34,3 +34,15 @@ TEST_CASE("a number is printed with the format it is given", "[table]") {
   CHECK_THAT(argument_message([] { static_cast<void>(number(1, "%200.3f")); }),
              ContainsSubstring("%200.3f"));
 }
+
+TEST_CASE("a table of columns has their numbers in rows, each in its format", "[table]") {
+  const signorini::Table table = signorini::table_of(
+      {{"x", Eigen::Vector2d(0.5, 1), "%.1f"}, {"pressure", Eigen::Vector2d(1.25, -2)}});
+  CHECK(table.csv("rel 0") == "# tolerance rel 0\nx,pressure\n0.5,1.25\n1.0,-2\n");
+  CHECK_THAT(argument_message([] {
+               static_cast<void>(signorini::table_of(
+                   {{"x", Eigen::Vector2d(0, 1)}, {"y", Eigen::Vector3d(0, 1, 2)}}));
+             }),
+             ContainsSubstring("'y' has 3 rows, 'x' has 2"));
+  CHECK_THROWS_AS(signorini::table_of({}), std::invalid_argument);
+}

@@ -168,3 +168,23 @@ TEST_CASE("of two bodies in one mesh the free one is named", "[unknowns][free_mo
   CHECK_THAT(motions[0], ContainsSubstring("6 cells around (11.5, 1)"));
   CHECK(free_motions(both, number_unknowns(both, {})).size() == 2);
 }
+
+TEST_CASE("a single node can be held, and must exist", "[unknowns]") {
+  signorini::BlockSpec spec;
+  spec.size = {2, 1};
+  spec.cells_x = 2;
+  const signorini::Mesh mesh = signorini::make_block(spec);
+  const auto held_at = [&](double x) {
+    return signorini::number_unknowns(
+        mesh, {signorini::prescribed_at("bottom", {x, 0}, signorini::Axis::X, 0.3)});
+  };
+  const signorini::Unknowns unknowns = held_at(1);
+  CHECK(unknowns.count == 2 * 6 - 1);
+  CHECK(unknowns.number(1, 0) == -1);
+  CHECK(unknowns.number(1, 1) >= 0);
+  CHECK(unknowns.held(1, 0) == 0.3);
+  CHECK(unknowns.held(0, 0) == 0);
+  CHECK_THAT(problem_message([&] { static_cast<void>(held_at(1.2)); }),
+             ContainsSubstring("'bottom'") && ContainsSubstring("no node lies at (1.2, 0)") &&
+                 ContainsSubstring("node 1, lies at (1, 0)"));
+}

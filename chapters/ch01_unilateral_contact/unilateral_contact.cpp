@@ -13,6 +13,7 @@
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
+#include "signorini/scene/solved.hpp"
 
 namespace {
 
@@ -39,37 +40,21 @@ Scene block_on_obstacle(Index cells_x) {
 }
 // [scene]
 
-struct Solved {
-  Model model;
-  Condensed condensed;
-  Solution solution;
-};
-
 // 2. From the scene to the quadratic programme (11)-(12), and to its solution.
-// [solve]
-Solved solve_block(Index cells_x) {
-  const Scene scene = block_on_obstacle(cells_x);
-  Ledger ledger;
-  Model model = build(scene, ledger);             // K, p, A, g of (12)
-  Condensed condensed = condense(model, ledger);  // G = A K^-1 A^T and d = g - A u0
-  Solution solution = solve(model, condensed, scene.solver, ledger);
-  require_solved(solution, "the block");
-  // [solve]
-  return {std::move(model), std::move(condensed), std::move(solution)};
-}
+SolvedScene solve_block(Index cells_x) { return solved(block_on_obstacle(cells_x), "the block"); }
 
 // 3. Nine candidates: all 2^9 sets of closed pairs are tried, and one fits.
 void try_all_sets(const ProgramOptions& run, Results& results) {
-  const Solved block = solve_block(8);
+  const SolvedScene block = solve_block(8);
   const ContactState tried = enumerate(block.condensed.problem);
   if (tried.report.status != Status::Solved) throw NotSolved("no set of closed pairs fits");
   if (tried.active != block.solution.contact.active)
     throw NotSolved("enumeration and active set method disagree");
-  Table table({"x [mm]", "gap without contact [mm]", "gap [mm]", "contact force [N]"});
-  for (Index pair = 0; pair < tried.gap.size(); ++pair)
-    table.row({number(block.model.gaps.position(pair, 0), "%.0f"),
-               number(block.condensed.problem.free_gap(pair), "%.3f"),
-               number(tried.gap(pair), "%.3f"), number(tried.force(pair), "%.3f")});
+  const Table table =
+      table_of({{"x [mm]", block.model.gaps.position.col(0), "%.0f"},
+                {"gap without contact [mm]", block.condensed.problem.free_gap, "%.3f"},
+                {"gap [mm]", tried.gap, "%.3f"},
+                {"contact force [N]", tried.force, "%.3f"}});
   write_file(run.out / "candidates.md", table.markdown());
   results.add("small_candidates", static_cast<double>(tried.gap.size()), "-");
   results.add("small_closed", static_cast<double>(tried.active.size()), "-");
@@ -78,7 +63,7 @@ void try_all_sets(const ProgramOptions& run, Results& results) {
 // \PaperEq{XuanLi2002, 7}, \PaperEq{XuanLi2002, 8}
 // 4. The variational inequality (7) on random displacements w: (K u - p).(w - u) >= 0 if A w <= g.
 // [inequality]
-void check_inequality(const Solved& block, Results& results) {
+void check_inequality(const SolvedScene& block, Results& results) {
   const QuadraticProgramme& programme = block.model.programme;
   const Eigen::VectorXd& u = block.solution.refined.displacement;
   const Eigen::VectorXd force = programme.stiffness * u - programme.load;
@@ -105,7 +90,7 @@ void check_inequality(const Solved& block, Results& results) {
 }
 
 // Where the pressure ends: it falls like a square root, so p^2 is a straight line there.
-double half_width(const Solved& block) {
+double half_width(const SolvedScene& block) {
   const Index last = block.solution.contact.active.back();
   const double p1 = std::pow(block.solution.pressure(last), 2);
   const double p2 = std::pow(block.solution.pressure(last - 1), 2);
@@ -114,16 +99,16 @@ double half_width(const Solved& block) {
 }
 
 // 5. Gap and pressure along the base, for figure 1.1.
-void gap_and_pressure(const ProgramOptions& run, const Solved& block, Results& results) {
+void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Results& results) {
   const Gaps& gaps = block.model.gaps;
   write_file(run.out / "fig_1_1.csv", pressure_csv(gaps, block.solution, "rel 1e-6 abs 1e-8"));
-  Table outline({"x", "obstacle", "base_x", "base_y"});
-  for (Index pair = 0; pair < gaps.position.rows(); ++pair) {
-    const double x = gaps.position(pair, 0);
-    const Index node = gaps.node[static_cast<std::size_t>(pair)];
-    const Eigen::RowVector2d moved = block.solution.displacements.row(node);
-    outline.row({x, std::sqrt(radius * radius - x * x) - radius, x + moved.x(), moved.y()});
-  }
+  const Eigen::VectorXd x = gaps.position.col(0);
+  const NodeArray moved = gaps.position + block.solution.displacements(gaps.node, Eigen::all);
+  const Table outline =
+      table_of({{"x", x},
+                {"obstacle", (radius * radius - x.array().square()).sqrt() - radius},
+                {"base_x", moved.col(0)},
+                {"base_y", moved.col(1)}});
   write_file(run.out / "fig_1_1_obstacle.csv", outline.csv("rel 1e-6 abs 1e-8"));
   write_vtu(run.out / "ch01.vtu", block.model, block.solution);
   const Resultants sum = resultants(gaps, block.solution);
@@ -161,12 +146,12 @@ void gap_formulas(const ProgramOptions& run, Results& results) {
 Status chapter(const ProgramOptions& run) {
   Results results("ch01");
   try_all_sets(run, results);
-  const Solved block = solve_block(160);
+  const SolvedScene block = solve_block(160);
   check_inequality(block, results);
   gap_and_pressure(run, block, results);
   gap_formulas(run, results);
   if (run.full) {  // the mesh that the headline is compared with
-    const Solved fine = solve_block(640);
+    const SolvedScene fine = solve_block(640);
     results.add("fine_force", resultants(fine.model.gaps, fine.solution).force.y(), "N",
                 Repeats::No);
   }

@@ -41,6 +41,21 @@ struct Obstacle {
 /// \throws ProblemError as disc()
 [[nodiscard]] Obstacle hole(const Eigen::Vector2d& centre, double radius);
 
+/// A round pin in a round hole with little clearance, seen from the hole:
+/// radial normals and the gap
+/// \f[ g = c - n \cdot s, \f]
+/// with the clearance c, the shift s of the pin and the radial direction n. It is linear in c and s,
+/// as linear elasticity is in the displacements, and differs from the gap of disc() by
+/// \f$ |s|^2 / 2 \f$ over the radius at most.
+/// \param hole_centre  about which the body's hole is round [length]
+/// \param clearance    radius of the hole less radius of the pin [length]
+/// \param shift        of the pin's centre from the hole's [length]; as long as the clearance: they
+///   touch
+/// \return the obstacle
+/// \throws ProblemError if a number is not finite; when looked at, if the point is the centre
+[[nodiscard]] Obstacle pin_in_hole(const Eigen::Vector2d& hole_centre, double clearance,
+                                   const Eigen::Vector2d& shift);
+
 /// Everything below the curve y = f(x).
 ///
 /// The gap is measured along the normal of the curve at the same x:

@@ -55,4 +55,22 @@ std::string Table::csv(const std::string& tolerance) const {
   return text;
 }
 
+Table table_of(const std::vector<Column>& columns) {
+  require(!columns.empty(), "table_of: need at least one column");
+  std::vector<std::string> names;
+  for (const Column& column : columns) {
+    require(column.values.size() == columns.front().values.size(), "table_of: column '",
+            column.name, "' has ", column.values.size(), " rows, '", columns.front().name, "' has ",
+            columns.front().values.size());
+    names.push_back(column.name);
+  }
+  Table table(std::move(names));
+  for (Eigen::Index row = 0; row < columns.front().values.size(); ++row) {
+    std::vector<std::string> cells;
+    for (const Column& column : columns) cells.push_back(number(column.values(row), column.format));
+    table.row(std::move(cells));
+  }
+  return table;
+}
+
 }  // namespace signorini

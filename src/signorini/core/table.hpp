@@ -1,6 +1,7 @@
 /// \file
 /// Small tables that a program writes for its text and its figures.
 #pragma once
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -40,5 +41,18 @@ class Table {
   std::vector<std::string> columns_;
   std::vector<std::vector<std::string>> rows_;
 };
+
+/// One column of numbers.
+struct Column {
+  std::string name;              ///< over it
+  Eigen::VectorXd values;        ///< one per row
+  const char* format = "%.10g";  ///< as for number()
+};
+
+/// A table from its columns.
+/// \param columns  of equal length, at least one
+/// \return one row per number
+/// \throws std::invalid_argument if their lengths differ or there is none
+[[nodiscard]] Table table_of(const std::vector<Column>& columns);
 
 }  // namespace signorini

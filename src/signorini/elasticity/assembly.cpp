@@ -153,6 +153,24 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const Material& 
   return system;
 }
 
+NodeArray internal_forces(const Mesh& mesh, const Element& element, const Material& material,
+                          const NodeArray& displacements) {
+  require(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
+          " displacements (one per node), got ", displacements.rows());
+  const Eigen::Matrix3d D = elasticity_matrix(material);
+  NodeArray forces = NodeArray::Zero(mesh.n_nodes(), 2);
+  Eigen::VectorXd u(2 * element.n_nodes);
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    for (Index k = 0; k < element.n_nodes; ++k)
+      u.segment<2>(2 * k) = displacements.row(mesh.cells(cell, k)).transpose();
+    const Eigen::VectorXd f =
+        cell_stiffness(element, cell_nodes(mesh, cell), D, material.thickness) * u;
+    for (Index k = 0; k < element.n_nodes; ++k)
+      forces.row(mesh.cells(cell, k)) += f.segment<2>(2 * k).transpose();
+  }
+  return forces;
+}
+
 Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, double thickness) {
   std::map<Index, double> weight;
   integrate_boundary(

@@ -75,6 +75,19 @@ void check_element(const Mesh& mesh, const Element& element);
 [[nodiscard]] NodeArray nodal_loads(const Mesh& mesh, const Element& element,
                                     const Material& material, const Loads& loads);
 
+/// What the body's stresses do to its nodes: K u, with the rows of held components.
+///
+/// Less the loads and the contact forces it is zero where nothing holds a node, and what the support
+/// does to the body where something does.
+/// \param mesh           the body
+/// \param element        fits its cells
+/// \param material       of all cells
+/// \param displacements  `n_nodes x 2` [length]
+/// \return `n_nodes x 2` [force]
+/// \throws std::invalid_argument unless there is one displacement per node
+[[nodiscard]] NodeArray internal_forces(const Mesh& mesh, const Element& element,
+                                        const Material& material, const NodeArray& displacements);
+
 /// Consistent share of a boundary for each of its nodes: the integral of its shape function along
 /// the boundary times the thickness.
 /// \param mesh       that has the boundary

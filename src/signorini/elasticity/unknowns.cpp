@@ -31,6 +31,22 @@ Axis normal_axis(const Mesh& mesh, const std::string& name) {
   return extent.x() < extent.y() ? Axis::X : Axis::Y;
 }
 
+/// The nodes that a support is about.
+std::vector<Index> supported_nodes(const Mesh& mesh, const Support& support) {
+  std::vector<Index> nodes = boundary_nodes(mesh, support.boundary);
+  if (!support.only_at) return nodes;
+  const Eigen::RowVector2d point = support.only_at->transpose();
+  const auto distance = [&](Index node) { return (mesh.nodes.row(node) - point).norm(); };
+  const Index nearest = *std::min_element(
+      nodes.begin(), nodes.end(), [&](Index a, Index b) { return distance(a) < distance(b); });
+  const double rounding =
+      1e3 * std::numeric_limits<double>::epsilon() * mesh.nodes.cwiseAbs().maxCoeff();
+  pose(distance(nearest) <= rounding, "support on '", support.boundary, "': no node lies at (",
+       point.x(), ", ", point.y(), "); the nearest, node ", nearest, ", lies at (",
+       mesh.nodes(nearest, 0), ", ", mesh.nodes(nearest, 1), ')');
+  return {nearest};
+}
+
 /// Numbers the connected bodies of a mesh; returns the body of every node.
 std::vector<Index> body_of_nodes(const Mesh& mesh) {
   std::vector<Index> parent(static_cast<std::size_t>(mesh.n_nodes()));
@@ -91,6 +107,13 @@ Support prescribed(const std::string& boundary, Axis axis, double displacement) 
                     [displacement](const Eigen::Vector2d&) { return displacement; });
 }
 
+Support prescribed_at(const std::string& boundary, const Eigen::Vector2d& point, Axis axis,
+                      double displacement) {
+  Support support = prescribed(boundary, axis, displacement);
+  support.only_at = point;
+  return support;
+}
+
 std::string Unknowns::describe(const Mesh& mesh, Index unknown) const {
   const Index node = node_of[static_cast<std::size_t>(unknown)];
   return text("node ", node, " at (", mesh.nodes(node, 0), ", ", mesh.nodes(node, 1),
@@ -113,7 +136,7 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports)
     if (support.normal_only) held[normal_axis(mesh, support.boundary) == Axis::X ? 0 : 1] = true;
     pose(static_cast<bool>(support.displacement), "support on '", support.boundary,
          "': has no displacement; make it with fixed, symmetric or prescribed");
-    for (const Index node : boundary_nodes(mesh, support.boundary)) {
+    for (const Index node : supported_nodes(mesh, support)) {
       const Eigen::Vector2d value = support.displacement(mesh.nodes.row(node).transpose());
       for (int axis = 0; axis < 2; ++axis) {
         if (!held[axis]) continue;

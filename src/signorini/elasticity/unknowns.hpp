@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct Support {
   bool holds_y = false;      ///< whether the y component is given
   VectorField displacement;  ///< [length]; must be there, only the held components are used
   bool normal_only = false;  ///< symmetry: hold the component across the (axis-parallel) boundary
+  std::optional<Eigen::Vector2d> only_at = {};  ///< hold this one node of the boundary [length]
 };
 
 /// No displacement. \PaperEq{XuanLi2002, 5}
@@ -48,6 +50,15 @@ struct Support {
 /// \return the support
 [[nodiscard]] Support prescribed(const std::string& boundary, Axis axis,
                                  const ScalarField& displacement);
+
+/// One component of one node is given, such as the last one that a body needs to stay in place.
+/// \param boundary      that the node lies on
+/// \param point         where it lies [length]
+/// \param axis          which component
+/// \param displacement  its value [length]
+/// \return the support; number_unknowns() checks that there is such a node
+[[nodiscard]] Support prescribed_at(const std::string& boundary, const Eigen::Vector2d& point,
+                                    Axis axis, double displacement = 0);
 
 /// Which displacement components are unknown.
 struct Unknowns {
@@ -73,8 +84,9 @@ struct Unknowns {
 /// \param mesh      the body
 /// \param supports  what holds it
 /// \return every component that no support gives is unknown
-/// \throws ProblemError if a boundary does not exist, a symmetric one is not parallel to an axis, a
-///   given displacement is not finite, or two supports contradict each other
+/// \throws ProblemError if a boundary does not exist or has no node where only one is to be held, a
+///   symmetric one is not parallel to an axis, a given displacement is not finite, or two supports
+///   contradict each other
 [[nodiscard]] Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports);
 
 /// Finds the rigid motions that the supports leave to each connected body of the mesh.

@@ -1,0 +1,12 @@
+# Figure 7.1 - contact pressure around the hole.   In: fig_7_1.csv, fig_7_1_paper.csv   Out: fig_7_1.svg
+load 'style.gp'
+set xlabel 'angle from the pole {/:Italic θ} [deg]'
+set ylabel 'contact pressure {/:Italic q}_N [kN/cm²]'
+set xrange [0:90]
+set yrange [0:80]
+set xtics 15
+set key bottom left
+plot data.'/fig_7_1.csv' using 'theta':'t' with lines ls 1 title '(T) pulled, 144 × 72', \
+     data.'/fig_7_1_paper.csv' using 'theta':'t' with points ls 1 ps 0.9 title '(T) 15 × 15', \
+     data.'/fig_7_1.csv' using 'theta':'c' with lines ls 2 title '(C) pressed, 144 × 72', \
+     data.'/fig_7_1_paper.csv' using 'theta':'c' with points ls 2 ps 0.9 title '(C) 15 × 15'

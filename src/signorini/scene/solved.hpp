@@ -1,0 +1,56 @@
+/// \file
+/// A scene with everything that was made on the road to its solution.
+#pragma once
+#include <string>
+
+#include "signorini/scene/scene.hpp"
+
+namespace signorini {
+
+/// What build(), condense() and solve() returned.
+struct SolvedScene {
+  Model model;          ///< K, p, A, g
+  Condensed condensed;  ///< factor of K, compliance G and free gaps d
+  Solution solution;    ///< certified
+};
+
+/// Builds, condenses and solves, for programs that have no use for an unsolved problem.
+/// \param scene  to be solved
+/// \param what   what the message calls it if it is not solved
+/// \return matrices, condensed problem and solution
+/// \throws NotSolved as require_solved(); ProblemError as plan(), build() and condense()
+[[nodiscard]] SolvedScene solved(const Scene& scene, const std::string& what);
+
+/// Forces of the obstacle on the nodes.
+/// \param model     of the scene
+/// \param solution  of the model
+/// \return `n_nodes x 2` [force], zero at nodes without a closed pair
+/// \throws std::invalid_argument if the problem is not solved
+[[nodiscard]] NodeArray obstacle_forces(const Model& model, const Solution& solution);
+
+/// Forces of the supports on the nodes.
+/// \param model     of the scene
+/// \param loads     of the scene
+/// \param solution  of the model
+/// \return `n_nodes x 2` [force], zero but for rounding where no support holds
+/// \throws std::invalid_argument if the problem is not solved
+[[nodiscard]] NodeArray support_forces(const Model& model, const Loads& loads,
+                                       const Solution& solution);
+
+/// What obstacle and supports do to one boundary, in the order of boundary_nodes().
+struct BoundaryForces {
+  NodeArray position;  ///< `n x 2` before loading [length]
+  NodeArray force;     ///< `n x 2` on the body: of the obstacle, and of supports at held components
+  Eigen::VectorXd weight;  ///< `n` share of the boundary [length^2]: pressure = force / it
+};
+
+/// Collects the forces on one boundary.
+/// \param scene  that was solved
+/// \param run    what solved() made of it
+/// \param name   of the boundary
+/// \return forces at its nodes, exactly zero where neither obstacle nor support acts
+/// \throws ProblemError if there is no such boundary
+[[nodiscard]] BoundaryForces boundary_forces(const Scene& scene, const SolvedScene& run,
+                                             const std::string& name);
+
+}  // namespace signorini
