@@ -1,5 +1,6 @@
 #include "signorini/complementarity/dense_programme.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -60,6 +61,15 @@ DenseCondensed condensed_by(ProgrammeRows& data) {
   return condensed;
 }
 
+/// Forces of the equations that balance the load together with u and the other forces.
+void balance(const DenseProgramme& programme, PrimalDual& solution) {
+  if (programme.equations == 0) return;
+  const VectorXd missing = programme.load - programme.stiffness * solution.displacement -
+                           programme.A.transpose() * solution.force;
+  solution.force.head(programme.equations) =
+      programme.A.topRows(programme.equations).transpose().colPivHouseholderQr().solve(missing);
+}
+
 /// Solves the condensed problem, refines, and solves again while the refinement refutes the set.
 DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& solver,
                               const SolverOptions& options) {
@@ -87,7 +97,10 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
     solution.refined.displacement =
         condensed.free_displacement -
         condensed.factor.matrixU().solve(condensed.problem.half * state.force);
-    if (solution.report.status != Status::Solved) return solution;
+    if (solution.report.status != Status::Solved) {
+      balance(programme, solution.refined);
+      return solution;
+    }
     ClosedBasis basis = basis_of(data, solution.active);
     ProgrammeRows::Refined refined = data.refine(basis);
     solution.refined = std::move(refined.solution);
