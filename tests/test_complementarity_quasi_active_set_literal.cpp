@@ -166,10 +166,17 @@ TEST_CASE("a set of pairs that contradict each other is proved infeasible", "[li
   CHECK(quasi_active_set_literal({G, Vector2d(-1, 0.5)}).report.status == Status::IterationLimit);
 }
 
-TEST_CASE("what is tight and pushes back the other way does not disturb the last problem",
-          "[literal]") {
-  // At u^0 the second row of the zigzag is open, b = -1: (26) fails for the rows of (33).
-  const ContactProblem problem = zigzag().problem();
-  CHECK(problem.free_gap(1) > 0);
-  CHECK(run_quasi_active_set_literal(problem).left_over.empty());
+TEST_CASE("rows that become tight in the limit count, even from inside", "[literal]") {
+  // u_1 >= 0 holds all along the zigzag with the gap 2^-k/2. At u^0 the second row is open, b = -1, so
+  // that (26) fails for the rows of (33).
+  ClosestPoint plane = zigzag();
+  plane.A.conservativeResize(3, 2);
+  plane.A.row(2) << -1, 0;
+  plane.g = Vector3d::Zero();
+  CHECK(plane.problem().free_gap(1) > 0);
+  const QuasiActiveRun run = run_quasi_active_set_literal(plane.problem());
+  CHECK(run.tight == std::vector<Index>{0, 1, 2});
+  CHECK(run.left_over.empty());
+  CHECK(run.state.report.status == Status::Solved);
+  CHECK(plane.displacement(run.state).norm() < 1e-14);
 }

@@ -27,7 +27,8 @@ struct DenseCondensed {
 ///   equations contradict each other
 [[nodiscard]] DenseCondensed condense(const DenseProgramme& programme);
 
-/// A solution of a dense programme. Unless `report.status` is Solved, u and lambda are the last ones.
+/// A solution of a dense programme. Unless `report.status` is Solved, u and lambda are the last ones;
+/// the forces of the equations then balance the load as well as they can.
 struct DenseSolution {
   PrimalDual refined;                       ///< u in two parts, and lambda `m`
   Eigen::VectorXd gap;                      ///< g - A u `m`, 0 in closed rows
