@@ -5,6 +5,7 @@
 #include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/enumerate.hpp"
+#include "signorini/complementarity/examples.hpp"
 #include "signorini/complementarity/primal_dual_active_set.hpp"
 #include "support/problems.hpp"
 
@@ -97,7 +98,7 @@ TEST_CASE("Fathi's family, on which pivoting is exponential, takes few iteration
           "[active_set][hard]") {
   for (const Index n : {1, 2, 5, 8, 10}) {
     CAPTURE(n);
-    const ContactProblem problem = fathi_problem(n);
+    const ContactProblem problem = fathi(n);
     const ContactState state = primal_dual_active_set(problem);
     REQUIRE(state.report.status == Status::Solved);
     CHECK((state.force - Eigen::VectorXd::Unit(n, 0)).norm() < 1e-12);

@@ -40,14 +40,6 @@ inline signorini::ContactProblem cycling_problem() {
   return {G, Eigen::Vector3d(3, -4, -1)};
 }
 
-/// G = L L^T with twos below the unit diagonal of L and d = -1: a complementary pivoting method passes
-/// 2^n bases (Fathi's family); force (1, 0, ..., 0), gap (0, 1, ..., 1).
-inline signorini::ContactProblem fathi_problem(Eigen::Index n) {
-  Eigen::MatrixXd L = Eigen::MatrixXd::Identity(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) L.row(i).head(i).setConstant(2);
-  return {L * L.transpose(), Eigen::VectorXd::Constant(n, -1)};
-}
-
 /// A stretched string over a rigid wave: G_ij = min(x_i, x_j) (1 - max(x_i, x_j)), no positive entry in
 /// its inverse off the diagonal.
 inline signorini::ContactProblem string_problem(Eigen::Index n) {

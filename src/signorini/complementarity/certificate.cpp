@@ -7,6 +7,7 @@
 #include <ostream>
 #include <sstream>
 
+#include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 
@@ -192,7 +193,7 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
 }
 
 Certificate certify(const ContactProblem& problem, const ContactState& state) {
-  check_problem(problem);
+  check_finite(problem);
   const Index n = problem.free_gap.size();
   require(state.force.size() == n && state.gap.size() == n, "certify: need ", n,
           " forces and gaps, got ", state.force.size(), " and ", state.gap.size());
@@ -200,8 +201,7 @@ Certificate certify(const ContactProblem& problem, const ContactState& state) {
   if (n == 0) return certificate;
   if (!state.force.allFinite() || !state.gap.allFinite()) return uncertified();
   // Pairs are compared after scaling: gap / sqrt(G_ii) and force * sqrt(G_ii) have one unit.
-  const Eigen::VectorXd scale =
-      problem.compliance.diagonal().unaryExpr([](double g) { return g > 0 ? std::sqrt(g) : 1.0; });
+  const Eigen::VectorXd scale = pair_scales(problem.compliance).cwiseInverse();
   // The length counts overlaps and what forces do in sum, not the gaps of pairs that are far apart.
   double length = 0;
   double force = 0;

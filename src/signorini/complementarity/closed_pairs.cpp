@@ -1,6 +1,7 @@
 #include "signorini/complementarity/closed_pairs.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,16 +29,64 @@ Eigen::VectorXd residual(const Eigen::MatrixXd& G, const Eigen::VectorXd& d,
   return r;
 }
 
+/// x = -G^-1 d with two steps of refinement.
+/// \param factor  of G
+template <typename Factor>
+Eigen::VectorXd refined(const Factor& factor, const Eigen::MatrixXd& G, const Eigen::VectorXd& d) {
+  Eigen::VectorXd force = factor.solve(-d);
+  for (int step = 0; step < 2; ++step) force += factor.solve(residual(G, d, force));
+  return force;
+}
+
+/// The forces that close a block, or nothing if it is singular to rounding.
+Eigen::VectorXd block_forces(const Eigen::MatrixXd& G, const Eigen::VectorXd& d, bool symmetric) {
+  const double rounding = static_cast<double>(d.size()) * std::numeric_limits<double>::epsilon();
+  if (symmetric) {
+    const Eigen::LLT<Eigen::MatrixXd> factor(G);
+    if (factor.info() != Eigen::Success) return {};
+    // With unit diagonal a squared pivot of rounding size means that a row repeats the ones before it.
+    const double smallest = Eigen::MatrixXd(factor.matrixL()).diagonal().minCoeff();
+    if (smallest * smallest <= rounding) return {};
+    return refined(factor, G, d);
+  }
+  const Eigen::PartialPivLU<Eigen::MatrixXd> factor(G);
+  const Eigen::VectorXd pivots = factor.matrixLU().diagonal().cwiseAbs();
+  if (pivots.minCoeff() <= rounding * pivots.maxCoeff()) return {};
+  return refined(factor, G, d);
+}
+
+ScaledProblem scaled(const ContactProblem& problem) {
+  const Eigen::VectorXd scale = pair_scales(problem.compliance);
+  return {scale.asDiagonal() * problem.compliance * scale.asDiagonal(),
+          scale.cwiseProduct(problem.free_gap), scale};
+}
+
 }  // namespace
+
+Eigen::VectorXd pair_scales(const Eigen::MatrixXd& M) {
+  Eigen::VectorXd scale =
+      M.diagonal().unaryExpr([](double m) { return m != 0 ? 1 / std::sqrt(std::abs(m)) : 1; });
+  for (Index i = 0; i < M.rows(); ++i) {
+    if (M(i, i) != 0) continue;
+    double coupling = 0;
+    for (Index j = 0; j < M.rows(); ++j)
+      if (M(j, j) != 0)
+        coupling = std::max(coupling, scale(j) * std::max(std::abs(M(i, j)), std::abs(M(j, i))));
+    if (coupling > 0) scale(i) = 1 / coupling;
+  }
+  return scale;
+}
 
 ScaledProblem equilibrate(const ContactProblem& problem) {
   check_problem(problem);
-  ScaledProblem scaled;
-  scaled.scale = problem.compliance.diagonal().unaryExpr(
-      [](double g) { return g > 0 ? 1 / std::sqrt(g) : 1; });
-  scaled.compliance = scaled.scale.asDiagonal() * problem.compliance * scaled.scale.asDiagonal();
-  scaled.free_gap = scaled.scale.cwiseProduct(problem.free_gap);
-  return scaled;
+  return scaled(problem);
+}
+
+ScaledProblem equilibrate_any(const ContactProblem& problem) {
+  check_finite(problem);
+  ScaledProblem result = scaled(problem);
+  result.symmetric = is_symmetric(problem) && (problem.compliance.diagonal().array() >= 0).all();
+  return result;
 }
 
 ClosedPairs close_pairs(const ScaledProblem& problem, const std::vector<Index>& active) {
@@ -48,19 +97,12 @@ ClosedPairs close_pairs(const ScaledProblem& problem, const std::vector<Index>& 
   closed.force_rounding.setZero(n);
   closed.solvable = true;
   if (!active.empty()) {
-    const Eigen::MatrixXd G = problem.compliance(active, active);
-    const Eigen::VectorXd d = problem.free_gap(active);
-    const Eigen::LLT<Eigen::MatrixXd> factor(G);
-    // With unit diagonal a squared pivot of rounding size means that a row repeats the ones before it.
-    const double smallest = factor.info() == Eigen::Success
-                                ? Eigen::MatrixXd(factor.matrixL()).diagonal().minCoeff()
-                                : 0;
-    if (smallest * smallest <= static_cast<double>(active.size()) * epsilon) {
+    const Eigen::VectorXd force = block_forces(problem.compliance(active, active),
+                                               problem.free_gap(active), problem.symmetric);
+    if (force.size() == 0) {
       closed.solvable = false;
       return closed;
     }
-    Eigen::VectorXd force = factor.solve(-d);
-    for (int step = 0; step < 2; ++step) force += factor.solve(residual(G, d, force));
     for (std::size_t k = 0; k < active.size(); ++k)
       closed.force(active[k]) = force(static_cast<Index>(k));
     closed.force_rounding.setConstant(static_cast<double>(active.size()) * epsilon *
@@ -82,7 +124,26 @@ bool solves(const ScaledProblem& problem, const ClosedPairs& closed) {
       (closed.gap.array() < -closed.gap_rounding.array()).any())
     return false;
   const ContactState state{closed.force.cwiseMax(0.0), closed.gap.cwiseMax(0.0), {}, {}};
-  return certify({problem.compliance, problem.free_gap}, state).holds();
+  // Its bound is 1e-12; in the units of the problem every force is rounded once more.
+  return certify({problem.compliance, problem.free_gap}, state).holds(0.25e-12);
+}
+
+Eigen::VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& active,
+                              Index pair) {
+  ScaledProblem pressed = problem;
+  pressed.free_gap = problem.compliance.col(pair);
+  const ClosedPairs held = close_pairs(pressed, active);
+  // What rounding did to G changes G y by about epsilon, times what the other pairs depend on W.
+  const double rounding = 1e3 * std::numeric_limits<double>::epsilon();
+  if (!held.solvable || (held.force.array() < -rounding).any()) return {};
+  Eigen::VectorXd y = held.force.cwiseMax(0.0);
+  y(pair) = 1;
+  const double sum = y.sum();
+  if ((held.gap.array().abs() > rounding * sum).any() ||
+      y.dot(problem.free_gap) >= -rounding * y.dot(problem.free_gap.cwiseAbs()))
+    return {};
+  y /= sum;
+  return problem.scale.cwiseProduct(y);
 }
 
 std::optional<std::pair<ClosedPairs, std::vector<Index>>> confirmed(

@@ -18,6 +18,7 @@ struct ScaledProblem {
   Eigen::MatrixXd compliance;  ///< `n_c x n_c` s_i G_ij s_j [-]
   Eigen::VectorXd free_gap;    ///< `n_c` s_i d_i [sqrt(energy)]
   Eigen::VectorXd scale;       ///< `n_c` s_i; force = s * scaled force, gap = scaled gap / s
+  bool symmetric = true;       ///< whether G may be factored as such: symmetric, no diagonal < 0
 };
 
 /// Equilibrates a problem.
@@ -25,6 +26,20 @@ struct ScaledProblem {
 /// \return the scaled problem; a pair with G_ii = 0 keeps the scale 1
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ScaledProblem equilibrate(const ContactProblem& problem);
+
+/// The scales of the pairs of w = M z + q, whatever the matrix: \f$ s_i = 1 / \sqrt{|M_{ii}|} \f$.
+///
+/// A pair with M_ii = 0 gets the scale that makes its largest coupling with the pairs that have a
+/// diagonal 1; if there is none, as for every pair of a compliance with G_ii = 0, it keeps 1.
+/// \param matrix  M `n_c x n_c`
+/// \return s `n_c` > 0
+[[nodiscard]] Eigen::VectorXd pair_scales(const Eigen::MatrixXd& matrix);
+
+/// Equilibrates w = M z + q with any matrix by its pair_scales(): a contact problem as equilibrate().
+/// \param problem  M and q
+/// \return the scaled problem
+/// \throws std::invalid_argument as check_finite()
+[[nodiscard]] ScaledProblem equilibrate_any(const ContactProblem& problem);
 
 /// Forces and gaps when exactly the pairs of a set are closed; scaled numbers [sqrt(energy)].
 struct ClosedPairs {
@@ -36,7 +51,7 @@ struct ClosedPairs {
 };
 
 /// Solves \f$ G_{WW} \lambda_W = -d_W \f$ with two steps of refinement, then finds all gaps.
-/// \param problem  scaled by equilibrate()
+/// \param problem  scaled by equilibrate() or equilibrate_any()
 /// \param active   W, without repetition
 /// \return forces and gaps; if not `solvable`, forces are 0 and the gaps empty
 [[nodiscard]] ClosedPairs close_pairs(const ScaledProblem& problem,
@@ -49,6 +64,17 @@ struct ClosedPairs {
 /// \param closed   from close_pairs() of it
 /// \return whether a solver may say Solved
 [[nodiscard]] bool solves(const ScaledProblem& problem, const ClosedPairs& closed);
+
+/// Looks for the proof that nothing solves a problem: y with y_p = 1 and \f$ y_W = -G_{WW}^{-1} G_{Wp} \f$,
+/// the forces that hold the pairs of a set where they are while one more is pressed.
+/// \param problem  scaled by equilibrate()
+/// \param active   W, without p
+/// \param pair     p, which depends on W
+/// \return y `n_c` in the units of the forces, such that the scaled ones sum to 1, if y >= 0, G y = 0 and
+///   d^T y < 0 hold to 1e3 epsilon; otherwise an empty vector
+[[nodiscard]] Eigen::VectorXd contradiction(const ScaledProblem& problem,
+                                            const std::vector<Eigen::Index>& active,
+                                            Eigen::Index pair);
 
 /// Ends a method that only guesses which pairs are closed: takes as many of them as are independent,
 /// closes these exactly, and looks whether that is a solution.

@@ -104,4 +104,21 @@ Indentation half_plane_indentation(Index n, Punch punch) {
   return made;
 }
 
+ContactProblem fathi(Index n) {
+  require(n > 0, "fathi: needs at least one pair, got n = ", n);
+  Eigen::MatrixXd L = Eigen::MatrixXd::Identity(n, n);
+  L.triangularView<Eigen::StrictlyLower>().setConstant(2);
+  return {L * L.transpose(), Eigen::VectorXd::Constant(n, -1)};
+}
+
+ContactProblem murty(Index n) {
+  require(n > 0 && n <= 50, "murty: n must be from 1 to 50, so that 2^n is exact, got ", n);
+  ContactProblem problem{Eigen::MatrixXd::Identity(n, n), Eigen::VectorXd(n)};
+  problem.compliance.triangularView<Eigen::StrictlyUpper>().setConstant(2);
+  for (Index i = 0; i < n; ++i)
+    problem.free_gap(i) =
+        std::ldexp(1, static_cast<int>(i + 1)) - std::ldexp(1, static_cast<int>(n + 1));
+  return problem;
+}
+
 }  // namespace signorini

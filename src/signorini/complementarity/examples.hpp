@@ -61,4 +61,24 @@ struct Indentation {
 /// \throws std::invalid_argument if n is not positive
 [[nodiscard]] Indentation half_plane_indentation(Eigen::Index n, Punch punch = Punch::Parabola);
 
+/// A symmetric positive definite problem on which complementary pivoting takes 2^n pivots
+/// [\ref Fathi1979]: G = L L^T with ones on the diagonal of L and twos below, all d = -1.
+///
+/// lemke() with a covering vector of ones passes 2^n bases, although a single closed pair is the
+/// solution: force (1, 0, ..., 0), gap (0, 1, ..., 1).
+/// \param n  pairs, at least 1
+/// \return G and d
+/// \throws std::invalid_argument if n is not positive
+[[nodiscard]] ContactProblem fathi(Eigen::Index n);
+
+/// A problem with an asymmetric matrix on which complementary pivoting takes 2^n pivots
+/// [\ref Murty1978]: M has ones on the diagonal, twos above it and zeros below, and
+/// \f$ q_i = 2^i - 2^{n+1} \f$ for i = 1, ..., n.
+///
+/// The only solution is force (0, ..., 0, 2^n), gap (2, 4, ..., 2^{n-1}, 0).
+/// \param n  pairs, from 1 to 50
+/// \return M and q
+/// \throws std::invalid_argument if n is out of range
+[[nodiscard]] ContactProblem murty(Eigen::Index n);
+
 }  // namespace signorini

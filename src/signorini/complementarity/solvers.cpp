@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "signorini/complementarity/enumerate.hpp"
+#include "signorini/complementarity/goldfarb_idnani.hpp"
+#include "signorini/complementarity/lemke.hpp"
 #include "signorini/complementarity/primal_dual_active_set.hpp"
+#include "signorini/complementarity/projected_gauss_seidel.hpp"
 #include "signorini/complementarity/quasi_active_set.hpp"
 #include "signorini/complementarity/quasi_active_set_literal.hpp"
 #include "signorini/complementarity/surrogate_dual.hpp"
@@ -31,11 +34,26 @@ const std::vector<Solver>& solvers() {
        primal_dual_active_set,
        0,
        {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::IllConditioned}},
-      {"enumerate",
-       "tries every set of closed pairs; the oracle of the tests",
-       enumerate,
-       largest_enumeration,
-       {Trait::Asymmetric}},
+      {"enumerate", "tries every set of closed pairs; the oracle of the tests", enumerate,
+       largest_enumeration},
+      {"lemke",
+       "complementary pivoting along a path, ties lexicographic; any square matrix",
+       lemke,
+       0,
+       {Trait::IllConditioned, Trait::Slow}},
+      {"goldfarb_idnani",
+       "dual active set: one pair joins or leaves at a time",
+       goldfarb_idnani,
+       0,
+       {Trait::Asymmetric, Trait::IllConditioned},
+       goldfarb_idnani},
+      {"projected_gauss_seidel",
+       "sweeps: each pair in turn gets the force that closes it",
+       projected_gauss_seidel,
+       0,
+       {Trait::Ordinary, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
+        Trait::IllConditioned, Trait::Slow},
+       projected_gauss_seidel},
       {"surrogate_dual",
        "one weighted gap; weights best on the face of all vertices in use",
        surrogate_dual<WeightRule::FullyCorrective>,

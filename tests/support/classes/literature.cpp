@@ -1,4 +1,7 @@
 // Problems that defeated methods before.
+#include <cmath>
+
+#include "signorini/complementarity/examples.hpp"
 #include "signorini/core/errors.hpp"
 #include "support/classes/classes.hpp"
 #include "support/problems.hpp"
@@ -34,7 +37,7 @@ Instances cycling_asymmetric() {  // the same from {2}: {2} -> {3} -> {1} -> {2}
 Instances fathi() {
   Instances made;
   for (const Index n : {2, 4, 8, 12}) {
-    made.push_back({text(n, " pairs"), fathi_problem(n)});
+    made.push_back({text(n, " pairs"), signorini::fathi(n)});
     made.back().force = VectorXd::Unit(n, 0);
     made.back().gap = VectorXd::Ones(n) - VectorXd::Unit(n, 0);
   }
@@ -50,6 +53,10 @@ Instances murty() {  // twos below a diagonal of ones: a P-matrix that takes Lem
     made.push_back({text(n, " pairs, q = -1"), {M, easy}});
     made.back().force = VectorXd::Unit(n, 0);
     made.back().gap = VectorXd::Ones(n) - VectorXd::Unit(n, 0);
+    made.push_back({text(n, " pairs, all bases on the way"), signorini::murty(n)});
+    made.back().force = std::ldexp(1, static_cast<int>(n)) * VectorXd::Unit(n, n - 1);
+    made.back().gap = VectorXd::Zero(n);  // 2, 4, 8, ..., and 0 for the closed pair
+    for (Index i = 0; i + 1 < n; ++i) made.back().gap(i) = std::ldexp(1, static_cast<int>(i + 1));
   }
   return made;
 }
