@@ -53,9 +53,13 @@ bench:                    ## what accuracy costs: work and seconds, measured
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target price
 	@$B/bin/price
+peers:                    ## the same problems by other people's solvers, as far as installed
+	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
+	@cmake --build $B -j $(JOBS) --target peers
+	@OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 BLIS_NUM_THREADS=1 $B/bin/peers --full
 handout:                  ## build/signorini-handout.tar.gz, without solutions and held-out tests
 	@mkdir -p $B && git archive --format=tar.gz --prefix=signorini/ -o $B/signorini-handout.tar.gz HEAD
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test results figures text lint book browser bench handout clean
+.PHONY: all help configure run chapters test results figures text lint book browser bench peers handout clean

@@ -1,11 +1,11 @@
 // What contact costs: everything after assembly, over one plain linear solve of the same mesh.
 // Run:  make bench     Reads: nothing     Writes: price.csv (in the folder of --out)
-#include <algorithm>
 #include <chrono>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 
+#include "bench/measure.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/mesh/block.hpp"
@@ -15,21 +15,7 @@
 namespace {
 
 using namespace signorini;
-
-/// A square block with a rounded base, pressed by its top face on a flat foundation.
-Scene pressed_block(Eigen::Index cells) {
-  Scene scene;
-  BlockSpec spec;
-  spec.name = "block";
-  spec.cells_x = spec.cells_y = cells;
-  scene.mesh = mapped(make_block(spec), [](const Eigen::Vector2d& x) {
-    return Eigen::Vector2d(x.x(), x.y() + 0.1 * x.x() * x.x() * (1 - x.y()));
-  });
-  scene.material = {1, 0.3, PlaneState::Strain, 1};
-  scene.supports = {symmetric("left"), prescribed("top", Axis::Y, -0.02)};
-  scene.contact = ObstacleContactSpec{"bottom", half_plane({0, 0}, {0, 1})};
-  return scene;
-}
+using namespace signorini::bench;
 
 /// The cantilever of chapter 6: ten times longer than high, its whole lower side a candidate.
 Scene cantilever(Eigen::Index cells_y) {
@@ -45,16 +31,6 @@ Scene cantilever(Eigen::Index cells_y) {
   scene.loads.edges = {{"top", 3.6, {}}};
   scene.contact = ObstacleContactSpec{"bottom", half_plane({0, -1}, {0, 1})};
   return scene;
-}
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
 }
 
 /// Times both ways in turn, so that a change of the machine's speed meets both.
@@ -120,7 +96,7 @@ int main(int argc, char** argv) {
         "scene,unknowns,pairs,plain_s,contact_s,ratio,fill_plain,fill_contact,work_plain,work_"
         "contact\n";
     for (const auto& [cells, runs] : {std::pair{99, 15}, {199, 7}, {299, 5}})
-      csv += price_line("block", pressed_block(cells), runs);
+      csv += price_line("block", pressed_block(cells, cells), runs);
     for (const auto& [cells, runs] : {std::pair{31, 15}, {63, 7}, {94, 5}})
       csv += price_line("cantilever", cantilever(cells), runs);
     write_file(options.out / "price.csv", csv);

@@ -43,10 +43,10 @@ ClosedBasis basis_of(ProgrammeRows& data, const Rows& closed) {
 
 DenseCondensed condensed_by(ProgrammeRows& data) {
   const ClosedBasis equations = basis_of(data, {});
-  DenseCondensed condensed{data.factor(), {}, data.displacement(equations)};
   VectorXd gap;
   VectorXd rounding;
   data.gaps(equations, gap, rounding);
+  DenseCondensed condensed{data.factor(), {}, data.displacement()};
   const Index first = data.equations();
   condensed.problem.free_gap = gap.tail(data.count() - first);
   condensed.problem.half.setZero(condensed.free_displacement.size(), data.count() - first);
@@ -69,6 +69,8 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
   HalfProblem problem = condensed.problem;
   DenseSolution solution;
   std::set<Rows> refuted;
+  VectorXd gap;
+  VectorXd rounding;
   while (true) {
     ContactState state = solver.solve_half != nullptr
                              ? solver.solve_half(problem, options)
@@ -92,6 +94,7 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
       return solution;
     }
     ClosedBasis basis = basis_of(data, solution.active);
+    data.gaps(basis, gap, rounding);
     ProgrammeRows::Refined refined = data.refine(basis);
     solution.refined = std::move(refined.solution);
     solution.gap = std::move(refined.gap);

@@ -89,15 +89,10 @@ ProgrammeRows::Refined ProgrammeRows::refine(ClosedBasis& basis) {
   Refined refined;
   Work work;
   basis.solve(work.force);
-  work.raw.resize(k);
-  for (Index i = 0; i < k; ++i)
-    work.raw(i) = work.force(i) / norm_(basis.rows()[static_cast<std::size_t>(i)]);
-  refined.solution.displacement = displacement(basis);
-  if (beyond_doubt(basis, refined, work)) {
-    displacement_ = refined.solution.displacement;
-    return refined;
-  }
+  refined.solution.displacement = displacement();
+  if (beyond_doubt(basis, refined, work.force)) return refined;
   work.force.conservativeResize(k);
+  work.raw.resize(k);
   work.closed.resize(k, unknowns());
   work.initial.resize(k);
   work.norm.resize(k);
@@ -106,6 +101,7 @@ ProgrammeRows::Refined ProgrammeRows::refine(ClosedBasis& basis) {
     work.closed.row(i) = programme_.A.row(row);
     work.initial(i) = programme_.initial_gap(row);
     work.norm(i) = norm_(row);
+    work.raw(i) = work.force(i) / work.norm(i);
   }
   refined.solution.displacement_low.setZero(unknowns());
   double last = std::numeric_limits<double>::infinity();
@@ -125,49 +121,50 @@ ProgrammeRows::Refined ProgrammeRows::refine(ClosedBasis& basis) {
   return refined;
 }
 
-/// Gaps of the present displacement in `gap_`, and in `floor_` the rounding of one term of each.
-void ProgrammeRows::measure(const ClosedBasis& basis, const VectorXd& displacement) {
-  base_.noalias() = basis.directions() * basis.coordinates();
-  gap_ = programme_.initial_gap;
-  gap_.noalias() -= programme_.A * displacement;
-  // What the row moves is at most |D^-1/2 a_i| |D^1/2 u|, and was so before contact pushed back.
-  stretch_ = std::max(stretch_, displacement.cwiseProduct(root_).norm());
-  for (Index i = 0; i < count(); ++i)
-    floor_(i) =
-        4 * epsilon *
-        (std::abs(programme_.initial_gap(i)) + (weight_(i) > 0 ? stretch_ / weight_(i) : 0));
+/// Rounding of one term of the gap of a row, when the unknowns have moved so far.
+double ProgrammeRows::one_rounding(Index row, double stretch) const {
+  const double moved = weight_(row) > 0 ? stretch / weight_(row) : 0;
+  return 4 * epsilon * (std::abs(programme_.initial_gap(row)) + moved);
 }
 
 /// Whether the solution satisfies all conditions so well, and all rows are so far from the wrong side,
 /// that twice the working precision could not change anything but the last digits.
-bool ProgrammeRows::beyond_doubt(const ClosedBasis& basis, Refined& refined, const Work& work) {
+bool ProgrammeRows::beyond_doubt(const ClosedBasis& basis, Refined& refined,
+                                 const VectorXd& force) {
   const Index k = basis.size();
-  measure(basis, refined.solution.displacement);
   const double terms = static_cast<double>(unknowns());
+  const VectorXd& displacement = refined.solution.displacement;
+  const double stretch = std::max(stretch_, displacement.cwiseProduct(root_).norm());
+  const double pull = static_cast<double>(k + 1) * epsilon * largest(force.head(k));
+  refined.gap = programme_.initial_gap;
+  refined.gap.noalias() -= programme_.A * displacement;
   refined.solution.force.setZero(count());
-  const double pull = static_cast<double>(k + 1) * epsilon * largest(work.force.head(k));
+  moved_ = programme_.load;
+  moved_.noalias() -= programme_.stiffness * displacement;
   for (Index i = 0; i < k; ++i) {
     const Index row = basis.rows()[static_cast<std::size_t>(i)];
-    if (std::abs(gap_(row)) > terms * floor_(row) || (row >= equations() && work.force(i) <= pull))
-      return false;
-    gap_(row) = 2 * terms * floor_(row);  // passes the test of the open rows
-    refined.solution.force(row) = work.raw(i);
+    if (std::abs(refined.gap(row)) > terms * one_rounding(row, stretch)) return false;
+    if (row >= equations() && force(i) <= pull) return false;
+    refined.gap(row) = std::numeric_limits<double>::infinity();  // passes the test of the open rows
+    refined.solution.force(row) = force(i) / norm_(row);
+    moved_ -= refined.solution.force(row) * programme_.A.row(row).transpose();
   }
-  if (((gap_ - terms * floor_).array() < 0).any()) return false;
-  moved_ = programme_.load;
-  moved_.noalias() -= programme_.stiffness * refined.solution.displacement;
-  for (Index i = 0; i < k; ++i)
-    moved_ -= work.raw(i) * programme_.A.row(basis.rows()[static_cast<std::size_t>(i)]).transpose();
   if (largest(moved_) > terms * epsilon * largest(programme_.load)) return false;
-  for (const Index row : basis.rows()) gap_(row) = 0;
-  refined.gap = gap_;
+  for (Index i = 0; i < count(); ++i)
+    if (refined.gap(i) < terms * one_rounding(i, stretch)) return false;
+  for (const Index row : basis.rows()) refined.gap(row) = 0;
   return true;
 }
 
 /// All gaps of the refined solution, and which rows are on the wrong side beyond rounding.
 void ProgrammeRows::judge(const ClosedBasis& basis, Refined& refined, const Work& work) {
   const Index k = basis.size();
-  measure(basis, displacement_);
+  base_.noalias() = basis.directions() * basis.coordinates();
+  gap_ = programme_.initial_gap;
+  gap_.noalias() -= programme_.A * displacement_;
+  // What the row moves is at most |D^-1/2 a_i| |D^1/2 u|, and was so before contact pushed back.
+  stretch_ = std::max(stretch_, displacement_.cwiseProduct(root_).norm());
+  for (Index i = 0; i < count(); ++i) floor_(i) = one_rounding(i, stretch_);
   refined.tension.setZero(k);
   refined.solution.force.setZero(count());
   const double pull = static_cast<double>(k + 1) * epsilon * largest(work.force);

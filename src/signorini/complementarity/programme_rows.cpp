@@ -73,7 +73,6 @@ ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(progr
   solve_upper(factor_.matrixLLT(), displacement_);
   gap_ = programme.initial_gap;
   gap_.noalias() -= programme.A * displacement_;
-  base_.setZero(n);
   norm_.setZero(count());
   // |D^-1/2 a_i| with D = diag K estimates |h_i|, and bounds the terms of a_i u by |D^1/2 u|.
   floor_.setZero(count());
@@ -101,21 +100,13 @@ ClosedBasis ProgrammeRows::empty_basis() const {
 void ProgrammeRows::gaps(const ClosedBasis& basis, VectorXd& gap, VectorXd& rounding) {
   gap = gap_;
   rounding = floor_;
-  moved_ = -base_;
-  moved_.noalias() += basis.directions() * basis.coordinates();
+  moved_.noalias() = basis.directions() * basis.coordinates();
+  if (base_.size() > 0) moved_ -= base_;
   const double size = moved_.norm() * static_cast<double>(moved_.size() + 4) * epsilon;
   if (size == 0) return;
   solve_upper(factor_.matrixLLT(), moved_);
   gap.noalias() += programme_.A * moved_;
   for (Index i = 0; i < gap.size(); ++i) rounding(i) += reach(size, weight_(i));
-}
-
-VectorXd ProgrammeRows::displacement(const ClosedBasis& basis) const {
-  VectorXd u = base_;
-  u.noalias() -= basis.directions() * basis.coordinates();
-  solve_upper(factor_.matrixLLT(), u);
-  u += displacement_;
-  return u;
 }
 
 void ProgrammeRows::fetch(const VectorXd& gap, const VectorXd& rounding,

@@ -24,7 +24,7 @@ class ProgrammeRows {
   explicit ProgrammeRows(const DenseProgramme& programme);
 
   /// \return number of unknowns n
-  [[nodiscard]] Eigen::Index unknowns() const { return base_.size(); }
+  [[nodiscard]] Eigen::Index unknowns() const { return programme_.load.size(); }
   /// \return number of rows m
   [[nodiscard]] Eigen::Index count() const { return gap_.size(); }
   /// \return how many of the first rows are equations
@@ -44,10 +44,8 @@ class ProgrammeRows {
   /// \param rounding  set to what rounding may have done to each
   void gaps(const ClosedBasis& basis, Eigen::VectorXd& gap, Eigen::VectorXd& rounding);
 
-  /// Displacements when a basis of rows is closed.
-  /// \param basis  closed rows
-  /// \return u `n`
-  [[nodiscard]] Eigen::VectorXd displacement(const ClosedBasis& basis) const;
+  /// \return u `n` of the basis whose gaps were asked for last
+  [[nodiscard]] Eigen::VectorXd displacement() const { return displacement_ - moved_; }
 
   /// Condenses rows.
   /// \param gap         of all rows `m`
@@ -65,11 +63,12 @@ class ProgrammeRows {
     Eigen::Index sweeps = 0;    ///< corrections that were made
   };
   /// Refines \f$ K u + A^T \lambda = p,\ A_W u = g_W \f$ with residuals in twice the working precision;
-  /// later gaps are measured from the result. \PaperEq{XuanLi2002, 21}
+  /// later gaps are measured from the result if anything was corrected. \PaperEq{XuanLi2002, 21}
   ///
   /// Nothing is refined if the residuals are of rounding size already and no row is near enough to
   /// the wrong side for rounding to matter.
-  /// \param basis  W; its coordinates become those of the refined forces
+  /// \param basis  W, whose gaps were asked for last; its coordinates become those of the refined
+  ///   forces
   /// \return the refined solution
   [[nodiscard]] Refined refine(ClosedBasis& basis);
 
@@ -81,19 +80,20 @@ class ProgrammeRows {
  private:
   struct Work;
   void correct(const ClosedBasis& basis, Refined& refined, Work& work);
-  void measure(const ClosedBasis& basis, const Eigen::VectorXd& displacement);
-  [[nodiscard]] bool beyond_doubt(const ClosedBasis& basis, Refined& refined, const Work& work);
+  [[nodiscard]] double one_rounding(Eigen::Index row, double stretch) const;
+  [[nodiscard]] bool beyond_doubt(const ClosedBasis& basis, Refined& refined,
+                                  const Eigen::VectorXd& force);
   void judge(const ClosedBasis& basis, Refined& refined, const Work& work);
 
   const DenseProgramme& programme_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
   Eigen::VectorXd displacement_;  // from which gap_ comes
   Eigen::VectorXd gap_;           // where Q y = base_
-  Eigen::VectorXd base_;
+  Eigen::VectorXd base_;          // empty for zero
   Eigen::VectorXd floor_;  // rounding of gap_
   Eigen::VectorXd weight_;
   Eigen::VectorXd norm_;
-  Eigen::VectorXd moved_;
+  Eigen::VectorXd moved_;  // what contact takes from displacement_; work space of refine()
   Eigen::VectorXd root_;  // of the diagonal of K
   double stretch_ = 0;    // |D^1/2 u|, the largest so far
 };

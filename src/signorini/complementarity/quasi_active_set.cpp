@@ -81,6 +81,7 @@ bool proves(const ScaledProblem& scaled, const VectorXd& y, const ClosedBasis& b
 
 Rows sorted_active(const ClosedBasis& basis, Index equations) {
   Rows active;
+  active.reserve(basis.rows().size());
   for (const Index row : basis.rows())
     if (row >= equations) active.push_back(row);
   std::sort(active.begin(), active.end());

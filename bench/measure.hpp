@@ -1,0 +1,49 @@
+/// \file
+/// What the measurements share: clock, median, and a body pressed on a flat foundation.
+#pragma once
+#include <Eigen/Core>
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "signorini/mesh/block.hpp"
+#include "signorini/scene/scene.hpp"
+
+namespace signorini::bench {
+
+/// Time since a moment. \param begin  the moment
+/// \return wall time [s]
+inline double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// The middle value. \param values  at least one
+/// \return of an even number the mean of the two in the middle
+inline double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+/// A block of height 1 with a rounded base, pressed by its top face on a flat foundation.
+/// \param cells_x  along the base, which has one candidate pair more
+/// \param cells_y  over the height
+/// \return the scene; its cells are square
+inline Scene pressed_block(Eigen::Index cells_x, Eigen::Index cells_y) {
+  Scene scene;
+  BlockSpec spec;
+  spec.name = "block";
+  spec.size.x() = static_cast<double>(cells_x) / static_cast<double>(cells_y);
+  spec.cells_x = cells_x;
+  spec.cells_y = cells_y;
+  const double curvature = 0.1 / (spec.size.x() * spec.size.x());
+  scene.mesh = mapped(make_block(spec), [curvature](const Eigen::Vector2d& x) {
+    return Eigen::Vector2d(x.x(), x.y() + curvature * x.x() * x.x() * (1 - x.y()));
+  });
+  scene.material = {1, 0.3, PlaneState::Strain, 1};
+  scene.supports = {symmetric("left"), prescribed("top", Axis::Y, -0.02)};
+  scene.contact = ObstacleContactSpec{"bottom", half_plane({0, 0}, {0, 1})};
+  return scene;
+}
+
+}  // namespace signorini::bench

@@ -1,0 +1,71 @@
+#include <ctime>
+#include <utility>
+
+#include "bench/peers/peer.hpp"
+#include "signorini/complementarity/dense_programme.hpp"
+#include "signorini/complementarity/solvers.hpp"
+
+namespace signorini::bench {
+namespace {
+
+Run directly(const Solver& solver, const DenseProgramme& programme, int calls) {
+  DenseSolution solution;
+  Run run;
+  run.seconds = mean_seconds(calls, [&] { solution = solver.solve_programme(programme, {}); });
+  run.iterations = solution.report.iterations;
+  run.solution = std::move(solution.refined);
+  if (solution.report.status != Status::Solved) run.failure = to_string(solution.report.status);
+  return run;
+}
+
+Run condensed(const Solver& solver, const DenseProgramme& programme, int calls) {
+  return by_condensation(programme, calls, [&](ContactProblem problem, Run& run) {
+    ContactState state = solver.solve(problem, {});
+    run.iterations = state.report.iterations;
+    if (state.report.status != Status::Solved) run.failure = to_string(state.report.status);
+    return std::move(state.force);
+  });
+}
+
+}  // namespace
+
+double mean_seconds(int calls, const std::function<void()>& call) {
+  const auto now = [] {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  };
+  const double begin = now();
+  for (int i = 0; i < calls; ++i) call();
+  return (now() - begin) / calls;
+}
+
+Run by_condensation(const DenseProgramme& programme, int calls,
+                    const std::function<Eigen::VectorXd(ContactProblem problem, Run& run)>& whole) {
+  Run run;
+  run.condensation =
+      mean_seconds(calls, [&] { (void)multiplied_out(condense(programme).problem); });
+  run.seconds = mean_seconds(calls, [&] {
+    const DenseCondensed small = condense(programme);
+    run.solution.force = whole(multiplied_out(small.problem), run);
+    run.solution.displacement =
+        small.free_displacement -
+        small.factor.matrixU().solve(small.problem.half * run.solution.force);
+  });
+  return run;
+}
+
+std::vector<Peer> own_solvers() {
+  std::vector<Peer> peers;
+  for (const char* name : {"quasi_active_set", "primal_dual_active_set", "lemke"})
+    for (const Solver& solver : solvers())
+      if (solver.name == std::string(name))
+        peers.push_back({name, "", [&solver](const DenseProgramme& programme, int calls) {
+                           return solver.solve_programme != nullptr
+                                      ? directly(solver, programme, calls)
+                                      : condensed(solver, programme, calls);
+                         }});
+  return peers;
+}
+
+}  // namespace signorini::bench

@@ -1,0 +1,27 @@
+# Measurements: `price` needs nothing, `peers` compares with what is installed of other people's solvers.
+file(GLOB peer_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/peers/*.cpp)
+add_executable(price bench/price.cpp)
+add_executable(peers bench/peers.cpp ${peer_sources})
+foreach(program price peers)
+  target_link_libraries(${program} PRIVATE signorini::signorini signorini_warnings)
+  target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_definitions(${program} PRIVATE SIGNORINI_BENCH_OUT="${PROJECT_BINARY_DIR}/out/bench")
+endforeach()
+target_link_libraries(peers PRIVATE ${CMAKE_DL_LIBS})
+target_compile_definitions(peers PRIVATE SIGNORINI_PEERS_SCRIPT="${PROJECT_SOURCE_DIR}/bench/peers/peers.py")
+
+# Its headers include each other from both folders.
+find_path(SICONOS_CONFIG SiconosConfig.h PATH_SUFFIXES siconos)
+find_path(SICONOS_NUMERICS LCP_Solvers.h PATH_SUFFIXES siconos/numerics)
+find_library(SICONOS_LIBRARY siconos_numerics)
+mark_as_advanced(SICONOS_CONFIG SICONOS_NUMERICS SICONOS_LIBRARY)
+if(SICONOS_CONFIG AND SICONOS_NUMERICS AND SICONOS_LIBRARY)
+  target_include_directories(peers SYSTEM PRIVATE ${SICONOS_CONFIG} ${SICONOS_NUMERICS})
+  target_link_libraries(peers PRIVATE ${SICONOS_LIBRARY})
+  target_compile_definitions(peers PRIVATE SIGNORINI_SICONOS)
+endif()
+
+if(SIGNORINI_BUILD_TESTS)  # our solvers on small programmes: it ends with 0 only if all are certified
+  add_test(NAME bench/peers COMMAND peers --out ${PROJECT_BINARY_DIR}/tests/bench)
+  set_tests_properties(bench/peers PROPERTIES LABELS bench)
+endif()
