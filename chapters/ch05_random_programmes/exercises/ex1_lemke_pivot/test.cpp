@@ -1,0 +1,47 @@
+#include "catch_compat.hpp"
+#include "exercise.hpp"
+#include "signorini/complementarity/examples.hpp"
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using ex5_1::Tableau;
+
+// w1 - 2 z1 - z2 - z0 = -7, w2 - z1 - 2 z2 - z0 = -5, after z0 has come in for w1.
+TEST_CASE("ex5.1 one pivot solves its row and clears the column", "[ex5.1]") {
+  Tableau tableau{Eigen::MatrixXd(2, 6), {0, 1}};
+  tableau.rows << 1, 0, -2, -1, -1, -7, 0, 1, -1, -2, -1, -5;
+  ex5_1::pivot(tableau, 0, 4);
+  CHECK(tableau.basic == std::vector<Index>{4, 1});
+  Eigen::MatrixXd expected(2, 6);
+  expected << -1, 0, 2, 1, 1, 7, -1, 1, 1, -1, 0, 2;
+  CHECK((tableau.rows - expected).norm() == Approx(0).margin(1e-14));
+}
+
+// z1 may grow until w2 (2 - z1) or z0 (7 - 2 z1) is zero.
+TEST_CASE("ex5.1 the smallest ratio blocks", "[ex5.1]") {
+  Tableau tableau{Eigen::MatrixXd(2, 6), {4, 1}};
+  tableau.rows << -1, 0, 2, 1, 1, 7, -1, 1, 1, -1, 0, 2;
+  CHECK(ex5_1::blocking_row(tableau, 2) == 1);
+  CHECK(ex5_1::blocking_row(tableau, 3) == 0);   // only z0 falls when z2 grows
+  CHECK(ex5_1::blocking_row(tableau, 0) == -1);  // nothing falls when w1 grows
+}
+
+// The two pairs of chapter 3: forces (3, 1).
+TEST_CASE("ex5.1 two pairs", "[ex5.1]") {
+  const signorini::ContactProblem problem{(Eigen::Matrix2d() << 2, 1, 1, 2).finished(),
+                                          Eigen::Vector2d(-7, -5)};
+  const ex5_1::Path path = ex5_1::drive(problem, VectorXd::Ones(2), 100);
+  CHECK(path.solved);
+  CHECK(path.pivots == 3);
+  CHECK((path.force - Eigen::Vector2d(3, 1)).norm() == Approx(0).margin(1e-13));
+}
+
+TEST_CASE("ex5.1 Fathi's problems take every basis", "[ex5.1]") {
+  for (const Index n : {2, 3, 4, 5}) {
+    const ex5_1::Path path = ex5_1::drive(signorini::fathi(n), VectorXd::Ones(n), 1000);
+    CAPTURE(n);
+    CHECK(path.solved);
+    CHECK(path.pivots == 1 << n);
+    CHECK((path.force - VectorXd::Unit(n, 0)).norm() == Approx(0).margin(1e-9));
+  }
+}
