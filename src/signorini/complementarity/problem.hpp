@@ -71,6 +71,8 @@ struct Iteration {
   double penetration;      ///< largest overlap of a pair taken as open [length]
   double tension;          ///< largest tensile force of a pair taken as closed [force]
   double dual_energy = 0;  ///< \f$ -d^T\lambda - \tfrac12\lambda^T G\lambda \f$ [force*length]
+  /// Size of what a method drives to zero, over its size without contact forces [-]; 0 if it has none
+  double residual = 0;
 };
 
 /// What a solver says about its run.

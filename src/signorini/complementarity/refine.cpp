@@ -10,8 +10,13 @@ namespace {
 
 using Eigen::Index;
 
-/// u += change, keeping what does not fit into the leading double.
-void add_to_pair(PrimalDual& solution, const Eigen::VectorXd& change) {
+double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
+
+double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
   for (Index i = 0; i < change.size(); ++i) {
     const double addend = solution.displacement_low(i) + change(i);
     const double sum = solution.displacement(i) + addend;
@@ -20,12 +25,6 @@ void add_to_pair(PrimalDual& solution, const Eigen::VectorXd& change) {
     solution.displacement(i) = sum;
   }
 }
-
-double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
-
-double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
-
-}  // namespace
 
 Refinement refine(const QuadraticProgramme& programme,
                   const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
@@ -46,7 +45,7 @@ Refinement refine(const QuadraticProgramme& programme,
   bool settled = false;
   while (factor.info() == Eigen::Success) {
     const Eigen::VectorXd change = solve_stiffness(equilibrium_residual(programme, solution));
-    add_to_pair(solution, change);
+    add_displacement(solution, change);
     ++result.sweeps;
     result.gap = gaps(programme, solution);
     Eigen::VectorXd force_change;

@@ -7,6 +7,11 @@
 
 namespace signorini {
 
+/// u += change, keeping in `displacement_low` what does not fit into the leading double.
+/// \param solution  whose displacement grows; both parts `n`
+/// \param change    `n` [length]
+void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
+
 /// What refine() did.
 struct Refinement {
   PrimalDual solution;      ///< u in two parts, and lambda

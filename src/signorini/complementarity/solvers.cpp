@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "signorini/complementarity/enumerate.hpp"
+#include "signorini/complementarity/fischer_burmeister.hpp"
 #include "signorini/complementarity/goldfarb_idnani.hpp"
 #include "signorini/complementarity/lemke.hpp"
+#include "signorini/complementarity/linear_programme.hpp"
 #include "signorini/complementarity/primal_dual_active_set.hpp"
 #include "signorini/complementarity/projected_gauss_seidel.hpp"
 #include "signorini/complementarity/quasi_active_set.hpp"
@@ -89,6 +91,16 @@ const std::vector<Solver>& solvers() {
        0,
        {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
         Trait::IllConditioned, Trait::Slow}},
+      {"fischer_burmeister",
+       "one equation per pair, solved by Newton's method with a line search",
+       fischer_burmeister,
+       0,
+       {Trait::Dependent, Trait::Infeasible}},
+      {"linear_programme",
+       "simplex steps to the least sum of artificial gaps, one pair at a time",
+       linear_programme,
+       0,
+       {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible}},
   };
   return family;
 }

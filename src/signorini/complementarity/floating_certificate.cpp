@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+
+#include "signorini/complementarity/floating.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
+
+/// Gaps of a state, and for each pair the largest of the three parts that they are made of.
+struct Gaps {
+  VectorXd gap;
+  VectorXd part;
+};
+
+Gaps recomputed(const FloatingProblem& problem, const FloatingState& state) {
+  const Index n = problem.contact.free_gap.size();
+  Gaps result{VectorXd(n), VectorXd(n)};
+  for (Index i = 0; i < n; ++i) {
+    ExactSum elastic;
+    ExactSum rigid;
+    ExactSum gap(problem.contact.free_gap(i));
+    for (Index j = 0; j < n; ++j) {
+      elastic.add_product(problem.contact.compliance(i, j), state.contact.force(j));
+      gap.add_product(problem.contact.compliance(i, j), state.contact.force(j));
+    }
+    for (Index j = 0; j < state.amplitude.size(); ++j) {
+      rigid.add_product(problem.rigid(i, j), state.amplitude(j));
+      gap.add_product(problem.rigid(i, j), state.amplitude(j));
+    }
+    result.gap(i) = gap.value();
+    result.part(i) = std::max(
+        {-problem.contact.free_gap(i), std::abs(elastic.value()), std::abs(rigid.value())});
+  }
+  return result;
+}
+
+/// Largest entry of R^T lambda - r, each over the largest of its terms.
+double imbalance(const FloatingProblem& problem, const VectorXd& force) {
+  double worst = 0;
+  for (Index j = 0; j < problem.resultant.size(); ++j) {
+    ExactSum sum(-problem.resultant(j));
+    double term = std::abs(problem.resultant(j));
+    for (Index i = 0; i < force.size(); ++i) {
+      sum.add_product(problem.rigid(i, j), force(i));
+      term = std::max(term, std::abs(problem.rigid(i, j) * force(i)));
+    }
+    worst = std::max(worst, ratio(std::abs(sum.value()), term));
+  }
+  return worst;
+}
+
+}  // namespace
+
+Certificate certify(const FloatingProblem& problem, const FloatingState& state) {
+  check_problem(problem.contact);
+  const Index n = problem.contact.free_gap.size();
+  const Index modes = problem.resultant.size();
+  const VectorXd& force = state.contact.force;
+  require(problem.rigid.rows() == n && problem.rigid.cols() == modes, "certify: rigid must be ", n,
+          " x ", modes, ", got ", problem.rigid.rows(), " x ", problem.rigid.cols());
+  require(force.size() == n && state.contact.gap.size() == n && state.amplitude.size() == modes,
+          "certify: need ", n, " forces and gaps and ", modes, " amplitudes, got ", force.size(),
+          ", ", state.contact.gap.size(), " and ", state.amplitude.size());
+  if (!force.allFinite() || !state.contact.gap.allFinite() || !state.amplitude.allFinite() ||
+      !problem.rigid.allFinite() || !problem.resultant.allFinite())
+    return uncertified();
+  const Gaps now = recomputed(problem, state);
+  const VectorXd scale = problem.contact.compliance.diagonal().unaryExpr(
+      [](double g) { return g > 0 ? std::sqrt(g) : 1.0; });
+  double length = 0;
+  double push = 0;
+  for (Index i = 0; i < n; ++i) {
+    length = std::max(length, now.part(i) / scale(i));
+    push = std::max(push, std::abs(force(i)) * scale(i));
+  }
+  Certificate certificate;
+  certificate.equilibrium = imbalance(problem, force);
+  ExactSum
+      energy;  // lambda^T d + lambda^T G lambda + r^T a: what lambda^T gap is if R^T lambda = r
+  double energies = length * push;
+  for (Index i = 0; i < n; ++i) {
+    const double open = now.gap(i) / scale(i);
+    const double pressed = force(i) * scale(i);
+    const auto raise = [](double& figure, double value) { figure = std::max(figure, value); };
+    raise(certificate.penetration, ratio(std::max(0.0, -open), length));
+    raise(certificate.tension, ratio(std::max(0.0, -pressed), push));
+    raise(certificate.complementarity, ratio(std::abs(open * pressed), length * push));
+    raise(certificate.equilibrium, ratio(std::abs(now.gap(i) - state.contact.gap(i)) / scale(i),
+                                         std::max(length, std::abs(open))));
+    energies = std::max(energies, std::abs(force(i) * problem.contact.free_gap(i)));
+    energy.add_product(force(i), now.gap(i));
+    for (Index j = 0; j < modes; ++j)
+      energy.add_product(-force(i) * problem.rigid(i, j), state.amplitude(j));
+  }
+  for (Index j = 0; j < modes; ++j) {
+    energy.add_product(problem.resultant(j), state.amplitude(j));
+    energies = std::max(energies, std::abs(problem.resultant(j) * state.amplitude(j)));
+  }
+  certificate.duality_gap = ratio(std::abs(energy.value()), energies);
+  return certificate;
+}
+
+}  // namespace signorini
