@@ -42,7 +42,7 @@ Instances empty_problem() {
 Instances one_pair() {
   Instances made;
   for (const double d :
-       {-9.8, 0.0, 3.0, -1e100, -1e-100, 1e100}) {  // closed form: force = max(0, -d/G)
+       {-9.8, 0.0, 3.0, -1e60, -1e-60, 1e60}) {  // closed form: force = max(0, -d/G)
     Instance pair{text("d = ", d), {MatrixXd::Constant(1, 1, 2), VectorXd::Constant(1, d)}};
     pair.force = VectorXd::Constant(1, std::max(0.0, -d / 2));
     pair.gap = VectorXd::Constant(1, std::max(0.0, d));
