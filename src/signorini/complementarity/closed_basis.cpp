@@ -60,8 +60,8 @@ void ClosedBasis::project(Candidates& candidates) {
   }
 }
 
-/// Appends candidate `which` and projects the others off it.
-void ClosedBasis::push(Candidates& candidates, Index which) {
+/// Appends candidate `which` and projects the others off it; `first` pairs were there before its batch.
+void ClosedBasis::push(Candidates& candidates, Index which, Index first) {
   const Index k = size();
   const Index count = static_cast<Index>(candidates.rows.size());
   const double root = std::sqrt(pivot_(which));
@@ -70,35 +70,38 @@ void ClosedBasis::push(Candidates& candidates, Index which) {
   y_(k) = -candidates.gap(which) / root;
   rows_.push_back(candidates.rows[static_cast<std::size_t>(which)]);
   pivot_(which) = -1;  // has joined
-  if (Q_.rows() > 0) Q_.col(k) = candidates.columns.col(which) / root;
+  if (Q_.rows() > 0) {
+    Q_.col(k) = candidates.columns.col(which) / root;
+  } else {  // `block` stays as it was projected; what the batch has in common is in `cross_`
+    if (shared_.size() < count) shared_.resize(count);
+    shared_.head(count) = candidates.block.col(which);
+    shared_.head(count).noalias() -= cross_.block(first, 0, k - first, count).transpose() *
+                                     cross_.col(which).segment(first, k - first);
+    shared_.head(count) /= root;
+  }
   for (Index i = 0; i < count; ++i) {
     if (pivot_(i) < 0) continue;
-    double shared = 0;
     if (Q_.rows() > 0) {
-      shared = Q_.col(k).dot(candidates.columns.col(i));
-      candidates.columns.col(i) -= shared * Q_.col(k);
+      cross_(k, i) = Q_.col(k).dot(candidates.columns.col(i));
+      candidates.columns.col(i) -= cross_(k, i) * Q_.col(k);
       pivot_(i) = candidates.columns.col(i).squaredNorm();
     } else {
-      shared = candidates.block(i, which) / root;
-      for (Index j = 0; j < count; ++j)
-        if (pivot_(j) >= 0 && j != i)
-          candidates.block(i, j) -= shared * candidates.block(j, which) / root;
-      pivot_(i) = std::max(0.0, pivot_(i) - shared * shared);
+      cross_(k, i) = shared_(i);
+      pivot_(i) = std::max(0.0, pivot_(i) - shared_(i) * shared_(i));
     }
-    cross_(k, i) = shared;
-    candidates.gap(i) += shared * y_(k);
+    candidates.gap(i) += cross_(k, i) * y_(k);
   }
   candidates.gap(which) = 0;
 }
 
 Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
   const Index count = static_cast<Index>(candidates.rows.size());
-  limit = std::min({limit, count, capacity() - size()});
+  const Index first = size();
+  limit = std::min({limit, count, capacity() - first});
   if (limit <= 0) return 0;
   project(candidates);
-  const double smallest = smallest_distance() * smallest_distance();
-  Index joined = 0;
-  while (joined < limit) {
+  while (size() - first < limit) {
+    const double smallest = smallest_distance() * smallest_distance();
     Index best = -1;
     double most = 0;
     for (Index i = 0; i < count; ++i) {
@@ -113,10 +116,9 @@ Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
       best = i;
     }
     if (best < 0) break;
-    push(candidates, best);
-    ++joined;
+    push(candidates, best, first);
   }
-  return joined;
+  return size() - first;
 }
 
 void ClosedBasis::solve(Eigen::VectorXd& force) const {

@@ -94,7 +94,7 @@ class ClosedBasis {
 
  private:
   void project(Candidates& candidates);
-  void push(Candidates& candidates, Eigen::Index which);
+  void push(Candidates& candidates, Eigen::Index which, Eigen::Index first);
   void remove_one(Eigen::Index position);
 
   std::vector<Eigen::Index> rows_;
@@ -104,6 +104,7 @@ class ClosedBasis {
   // Work space of append(): cross terms with the basis, those that joined just now, pivots. It only grows.
   Eigen::MatrixXd cross_;
   Eigen::MatrixXd again_;
+  Eigen::VectorXd shared_;
   Eigen::VectorXd pivot_;
 };
 
