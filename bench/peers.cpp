@@ -119,7 +119,8 @@ bool compare(const std::vector<Peer>& all, std::size_t ours, bool full, Table& t
                  number(1e3 * median(tally.seconds), "%.4g"),
                  number(1e3 * median(tally.condensation), "%.4g"),
                  number(median(tally.share), "%.3f"), number(median(tally.iterations), "%.0f"),
-                 number(tally.certificate, "%.0e"), text(tally.failures, " of ", size.seeds)});
+                 tally.failures == size.seeds ? "-" : number(tally.certificate, "%.0e"),
+                 text(tally.failures, " of ", size.seeds)});
     }
   }
   return certified;
