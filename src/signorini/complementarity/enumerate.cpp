@@ -31,7 +31,7 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
     best_active = active;
     report.status = Status::Solved;
   }
-  return unscaled(scaled, best, best_active, report);
+  return certified(problem, unscaled(scaled, best, best_active, report));
 }
 
 }  // namespace signorini
