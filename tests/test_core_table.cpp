@@ -3,6 +3,7 @@
 #include "support/message.hpp"
 
 using signorini::number;
+using signorini::shortest;
 using signorini::Table;
 using signorini_test::argument_message;
 
@@ -33,4 +34,12 @@ TEST_CASE("a number is printed with the format it is given", "[table]") {
   CHECK(number(-1e-20, "%.1e") == "-1.0e-20");
   CHECK_THAT(argument_message([] { static_cast<void>(number(1, "%200.3f")); }),
              ContainsSubstring("%200.3f"));
+}
+
+TEST_CASE("the shortest form of a number gives it back exactly", "[table]") {
+  CHECK(shortest(0.1) == "0.1");
+  CHECK(shortest(-99.96) == "-99.96");
+  CHECK(shortest(1e-12) == "1e-12");
+  for (const double value : {1.0 / 3, -2.2250738585072014e-308, 1.7976931348623157e308})
+    CHECK(std::stod(shortest(value)) == value);
 }
