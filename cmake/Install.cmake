@@ -1,8 +1,9 @@
-# cmake --install: library, headers, and the files that make find_package(signorini CONFIG) work.
+# cmake --install: library, program, headers, and the files that make find_package(signorini CONFIG) work.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/signorini)
 install(TARGETS signorini EXPORT signoriniTargets)
+install(TARGETS signorini_command)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/signorini DESTINATION include FILES_MATCHING PATTERN "*.hpp")
 install(EXPORT signoriniTargets NAMESPACE signorini:: DESTINATION ${package_dir})
 file(WRITE ${PROJECT_BINARY_DIR}/signoriniConfig.cmake

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "catch_compat.hpp"
+#include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/solvers.hpp"
 #include "support/message.hpp"
@@ -51,6 +52,30 @@ TEST_CASE("a problem that is not one is refused", "[problem]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THAT(complaint(matrix(2, nan, nan, 2), Vector2d(0, 1)), ContainsSubstring("finite"));
   CHECK_THAT(complaint(matrix(2, 1, 1, 2), Vector2d(0, nan)), ContainsSubstring("finite"));
+}
+
+TEST_CASE("numbers near overflow or underflow are refused, except small ones beside the diagonal",
+          "[problem]") {
+  const std::string wanted = "numbers beyond 1e75 or below 1e-75 in magnitude";
+  CHECK(complaint(matrix(1e74, 0, 0, 1e-74), Vector2d(1e74, -1e-74)).empty());
+  CHECK(complaint(matrix(1, 1e-200, 1e-200, 1), Vector2d(0, 1)).empty());
+  CHECK(complaint(matrix(0, 0, 0, 1), Vector2d(0, 1)).empty());
+  CHECK_THAT(complaint(matrix(1, 0, 0, 1e76), Vector2d(0, 1)),
+             ContainsSubstring(wanted) && ContainsSubstring("pair 2"));
+  CHECK_THAT(complaint(matrix(1e-76, 0, 0, 1), Vector2d(0, 1)), ContainsSubstring("pair 1"));
+  CHECK_THAT(complaint(matrix(1, 1e76, 1e76, 1), Vector2d(0, 1)), ContainsSubstring(wanted));
+  CHECK_THAT(complaint(matrix(1, 0, 0, 1), Vector2d(0, -5e-324)), ContainsSubstring(wanted));
+  CHECK_THAT(complaint(matrix(1, 0, 0, 1), Vector2d(-1e300, 0)), ContainsSubstring(wanted));
+}
+
+TEST_CASE("a complementarity problem without symmetry has a certificate too", "[certificate]") {
+  // Murty's matrix: z = (0, 1), w = (1, 0) solves it, z = (1, 0), w = (0, 1) only its transpose.
+  const ContactProblem problem{matrix(1, 2, 0, 1), Vector2d(-1, -1)};
+  CHECK(certify(problem, {Vector2d(0, 1), Vector2d(1, 0), {}, {}}).worst() == 0);
+  CHECK_FALSE(certify(problem, {Vector2d(1, 0), Vector2d(0, 1), {}, {}}).holds(0.1));
+  // With a negative entry on the diagonal.
+  const ContactProblem odd{matrix(-1, 0, 2, 1), Vector2d(3, -1)};
+  CHECK(certify(odd, {Vector2d(0, 1), Vector2d(3, 0), {}, {}}).worst() == 0);
 }
 
 TEST_CASE("a difference of rounding size between the triangles is accepted", "[problem]") {
@@ -154,4 +179,20 @@ TEST_CASE("a solver is found by its name, an unknown one is answered with the fa
   CHECK_THAT(signorini_test::problem_message([] { static_cast<void>(find_solver("guess")); }),
              ContainsSubstring("unknown solver 'guess'") &&
                  ContainsSubstring("primal_dual_active_set, enumerate"));
+}
+
+TEST_CASE("what is solved only before scaling back is not called solved", "[closed_pairs][hard]") {
+  // Both matrices are singular but for rounding; found among random problems.
+  Eigen::MatrixXd first(4, 4);
+  first << 10, 0, -5, -7, 0, 9, -2, -6, -5, -2, 10, 4, -7, -6, 4, 9;
+  Eigen::MatrixXd second(5, 5);
+  second << 7, -7, 6, 0, -1, -7, 14, -6, 3, -2, 6, -6, 17, 7, -5, 0, 3, 7, 14, -8, -1, -2, -5, -8,
+      5;
+  const ContactProblem problems[] = {{first, Eigen::Vector4d(-3, -1, 0, -3)},
+                                     {second, (Eigen::VectorXd(5) << 0, 0, -1, -3, 0).finished()}};
+  for (const ContactProblem& problem : problems)
+    for (const char* name : {"primal_dual_active_set", "enumerate"}) {
+      const ContactState state = find_solver(name).solve(problem, {});
+      if (state.report.status == Status::Solved) CHECK(certify(problem, state).holds());
+    }
 }

@@ -3,6 +3,7 @@
 #include "support/message.hpp"
 
 using signorini::number;
+using signorini::shortest;
 using signorini::Table;
 using signorini_test::argument_message;
 
@@ -45,4 +46,12 @@ TEST_CASE("a table of columns has their numbers in rows, each in its format", "[
              }),
              ContainsSubstring("'y' has 3 rows, 'x' has 2"));
   CHECK_THROWS_AS(signorini::table_of({}), std::invalid_argument);
+}
+
+TEST_CASE("the shortest form of a number gives it back exactly", "[table]") {
+  CHECK(shortest(0.1) == "0.1");
+  CHECK(shortest(-99.96) == "-99.96");
+  CHECK(shortest(1e-12) == "1e-12");
+  for (const double value : {1.0 / 3, -2.2250738585072014e-308, 1.7976931348623157e308})
+    CHECK(std::stod(shortest(value)) == value);
 }

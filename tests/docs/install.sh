@@ -1,6 +1,6 @@
 #!/bin/sh
 # install.sh BUILD FOLDER COMPILER: the installed library is found by find_package and can be used, with nothing but
-# Eigen beside it.
+# Eigen beside it, and the installed program runs.
 set -eu
 rm -rf "$2"
 mkdir -p "$2/user"
@@ -25,3 +25,4 @@ END
 cmake -S . -B build -DCMAKE_PREFIX_PATH="$2/prefix" -DCMAKE_CXX_COMPILER="$3" --log-level=NOTICE > /dev/null
 cmake --build build > build.log 2>&1 || { cat build.log; exit 1; }
 [ "$(build/user)" = 2.5 ]
+"$2/prefix/bin/signorini" --list | grep -q enumerate

@@ -11,10 +11,11 @@ check() ( # the library in $1/src/signorini; a line per fault
         BEGIN { # what a room may include besides itself
             below["core"] = ""
             below["mesh"] = below["complementarity"] = below["closed_form"] = "core"
+            below["problem_file"] = "core complementarity"
             below["elasticity"] = "core mesh"
             below["contact"] = "core mesh elasticity"
             below["scene"] = "core mesh complementarity elasticity contact"
-            below["report"] = "core mesh complementarity closed_form elasticity contact scene"
+            below["report"] = "core mesh complementarity problem_file closed_form elasticity contact scene"
         }
         FNR == 1 {
             room = FILENAME
@@ -52,11 +53,14 @@ expect accepted core/errors.hpp '<vector>'
 expect accepted core/errors.hpp '"signorini/core/ledger.hpp"'
 expect accepted report/vtu.cpp '"signorini/closed_form/beam.hpp"'
 expect accepted scene/solve.cpp '"signorini/contact/obstacle.hpp"'
+expect accepted problem_file/two_sided.hpp '"signorini/complementarity/problem.hpp"'
 expect found core/errors.hpp '"signorini/mesh/mesh.hpp"'                              # above
 expect found contact/obstacle.cpp '<signorini/scene/scene.hpp>'
 expect found elasticity/element.hpp '"signorini/contact/obstacle.hpp"'
 expect found complementarity/problem.hpp '"signorini/mesh/mesh.hpp"'                  # beside
 expect found complementarity/refine.cpp '"signorini/elasticity/contact_last_factor.hpp"'
+expect found problem_file/two_sided.cpp '"signorini/mesh/mesh.hpp"'
+expect found complementarity/problem.hpp '"signorini/problem_file/two_sided.hpp"'
 expect found closed_form/beam.cpp '"signorini/complementarity/problem.hpp"'
 expect found elasticity/assembly.cpp '"signorini/complementarity/problem.hpp"'
 expect found contact/node_to_obstacle.hpp '"signorini/complementarity/problem.hpp"'

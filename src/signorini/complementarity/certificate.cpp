@@ -193,13 +193,17 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
 }
 
 Certificate certify(const ContactProblem& problem, const ContactState& state) {
-  check_finite(problem);
   const Index n = problem.free_gap.size();
-  require(state.force.size() == n && state.gap.size() == n, "certify: need ", n,
-          " forces and gaps, got ", state.force.size(), " and ", state.gap.size());
+  require(problem.compliance.rows() == n && problem.compliance.cols() == n &&
+              state.force.size() == n && state.gap.size() == n,
+          "certify: need a square compliance, ", n, " forces and ", n, " gaps, got ",
+          problem.compliance.rows(), " x ", problem.compliance.cols(), ", ", state.force.size(),
+          " and ", state.gap.size());
   Certificate certificate;
   if (n == 0) return certificate;
-  if (!state.force.allFinite() || !state.gap.allFinite()) return uncertified();
+  if (!problem.compliance.allFinite() || !problem.free_gap.allFinite() ||
+      !state.force.allFinite() || !state.gap.allFinite())
+    return uncertified();
   // Pairs are compared after scaling: gap / sqrt(G_ii) and force * sqrt(G_ii) have one unit.
   const Eigen::VectorXd scale = pair_scales(problem.compliance).cwiseInverse();
   // The length counts overlaps and what forces do in sum, not the gaps of pairs that are far apart.

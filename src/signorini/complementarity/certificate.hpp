@@ -59,12 +59,12 @@ struct PrimalDual {
 /// Certificate of (lambda, gap) against G and d.
 ///
 /// Pair i is measured in gap / sqrt(G_ii) and force sqrt(G_ii), which have one unit, against the
-/// largest such number of the problem. Any matrix can stand in the place of G, see pair_scales(). The gaps are recomputed; `equilibrium` is the largest
-/// difference of the claimed from the recomputed ones.
-/// \param problem  G and d as they were posed
+/// largest such number of the problem. Any matrix can stand in the place of G, see pair_scales(). The
+/// gaps are recomputed; `equilibrium` is the largest difference of the claimed from the recomputed ones.
+/// \param problem  G and d as they were posed, or any M and q
 /// \param state    forces and gaps; its status is not looked at
-/// \return the five figures; all infinite if a force or gap is not finite
-/// \throws std::invalid_argument if sizes do not fit, or as check_finite()
+/// \return the five figures; all infinite if any number, given or claimed, is not finite
+/// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Certificate certify(const ContactProblem& problem, const ContactState& state);
 
 /// The forces that are missing in the equilibrium, summed in twice the working precision.

@@ -184,4 +184,10 @@ ContactState unscaled(const ScaledProblem& problem, const ClosedPairs& closed,
   return state;
 }
 
+ContactState certified(const ContactProblem& problem, ContactState state) {
+  if (state.report.status == Status::Solved && !certify(problem, state).holds())
+    state.report.status = Status::Breakdown;
+  return state;
+}
+
 }  // namespace signorini

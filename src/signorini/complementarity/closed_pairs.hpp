@@ -94,4 +94,11 @@ struct ClosedPairs {
 [[nodiscard]] ContactState unscaled(const ScaledProblem& problem, const ClosedPairs& closed,
                                     std::vector<Eigen::Index> active, Report report);
 
+/// Withdraws a claim that the problem as it was posed does not confirm: scaling back is rounded, which
+/// dependent pairs with large forces can notice.
+/// \param problem  G and d as they were posed
+/// \param state    as unscaled() gives it
+/// \return the state, `Breakdown` instead of `Solved` if the certificate is worse than 1e-12
+[[nodiscard]] ContactState certified(const ContactProblem& problem, ContactState state);
+
 }  // namespace signorini

@@ -52,7 +52,7 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
     report.status = Status::Solved;
   }
   if (report.status == Status::Infeasible && doubtful) report.status = Status::Breakdown;
-  return unscaled(scaled, best, best_active, report);
+  return certified(problem, unscaled(scaled, best, best_active, report));
 }
 
 }  // namespace signorini

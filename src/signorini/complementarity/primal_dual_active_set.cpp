@@ -81,7 +81,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
       if (one_at_a_time) break;
     }
   }
-  return unscaled(scaled, now, members(closed), report);
+  return certified(problem, unscaled(scaled, now, members(closed), report));
 }
 
 }  // namespace signorini

@@ -50,6 +50,17 @@ void check_finite(const ContactProblem& problem) {
           " (one row per pair), got ", G.rows(), " x ", G.cols());
   require(G.allFinite() && problem.free_gap.allFinite(),
           "contact problem: compliance and free_gap must be finite");
+  // Forces are quotients of these numbers and energies products of three: beyond, they would overflow.
+  const double largest = 0x1p250;
+  const double smallest = 1 / largest;
+  const auto fits = [&](double x) {
+    return x == 0 || (std::abs(x) >= smallest && std::abs(x) <= largest);
+  };
+  for (Eigen::Index j = 0; j < n; ++j)
+    require(fits(problem.free_gap(j)) && fits(G(j, j)) && G.col(j).cwiseAbs().maxCoeff() <= largest,
+            "contact problem: pair ", j + 1,
+            " has numbers beyond 1e75 or below 1e-75 in magnitude; "
+            "change the units");
 }
 
 bool is_symmetric(const ContactProblem& problem) {

@@ -1,6 +1,7 @@
 #include "signorini/core/table.hpp"
 
 #include <array>
+#include <charconv>
 #include <cstdio>
 
 #include "signorini/core/errors.hpp"
@@ -22,6 +23,12 @@ std::string number(double value, const char* format) {
   require(length >= 0 && length < static_cast<int>(buffer.size()),
           "number: cannot print with the format '", format, "'");
   return buffer.data();
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> buffer{};  // "-2.2250738585072014e-308" is the longest
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
 }
 
 Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}

@@ -14,6 +14,11 @@ namespace signorini {
 /// \throws std::invalid_argument if the text would be longer
 [[nodiscard]] std::string number(double value, const char* format = "%.10g");
 
+/// A number in as few digits as give it back exactly.
+/// \param value  the number
+/// \return such as `0.1`, `1e-12` or `inf`
+[[nodiscard]] std::string shortest(double value);
+
 /// Rows of cells under named columns.
 class Table {
  public:

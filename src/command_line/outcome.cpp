@@ -1,0 +1,144 @@
+#include "command_line/outcome.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "signorini/complementarity/dense_programme.hpp"
+#include "signorini/core/errors.hpp"
+
+namespace command_line {
+namespace {
+
+using namespace signorini;
+using Eigen::Index;
+
+/// Why a solver is not tried; empty if it is.
+std::string reason_against(const Solver& solver, Index pairs, bool asymmetric) {
+  if (asymmetric && may_fail(solver, Trait::Asymmetric)) return "needs a symmetric matrix";
+  if (solver.largest > 0 && pairs > solver.largest)
+    return text("takes at most ", solver.largest, " pairs, here are ", pairs);
+  return "";
+}
+
+/// The solvers that are asked for, with the reasons why some of them are not tried.
+std::vector<Outcome> candidates(const std::string& asked, Index pairs, bool asymmetric) {
+  std::vector<Outcome> all;
+  for (const Solver& solver : solvers()) {
+    Outcome outcome;
+    outcome.solver = &solver;
+    outcome.word = "not tried";
+    outcome.why = reason_against(solver, pairs, asymmetric);
+    all.push_back(outcome);
+  }
+  if (asked == "all") return all;
+  const auto chosen = std::find_if(all.begin(), all.end(), [&](const Outcome& outcome) {
+    return asked.empty() ? outcome.why.empty() : asked == outcome.solver->name;
+  });
+  return chosen == all.end() ? all : std::vector<Outcome>{*chosen};
+}
+
+/// Runs `run` on each solver that is asked for and can be tried.
+template <typename Run>
+std::vector<Outcome> each(const std::string& asked, Index pairs, bool asymmetric, Run&& run) {
+  std::vector<Outcome> outcomes = candidates(asked, pairs, asymmetric);
+  for (Outcome& outcome : outcomes) {
+    if (!outcome.why.empty()) continue;
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      run(outcome);
+      outcome.ran = true;
+      outcome.word = signorini::to_string(outcome.status);
+    } catch (const std::invalid_argument& error) {
+      outcome.word = "refused";
+      outcome.why = error.what();
+    } catch (const ProblemError& error) {
+      outcome.word = "refused";
+      outcome.why = error.what();
+    }
+    const auto end = std::chrono::steady_clock::now();
+    outcome.seconds = std::chrono::duration<double>(end - begin).count();
+  }
+  return outcomes;
+}
+
+}  // namespace
+
+Matrix kind_of(const ContactProblem& problem) {
+  if (!is_symmetric(problem)) return Matrix::Asymmetric;
+  const Eigen::MatrixXd& M = problem.compliance;
+  const Eigen::VectorXd scale =
+      M.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * M * scale.asDiagonal();
+  if (!scaled.allFinite()) return Matrix::Indefinite;
+  const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
+  const double rounding = static_cast<double>(M.rows()) * std::numeric_limits<double>::epsilon() *
+                          values.cwiseAbs().maxCoeff();
+  if (values.minCoeff() > rounding) return Matrix::PositiveDefinite;
+  return values.minCoeff() >= -rounding ? Matrix::PositiveSemidefinite : Matrix::Indefinite;
+}
+
+const char* to_string(Matrix kind) {
+  switch (kind) {
+    case Matrix::PositiveDefinite:
+      return "symmetric positive definite";
+    case Matrix::PositiveSemidefinite:
+      return "symmetric positive semidefinite";
+    case Matrix::Indefinite:
+      return "symmetric indefinite";
+    case Matrix::Asymmetric:
+      return "not symmetric";
+  }
+  return "unknown";
+}
+
+std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const std::string& asked,
+                               double tolerance) {
+  return each(asked, problem.free_gap.size(), kind == Matrix::Asymmetric, [&](Outcome& outcome) {
+    ContactState state = outcome.solver->solve(problem, {});
+    outcome.status = state.report.status;
+    outcome.iterations = state.report.iterations;
+    if (state.force.size() == problem.free_gap.size() &&
+        state.gap.size() == problem.free_gap.size())
+      outcome.certificate = certify(problem, state);
+    outcome.accepted = outcome.certificate.worst() <= tolerance;
+    outcome.force = std::move(state.force);
+    outcome.gap = std::move(state.gap);
+  });
+}
+
+std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::string& asked,
+                               double tolerance) {
+  const OneSided form = one_sided(programme);
+  static_cast<void>(condense(form.programme));  // says what no solver could be blamed for
+  const Index pairs = static_cast<Index>(form.rows.size()) - form.programme.equations;
+  return each(asked, pairs, false, [&](Outcome& outcome) {
+    const DenseSolution solution = solve(form.programme, *outcome.solver);
+    outcome.status = solution.report.status;
+    outcome.iterations = solution.report.iterations;
+    outcome.certificate = solution.certificate;
+    outcome.accepted = outcome.certificate.worst() <= tolerance;
+    outcome.unknowns = solution.refined.displacement;
+    outcome.force = multipliers(form, solution.refined.force, programme.lower.size());
+    outcome.objective = objective(programme, solution.refined);
+  });
+}
+
+bool is_solved(const std::vector<Outcome>& outcomes, bool convex) {
+  const bool refuted = std::any_of(outcomes.begin(), outcomes.end(), [&](const Outcome& o) {
+    return o.ran && ((o.status == Status::Solved && !o.accepted) ||
+                     (convex && o.status == Status::Infeasible));
+  });
+  return best(outcomes) != nullptr && !refuted;
+}
+
+const Outcome* best(const std::vector<Outcome>& outcomes) {
+  const auto found = std::find_if(outcomes.begin(), outcomes.end(),
+                                  [](const Outcome& outcome) { return outcome.accepted; });
+  return found == outcomes.end() ? nullptr : &*found;
+}
+
+}  // namespace command_line

@@ -1,0 +1,71 @@
+// What the solvers make of a problem from a file, and whether that counts as solved.
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "signorini/complementarity/certificate.hpp"
+#include "signorini/complementarity/solvers.hpp"
+#include "signorini/problem_file/problem_file.hpp"
+
+namespace command_line {
+
+/// What one solver made of one problem.
+struct Outcome {
+  const signorini::Solver* solver = nullptr;  ///< which one
+  bool ran = false;                           ///< whether it ended in the ordinary way
+  std::string word;                           ///< its status, "not tried" or "refused"
+  std::string why;                            ///< reason, if it did not run
+  signorini::Status status = signorini::Status::Breakdown;  ///< what it claims
+  bool accepted = false;                                    ///< the certificate is good enough
+  Eigen::Index iterations = 0;                              ///< as it counts them
+  double seconds = 0;                                       ///< wall time [s]
+  signorini::Certificate certificate = signorini::uncertified();  ///< from the data of the file
+  Eigen::VectorXd force;     ///< z, or one multiplier for each two-sided row
+  Eigen::VectorXd gap;       ///< w of a complementarity problem
+  Eigen::VectorXd unknowns;  ///< x of a quadratic programme
+  double objective = 0;      ///< of a quadratic programme
+};
+
+/// What kind of matrix a complementarity problem has.
+enum class Matrix { PositiveDefinite, PositiveSemidefinite, Indefinite, Asymmetric };
+
+/// \param problem  M and q
+/// \return the kind, found from the eigenvalues of the equilibrated matrix
+Matrix kind_of(const signorini::ContactProblem& problem);
+/// \param kind  any
+/// \return in words
+const char* to_string(Matrix kind);
+
+/// Solves a complementarity problem with the solvers that are asked for.
+/// \param problem    M and q
+/// \param kind       of M
+/// \param asked      name of a solver, "all", or empty: the first one that takes the problem
+/// \param tolerance  largest figure of a certificate that is accepted
+/// \return one outcome for each solver
+/// \throws signorini::ProblemError if there is no such solver
+std::vector<Outcome> solve_all(const signorini::ContactProblem& problem, Matrix kind,
+                               const std::string& asked, double tolerance);
+
+/// Solves a quadratic programme with the solvers that are asked for.
+/// \param programme  with two-sided rows
+/// \param asked      as above
+/// \param tolerance  as above
+/// \return one outcome for each solver
+/// \throws signorini::ProblemError if there is no such solver, the programme is not strictly convex, or
+///   its equations contradict each other
+std::vector<Outcome> solve_all(const signorini::TwoSidedProgramme& programme,
+                               const std::string& asked, double tolerance);
+
+/// Whether the outcomes amount to a solution.
+/// \param outcomes  of one problem
+/// \param convex    whether "infeasible" is a proof, so that it contradicts a solution
+/// \return an accepted solution exists, nobody called solved what the certificate refutes, and
+///   nobody proved the contrary
+bool is_solved(const std::vector<Outcome>& outcomes, bool convex);
+
+/// \param outcomes  of one problem
+/// \return the first accepted one, or null
+const Outcome* best(const std::vector<Outcome>& outcomes);
+
+}  // namespace command_line

@@ -1,0 +1,159 @@
+#include "command_line/print.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iomanip>
+#include <ostream>
+
+#include "signorini/core/table.hpp"
+
+namespace command_line {
+namespace {
+
+using namespace signorini;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+std::string as_text(double value) { return std::isfinite(value) ? shortest(value) : "-"; }
+
+/// One line for each solver. \param with_objective  also its objective
+void print_table(std::ostream& out, const std::vector<Outcome>& outcomes, bool with_objective) {
+  std::size_t width = std::strlen("solver");
+  for (const Outcome& outcome : outcomes)
+    width = std::max(width, std::strlen(outcome.solver->name));
+  const int name = static_cast<int>(width);
+  out << std::left << std::setw(name) << "solver"
+      << "  " << std::setw(21) << "status" << std::right << std::setw(10) << "iterations"
+      << std::setw(13) << "certificate" << std::setw(10) << "seconds"
+      << (with_objective ? "  objective" : "") << '\n';
+  for (const Outcome& outcome : outcomes) {
+    out << std::left << std::setw(name) << outcome.solver->name << "  " << std::setw(21)
+        << outcome.word << std::right;
+    if (!outcome.ran) {
+      out << "  " << outcome.why << '\n';
+      continue;
+    }
+    const double worst = outcome.certificate.worst();
+    out << std::setw(10) << outcome.iterations << std::setw(13)
+        << (std::isfinite(worst) ? number(worst, "%.1e") : "none") << std::setw(10)
+        << number(outcome.seconds, "%.1e");
+    if (with_objective && outcome.accepted) out << "  " << as_text(outcome.objective);
+    if (outcome.status == Status::Solved && !outcome.accepted) out << "  NOT CONFIRMED";
+    out << '\n';
+  }
+}
+
+/// What to try when one solver alone did not do it.
+void print_hint(std::ostream& out, const std::vector<Outcome>& outcomes) {
+  if (outcomes.size() == 1) out << "\nnot solved; --solver all tries the whole family\n";
+}
+
+void print_columns(std::ostream& out, const char* first, const VectorXd& a, const char* second,
+                   const VectorXd& b) {
+  out << '\n' << std::setw(6) << "" << std::setw(25) << first << std::setw(25) << second << '\n';
+  for (Index i = 0; i < std::max(a.size(), b.size()); ++i) {
+    out << std::setw(6) << i + 1 << std::setw(25) << (i < a.size() ? as_text(a(i)) : "");
+    if (i < b.size()) out << std::setw(25) << as_text(b(i));
+    out << '\n';
+  }
+}
+
+void write_certificate(Json& json, const Certificate& certificate) {
+  json.object();
+  json.key("penetration").value(certificate.penetration);
+  json.key("tension").value(certificate.tension);
+  json.key("complementarity").value(certificate.complementarity);
+  json.key("equilibrium").value(certificate.equilibrium);
+  json.key("duality_gap").value(certificate.duality_gap);
+  json.key("worst").value(certificate.worst());
+  json.end();
+}
+
+/// The solvers and the verdict. \param solution  adds what an accepted solution consists of
+template <typename Solution>
+void write_outcomes(Json& json, const std::vector<Outcome>& outcomes, bool solved,
+                    Solution&& solution) {
+  json.key("solved").value(solved).key("solvers").array();
+  for (const Outcome& outcome : outcomes) {
+    json.object().key("name").value(outcome.solver->name).key("status").value(outcome.word);
+    json.key("accepted").value(outcome.accepted);
+    if (outcome.ran) {
+      json.key("iterations").value(outcome.iterations).key("seconds").value(outcome.seconds);
+      json.key("certificate");
+      write_certificate(json, outcome.certificate);
+    } else {
+      json.key("why").value(outcome.why);
+    }
+    if (outcome.accepted) solution(outcome);
+    json.end();
+  }
+  json.end();
+}
+
+}  // namespace
+
+void print_family(std::ostream& out) {
+  for (const Solver& solver : solvers()) {
+    out << solver.name << "\n    " << solver.summary << '\n';
+    if (solver.largest > 0) out << "    at most " << solver.largest << " pairs\n";
+    std::string traits;
+    for (const Trait trait : solver.may_fail)
+      traits += (traits.empty() ? "" : ", ") + std::string(signorini::to_string(trait));
+    out << "    may fail on problems that are: " << (traits.empty() ? "-" : traits) << '\n';
+  }
+}
+
+void print(std::ostream& out, const std::string& title, const FiledProblem& filed, Matrix kind,
+           const std::vector<Outcome>& outcomes) {
+  const Index n = filed.problem.free_gap.size();
+  out << title << ": complementarity problem, " << n << " pairs, matrix " << to_string(kind)
+      << "\n\n";
+  print_table(out, outcomes, false);
+  const Outcome* const solution = best(outcomes);
+  if (solution == nullptr) return print_hint(out, outcomes);
+  if (n <= largest_printed) print_columns(out, "force z", solution->force, "gap w", solution->gap);
+  if (filed.known_force.size() == n)
+    out << "largest difference from the z of the file: "
+        << number((solution->force - filed.known_force).cwiseAbs().maxCoeff(), "%.1e") << '\n';
+}
+
+void print(std::ostream& out, const std::string& title, const TwoSidedProgramme& programme,
+           const std::vector<Outcome>& outcomes) {
+  const Index equations = (programme.lower.array() == programme.upper.array()).count();
+  out << title << ": quadratic programme, " << programme.q.size() << " unknowns, "
+      << programme.lower.size() << " rows, " << equations << " of them equations\n";
+  if (programme.published_optimum)
+    out << "published optimum " << as_text(*programme.published_optimum) << '\n';
+  out << '\n';
+  print_table(out, outcomes, true);
+  const Outcome* const solution = best(outcomes);
+  if (solution == nullptr) return print_hint(out, outcomes);
+  if (std::max(programme.q.size(), programme.lower.size()) <= largest_printed)
+    print_columns(out, "x", solution->unknowns, "multiplier", solution->force);
+}
+
+void write(Json& json, const FiledProblem& filed, Matrix kind, const std::vector<Outcome>& outcomes,
+           bool solved) {
+  json.object().key("line").value(static_cast<Index>(filed.line));
+  json.key("pairs").value(filed.problem.free_gap.size()).key("matrix").value(to_string(kind));
+  write_outcomes(json, outcomes, solved, [&](const Outcome& outcome) {
+    json.key("force").value(outcome.force).key("gap").value(outcome.gap);
+  });
+  json.end();
+}
+
+void write(Json& json, const TwoSidedProgramme& programme, const std::vector<Outcome>& outcomes,
+           bool solved) {
+  json.object().key("unknowns").value(programme.q.size());
+  json.key("rows").value(programme.lower.size());
+  if (programme.published_optimum)
+    json.key("published_optimum").value(*programme.published_optimum);
+  write_outcomes(json, outcomes, solved, [&](const Outcome& outcome) {
+    json.key("objective").value(outcome.objective).key("x").value(outcome.unknowns);
+    json.key("multipliers").value(outcome.force);
+  });
+  json.end();
+}
+
+}  // namespace command_line

@@ -1,0 +1,53 @@
+// Tables for people and JSON for programs.
+#pragma once
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "command_line/outcome.hpp"
+#include "signorini/report/json.hpp"
+
+namespace command_line {
+
+/// Solutions of more unknowns than this are not printed, only written as JSON.
+constexpr Eigen::Index largest_printed = 30;
+
+/// Prints the family of solvers with the traits on which each may fail.
+/// \param out  where to
+void print_family(std::ostream& out);
+
+/// Prints what a problem is, what the solvers made of it, and the solution.
+/// \param out       where to
+/// \param filed     the problem
+/// \param title     of the problem
+/// \param kind      of its matrix
+/// \param outcomes  one for each solver
+void print(std::ostream& out, const std::string& title, const signorini::FiledProblem& filed,
+           Matrix kind, const std::vector<Outcome>& outcomes);
+
+/// The same for a quadratic programme.
+/// \param out        where to
+/// \param title      of the problem
+/// \param programme  the problem
+/// \param outcomes   one for each solver
+void print(std::ostream& out, const std::string& title,
+           const signorini::TwoSidedProgramme& programme, const std::vector<Outcome>& outcomes);
+
+/// Writes one problem and its outcomes as an object.
+/// \param json      the document
+/// \param filed     the problem
+/// \param kind      of its matrix
+/// \param outcomes  one for each solver
+/// \param solved    the verdict
+void write(signorini::Json& json, const signorini::FiledProblem& filed, Matrix kind,
+           const std::vector<Outcome>& outcomes, bool solved);
+
+/// The same for a quadratic programme.
+/// \param json       the document
+/// \param programme  the problem
+/// \param outcomes   one for each solver
+/// \param solved     the verdict
+void write(signorini::Json& json, const signorini::TwoSidedProgramme& programme,
+           const std::vector<Outcome>& outcomes, bool solved);
+
+}  // namespace command_line

@@ -1,0 +1,228 @@
+#include "signorini/problem_file/problem_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/problem_file/problem_text.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// A matrix of a block format: its rows below a line with its name.
+Eigen::MatrixXd read_matrix(ProblemText& in, const std::string& name, Index rows, Index columns) {
+  in.expect_line(name);
+  in.check_room(rows, columns, name);
+  Eigen::MatrixXd matrix(rows, columns);
+  Eigen::RowVectorXd row(columns);
+  for (Index i = 0; i < rows; ++i) {
+    in.expect_row(text(name, ", row ", i + 1), row);
+    matrix.row(i) = row;
+  }
+  return matrix;
+}
+
+/// The entries of a vector on the next line.
+Eigen::VectorXd read_entries(ProblemText& in, const std::string& name, Index size) {
+  in.check_room(1, size, name);
+  Eigen::RowVectorXd row(size);
+  in.expect_row(name, row);
+  return row.transpose();
+}
+
+Eigen::VectorXd read_vector(ProblemText& in, const std::string& name, Index size) {
+  in.expect_line(name);
+  return read_entries(in, name, size);
+}
+
+/// One number of the Siconos format, on this line or below.
+Index siconos_size(ProblemText& in, const std::string& what) {
+  return in.size(in.word_anywhere(), what, 0);
+}
+
+std::vector<FiledProblem> read_siconos(ProblemText& in, std::string_view first) {
+  FiledProblem filed;
+  filed.line = in.line();
+  const Index n = in.size(first, "number of unknowns", 1);
+  const Index storage = siconos_size(in, "storage of the matrix");
+  if (storage != 0)
+    in.fail(text("expected a dense matrix (storage 0), got storage ", storage,
+                 "; write the matrix out, column by column"));
+  for (const char* what : {"rows of the matrix", "columns of the matrix",
+                           "rows of the matrix, repeated", "columns of the matrix, repeated"}) {
+    const Index size = siconos_size(in, what);
+    if (size != n) in.fail(text(what, ": expected ", n, " as the unknowns, got ", size));
+  }
+  in.check_room(n, n + 1, "matrix and vector");
+  filed.problem.compliance.resize(n, n);
+  filed.problem.free_gap.resize(n);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i)
+      filed.problem.compliance(i, j) =
+          in.number(in.word_anywhere(), text("M(", i + 1, ",", j + 1, ")"));
+  for (Index i = 0; i < n; ++i)
+    filed.problem.free_gap(i) = in.number(in.word_anywhere(), text("q(", i + 1, ")"));
+  const std::string_view more = in.word_anywhere();
+  if (!more.empty() && more.find_first_not_of("0123456789+-.eE") == std::string_view::npos)
+    in.fail(text("the end of the ", n, " x ", n + 1, " numbers, or a remark"), more);
+  return {std::move(filed)};
+}
+
+/// A problem whose line `n NUMBER` and line `M` were read.
+FiledProblem read_block(ProblemText& in, std::size_t line, Index n) {
+  FiledProblem filed;
+  filed.line = line;
+  in.check_room(n, n, "M");
+  filed.problem.compliance.resize(n, n);
+  Eigen::RowVectorXd row(n);
+  for (Index i = 0; i < n; ++i) {
+    in.expect_row(text("M, row ", i + 1), row);
+    filed.problem.compliance.row(i) = row;
+  }
+  filed.problem.free_gap = read_vector(in, "q", n);
+  return filed;
+}
+
+void end_line(ProblemText& in, const std::string& after) {
+  const std::string_view more = in.word();
+  if (!more.empty()) in.fail("the end of the line after '" + after + "'", more);
+}
+
+std::vector<FiledProblem> read_blocks(ProblemText& in, std::size_t line, Index n) {
+  std::vector<FiledProblem> all = {read_block(in, line, n)};
+  while (in.next_line()) {
+    FiledProblem& last = all.back();
+    const std::string_view word = in.word();
+    if (word == "z" && last.known_force.size() == 0 && last.known_gap.size() == 0) {
+      end_line(in, "z");
+      last.known_force = read_entries(in, "z", n);
+    } else if (word == "w" && last.known_gap.size() == 0) {
+      end_line(in, "w");
+      last.known_gap = read_entries(in, "w", n);
+    } else if (word == "n") {
+      line = in.line();
+      n = in.size(in.word(), "n", 1);
+      end_line(in, "n NUMBER");
+      in.expect_line("M");
+      all.push_back(read_block(in, line, n));
+    } else {
+      in.fail("'z', then 'w' (each once), or 'n NUMBER' of another problem", word);
+    }
+  }
+  return all;
+}
+
+void check_bounds(const ProblemText& in, const TwoSidedProgramme& programme) {
+  for (Index i = 0; i < programme.lower.size(); ++i) {
+    const double lower = programme.lower(i);
+    const double upper = programme.upper(i);
+    if (lower > upper || lower >= no_bound || upper <= -no_bound)
+      in.fail(text("row ", i + 1, ": no number lies between l = ", lower, " and u = ", upper));
+  }
+}
+
+/// Refuses a P that is not symmetric to rounding, and evens the rounding out.
+void make_symmetric(const ProblemText& in, Eigen::MatrixXd& P) {
+  const Eigen::VectorXd size = P.diagonal().cwiseAbs().cwiseSqrt();
+  const double rounding = 1e3 * std::numeric_limits<double>::epsilon();
+  for (Index j = 0; j < P.cols(); ++j)
+    for (Index i = 0; i < j; ++i) {
+      const double a = P(i, j);
+      const double b = P(j, i);
+      const double allowed = rounding * std::max({std::abs(a), std::abs(b), size(i) * size(j)});
+      if (std::abs(a - b) > allowed)
+        in.fail(text("P must be symmetric, but P(", i + 1, ",", j + 1, ") = ", a, " and P(", j + 1,
+                     ",", i + 1, ") = ", b, "; (P + P')/2 gives the same objective"));
+      P(i, j) = P(j, i) = 0.5 * a + 0.5 * b;
+    }
+}
+
+TwoSidedProgramme read_programme(ProblemText& in, Index n, Index m) {
+  TwoSidedProgramme programme;
+  in.next_line();
+  const std::string_view word = in.word();
+  if (word != "r") in.fail("a line 'r NUMBER'", word);
+  programme.r = in.number(in.word(), "r");
+  end_line(in, "r NUMBER");
+  programme.P = read_matrix(in, "P", n, n);
+  make_symmetric(in, programme.P);
+  programme.q = read_vector(in, "q", n);
+  programme.A = read_matrix(in, "A", m, n);
+  programme.lower = read_vector(in, "l", m);
+  programme.upper = read_vector(in, "u", m);
+  check_bounds(in, programme);
+  if (in.next_line()) in.fail("the end of the file after 'u'", in.word());
+  return programme;
+}
+
+/// The number after the colon of a comment that begins with `published optimum`.
+std::optional<double> published_optimum(std::string_view content) {
+  constexpr std::string_view title = "# published optimum";
+  const std::size_t begin = content.find(title);
+  if (begin == std::string_view::npos) return std::nullopt;
+  std::string_view line = content.substr(begin);
+  line = line.substr(0, line.find_first_of("\r\n"));
+  const std::size_t colon = line.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  ProblemText rest(line.substr(colon + 1), "");
+  try {
+    return rest.next_line() ? std::optional<double>(rest.number(rest.word(), "")) : std::nullopt;
+  } catch (const ProblemError&) {
+    return std::nullopt;  // a remark in words
+  }
+}
+
+}  // namespace
+
+ProblemFile parse_problem(std::string_view content, const std::string& name) {
+  const std::string wanted = "a problem: the number of unknowns (Siconos) or a line 'n NUMBER'";
+  ProblemText in(content, name);
+  in.next_line();
+  const std::string_view first = in.word();
+  if (!first.empty() && first.find_first_not_of("+-.0123456789") == std::string_view::npos)
+    return read_siconos(in, first);
+  if (first != "n") in.fail(wanted, first);
+  const std::size_t line = in.line();
+  const Index n = in.size(in.word(), "n", 1);
+  end_line(in, "n NUMBER");
+  in.next_line();
+  const std::string_view second = in.word();
+  if (second == "M") {
+    end_line(in, "M");
+    return read_blocks(in, line, n);
+  }
+  if (second != "m")
+    in.fail("'M' of a complementarity problem or 'm NUMBER' of a quadratic programme", second);
+  const Index m = in.size(in.word(), "m", 0);
+  end_line(in, "m NUMBER");
+  TwoSidedProgramme programme = read_programme(in, n, m);
+  programme.published_optimum = published_optimum(content);
+  return programme;
+}
+
+ProblemFile read_problem(const std::filesystem::path& file) {
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(file, failed);
+  pose(std::filesystem::exists(status), file.string(), ": there is no such file");
+  pose(!std::filesystem::is_directory(status), file.string(),
+       ": this is a folder; name a file in it");
+  pose(std::filesystem::is_regular_file(status), file.string(), ": this is not a plain file");
+  const std::uintmax_t bytes = std::filesystem::file_size(file, failed);
+  pose(!failed && bytes <= largest_problem_file, file.string(), ": expected at most ",
+       largest_problem_file, " bytes, got ", failed ? failed.message() : std::to_string(bytes));
+  std::ifstream in(file, std::ios::binary);
+  std::string content(static_cast<std::size_t>(bytes), '\0');
+  in.read(content.data(), static_cast<std::streamsize>(bytes));
+  pose(static_cast<bool>(in), file.string(), ": cannot be read; look at its permissions");
+  return parse_problem(content, file.string());
+}
+
+}  // namespace signorini

@@ -1,0 +1,147 @@
+#include "signorini/problem_file/problem_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+constexpr std::string_view blanks = " \t\r\v\f";
+
+/// A word as a message may show it: short, and without characters that are not printed.
+std::string shown(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  std::string result(word.substr(0, longest));
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return "'" + result + (word.size() > longest ? "...'" : "'");
+}
+
+/// Number of the words of a line. \param line  without its comment
+std::size_t words_in(std::string_view line) {
+  std::size_t count = 0;
+  for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos; ++count)
+    at = line.find_first_not_of(blanks, std::min(line.size(), line.find_first_of(blanks, at)));
+  return count;
+}
+
+}  // namespace
+
+ProblemText::ProblemText(std::string_view content, std::string name)
+    : text_(content), name_(std::move(name)) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text_.substr(0, byte_order_mark.size()) == byte_order_mark)
+    text_.remove_prefix(byte_order_mark.size());
+}
+
+bool ProblemText::next_line() {
+  while (!text_.empty()) {
+    const std::size_t end = std::min(text_.find('\n'), text_.size());
+    present_ = text_.substr(0, end);
+    text_.remove_prefix(std::min(end + 1, text_.size()));
+    ++line_;
+    present_ = present_.substr(0, present_.find('#'));
+    if (present_.find_first_not_of(blanks) != std::string_view::npos) return true;
+  }
+  present_ = {};
+  return false;
+}
+
+std::string_view ProblemText::word() {
+  present_.remove_prefix(std::min(present_.find_first_not_of(blanks), present_.size()));
+  const std::string_view result = present_.substr(0, present_.find_first_of(blanks));
+  present_.remove_prefix(result.size());
+  return result;
+}
+
+std::string_view ProblemText::word_anywhere() {
+  const std::string_view here = word();
+  return here.empty() && next_line() ? word() : here;
+}
+
+void ProblemText::expect_line(const std::string& keyword) {
+  const std::string wanted = "a line with the single word '" + keyword + "'";
+  next_line();
+  const std::string_view first = word();
+  if (first != keyword) fail(wanted, first);
+  const std::string_view more = word();
+  if (!more.empty()) fail(wanted, more);
+}
+
+Index ProblemText::expect_size(const std::string& keyword, Index least) {
+  next_line();
+  const std::string_view first = word();
+  if (first != keyword) fail("a line '" + keyword + " NUMBER'", first);
+  const Index result = size(word(), keyword, least);
+  const std::string_view more = word();
+  if (!more.empty()) fail("the end of the line after '" + keyword + " NUMBER'", more);
+  return result;
+}
+
+void ProblemText::expect_row(const std::string& what, Eigen::Ref<Eigen::RowVectorXd> row) {
+  if (row.size() == 0) return;
+  next_line();
+  const std::size_t count = words_in(present_);
+  for (Index j = 0; j < row.size(); ++j) {
+    const std::string_view entry = word();
+    if (entry.empty())
+      fail(text(what, ": expected ", row.size(), " numbers on one line, got ", count));
+    row(j) = number(entry, text(what, ", number ", j + 1));
+  }
+  if (!word().empty())
+    fail(text(what, ": expected ", row.size(), " numbers on one line, got ", count, " words"));
+}
+
+Index ProblemText::size(std::string_view word, const std::string& what, Index least) const {
+  Index result = 0;
+  const char* const end = word.data() + word.size();
+  const auto [last, error] = std::from_chars(word.data(), end, result);
+  if (word.empty() || last != end || error != std::errc() || result < least ||
+      result > largest_size)
+    fail(text(what, ": expected a whole number from ", least, " to ", largest_size), word);
+  return result;
+}
+
+double ProblemText::number(std::string_view word, const std::string& what) const {
+  double result = 0;
+  std::string_view digits = word;
+  if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-') digits.remove_prefix(1);
+  const char* const end = digits.data() + digits.size();
+  const auto [last, error] = std::from_chars(digits.data(), end, result);
+  if (!digits.empty() && last == end && error == std::errc::result_out_of_range)
+    fail(what + ": expected a number that a double can hold", word);
+  if (digits.empty() || last != end || error != std::errc() || !std::isfinite(result))
+    fail(what + ": expected a finite number", word);
+  return result;
+}
+
+void ProblemText::check_room(Index rows, Index columns, const std::string& what) const {
+  const Index count = rows * columns;  // both are at most 10^6
+  const auto left = static_cast<Index>(present_.size() + text_.size());
+  if (count > 0 && 2 * count - 1 > left)  // a digit for each, and a blank between them
+    fail(text(what, ": expected ", rows, " x ", columns, " numbers, but only ", left,
+              " characters are left in the file"));
+}
+
+void ProblemText::fail(const std::string& expected, std::string_view got) const {
+  const bool ended =
+      got.empty() && text_.find_first_not_of(" \t\r\v\f\n") == std::string_view::npos;
+  const bool tells = expected.find("expected ") != std::string::npos;
+  fail((tells ? "" : "expected ") + expected + ", got " +
+       (!got.empty() ? shown(got)
+        : ended      ? "the end of the file"
+                     : "the end of the line"));
+}
+
+void ProblemText::fail(const std::string& why) const {
+  throw ProblemError(text(name_, ":", std::max<std::size_t>(line_, 1), ": ", why));
+}
+
+}  // namespace signorini

@@ -1,0 +1,54 @@
+/// \file
+/// JSON documents, for programs that read what a program of this book says.
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace signorini {
+
+/// Writes one JSON document, value by value, two blanks per level, numbers so that they come back
+/// exactly.
+///
+/// JSON has no infinity and no "not a number": both become null.
+class Json {
+ public:
+  /// Begins `{`. \return this
+  Json& object();
+  /// Begins `[`. \return this
+  Json& array();
+  /// Ends what was begun last. \return this
+  /// \throws std::invalid_argument if nothing is open
+  Json& end();
+  /// Names the next value of an object. \param name  any text \return this
+  Json& key(const std::string& name);
+
+  /// Adds a text. \param value  bytes that are no printable ASCII are escaped one by one \return this
+  Json& value(const std::string& value);
+  /// Adds a text. \param value  as above \return this
+  Json& value(const char* value) { return this->value(std::string(value)); }
+  /// Adds a number. \param value  any \return this
+  Json& value(double value);
+  /// Adds a whole number. \param value  any \return this
+  Json& value(Eigen::Index value);
+  /// Adds true or false. \param value  which \return this
+  Json& value(bool value);
+  /// Adds an array of numbers on one line. \param values  any \return this
+  Json& value(const Eigen::VectorXd& values);
+
+  /// The document.
+  /// \return its text, with a line end
+  /// \throws std::invalid_argument if something is still open
+  [[nodiscard]] std::string text() const;
+
+ private:
+  void place();
+  Json& put(const std::string& literal);
+
+  std::string out_;
+  std::vector<char> open_;  // the bracket that will close, for each level
+  bool first_ = true;       // of its level
+  bool named_ = false;      // a key was written, its value is next
+};
+
+}  // namespace signorini
