@@ -55,6 +55,20 @@ const std::vector<ProblemClass>& problem_classes() {
       {"cycling, asymmetric", {ordinary, asymmetric, several}, cycling_asymmetric},
       {"Fathi", {ordinary, slow, several}, fathi},
       {"Murty", {ordinary, asymmetric, slow, several}, murty},
+      {"files, generated", {ordinary, slow, several}, generated_files},
+      {"Siconos, regular", {ordinary, several}, siconos_regular},
+      {"Siconos, semidefinite", {dependent, degenerate}, siconos_semidefinite},
+      {"Siconos, asymmetric", {ordinary, asymmetric, slow, several}, siconos_asymmetric},
+      {"Siconos, asymmetric and singular",
+       {ordinary, asymmetric, dependent, degenerate, several},
+       siconos_singular},
+      {"Siconos, asymmetric and infeasible",
+       {asymmetric, dependent, infeasible},
+       siconos_infeasible},
+      {"Maros-Meszaros, inequalities", {ordinary, degenerate, several}, maros_meszaros_rows},
+      {"Maros-Meszaros, equations",
+       {ordinary, dependent, degenerate, ill, several},
+       maros_meszaros_equations},
   };
   return table;
 }

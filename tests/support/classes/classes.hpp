@@ -66,4 +66,14 @@ Instances cycling_asymmetric();
 Instances fathi();
 Instances murty();
 
+// files.cpp: problems of other collections
+Instances generated_files();
+Instances siconos_regular();
+Instances siconos_semidefinite();
+Instances siconos_asymmetric();
+Instances siconos_singular();
+Instances siconos_infeasible();
+Instances maros_meszaros_rows();
+Instances maros_meszaros_equations();
+
 }  // namespace signorini_test
