@@ -112,7 +112,7 @@ TEST_CASE("an asymmetric matrix with a dominant diagonal", "[gauss_seidel][enume
     CHECK(state.report.iterations <= 50);
   }
   const ContactProblem game{(Eigen::Matrix2d() << 0, 1, 1, 0).finished(), Vector2d(-1, -1)};
-  CHECK_THROWS_AS(projected_gauss_seidel(game), std::invalid_argument);
+  CHECK(projected_gauss_seidel(game).report.status == Status::Breakdown);
 }
 
 TEST_CASE("neither the scale of rows nor units change a sweep", "[gauss_seidel][units]") {

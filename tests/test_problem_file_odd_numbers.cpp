@@ -16,10 +16,11 @@ namespace {
 
 /// A number that is often small and whole, and sometimes at an end of what doubles hold.
 double odd(Random& random, int wildness) {
-  static const double ends[] = {
-      0,       -0.0, 1e-8,   1e8,   1e16,  1e-16,  1e-40,  1e40,   1e-75, 1e74,
-      1e-76,   1e76, 1e-155, 1e154, 1e300, 1e-300, 5e-324, 1e-310, 1e19,  1.7976931348623157e308,
-      1.0 / 3, 0.1};
+  static const double ends[] = {0,       -0.0,   1e-8,   1e8,    1e16,   1e-16,
+                                1e-40,   1e40,   1e-75,  1e100,  1e-100, 1e102,
+                                1e-102,  1e74,   1e-76,  1e76,   1e-155, 1e154,
+                                1e300,   1e-300, 5e-324, 1e-310, 1e19,   1.7976931348623157e308,
+                                1.0 / 3, 0.1};
   const double sign = random.whole(0, 1) == 0 ? 1 : -1;
   if (random.whole(0, 9) >= wildness) return sign * random.whole(0, 3);
   return sign * ends[random.whole(0, static_cast<int>(std::size(ends)) - 1)];

@@ -94,6 +94,15 @@ void ClosedBasis::push(Candidates& candidates, Index which, Index first) {
   candidates.gap(which) = 0;
 }
 
+/// What rounding may have made of the pivot of a candidate if only products are known: it is
+/// (r, -1) G (r, -1)^T with r = L^-T L^-1 G_Wp, a sum of terms of at most this size. Seven tenths of the
+/// digits are trusted in any case.
+double ClosedBasis::pivot_rounding(Index which) const {
+  VectorXd r = cross_.col(which).head(size());
+  solve_upper(L_, r);
+  return std::min(std::pow(epsilon, 0.7), epsilon * std::pow(1 + r.lpNorm<1>(), 2));
+}
+
 Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
   const Index count = static_cast<Index>(candidates.rows.size());
   const Index first = size();
@@ -116,6 +125,10 @@ Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
       best = i;
     }
     if (best < 0) break;
+    if (Q_.rows() == 0 && pivot_(best) <= pivot_rounding(best)) {
+      pivot_(best) = 0;
+      continue;
+    }
     push(candidates, best, first);
   }
   return size() - first;

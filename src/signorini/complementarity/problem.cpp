@@ -50,8 +50,8 @@ void check_finite(const ContactProblem& problem) {
           " (one row per pair), got ", G.rows(), " x ", G.cols());
   require(G.allFinite() && problem.free_gap.allFinite(),
           "contact problem: compliance and free_gap must be finite");
-  // Forces are quotients of these numbers and energies products of three: beyond, they would overflow.
-  const double largest = 0x1p250;
+  // Forces are quotients of these numbers and energies products of those: beyond, they would overflow.
+  const double largest = 0x1p340;
   const double smallest = 1 / largest;
   const auto fits = [&](double x) {
     return x == 0 || (std::abs(x) >= smallest && std::abs(x) <= largest);
@@ -59,7 +59,7 @@ void check_finite(const ContactProblem& problem) {
   for (Eigen::Index j = 0; j < n; ++j)
     require(fits(problem.free_gap(j)) && fits(G(j, j)) && G.col(j).cwiseAbs().maxCoeff() <= largest,
             "contact problem: pair ", j + 1,
-            " has numbers beyond 1e75 or below 1e-75 in magnitude; "
+            " has numbers beyond 1e102 or below 1e-102 in magnitude; "
             "change the units");
 }
 

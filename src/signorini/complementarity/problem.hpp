@@ -106,7 +106,7 @@ struct SolverOptions {
 /// Checks what every solver relies on: sizes and numbers.
 /// \param problem  G and d, or any M and q
 /// \throws std::invalid_argument unless G is square, d has its size, both are finite, and the numbers
-///   of G, its diagonal and d are so far from overflow and underflow (2^-250 to 2^250, or 0; small
+///   of G, its diagonal and d are so far from overflow and underflow (2^-340 to 2^340, or 0; small
 ///   numbers beside the diagonal do no harm) that forces and energies are too
 void check_finite(const ContactProblem& problem);
 

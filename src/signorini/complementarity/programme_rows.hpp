@@ -90,12 +90,12 @@ class ProgrammeRows {
   Eigen::VectorXd displacement_;  // from which gap_ comes
   Eigen::VectorXd gap_;           // where Q y = base_
   Eigen::VectorXd base_;          // empty for zero
-  Eigen::VectorXd floor_;  // rounding of gap_
+  Eigen::VectorXd floor_;         // rounding of gap_
   Eigen::VectorXd weight_;
   Eigen::VectorXd norm_;
   Eigen::VectorXd moved_;  // what contact takes from displacement_; work space of refine()
-  Eigen::VectorXd root_;  // of the diagonal of K
-  double stretch_ = 0;    // |D^1/2 u|, the largest so far
+  Eigen::VectorXd root_;   // of the diagonal of K
+  double stretch_ = 0;     // |D^1/2 u|, the largest so far
 };
 
 }  // namespace signorini

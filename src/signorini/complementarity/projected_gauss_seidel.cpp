@@ -5,7 +5,6 @@
 
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/scaled_half.hpp"
-#include "signorini/core/errors.hpp"
 
 namespace signorini {
 namespace {
@@ -165,10 +164,12 @@ class Sweeps {
 ContactState projected_gauss_seidel(const ContactProblem& problem, const SolverOptions& options) {
   const ScaledProblem scaled = equilibrate_any(problem);
   for (Index i = 0; i < problem.free_gap.size(); ++i) {
-    const double entry = problem.compliance(i, i);
     const bool zero = problem.compliance.row(i).isZero(0) && problem.compliance.col(i).isZero(0);
-    require(entry > 0 || zero, "projected_gauss_seidel: the diagonal must be positive, got ", entry,
-            " for pair ", i);
+    if (problem.compliance(i, i) > 0 || zero) continue;
+    ContactState state;  // its force cannot close this pair
+    state.force.setZero(problem.free_gap.size());
+    state.gap = problem.free_gap;
+    return state;
   }
   return Sweeps<ScaledProblem, GapsOfCompliance>(scaled).run(options);
 }

@@ -19,10 +19,10 @@ namespace signorini {
 ///
 /// \param problem  M and q with M_ii > 0; M_ii = 0 is allowed in rows and columns of zeros
 /// \param options  `iteration_limit` 0 stands for 1000 + 10 n_c sweeps
-/// \return `Solved`, or `IterationLimit`. The history keeps sweeps 0 to 31 and then at least 16 of each
+/// \return `Solved`, `IterationLimit`, or `Breakdown` if a diagonal entry is negative, or zero in a row or
+///   column that is not: its own force cannot close such a pair. The history keeps sweeps 0 to 31 and then at least 16 of each
 ///   32 evenly spaced ones, spacing 2, 4, 8, ...; tension is zero throughout
-/// \throws std::invalid_argument if a diagonal entry is negative, or zero in a row or column that is
-///   not, or as check_finite()
+/// \throws std::invalid_argument as check_finite()
 [[nodiscard]] ContactState projected_gauss_seidel(const ContactProblem& problem,
                                                   const SolverOptions& options = {});
 

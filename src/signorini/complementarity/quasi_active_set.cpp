@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/group_active_set.hpp"
 #include "signorini/complementarity/programme_rows.hpp"
@@ -79,6 +78,18 @@ bool proves(const ScaledProblem& scaled, const VectorXd& y, const ClosedBasis& b
          scaled.free_gap.dot(y) < 0;
 }
 
+/// Whether A^T y vanishes to rounding while g.y is negative beyond it: no u has A u <= g then.
+bool proves(const DenseProgramme& programme, const VectorXd& y) {
+  const double rounding =
+      4 * static_cast<double>(y.size() + programme.load.size()) * epsilon;  // sums of so many terms
+  const VectorXd moved = programme.A.transpose() * y;
+  const VectorXd terms = programme.A.cwiseAbs().transpose() * y.cwiseAbs();
+  const double scale = terms.size() == 0 ? 0 : terms.maxCoeff();
+  return (moved.size() == 0 || moved.cwiseAbs().maxCoeff() <= std::sqrt(rounding) * scale) &&
+         programme.initial_gap.dot(y) <
+             -rounding * programme.initial_gap.cwiseAbs().dot(y.cwiseAbs());
+}
+
 Rows sorted_active(const ClosedBasis& basis, Index equations) {
   Rows active;
   active.reserve(basis.rows().size());
@@ -122,9 +133,7 @@ ContactState quasi_active_set(const ContactProblem& problem, const SolverOptions
       unscaled(scaled, closed, sorted_active(method.basis(), 0), std::move(report));
   if (state.report.status == Status::Infeasible)
     state.infeasibility = scaled.scale.cwiseProduct(method.proof());
-  if (state.report.status == Status::Solved && !certify(problem, state).holds())
-    state.report.status = Status::Breakdown;
-  return state;
+  return certified(problem, std::move(state));
 }
 
 DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOptions& options) {
@@ -150,6 +159,10 @@ DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOpti
     solution.infeasibility.setZero(rows.count);
     for (Index i = 0; i < rows.count; ++i)
       if (method.proof()(i) != 0) solution.infeasibility(i) = method.proof()(i) / data.norms()(i);
+    if (!proves(programme, solution.infeasibility)) {
+      solution.report.status = Status::Breakdown;
+      solution.infeasibility.resize(0);
+    }
   } else if (status == Status::Solved) {  // what is negative is of rounding size
     for (Index i = rows.equations; i < rows.count; ++i)
       solution.refined.force(i) = std::max(0.0, solution.refined.force(i));

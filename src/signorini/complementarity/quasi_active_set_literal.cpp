@@ -186,7 +186,7 @@ QuasiActiveRun run_quasi_active_set_literal(const ContactProblem& problem,
 }
 
 ContactState quasi_active_set_literal(const ContactProblem& problem, const SolverOptions& options) {
-  return run_quasi_active_set_literal(problem, options).state;
+  return certified(problem, run_quasi_active_set_literal(problem, options).state);
 }
 
 double energy_gap(const ContactState& state) { return state.force.dot(state.gap); }

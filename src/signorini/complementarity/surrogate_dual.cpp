@@ -155,7 +155,7 @@ ContactState surrogate_dual(const ContactProblem& problem, WeightRule rule,
     if (const auto found = moved ? confirmed(scaled, tried) : without_tension(scaled, tried)) {
       report.status = Status::Solved;
       report.factorisations += run.factorisations();
-      return unscaled(scaled, found->first, found->second, report);
+      return certified(problem, unscaled(scaled, found->first, found->second, report));
     }
   }
   report.factorisations += run.factorisations();
