@@ -23,11 +23,7 @@ ClosedBasis::ClosedBasis(Index space, Index capacity)
 
 double ClosedBasis::smallest_distance() const {
   if (Q_.rows() > 0) return static_cast<double>(capacity() + Q_.rows() + 1) * epsilon;
-  // 1 - |L^-1 G_Wp|^2 carries the rounding of L^-1 G_Wp, which grows with 1 / |L_kk|.
-  double pivot = 1;
-  for (Index k = 0; k < size(); ++k) pivot = std::min(pivot, L_(k, k) * L_(k, k));
-  const double rounding = static_cast<double>(size() + 1) * epsilon / pivot;
-  return std::sqrt(std::max(std::pow(epsilon, 0.8), rounding));
+  return std::pow(epsilon, 0.4);
 }
 
 /// Leaves in `cross_` what the candidates share with the basis, in `columns` or `block` the rest of
@@ -95,12 +91,12 @@ void ClosedBasis::push(Candidates& candidates, Index which, Index first) {
 }
 
 /// What rounding may have made of the pivot of a candidate if only products are known: it is
-/// (r, -1) G (r, -1)^T with r = L^-T L^-1 G_Wp, a sum of terms of at most this size. Seven tenths of the
+/// (r, -1) G (r, -1)^T with r = L^-T L^-1 G_Wp, a sum of terms of at most this size. Three fifths of the
 /// digits are trusted in any case.
 double ClosedBasis::pivot_rounding(Index which) const {
   VectorXd r = cross_.col(which).head(size());
   solve_upper(L_, r);
-  return std::min(std::pow(epsilon, 0.7), epsilon * std::pow(1 + r.lpNorm<1>(), 2));
+  return std::min(std::pow(epsilon, 0.6), epsilon * std::pow(1 + r.lpNorm<1>(), 2));
 }
 
 Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {

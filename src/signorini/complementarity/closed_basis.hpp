@@ -37,8 +37,7 @@ class ClosedBasis {
 
   /// A row whose distance from the span of the others is at most this depends on them. With columns it
   /// is their rounding. Products know the square of the distance only, which carries their rounding and
-  /// that of how they were made: four fifths of the digits are trusted, fewer if the basis itself is
-  /// nearly dependent.
+  /// that of how they were made: four fifths of the digits are trusted.
   /// \return the distance, for rows of length 1
   [[nodiscard]] double smallest_distance() const;
 
