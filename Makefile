@@ -36,15 +36,18 @@ results: chapters         ## accept what the programs write now: committed numbe
 	@for c in $(PROGRAMS); do tools/chapter.sh run $B/bin/$$c $B/out/$$c > /dev/null && \
 	    perl tools/compare.pl --update chapters/$${c}_* $B/out/$$c || exit 1; done
 	@perl tools/weave.pl $(WOVEN)
+	@perl tools/equations.pl
 	@for f in figures/fig_*.gp; do tools/figure.sh --check $$f 2> /dev/null || \
 	    { tools/figure.sh $$f $${f%.gp}.svg && echo "drew $${f%.gp}.svg"; } || exit 1; done
 figures:                  ## draw every committed picture anew from the committed curves
 	@for f in figures/fig_*.gp; do tools/figure.sh $$f $${f%.gp}.svg || exit 1; done
-text:                     ## put the committed numbers, tables and code into the text
+text:                     ## put the committed numbers, tables and code into the text, and list the equations
 	@perl tools/weave.pl $(WOVEN)
+	@perl tools/equations.pl
 lint:                     ## check the text without compiling: quotations, formulas, links
 	@perl tools/weave.pl --check $(WOVEN)
-	@perl tools/lint-md.pl $(TEXTS)
+	@perl tools/equations.pl --check
+	@perl tools/lint-md.pl $(TEXTS) chapters/equations.md
 book: lint                ## the web pages, build/book/index.html
 	@tools/docs.sh $B/book && echo "open $B/book/index.html"
 browser: book             ## open every page in a browser and check it

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "catch_compat.hpp"
+#include "signorini/complementarity/examples.hpp"
 #include "fuzz/check_text.hpp"
 #include "signorini/problem_file/problem_file.hpp"
 #include "support/folder.hpp"
@@ -86,7 +87,7 @@ TEST_CASE("a block file holds several problems, with and without their solutions
   const auto fathi = lcps(read_problem(data / "generated/fathi_spd_lemke_exponential.txt"));
   REQUIRE(fathi.size() == 3);
   for (const FiledProblem& filed : fathi) {
-    const ContactProblem exact = signorini_test::fathi_problem(filed.problem.free_gap.size());
+    const ContactProblem exact = signorini::fathi(filed.problem.free_gap.size());
     CHECK(filed.problem.compliance == exact.compliance);
     CHECK(worst(filed.problem, filed.known_force) == 0);
   }

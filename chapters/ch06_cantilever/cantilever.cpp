@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "signorini/closed_form/beam.hpp"
+#include "signorini/complementarity/linear_programme.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -172,12 +173,36 @@ void change_units(const ProgramOptions& run, Results& results) {
   results.add("units_deviation", deviation, "-", Repeats::No);
 }
 
+// 8. The way of the paper's predecessor: a linear programme, at once and in increments of the load.
+// [increments]
+void as_linear_programme(Results& results) {
+  const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 100);
+  const ContactProblem& problem = beam.condensed.problem;
+  const ContactState once = linear_programme(problem);
+  const std::vector<ContactState> steps =
+      incremental_linear_programme(problem, beam.model.gaps.initial_gap, 20);
+  Index pivots = 0;
+  for (const ContactState& step : steps) pivots += step.report.iterations;
+  const Eigen::VectorXd& force = beam.solution.contact.force;
+  const double difference =
+      std::max((once.force - force).norm(), (steps.back().force - force).norm());
+  // [increments]
+  if (once.report.status != Status::Solved || steps.back().report.status != Status::Solved ||
+      difference > 1e-9 * force.norm())
+    throw NotSolved("the linear programme and the active set disagree");
+  results.add("lp_pivots_once", static_cast<double>(once.report.iterations), "-");
+  results.add("lp_pivots_steps", static_cast<double>(pivots), "-");
+  results.add("lp_increments", static_cast<double>(steps.size()), "-");
+  results.add("active_sets", static_cast<double>(beam.solution.contact.report.iterations), "-");
+}
+
 Status chapter(const ProgramOptions& run) {
   Results results("ch06");
   load_history(run, results);
   compare_elements(run, results);
   contact_pressure(run, results);
   change_units(run, results);
+  as_linear_programme(results);
   if (run.full)  // what total_force_2d is the limit of; about a minute
     for (const Index cells : {400, 800})
       results.add(text("fine_", cells),
