@@ -27,6 +27,7 @@ sub slurp {
 
 sub declared {    # the name that a line of C++ declares, or nothing
     my ($line) = @_;
+    return $1 if $line =~ /^\s*explicit\s+(\w+)\(/;
     return $1 if $line =~ /^\s*(?:struct|class|enum class)\s+(\w+)/;
     return $1 if $line =~ /(?<![\w.>:])([a-z]\w*)\s*\((?!\*)/ && $line !~ /^\s*(?:if|for|while|return)\b/;
     return $1 if $line =~ /^\s*(?:const\s+)?[\w:<>, ]+[\s&]\s*(\w+)\s*(?:=|;|\{)/;
@@ -53,11 +54,12 @@ for my $file (sort(glob('src/signorini/*/*.hpp'), glob('src/signorini/*/*.cpp'),
             $name = declared($lines[$below]) if $lines[$below] !~ m{^\s*(?://|$)};
             ++$below;
         }
+        my $global = $lines[$below - 1] !~ /^\s/;
         if (!defined $name) {
             push @complaints, "$file:" . ($i + 1) . ": no declaration below this equation";
             next;
         }
-        my $link = "[`$name`](../$file)";
+        my $link = $global && $file =~ /^src.*hpp$/ ? "[`$name`](../$file)" : "[$name](../$file)";    # members have no page
         $link =~ s{\.\./chapters/}{};
         for my $n (@numbers) {
             push @{$function{$n}}, $link unless grep { $_ eq $link } @{$function{$n}};

@@ -19,7 +19,8 @@ struct PinInPlate {
 
 /// Load relation of Persson [\ref Persson1964] and of Ciavarella and Decuzzi
 /// [\ref CiavarellaDecuzzi2001], with \f$ b = \tan(\varepsilon / 2) \f$:
-/// \f[ \frac{E^* \Delta R}{P} = \frac{1 - (E^*/E_h)(\ln(1 + b^2) + 2 b^4)}{\pi b^2 (1 + b^2)}. \f]
+/// \f[ \frac{E^{*} \Delta R}{P} =
+/// \frac{1 - (E^{*} / E_h)(\ln(1 + b^2) + 2 b^4)}{\pi b^2 (1 + b^2)}. \f]
 /// \param half_angle      epsilon, half of the arc in contact [rad], between 0 and pi
 /// \param stiffness_ratio E* / E_h [-]: 1 for a rigid pin, 1/2 for equal materials
 /// \return E* Delta R / P [-]; falls with the angle towards -2/pi of the ratio, and is negative where

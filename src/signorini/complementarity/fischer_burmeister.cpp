@@ -230,7 +230,8 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
         contact ? confirmed_nearby(scaled, closed) : confirmed_by_elimination(scaled, closed);
     if (end) {
       report.status = Status::Solved;
-      return unscaled(scaled, end->first, std::move(end->second), std::move(report));
+      return certified(problem,
+                       unscaled(scaled, end->first, std::move(end->second), std::move(report)));
     }
     last_changes = 0;
     report.status = limited ? Status::IterationLimit : Status::Breakdown;

@@ -170,7 +170,9 @@ class DualMethod {
 
 ContactState goldfarb_idnani(const ContactProblem& problem, const SolverOptions& options) {
   const ScaledProblem scaled = equilibrate(problem);
-  return DualMethod<ScaledProblem, ComplianceFactor>(scaled, ComplianceFactor(scaled)).run(options);
+  return certified(
+      problem,
+      DualMethod<ScaledProblem, ComplianceFactor>(scaled, ComplianceFactor(scaled)).run(options));
 }
 
 ContactState goldfarb_idnani(const HalfProblem& problem, const SolverOptions& options) {

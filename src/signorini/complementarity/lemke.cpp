@@ -140,12 +140,13 @@ ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& coverin
   require(covering.size() == n && covering.allFinite() && (covering.array() > 0).all(),
           "lemke: the covering vector must have ", n, " positive entries, one per pair, got ",
           covering.size(), covering.size() > 0 ? text(", the least ", covering.minCoeff()) : "");
-  return pivoted(scaled, scaled.scale.cwiseProduct(covering), options);
+  return certified(problem, pivoted(scaled, scaled.scale.cwiseProduct(covering), options));
 }
 
 ContactState lemke(const ContactProblem& problem, const SolverOptions& options) {
   const ScaledProblem scaled = equilibrate_any(problem);
-  return pivoted(scaled, Eigen::VectorXd::Ones(problem.free_gap.size()), options);
+  return certified(problem,
+                   pivoted(scaled, Eigen::VectorXd::Ones(problem.free_gap.size()), options));
 }
 
 }  // namespace signorini

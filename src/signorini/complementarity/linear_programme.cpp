@@ -215,7 +215,7 @@ ContactState run(const ScaledProblem& scaled, const std::vector<Index>& start,
 }  // namespace
 
 ContactState linear_programme(const ContactProblem& problem, const SolverOptions& options) {
-  return run(equilibrate(problem), {}, options);
+  return certified(problem, run(equilibrate(problem), {}, options));
 }
 
 std::vector<ContactState> incremental_linear_programme(const ContactProblem& problem,
@@ -234,8 +234,9 @@ std::vector<ContactState> incremental_linear_programme(const ContactProblem& pro
     const VectorXd gap =
         k == increments ? problem.free_gap : (1 - t) * initial_gap + t * problem.free_gap;
     scaled.free_gap = scaled.scale.cwiseProduct(gap);
-    states.push_back(
-        run(scaled, states.empty() ? std::vector<Index>() : states.back().active, options));
+    states.push_back(certified(
+        {problem.compliance, gap},
+        run(scaled, states.empty() ? std::vector<Index>() : states.back().active, options)));
     if (states.back().report.status != Status::Solved) break;
   }
   return states;

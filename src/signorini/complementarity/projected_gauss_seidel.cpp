@@ -171,7 +171,7 @@ ContactState projected_gauss_seidel(const ContactProblem& problem, const SolverO
     state.gap = problem.free_gap;
     return state;
   }
-  return Sweeps<ScaledProblem, GapsOfCompliance>(scaled).run(options);
+  return certified(problem, Sweeps<ScaledProblem, GapsOfCompliance>(scaled).run(options));
 }
 
 ContactState projected_gauss_seidel(const HalfProblem& problem, const SolverOptions& options) {
