@@ -6,7 +6,6 @@
 #include "catch_compat.hpp"
 #include "signorini/complementarity/examples.hpp"
 #include "signorini/complementarity/quasi_active_set.hpp"
-#include "signorini/core/errors.hpp"
 #include "support/problems.hpp"
 
 using Eigen::Index;
@@ -208,15 +207,4 @@ TEST_CASE("the same steps in other units and with other row scales", "[quasi_act
     CHECK(other.report.iterations == plain.report.iterations);
     CHECK((other.refined.displacement - plain.refined.displacement).norm() <= 1e-13);
   }
-}
-
-TEST_CASE("a stiffness without inverse is refused, or held by equations", "[quasi_active_set]") {
-  DenseProgramme programme{MatrixXd::Zero(2, 2), VectorXd::Zero(2), MatrixXd::Ones(1, 2),
-                           VectorXd::Ones(1), 0};
-  programme.stiffness << 2, -2, -2, 2;
-  CHECK_THROWS_AS(quasi_active_set(programme), ProblemError);
-  programme.equations = 1;  // u1 + u2 = 1 with least (u1 - u2)^2
-  const DenseSolution solution = solve(programme, method());
-  CHECK(solution.report.status == Status::Solved);
-  CHECK((solution.refined.displacement - Eigen::Vector2d(0.5, 0.5)).norm() < 1e-15);
 }

@@ -92,7 +92,7 @@ for my $paper (@papers) {
     }
 }
 for my $row (split /\n/, slurp('chapters/notation.md')) {
-    $erratum{"XuanLi2002-$_"} = 1 for $row =~ /^\| (\[.*?\]\(.*?\)[^|]*)\|/ ? $1 =~ /\((\d+)\)\]/g : ();
+    $erratum{"XuanLi2002-$_"} = 1 for $row =~ /^\| (\[.*?\]\(.*?\)[^|]*)\|/ ? $1 =~ /\((\d+)\)/g : ();
 }
 
 my $out = <<'END';

@@ -104,7 +104,7 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
     if (state.force.size() == problem.free_gap.size() &&
         state.gap.size() == problem.free_gap.size())
       outcome.certificate = certify(problem, state);
-    outcome.accepted = outcome.certificate.worst() <= tolerance;
+    outcome.accepted = outcome.status == Status::Solved && outcome.certificate.worst() <= tolerance;
     outcome.force = std::move(state.force);
     outcome.gap = std::move(state.gap);
   });
@@ -120,7 +120,7 @@ std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::st
     outcome.status = solution.report.status;
     outcome.iterations = solution.report.iterations;
     outcome.certificate = solution.certificate;
-    outcome.accepted = outcome.certificate.worst() <= tolerance;
+    outcome.accepted = outcome.status == Status::Solved && outcome.certificate.worst() <= tolerance;
     outcome.unknowns = solution.refined.displacement;
     outcome.force = multipliers(form, solution.refined.force, programme.lower.size());
     outcome.objective = objective(programme, solution.refined);

@@ -44,9 +44,18 @@ void print_table(std::ostream& out, const std::vector<Outcome>& outcomes, bool w
   }
 }
 
-/// What to try when one solver alone did not do it.
+/// What it means, or what to try, when there is no solution.
 void print_hint(std::ostream& out, const std::vector<Outcome>& outcomes) {
-  if (outcomes.size() == 1) out << "\nnot solved; --solver all tries the whole family\n";
+  const auto refuted = std::find_if(outcomes.begin(), outcomes.end(), [](const Outcome& outcome) {
+    return outcome.ran && outcome.status == Status::Infeasible;
+  });
+  if (refuted != outcomes.end())
+    out << "\nnot solved: " << refuted->solver->name
+        << " has proved that the conditions contradict each other\n";
+  else if (outcomes.size() == 1)
+    out << "\nnot solved; --solver all tries the whole family\n";
+  else
+    out << "\nnot solved\n";
 }
 
 void print_columns(std::ostream& out, const char* first, const VectorXd& a, const char* second,

@@ -32,7 +32,10 @@ expect 0 'quasi_active_set +solved .* 6155\.2508' qp "$qp/DUALC1.txt"
 expect 0 'may fail on problems that are:' --list
 expect 0 '--tolerance' lcp --help
 expect 1 'primal_dual_active_set +not tried +needs a symmetric matrix' lcp asymmetric --solver primal_dual_active_set
+printf 'n 2\nM\n0 1\n-1 0\nq\n-5 -6\n' > skew
 expect 1 'quasi_active_set +infeasible' lcp immovable
+expect 1 'not solved' lcp skew --solver fischer_burmeister
+expect 1 'not solved' lcp skew --solver all
 expect 1 'infeasible' qp contradiction --solver all
 expect 1 'refused .*change the units' lcp huge
 expect 1 'NOT CONFIRMED' lcp "$lcp/lcp_deudeu.dat" --tolerance 1e-300

@@ -79,6 +79,7 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
   const Eigen::VectorXd diagonal = programme.stiffness.diagonal();
   const Eigen::VectorXd contact = programme.A.transpose() * solution.force;
   Scales scale;
+  double inside = 0;
   for (Index j = 0; j < programme.load.size(); ++j)
     scale.force = std::max({scale.force, std::abs(programme.load(j)), std::abs(contact(j))});
   for (Index pair = 0; pair < programme.A.rows(); ++pair) {
@@ -92,6 +93,11 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
     }
     scale.length = std::max(scale.length, length / norm(pair));
   }
+  // If nothing pushes but what u in two doubles cannot resolve, the forces inside must balance.
+  for (Index j = 0; j < programme.load.size(); ++j)
+    inside = std::max(inside, std::abs(diagonal(j) * solution.displacement(j)));
+  const double epsilon = std::numeric_limits<double>::epsilon();
+  if (scale.force <= epsilon * epsilon * inside) scale.force = inside;
   return scale;
 }
 

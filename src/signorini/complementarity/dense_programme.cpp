@@ -1,6 +1,8 @@
 #include "signorini/complementarity/dense_programme.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -8,6 +10,7 @@
 #include "signorini/complementarity/group_active_set.hpp"
 #include "signorini/complementarity/programme_rows.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 
 namespace signorini {
 namespace {
@@ -41,6 +44,12 @@ ClosedBasis basis_of(ProgrammeRows& data, const Rows& closed) {
   return basis;
 }
 
+/// Sets to 0 what may be rounding alone.
+void without_rounding(VectorXd& gap, const VectorXd& rounding) {
+  for (Index i = 0; i < gap.size(); ++i)
+    if (std::abs(gap(i)) <= rounding(i)) gap(i) = 0;
+}
+
 DenseCondensed condensed_by(ProgrammeRows& data) {
   const ClosedBasis equations = basis_of(data, {});
   VectorXd gap;
@@ -56,6 +65,10 @@ DenseCondensed condensed_by(ProgrammeRows& data) {
   data.fetch(gap, rounding, rows);
   const auto Q = equations.directions();
   rows.columns -= Q * (Q.transpose() * rows.columns).eval();
+  // What is left of a row that depends on the equations, and of a gap that they close, is rounding.
+  for (Index i = 0; i < data.count() - first; ++i)
+    if (rows.columns.col(i).norm() <= equations.smallest_distance()) rows.columns.col(i).setZero();
+  without_rounding(condensed.problem.free_gap, rounding.tail(data.count() - first));
   condensed.problem.half = rows.columns * data.norms().tail(data.count() - first).asDiagonal();
   return condensed;
 }
@@ -90,7 +103,9 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
         condensed.free_displacement -
         condensed.factor.matrixU().solve(condensed.problem.half * state.force);
     if (solution.report.status != Status::Solved) {
-      if (first > 0) data.balance(basis_of(data, {}), solution.refined);
+      const ClosedBasis equations = basis_of(data, {});
+      data.balance(equations, solution.refined);
+      if (solution.infeasibility.size() > 0) data.balance(equations, solution.infeasibility);
       return solution;
     }
     ClosedBasis basis = basis_of(data, solution.active);
@@ -103,8 +118,9 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
     if ((!pulls && refined.violated == 0) || !refuted.insert(solution.active).second)
       return solution;
     const VectorXd force = solution.refined.force.tail(problem.free_gap.size());
-    problem.free_gap =
-        solution.gap.tail(force.size()) - problem.half.transpose() * (problem.half * force);
+    const VectorXd moved = problem.half.transpose() * (problem.half * force);
+    problem.free_gap = solution.gap.tail(force.size()) - moved;
+    without_rounding(problem.free_gap, std::numeric_limits<double>::epsilon() * moved.cwiseAbs());
   }
 }
 
@@ -120,12 +136,37 @@ DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
   DenseSolution solution = solver.solve_programme != nullptr
                                ? solver.solve_programme(programme, options)
                                : solve_condensed(programme, solver, options);
+  if (solution.report.status == Status::Infeasible &&
+      !proves_infeasible(programme, solution.infeasibility, solution.refined.displacement)) {
+    solution.report.status = Status::Breakdown;
+    solution.infeasibility.resize(0);
+  }
   if (solution.report.status != Status::Solved) return solution;
   for (Index i = programme.equations; i < solution.refined.force.size(); ++i)
     solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
   solution.certificate = certify(programme, solution.refined);
   if (!solution.certificate.holds()) solution.report.status = Status::Breakdown;
   return solution;
+}
+
+bool proves_infeasible(const DenseProgramme& programme, const VectorXd& y, const VectorXd& u) {
+  const Index m = programme.initial_gap.size();
+  require(u.size() == programme.load.size(), "proves_infeasible: need ", programme.load.size(),
+          " displacements, got ", u.size());
+  if (y.size() != m || !y.allFinite() || (y.tail(m - programme.equations).array() < 0).any())
+    return false;
+  ExactSum work;
+  for (Index i = 0; i < m; ++i) work.add_product(programme.initial_gap(i), y(i));
+  double escape = 0;
+  for (Index j = 0; j < u.size(); ++j) {
+    ExactSum moved;
+    for (Index i = 0; i < m; ++i) moved.add_product(programme.A(i, j), y(i));
+    escape += std::abs(moved.value() * u(j));
+  }
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * programme.initial_gap.cwiseAbs().dot(y.cwiseAbs());
+  return -work.value() > static_cast<double>(m) * rounding &&
+         -work.value() * std::sqrt(std::numeric_limits<double>::epsilon()) > escape;
 }
 
 Certificate certify(const DenseProgramme& programme, const PrimalDual& solution) {

@@ -33,7 +33,7 @@ struct DenseSolution {
   PrimalDual refined;                       ///< u in two parts, and lambda `m`
   Eigen::VectorXd gap;                      ///< g - A u `m`, 0 in closed rows
   std::vector<Eigen::Index> active;         ///< closed rows of inequalities, in increasing order
-  Eigen::VectorXd infeasibility;            ///< as in ContactState, `m` or empty
+  Eigen::VectorXd infeasibility;            ///< as for proves_infeasible(), `m` or empty
   Report report;                            ///< how the solver got there
   Certificate certificate = uncertified();  ///< of `refined`, from the original K, p, A, g
 };
@@ -50,6 +50,19 @@ struct DenseSolution {
 /// \throws std::invalid_argument, ProblemError as condense() and the solver
 [[nodiscard]] DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
                                   const SolverOptions& options = {});
+
+/// Whether numbers prove that nothing satisfies A_e u = g_e and A_i u <= g_i: y_i >= 0, A^T y = 0 and
+/// g.y < 0, so that y.(g - A u) < 0 for all u.
+///
+/// Rounded numbers have A^T y = 0 to rounding only, and g.y > y.(A u) for a u that is large enough. They
+/// count as proof if that takes displacements larger than those at hand by half of the digits of a double.
+/// \param programme  A, g
+/// \param y          `m`; those of equations have any sign
+/// \param u          `n` displacements that a method has come to
+/// \return whether y proves it
+/// \throws std::invalid_argument if u has another size
+[[nodiscard]] bool proves_infeasible(const DenseProgramme& programme, const Eigen::VectorXd& y,
+                                     const Eigen::VectorXd& u);
 
 /// Certificate of (u, lambda) against K, p, A, g, as for a QuadraticProgramme. Of an equation both
 /// signs of the gap count as penetration, and no force as tension.

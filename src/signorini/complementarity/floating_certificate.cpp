@@ -23,11 +23,12 @@ Gaps recomputed(const FloatingProblem& problem, const FloatingState& state) {
   const Index n = problem.contact.free_gap.size();
   Gaps result{VectorXd(n), VectorXd(n)};
   for (Index i = 0; i < n; ++i) {
-    ExactSum elastic;
+    double largest_term = 0;  // terms count one by one: their sum may cancel
     ExactSum rigid;
     ExactSum gap(problem.contact.free_gap(i));
     for (Index j = 0; j < n; ++j) {
-      elastic.add_product(problem.contact.compliance(i, j), state.contact.force(j));
+      largest_term = std::max(largest_term,
+                              std::abs(problem.contact.compliance(i, j) * state.contact.force(j)));
       gap.add_product(problem.contact.compliance(i, j), state.contact.force(j));
     }
     for (Index j = 0; j < state.amplitude.size(); ++j) {
@@ -35,8 +36,8 @@ Gaps recomputed(const FloatingProblem& problem, const FloatingState& state) {
       gap.add_product(problem.rigid(i, j), state.amplitude(j));
     }
     result.gap(i) = gap.value();
-    result.part(i) = std::max(
-        {-problem.contact.free_gap(i), std::abs(elastic.value()), std::abs(rigid.value())});
+    result.part(i) =
+        std::max({-problem.contact.free_gap(i), largest_term, std::abs(rigid.value())});
   }
   return result;
 }

@@ -204,6 +204,18 @@ std::pair<Index, double> GroupActiveSet::first_to_open(const VectorXd& response)
   return {-1, 0};
 }
 
+/// How much overlap of a row that depends on the closed ones can be rounding, its own or theirs.
+double GroupActiveSet::grazing(Index row, const VectorXd& response) const {
+  const double distance = basis_.smallest_distance();
+  const double weight = (*rows_.weight)(row);
+  double rounding = rounding_(row);
+  for (Index k = 0; k < basis_.size() && weight > 0; ++k) {
+    const Index closed = basis_.rows()[at(k)];
+    rounding += std::abs(response(k)) * rounding_(closed) * (*rows_.weight)(closed) / weight;
+  }
+  return std::max(2 * rounding, rounding_(row) / epsilon * distance * distance);
+}
+
 /// A violated row depends on the closed ones: presses it, while they yield, until the first one opens.
 Status GroupActiveSet::exchange(Index row) {
   fetch(row);
@@ -211,9 +223,7 @@ Status GroupActiveSet::exchange(Index row) {
   const Index size = basis_.size();
   const auto [first, press] = first_to_open(response);
   if (first < 0) {
-    const double distance = basis_.smallest_distance();
-    if (-gap_(row) <=
-        rounding_(row) / epsilon * distance * distance) {  // it grazes, no more is known
+    if (-gap_(row) <= grazing(row, response)) {  // it only touches, as far as rounding can tell
       state_[at(row)] = Row::Fruitless;
       any_fruitless_ = true;
       return Status::Solved;

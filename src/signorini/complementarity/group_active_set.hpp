@@ -63,6 +63,7 @@ class GroupActiveSet {
   void settle(Eigen::Index before);
   void step_by_step();
   Status exchange(Eigen::Index row);
+  [[nodiscard]] double grazing(Eigen::Index row, const Eigen::VectorXd& response) const;
   [[nodiscard]] std::pair<Eigen::Index, double> first_to_open(
       const Eigen::VectorXd& response) const;
   void drop(const std::vector<Eigen::Index>& positions);

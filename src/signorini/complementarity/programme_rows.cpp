@@ -15,7 +15,6 @@ using Eigen::VectorXd;
 
 const double epsilon = std::numeric_limits<double>::epsilon();
 
-double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
 /// How far a row of this weight can move when the unknowns move so far; a row without entries cannot.
 double reach(double stretch, double weight) { return weight > 0 ? stretch / weight : 0; }
 
@@ -36,14 +35,25 @@ void check(const DenseProgramme& programme) {
           "quadratic programme: K, p, A and g, and their sums, must be finite");
 }
 
+/// What each equation adds to K: as much as K has in the mean, along its own row.
+VectorXd equation_stiffness(const DenseProgramme& programme) {
+  const double mean = programme.stiffness.trace() / static_cast<double>(programme.load.size());
+  VectorXd rho(programme.equations);
+  for (Index i = 0; i < rho.size(); ++i) {
+    const double square = programme.A.row(i).squaredNorm();
+    rho(i) = square > 0 ? mean / square : 0;
+  }
+  return rho;
+}
+
 Eigen::LLT<Eigen::MatrixXd> factored(const DenseProgramme& programme) {
   Eigen::LLT<Eigen::MatrixXd> factor;
   if (programme.equations == 0) {
     factor.compute(programme.stiffness);
   } else {
     const auto E = programme.A.topRows(programme.equations);
-    const double rho = ratio(programme.stiffness.trace(), E.squaredNorm());
-    factor.compute(programme.stiffness + rho * E.transpose() * E);
+    factor.compute(programme.stiffness +
+                   E.transpose() * equation_stiffness(programme).asDiagonal() * E);
   }
   const auto pivots = factor.matrixLLT().diagonal();
   bool positive = factor.info() == Eigen::Success;
@@ -66,8 +76,8 @@ ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(progr
   displacement_ = programme.load;
   if (equations() > 0) {
     const auto E = programme.A.topRows(equations());
-    displacement_ += ratio(programme.stiffness.trace(), E.squaredNorm()) * E.transpose() *
-                     programme.initial_gap.head(equations());
+    displacement_ += E.transpose() * equation_stiffness(programme).cwiseProduct(
+                                         programme.initial_gap.head(equations()));
   }
   solve_lower(factor_.matrixLLT(), displacement_);
   solve_upper(factor_.matrixLLT(), displacement_);

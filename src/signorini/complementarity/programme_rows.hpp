@@ -76,9 +76,14 @@ class ProgrammeRows {
   /// \param basis     rows, such as the equations
   /// \param solution  u and lambda; the entries of lambda in the basis are changed
   void balance(const ClosedBasis& basis, PrimalDual& solution) const;
+  /// Completes a proof that nothing satisfies all rows, so that A^T y = 0.
+  /// \param basis  rows whose entries are missing, such as the equations
+  /// \param y      `m`; the entries of the basis are changed
+  void balance(const ClosedBasis& basis, Eigen::VectorXd& y) const;
 
  private:
   struct Work;
+  [[nodiscard]] Eigen::VectorXd carried(const ClosedBasis& basis, Eigen::VectorXd load) const;
   void correct(const ClosedBasis& basis, Refined& refined, Work& work);
   [[nodiscard]] double one_rounding(Eigen::Index row, double stretch) const;
   [[nodiscard]] bool beyond_doubt(const ClosedBasis& basis, Refined& refined,

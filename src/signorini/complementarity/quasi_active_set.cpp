@@ -78,18 +78,6 @@ bool proves(const ScaledProblem& scaled, const VectorXd& y, const ClosedBasis& b
          scaled.free_gap.dot(y) < 0;
 }
 
-/// Whether A^T y vanishes to rounding while g.y is negative beyond it: no u has A u <= g then.
-bool proves(const DenseProgramme& programme, const VectorXd& y) {
-  const double rounding =
-      4 * static_cast<double>(y.size() + programme.load.size()) * epsilon;  // sums of so many terms
-  const VectorXd moved = programme.A.transpose() * y;
-  const VectorXd terms = programme.A.cwiseAbs().transpose() * y.cwiseAbs();
-  const double scale = terms.size() == 0 ? 0 : terms.maxCoeff();
-  return (moved.size() == 0 || moved.cwiseAbs().maxCoeff() <= std::sqrt(rounding) * scale) &&
-         programme.initial_gap.dot(y) <
-             -rounding * programme.initial_gap.cwiseAbs().dot(y.cwiseAbs());
-}
-
 Rows sorted_active(const ClosedBasis& basis, Index equations) {
   Rows active;
   active.reserve(basis.rows().size());
@@ -142,6 +130,11 @@ DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOpti
   DenseSolution solution;
   GroupActiveSet method(rows, data.empty_basis(), solution.report, limit_of(options, rows.count));
   Status status = rows.equations > 0 ? method.close_equations() : Status::Solved;
+  if (status != Status::Solved) {  // contradictory equations: where the others are closed
+    solution.refined.displacement = data.displacement();
+    solution.refined.force.setZero(rows.count);
+    solution.gap = programme.initial_gap - programme.A * solution.refined.displacement;
+  }
   for (Index round = 0; status == Status::Solved; ++round) {
     status = method.run();
     ProgrammeRows::Refined refined = data.refine(method.basis());
@@ -159,7 +152,7 @@ DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOpti
     solution.infeasibility.setZero(rows.count);
     for (Index i = 0; i < rows.count; ++i)
       if (method.proof()(i) != 0) solution.infeasibility(i) = method.proof()(i) / data.norms()(i);
-    if (!proves(programme, solution.infeasibility)) {
+    if (!proves_infeasible(programme, solution.infeasibility, solution.refined.displacement)) {
       solution.report.status = Status::Breakdown;
       solution.infeasibility.resize(0);
     }

@@ -16,7 +16,8 @@ namespace signorini {
 ///  1. projects the most violated pairs off the closed ones and lets those join that raise the dual
 ///     energy most, skipping pairs that depend on others;
 ///  2. drops every pair in tension and solves again until none is left; if the energy has not risen,
-///     goes back and moves from the old forces towards the new ones only until the first vanishes;
+///     goes back and moves from the old forces towards the new ones until the first vanishes, opens
+///     its pair, and goes on so until none pulls;
 ///  3. if all violated pairs depend on the closed ones, presses the most violated one while the
 ///     others yield: the first force that vanishes leaves, and if none does, nothing solves the
 ///     problem and the response proves it.
