@@ -123,6 +123,24 @@ TEST_CASE("gaps that contradict each other are proved to, with rigid modes too",
   CHECK((problem.rigid.transpose() * state.contact.infeasibility).norm() <= 1e-15);
 }
 
+TEST_CASE("pairs that touch without force and forces that cancel are solved and certified",
+          "[floating]") {
+  Eigen::Matrix3d G;
+  G << 1, 1, -1, 1, 1, -1, -1, -1, 1;
+  const FloatingProblem cancelling{
+      {G, Eigen::Vector3d(0, 1, 0)}, Eigen::Vector3d(0, 1, -1), VectorXd::Constant(1, -2)};
+  const FloatingProblem touching{{Eigen::Matrix2d::Identity(), Eigen::Vector2d(-2, 0)},
+                                 Eigen::Vector2d(-1, 1),
+                                 VectorXd::Constant(1, -2)};
+  for (const char* name : {"quasi_active_set", "goldfarb_idnani", "lemke"})
+    for (const FloatingProblem& problem : {cancelling, touching}) {
+      const FloatingState state = solve(problem, find_solver(name));
+      CAPTURE(name);
+      CHECK(state.contact.report.status == Status::Solved);
+      CHECK(certify(problem, state).holds());
+    }
+}
+
 TEST_CASE("without rigid modes it is the contact problem", "[floating]") {
   Random random(3);
   const ContactProblem contact = random_problem(random, 6);

@@ -48,6 +48,7 @@ const std::vector<ProblemClass>& problem_classes() {
        simplex_turned_out},
       {"chapter 1, block on an obstacle", {several}, block_on_obstacle},
       {"chapter 6, cantilever on a foundation", {several}, cantilever_on_foundation},
+      {"chapter 7, pin in a plate", {ordinary, several}, pin_in_hole_of_a_plate},
       {"half-plane", {several}, half_plane},
       {"half-plane, many pairs", {several}, half_plane_large},
       {"string over a wave", {ordinary, several}, string_over_wave},

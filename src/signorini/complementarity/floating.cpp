@@ -190,7 +190,6 @@ FloatingState solve(const FloatingProblem& problem, const Solver& solver,
   report.status = Status::Infeasible;
   double rho = spring_compliance(scaled);
   double last_spring = std::numeric_limits<double>::infinity();
-  std::optional<std::vector<Index>> tried;
   while (state.escape.size() == 0 && state.passes < most_passes) {
     now = solver.solve(on_springs(scaled, amplitude, rho), options);
     ++state.passes;
@@ -198,13 +197,12 @@ FloatingState solve(const FloatingProblem& problem, const Solver& solver,
     const VectorXd missing = scaled.rigid.transpose() * now.force - scaled.resultant;
     const VectorXd spring = scaled.inverse.transpose() * missing;
     amplitude += rho * (scaled.inverse * spring);
-    if (tried != now.active) {
-      tried = now.active;
-      ++report.factorisations;
-      if (auto end = balanced(scaled, by_force(now), amplitude)) {
-        report.status = Status::Solved;
-        return unscaled(scaled, end->closed, end->active, end->amplitude, std::move(state));
-      }
+    ++report.factorisations;
+    if (auto end = balanced(scaled, by_force(now), amplitude)) {
+      FloatingState solved = state;
+      solved.contact.report.status = Status::Solved;
+      solved = unscaled(scaled, end->closed, end->active, end->amplitude, std::move(solved));
+      if (certify(problem, solved).holds()) return solved;
     }
     if (report.status != Status::Solved) break;
     report.status = Status::IterationLimit;
@@ -212,6 +210,8 @@ FloatingState solve(const FloatingProblem& problem, const Solver& solver,
     last_spring = spring.norm();
   }
   VectorXd proof = std::move(now.infeasibility);
+  if (report.status == Status::Infeasible && proof.size() == 0 && state.escape.size() == 0)
+    report.status = Status::Breakdown;  // said of a body on springs, and not proved
   if (proof.size() > 0) proof = scaled.contact.scale.cwiseProduct(proof);
   state = unscaled(scaled, {now.force, now.gap, {}, {}, false}, now.active, amplitude,
                    std::move(state));

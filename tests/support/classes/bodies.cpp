@@ -4,6 +4,7 @@
 #include "signorini/scene/scene.hpp"
 #include "support/cantilever.hpp"
 #include "support/classes/classes.hpp"
+#include "support/pin.hpp"
 #include "support/problems.hpp"
 
 namespace signorini_test {
@@ -45,6 +46,14 @@ Instances cantilever_on_foundation() {  // chapter 6: nothing, the tip, or a par
       for (const double pressure : {0.4, 1.0, 3.6})
         made.push_back(condensed(text(element, ", ", cells, " cells, pressure ", pressure),
                                  cantilever(element, cells, cells / 10, pressure)));
+  return made;
+}
+
+Instances pin_in_hole_of_a_plate() {  // chapter 7: both readings of the load
+  Instances made;
+  for (const double pressure : {-25.0, 25.0, 1.0})
+    for (const Index cells : {6, 15, 40})
+      made.push_back({text(cells, " cells, pressure ", pressure), pin_problem(pressure, cells)});
   return made;
 }
 

@@ -56,6 +56,7 @@ Instances simplex_turned_out();
 // bodies.cpp: contact of elastic bodies
 Instances block_on_obstacle();
 Instances cantilever_on_foundation();
+Instances pin_in_hole_of_a_plate();
 Instances half_plane();
 Instances half_plane_large();
 Instances string_over_wave();
