@@ -82,7 +82,8 @@ void weak_duality(const Block& block, Results& results) {
   double highest_dual = -1e300;
   double lowest_primal = 1e300;
   for (int sample = 0; sample < 1000; ++sample) {
-    const VectorXd force = random.uniform(0, 40) * random_weights(random);  // eta xi [N]
+    const VectorXd weights = random_weights(random);
+    const VectorXd force = random.uniform(0, 40) * weights;  // eta xi [N]
     highest_dual = std::max(highest_dual, lagrangian(programme, block.pushed_back(force), force));
     VectorXd w = block.solution.refined.displacement;
     for (double& entry : w) entry += random.uniform(-0.5, 0.5);  // [mm]

@@ -122,6 +122,7 @@ void ProgrammeRows::gaps(const ClosedBasis& basis, VectorXd& gap, VectorXd& roun
 void ProgrammeRows::fetch(const VectorXd& gap, const VectorXd& rounding,
                           ClosedBasis::Candidates& candidates) {
   const Index count = static_cast<Index>(candidates.rows.size());
+  if (count == 0) return;
   if (candidates.columns.cols() < count) candidates.columns.resize(unknowns(), count);
   for (Index i = 0; i < count; ++i)
     candidates.columns.col(i) =
