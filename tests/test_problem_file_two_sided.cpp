@@ -88,8 +88,8 @@ TEST_CASE("collected programmes reach their published optimum with every sign ri
     const VectorXd row = programme.A * x;
     for (Index i = 0; i < row.size(); ++i) {
       const double size = programme.A.row(i).cwiseAbs() * x.cwiseAbs() + 1;
-      CHECK(row(i) >= programme.lower(i) - 1e-13 * size);
-      CHECK(row(i) <= programme.upper(i) + 1e-13 * size);
+      CHECK(row(i) >= programme.lower(i) - 1e-14 * size);
+      CHECK(row(i) <= programme.upper(i) + 1e-14 * size);
       if (programme.lower(i) == programme.upper(i)) continue;
       if (y(i) > 0) CHECK(std::abs(row(i) - programme.upper(i)) < 1e-13 * size);
       if (y(i) < 0) CHECK(std::abs(row(i) - programme.lower(i)) < 1e-13 * size);

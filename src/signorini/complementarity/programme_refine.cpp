@@ -154,7 +154,10 @@ bool ProgrammeRows::beyond_doubt(const ClosedBasis& basis, Refined& refined,
   moved_.noalias() -= programme_.stiffness * displacement;
   for (Index i = 0; i < k; ++i) {
     const Index row = basis.rows()[static_cast<std::size_t>(i)];
-    if (std::abs(refined.gap(row)) > terms * one_rounding(row, stretch)) return false;
+    // A closed row is measured by its own terms: what others move by must not hide its gap.
+    const double size = std::abs(programme_.initial_gap(row)) +
+                        programme_.A.row(row).cwiseAbs().dot(displacement.cwiseAbs());
+    if (std::abs(refined.gap(row)) > terms * epsilon * size) return false;
     if (row >= equations() && force(i) <= pull) return false;
     refined.gap(row) = std::numeric_limits<double>::infinity();  // passes the test of the open rows
     refined.solution.force(row) = force(i) / norm_(row);
