@@ -1,0 +1,53 @@
+/// \file
+/// The family of gap operators between two meshes. To add one: write `NAME.cpp` with a function of this
+/// signature, declare it in `NAME.hpp` and add its line to the table in gap_operators.cpp; the
+/// conformance suite finds it.
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "signorini/contact/pairs.hpp"
+
+namespace signorini {
+
+/// Where an operator samples the source.
+enum class Quadrature {
+  Segments,    ///< edges are cut where the target has a node: what is integrated is smooth
+  SourceEdges  ///< every source edge as it is
+};
+
+/// What is asked of a gap operator.
+struct GapOptions {
+  Eigen::Index n_nodes = 0;      ///< of all bodies: half the columns of the matrices
+  double thickness = 1;          ///< across the plane [length]
+  bool sliding = false;          ///< whether the matrix S is wanted
+  int points = 0;                ///< Gauss points per edge or segment; 0: the operator's own choice
+  Quadrature quadrature = Quadrature::Segments;  ///< only where an operator integrates
+};
+
+/// One member of the family.
+struct GapOperator {
+  const char* name;     ///< as in find_gap_operator() and in a scene
+  const char* summary;  ///< one line for lists
+  /// Whether a uniform pressure is transferred exactly between any two meshes of a straight interface.
+  bool passes_patch_test;
+  /// Pairs the source (slave) with the target (master).
+  ///
+  /// Points of the source that face no target are left out; the nodes that lose all their weight by it
+  /// are listed as `unpaired`. Throws ProblemError if no point faces the target, if the two
+  /// boundaries face the same way, or if they lie more than the depth of their own sides inside each other.
+  Pairs (*pair)(const Surface& source, const Surface& target, const GapOptions& options);
+};
+
+/// The family.
+/// \return all members, in the order of lists and tables
+[[nodiscard]] const std::vector<GapOperator>& gap_operators();
+
+/// Looks up a member.
+/// \param name  of the operator
+/// \return the member
+/// \throws ProblemError listing the known names if there is none
+[[nodiscard]] const GapOperator& find_gap_operator(const std::string& name);
+
+}  // namespace signorini
