@@ -31,7 +31,8 @@ void check_sizes(const QuadraticProgramme& programme, const PrimalDual& solution
           programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
           programme.A.rows(), " x ", programme.A.cols());
   require(solution.displacement.size() == n && solution.force.size() == pairs &&
-              (!has_low(solution) || solution.displacement_low.size() == n),
+              (!has_low(solution) || solution.displacement_low.size() == n) &&
+              (solution.rigid.size() == 0 || solution.rigid.size() == n),
           "certify: need ", n, " displacements and ", pairs, " forces, got ",
           solution.displacement.size(), " and ", solution.force.size());
 }
@@ -41,7 +42,10 @@ void add_stiffness_row(const QuadraticProgramme& programme, const PrimalDual& so
                        double sign, ExactSum& sum) {
   double small = 0;
   for (Eigen::SparseMatrix<double>::InnerIterator entry(programme.stiffness, row); entry; ++entry) {
-    sum.add_product(sign * entry.value(), solution.displacement(entry.row()));
+    ExactSum strained(solution.displacement(entry.row()));
+    if (solution.rigid.size() > 0) strained.add(-solution.rigid(entry.row()));
+    sum.add_product(sign * entry.value(), strained.high());
+    small += entry.value() * strained.low();
     if (has_low(solution)) small += entry.value() * solution.displacement_low(entry.row());
   }
   sum.add(sign * small);
@@ -79,7 +83,6 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
   const Eigen::VectorXd diagonal = programme.stiffness.diagonal();
   const Eigen::VectorXd contact = programme.A.transpose() * solution.force;
   Scales scale;
-  double inside = 0;
   for (Index j = 0; j < programme.load.size(); ++j)
     scale.force = std::max({scale.force, std::abs(programme.load(j)), std::abs(contact(j))});
   for (Index pair = 0; pair < programme.A.rows(); ++pair) {
@@ -94,11 +97,22 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
     scale.length = std::max(scale.length, length / norm(pair));
   }
   // If nothing pushes but what u in two doubles cannot resolve, the forces inside must balance.
-  for (Index j = 0; j < programme.load.size(); ++j)
-    inside = std::max(inside, std::abs(diagonal(j) * solution.displacement(j)));
+  double inside = 0;
+  for (const double force : Eigen::VectorXd(diagonal.cwiseProduct(strained(solution))))
+    inside = std::max(inside, std::abs(force));
   const double epsilon = std::numeric_limits<double>::epsilon();
   if (scale.force <= epsilon * epsilon * inside) scale.force = inside;
   return scale;
+}
+
+/// Whether the part of u that is claimed to be rigid strains a body.
+bool strains(const QuadraticProgramme& programme, const Eigen::VectorXd& rigid) {
+  if (rigid.size() == 0) return false;
+  const Eigen::VectorXd forces = programme.stiffness * rigid;
+  const Eigen::VectorXd terms =
+      programme.stiffness.cwiseAbs() *
+      Eigen::VectorXd::Constant(rigid.size(), rigid.cwiseAbs().maxCoeff());
+  return !(forces.array().abs() <= 1e-12 * terms.array()).all();
 }
 
 /// Whether a force is claimed for a row of A that is empty and so cannot carry any.
@@ -122,6 +136,13 @@ double Certificate::worst() const {
     largest = std::max(largest, figure);
   }
   return largest;
+}
+
+Eigen::VectorXd strained(const PrimalDual& solution) {
+  Eigen::VectorXd u = solution.displacement;
+  if (solution.rigid.size() > 0) u -= solution.rigid;
+  if (has_low(solution)) u += solution.displacement_low;
+  return u;
 }
 
 Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,
@@ -162,7 +183,8 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
   require(equations >= 0 && equations <= programme.initial_gap.size(),
           "certify: equations must be 0 to ", programme.initial_gap.size(), ", got ", equations);
   if (!all_finite(programme) || !solution.displacement.allFinite() || !solution.force.allFinite() ||
-      !solution.displacement_low.allFinite() || pushes_on_nothing(programme, solution.force))
+      !solution.displacement_low.allFinite() || pushes_on_nothing(programme, solution.force) ||
+      strains(programme, solution.rigid))
     return uncertified();
   const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
   const Eigen::VectorXd gap = gaps(programme, solution);

@@ -38,7 +38,17 @@ struct PrimalDual {
   Eigen::VectorXd displacement;      ///< u `n` [length], rounded to double
   Eigen::VectorXd displacement_low;  ///< what rounding took away, `n` [length]; empty means zero
   Eigen::VectorXd force;             ///< lambda `n_c` [force], compression > 0
+  /// The part of u that moves whole bodies `n` [length], empty if there is none. That it strains nothing
+  /// is known beforehand and not computed: K times a motion is rounding, which in a stiff body may exceed
+  /// the loads of all others. So equilibrium is that of u without it.
+  Eigen::VectorXd rigid = {};
 };
+
+/// The displacements that strain the bodies, which stresses are computed from: beside a large motion the
+/// rounding of u may be larger than all the strain of a stiff body.
+/// \param solution  u in two parts, and its rigid part
+/// \return u without the rigid part `n` [length], rounded once
+[[nodiscard]] Eigen::VectorXd strained(const PrimalDual& solution);
 
 /// Certificate of (u, lambda) against K, p, A, g. \PaperEq{XuanLi2002, 6}, \PaperEq{XuanLi2002, 21}
 ///
@@ -51,7 +61,8 @@ struct PrimalDual {
 /// \param solution   u and lambda, from any solver
 /// \param equations  so many of the first rows are equations: both signs of their gap count as
 ///   penetration, and no force as tension
-/// \return the five figures; all infinite if any number, given or claimed, is not finite
+/// \return the five figures; all infinite if any number, given or claimed, is not finite, or if the rigid
+///   part strains a body: an entry of K times it exceeds 1e-12 of its terms
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                                   Eigen::Index equations = 0);
@@ -69,7 +80,7 @@ struct PrimalDual {
 
 /// The forces that are missing in the equilibrium, summed in twice the working precision.
 /// \param programme  K, p, A
-/// \param solution   u in its two parts, and lambda
+/// \param solution   u in its two parts, and lambda; K is not applied to the rigid part
 /// \return \f$ p - K u - A^T \lambda \f$ `n` [force]
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,

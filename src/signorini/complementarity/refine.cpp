@@ -3,16 +3,141 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <tuple>
 #include <utility>
+
+#include "signorini/complementarity/bordered_system.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
 
-double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
+double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
+
+/// What closes the gaps of W, factored once: G_WW, and with rigid modes its bordered system.
+class Closing {
+ public:
+  Closing(const QuadraticProgramme& programme, const Eigen::MatrixXd& compliance,
+          const std::vector<Index>& active, const RigidModes& modes)
+      : active_(active), modes_(modes.shape) {
+    if (modes_.cols() == 0) {
+      factor_.compute(compliance(active, active));
+      regular_ = factor_.info() == Eigen::Success;
+      return;
+    }
+    scaled_ = equilibrate(floating_problem(programme, {compliance, programme.initial_gap}, modes));
+    system_.emplace(scaled_, active);
+    regular_ = system_->pairs().size() == active.size();
+  }
+
+  [[nodiscard]] bool regular() const { return regular_; }
+  [[nodiscard]] bool floats() const { return modes_.cols() > 0; }
+  [[nodiscard]] const Eigen::MatrixXd& modes() const { return modes_; }
+
+  /// Changes of the forces of W and of the amplitudes.
+  /// \param gap         of all pairs
+  /// \param unbalanced  p - K u - A^T lambda
+  [[nodiscard]] std::pair<VectorXd, VectorXd> solve(const VectorXd& gap,
+                                                    const VectorXd& unbalanced) const {
+    if (!floats())
+      return {active_.empty() ? VectorXd() : factor_.solve(-VectorXd(gap(active_))), {}};
+    const VectorXd scale = scaled_.contact.scale(active_);
+    const auto [force, amplitude] =
+        system_->solve(-scale.cwiseProduct(gap(active_)),
+                       scaled_.amplitude_scale.cwiseProduct(-modes_.transpose() * unbalanced));
+    return {scale.cwiseProduct(force), scaled_.amplitude_scale.cwiseProduct(amplitude)};
+  }
+
+ private:
+  const std::vector<Index>& active_;
+  const Eigen::MatrixXd& modes_;
+  bool regular_ = false;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  ScaledFloating scaled_;
+  std::optional<BorderedSystem> system_;
+};
+
+/// Whether no force is left along a rigid mode but what rounding makes of the terms; in K u, of as many as
+/// K has in a row.
+bool balanced(const QuadraticProgramme& programme, const PrimalDual& solution,
+              const RigidModes& modes, double rounding) {
+  if (modes.shape.cols() == 0) return true;
+  const double row = static_cast<double>(programme.stiffness.nonZeros()) /
+                     static_cast<double>(programme.stiffness.rows());
+  const VectorXd left = modes.shape.transpose() * equilibrium_residual(programme, solution);
+  const VectorXd size = modes.shape.cwiseAbs().transpose() *
+                        VectorXd(programme.load.cwiseAbs() +
+                                 programme.stiffness.cwiseAbs() * strained(solution).cwiseAbs() +
+                                 programme.A.cwiseAbs().transpose() * solution.force.cwiseAbs());
+  return (left.array().abs() <= (rounding + row * epsilon) * size.array()).all();
+}
+
+/// Whether all signs are right beyond rounding.
+bool signs_hold(const QuadraticProgramme& programme, const Refinement& result,
+                const std::vector<Index>& active, double rounding) {
+  const VectorXd& force = result.solution.force;
+  const double tension = rounding * largest(force);
+  const double overlap =
+      rounding * (largest(programme.initial_gap) + largest(result.solution.displacement));
+  std::vector<bool> is_active(static_cast<std::size_t>(force.size()), false);
+  for (const Index i : active) is_active[static_cast<std::size_t>(i)] = true;
+  for (Index i = 0; i < result.gap.size(); ++i)
+    if (is_active[static_cast<std::size_t>(i)] ? force(i) < -tension : result.gap(i) < -overlap)
+      return false;
+  return true;
+}
+
+PrimalDual started(PrimalDual start, const RigidModes& modes) {
+  const Index n = start.displacement.size();
+  if (start.displacement_low.size() == 0) start.displacement_low.setZero(n);
+  if (modes.shape.cols() > 0 && start.rigid.size() == 0) start.rigid.setZero(n);
+  return start;
+}
+
+/// What one sweep adds.
+struct Correction {
+  VectorXd displacement;
+  VectorXd force;  ///< of W
+};
+
+/// Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
+/// sweeps mend it; what they move is so small that it may as well strain the bodies.
+constexpr Index rigid_sweeps = 2;
+
+Correction sweep(const QuadraticProgramme& programme,
+                 const std::function<VectorXd(const VectorXd&)>& solve_stiffness,
+                 const Closing& closing, const std::vector<Index>& active, Refinement& result) {
+  PrimalDual& solution = result.solution;
+  Correction change;
+  const VectorXd unbalanced = equilibrium_residual(programme, solution);
+  change.displacement = solve_stiffness(unbalanced);
+  add_displacement(solution, change.displacement);
+  ++result.sweeps;
+  result.gap = gaps(programme, solution);
+  VectorXd amplitude;
+  std::tie(change.force, amplitude) = closing.solve(result.gap, unbalanced);
+  for (std::size_t k = 0; k < active.size(); ++k)
+    solution.force(active[k]) += change.force(static_cast<Index>(k));
+  if (!closing.floats()) return change;
+  VectorXd moved = closing.modes() * amplitude;
+  result.amplitude += amplitude;
+  change.displacement += moved;
+  if (result.sweeps <= rigid_sweeps) {
+    const VectorXd last = solution.rigid;
+    solution.rigid += moved;
+    moved = solution.rigid - last;
+  }
+  add_displacement(solution, moved);
+  result.gap = gaps(programme, solution);
+  return change;
+}
 
 }  // namespace
 
@@ -29,52 +154,36 @@ void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
 Refinement refine(const QuadraticProgramme& programme,
                   const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
                   const Eigen::MatrixXd& compliance, PrimalDual start,
-                  const std::vector<Index>& active) {
+                  const std::vector<Index>& active, const RigidModes& modes) {
+  const Closing closing(programme, compliance, active, modes);
   Refinement result;
-  PrimalDual& solution = result.solution;
-  solution = std::move(start);
-  if (solution.displacement_low.size() == 0)
-    solution.displacement_low.setZero(solution.displacement.size());
-  const Eigen::LLT<Eigen::MatrixXd> factor(compliance(active, active));
+  result.solution = started(std::move(start), modes);
+  result.amplitude.setZero(modes.shape.cols());
+  const PrimalDual& solution = result.solution;
 
-  const double rounding =
-      std::numeric_limits<double>::epsilon() * static_cast<double>(active.size() + 1);
+  const double rounding = epsilon * static_cast<double>(active.size() + 1);
+  const Index first = closing.floats() ? rigid_sweeps + 1 : 1;  // from here on corrections shrink
   double rate = 1;
   double last_u = std::numeric_limits<double>::infinity();
   double last_force = last_u;
   bool settled = false;
-  while (factor.info() == Eigen::Success) {
-    const Eigen::VectorXd change = solve_stiffness(equilibrium_residual(programme, solution));
-    add_displacement(solution, change);
-    ++result.sweeps;
-    result.gap = gaps(programme, solution);
-    Eigen::VectorXd force_change;
-    if (!active.empty()) {
-      force_change = factor.solve(-Eigen::VectorXd(result.gap(active)));
-      for (std::size_t k = 0; k < active.size(); ++k)
-        solution.force(active[k]) += force_change(static_cast<Index>(k));
-    }
-    // The corrections just made, relative to what they correct. The second sweep shows by how much one
+  while (closing.regular()) {
+    const Correction change = sweep(programme, solve_stiffness, closing, active, result);
+    if (result.sweeps < first) continue;
+    // The corrections just made, relative to what they correct. The next sweep shows by how much one
     // sweep shrinks the error of u; once lambda has settled, the next correction will be that much smaller.
-    const double moved_u = ratio(largest(change), largest(solution.displacement));
-    const double moved_force = ratio(largest(force_change), largest(solution.force));
-    if (result.sweeps == 2) rate = std::min(1.0, ratio(moved_u, last_u));
+    const double moved_u = ratio(largest(change.displacement), largest(solution.displacement));
+    const double moved_force = ratio(largest(change.force), largest(solution.force));
+    if (result.sweeps == first + 1) rate = std::min(1.0, ratio(moved_u, last_u));
     settled = moved_u * rate <= rounding && moved_force <= rounding;
     const bool stalled = !(moved_u < 0.5 * last_u) && !(moved_force < 0.5 * last_force);
     if (settled || stalled) break;
     last_u = moved_u;
     last_force = moved_force;
   }
-  result.confirmed = settled && solution.displacement.allFinite() && solution.force.allFinite();
-  const double tension = rounding * largest(solution.force);
-  const double overlap =
-      rounding * (largest(programme.initial_gap) + largest(solution.displacement));
-  std::vector<bool> is_active(static_cast<std::size_t>(solution.force.size()), false);
-  for (const Index i : active) is_active[static_cast<std::size_t>(i)] = true;
-  for (Index i = 0; i < result.gap.size(); ++i)
-    if (is_active[static_cast<std::size_t>(i)] ? solution.force(i) < -tension
-                                               : result.gap(i) < -overlap)
-      result.confirmed = false;
+  result.confirmed = settled && solution.displacement.allFinite() && solution.force.allFinite() &&
+                     signs_hold(programme, result, active, rounding) &&
+                     balanced(programme, solution, modes, rounding);
   return result;
 }
 
