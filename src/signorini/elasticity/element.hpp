@@ -93,7 +93,7 @@ struct GaussPoint {
 /// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_square(int n);
 /// The Gauss rule on the interval [-1, 1].
-/// \param n  1, 2 or 3
+/// \param n  1 to 6
 /// \return points with eta = 0 and xi increasing; the weights add up to 2
 /// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_line(int n);

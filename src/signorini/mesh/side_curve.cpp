@@ -51,7 +51,7 @@ double rising_root(const Cubic& f, double low, double high) {
 
 SideShape side_shape(std::size_t n_nodes, double xi) {
   if (n_nodes == 2) return {{(1 - xi) / 2, (1 + xi) / 2, 0}, {-0.5, 0.5, 0}};
-  return {{xi * (xi - 1) / 2, (1 - xi) * (1 + xi), xi * (xi + 1) / 2},
+  return {{xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2},
           {xi - 0.5, -2 * xi, xi + 0.5}};
 }
 
