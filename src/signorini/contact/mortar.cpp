@@ -1,0 +1,141 @@
+#include "signorini/contact/mortar.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "signorini/contact/mortar_segments.hpp"
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+/// What the corners of the source collect from the edges: integrals of psi_i times something.
+class Collector {
+ public:
+  Collector(const TargetSearch& source, Index source_first, Index target_first, bool sliding);
+
+  /// Adds psi_i of one point of an edge, times the point's gap and motion, to both corners.
+  void add(const SideCurve& edge, const FacingPoint& point, const SideCurve& facing,
+           const Vector2d& psi);
+  /// Adds the integrals of psi_i over an edge.
+  void add_weight(const SideCurve& edge, const DualBasis& basis);
+  /// Divides by the weights.
+  [[nodiscard]] Pairs pairs(const Mesh& mesh, Index n_nodes, double thickness) const;
+
+ private:
+  struct Sums {
+    double weight = 0;
+    double gap = 0;
+    Vector2d normal = Vector2d::Zero();
+    std::map<Index, double> opening, sliding;  // by column
+  };
+  /// Adds what the motion of a node does to the pair of a corner.
+  void move(Sums& sums, Index node, double amount, const Vector2d& normal) const;
+
+  Index source_first_, target_first_;
+  bool sliding_;
+  std::vector<Index> corners_;  // of the source, in walking order
+  std::map<Index, Sums> sums_;  // by node of the source
+};
+
+Collector::Collector(const TargetSearch& source, Index source_first, Index target_first,
+                     bool sliding)
+    : source_first_(source_first), target_first_(target_first), sliding_(sliding) {
+  for (Index s = 0; s < source.n_sides(); ++s)
+    for (const Index node : {source.side(s).nodes().front(), source.side(s).nodes().back()})
+      if (sums_.try_emplace(node).second) corners_.push_back(node);
+}
+
+void Collector::move(Sums& sums, Index node, double amount, const Vector2d& normal) const {
+  for (Index axis = 0; axis < 2; ++axis) {
+    sums.opening[2 * node + axis] += amount * normal(axis);
+    if (sliding_) sums.sliding[2 * node + axis] += amount * (axis == 0 ? normal(1) : -normal(0));
+  }
+}
+
+void Collector::add(const SideCurve& edge, const FacingPoint& point, const SideCurve& facing,
+                    const Vector2d& psi) {
+  const SideShape N = edge.shape(point.at.s);
+  const SideShape M = facing.shape(point.target.xi);
+  const std::size_t corner[2] = {0, edge.nodes().size() - 1};
+  for (Index i = 0; i < 2; ++i) {
+    const double amount = point.at.length * psi(i);
+    if (amount == 0) continue;
+    Sums& sums = sums_.at(edge.nodes()[corner[i]]);
+    sums.gap += amount * point.target.gap;
+    sums.normal += amount * point.target.normal;
+    for (std::size_t k = 0; k < edge.nodes().size(); ++k)
+      move(sums, source_first_ + edge.nodes()[k], amount * N.value(static_cast<Index>(k)),
+           point.target.normal);
+    for (std::size_t k = 0; k < facing.nodes().size(); ++k)
+      move(sums, target_first_ + facing.nodes()[k], -amount * M.value(static_cast<Index>(k)),
+           point.target.normal);
+  }
+}
+
+void Collector::add_weight(const SideCurve& edge, const DualBasis& basis) {
+  sums_.at(edge.nodes().front()).weight += basis.length * basis.mean(0);
+  sums_.at(edge.nodes().back()).weight += basis.length * basis.mean(1);
+}
+
+Pairs Collector::pairs(const Mesh& mesh, Index n_nodes, double thickness) const {
+  Pairs pairs;
+  for (const Index node : corners_)
+    (sums_.at(node).weight > 0 ? pairs.node : pairs.unpaired).push_back(node);
+  const Index n_pairs = static_cast<Index>(pairs.node.size());
+  pairs.initial_gap.resize(n_pairs);
+  pairs.weight.resize(n_pairs);
+  pairs.position.resize(n_pairs, 2);
+  pairs.normal.resize(n_pairs, 2);
+  std::vector<Eigen::Triplet<double>> opening;
+  std::vector<Eigen::Triplet<double>> sliding;
+  for (Index pair = 0; pair < n_pairs; ++pair) {
+    const Index node = pairs.node[static_cast<std::size_t>(pair)];
+    const Sums& sums = sums_.at(node);
+    pairs.initial_gap(pair) = sums.gap / sums.weight;
+    pairs.weight(pair) = thickness * sums.weight;
+    pairs.position.row(pair) = mesh.nodes.row(node);
+    pairs.normal.row(pair) = sums.normal.normalized().transpose();
+    const int row = static_cast<int>(pair);
+    for (const auto& [column, sum] : sums.opening)
+      opening.emplace_back(row, static_cast<int>(column), sum / sums.weight);
+    for (const auto& [column, sum] : sums.sliding)
+      sliding.emplace_back(row, static_cast<int>(column), sum / sums.weight);
+  }
+  pairs.opening.resize(n_pairs, 2 * n_nodes);
+  pairs.opening.setFromTriplets(opening.begin(), opening.end());
+  pairs.sliding.resize(n_pairs, 2 * n_nodes);
+  pairs.sliding.setFromTriplets(sliding.begin(), sliding.end());
+  return pairs;
+}
+
+}  // namespace
+
+Pairs mortar(const Surface& source, const Surface& target, const GapOptions& options) {
+  const TargetSearch edges(source.mesh, source.boundary);
+  const TargetSearch faced(target.mesh, target.boundary);
+  const bool cut = options.quadrature == Quadrature::Segments;
+  const bool curved = source.mesh.cells.cols() == 8 || target.mesh.cells.cols() == 8;
+  const int points = options.points > 0 ? options.points : (cut && curved ? 3 : 2);
+  std::vector<std::vector<double>> cuts(static_cast<std::size_t>(edges.n_sides()));
+  if (cut) cuts = segment_cuts(edges, faced);
+
+  Collector collector(edges, source.first_node, target.first_node, options.sliding);
+  for (Index s = 0; s < edges.n_sides(); ++s) {
+    const SideCurve& edge = edges.side(s);
+    const EdgeSamples samples = sample_edge(edge, faced, cuts[static_cast<std::size_t>(s)], points);
+    std::vector<EdgePoint> covered;
+    for (const FacingPoint& point : samples.facing) covered.push_back(point.at);
+    const DualBasis basis = dual_basis(covered, samples.share);
+    for (const FacingPoint& point : samples.facing)
+      collector.add(edge, point, faced.side(point.target.side), basis.value(point.at.s));
+    collector.add_weight(edge, basis);
+  }
+  return collector.pairs(source.mesh, options.n_nodes, options.thickness);
+}
+
+}  // namespace signorini
