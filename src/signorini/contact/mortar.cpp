@@ -21,10 +21,10 @@ class Collector {
   /// Adds psi_i of one point of an edge, times the point's gap and motion, to both corners.
   void add(const SideCurve& edge, const FacingPoint& point, const SideCurve& facing,
            const Vector2d& psi);
-  /// Adds the integrals of psi_i over an edge.
+  /// Adds the integrals of psi_i over an edge, which is bare if they are zero.
   void add_weight(const SideCurve& edge, const DualBasis& basis);
   /// Divides by the weights.
-  [[nodiscard]] Pairs pairs(const Mesh& mesh, Index n_nodes, double thickness) const;
+  [[nodiscard]] Pairs pairs(const Surface& source, const GapOptions& options) const;
 
  private:
   struct Sums {
@@ -38,8 +38,8 @@ class Collector {
 
   Index source_first_, target_first_;
   bool sliding_;
-  std::vector<Index> corners_;  // of the source, in walking order
-  std::map<Index, Sums> sums_;  // by node of the source
+  std::map<Index, Sums> sums_;  // by corner of the source
+  std::set<Index> bare_;        // midpoints of edges that face nothing
 };
 
 Collector::Collector(const TargetSearch& source, Index source_first, Index target_first,
@@ -47,7 +47,7 @@ Collector::Collector(const TargetSearch& source, Index source_first, Index targe
     : source_first_(source_first), target_first_(target_first), sliding_(sliding) {
   for (Index s = 0; s < source.n_sides(); ++s)
     for (const Index node : {source.side(s).nodes().front(), source.side(s).nodes().back()})
-      if (sums_.try_emplace(node).second) corners_.push_back(node);
+      sums_.try_emplace(node);
 }
 
 void Collector::move(Sums& sums, Index node, double amount, const Vector2d& normal) const {
@@ -80,12 +80,18 @@ void Collector::add(const SideCurve& edge, const FacingPoint& point, const SideC
 void Collector::add_weight(const SideCurve& edge, const DualBasis& basis) {
   sums_.at(edge.nodes().front()).weight += basis.length * basis.mean(0);
   sums_.at(edge.nodes().back()).weight += basis.length * basis.mean(1);
+  if (basis.length == 0 && edge.nodes().size() == 3) bare_.insert(edge.nodes()[1]);
 }
 
-Pairs Collector::pairs(const Mesh& mesh, Index n_nodes, double thickness) const {
+Pairs Collector::pairs(const Surface& source, const GapOptions& options) const {
   Pairs pairs;
-  for (const Index node : corners_)
-    (sums_.at(node).weight > 0 ? pairs.node : pairs.unpaired).push_back(node);
+  for (const Index node : boundary_nodes(source.mesh, source.boundary)) {
+    const auto corner = sums_.find(node);
+    if (corner != sums_.end() && corner->second.weight > 0)
+      pairs.node.push_back(node);
+    else if (corner != sums_.end() || bare_.count(node) != 0)
+      pairs.unpaired.push_back(node);
+  }
   const Index n_pairs = static_cast<Index>(pairs.node.size());
   pairs.initial_gap.resize(n_pairs);
   pairs.weight.resize(n_pairs);
@@ -97,8 +103,8 @@ Pairs Collector::pairs(const Mesh& mesh, Index n_nodes, double thickness) const 
     const Index node = pairs.node[static_cast<std::size_t>(pair)];
     const Sums& sums = sums_.at(node);
     pairs.initial_gap(pair) = sums.gap / sums.weight;
-    pairs.weight(pair) = thickness * sums.weight;
-    pairs.position.row(pair) = mesh.nodes.row(node);
+    pairs.weight(pair) = options.thickness * sums.weight;
+    pairs.position.row(pair) = source.mesh.nodes.row(node);
     pairs.normal.row(pair) = sums.normal.normalized().transpose();
     const int row = static_cast<int>(pair);
     for (const auto& [column, sum] : sums.opening)
@@ -106,9 +112,9 @@ Pairs Collector::pairs(const Mesh& mesh, Index n_nodes, double thickness) const 
     for (const auto& [column, sum] : sums.sliding)
       sliding.emplace_back(row, static_cast<int>(column), sum / sums.weight);
   }
-  pairs.opening.resize(n_pairs, 2 * n_nodes);
+  pairs.opening.resize(n_pairs, 2 * options.n_nodes);
   pairs.opening.setFromTriplets(opening.begin(), opening.end());
-  pairs.sliding.resize(n_pairs, 2 * n_nodes);
+  pairs.sliding.resize(n_pairs, 2 * options.n_nodes);
   pairs.sliding.setFromTriplets(sliding.begin(), sliding.end());
   return pairs;
 }
@@ -135,7 +141,7 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
       collector.add(edge, point, faced.side(point.target.side), basis.value(point.at.s));
     collector.add_weight(edge, basis);
   }
-  return collector.pairs(source.mesh, options.n_nodes, options.thickness);
+  return collector.pairs(source, options);
 }
 
 }  // namespace signorini
