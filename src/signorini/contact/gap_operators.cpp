@@ -1,6 +1,7 @@
 #include "signorini/contact/gap_operators.hpp"
 
 #include "signorini/contact/gauss_points.hpp"
+#include "signorini/contact/mortar.hpp"
 #include "signorini/contact/node_to_segment.hpp"
 #include "signorini/core/errors.hpp"
 
@@ -12,6 +13,7 @@ const std::vector<GapOperator>& gap_operators() {
        node_to_segment},
       {"gauss_points", "every Gauss point of the source against the side it faces", false,
        gauss_points},
+      {"mortar", "gaps weighted over the edges around every node of the source", true, mortar},
   };
   return all;
 }

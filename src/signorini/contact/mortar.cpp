@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 /// What the corners of the source collect from the edges: integrals of psi_i times something.
 class Collector {
  public:
-  Collector(const TargetSearch& source, Index source_first, Index target_first, bool sliding);
+  Collector(const Interface& interface, bool sliding);
 
   /// Adds psi_i of one point of an edge, times the point's gap and motion, to both corners.
   void add(const SideCurve& edge, const FacingPoint& point, const SideCurve& facing,
@@ -42,12 +42,12 @@ class Collector {
   std::set<Index> bare_;        // midpoints of edges that face nothing
 };
 
-Collector::Collector(const TargetSearch& source, Index source_first, Index target_first,
-                     bool sliding)
-    : source_first_(source_first), target_first_(target_first), sliding_(sliding) {
-  for (Index s = 0; s < source.n_sides(); ++s)
-    for (const Index node : {source.side(s).nodes().front(), source.side(s).nodes().back()})
-      sums_.try_emplace(node);
+Collector::Collector(const Interface& interface, bool sliding)
+    : source_first_(interface.source().first_node),
+      target_first_(interface.target().first_node),
+      sliding_(sliding) {
+  for (const SideCurve& edge : interface.source_sides())
+    for (const Index node : {edge.nodes().front(), edge.nodes().back()}) sums_.try_emplace(node);
 }
 
 void Collector::move(Sums& sums, Index node, double amount, const Vector2d& normal) const {
@@ -122,26 +122,30 @@ Pairs Collector::pairs(const Surface& source, const GapOptions& options) const {
 }  // namespace
 
 Pairs mortar(const Surface& source, const Surface& target, const GapOptions& options) {
-  const TargetSearch edges(source.mesh, source.boundary);
-  const TargetSearch faced(target.mesh, target.boundary);
+  pose(options.points >= 0 && options.points <= 16,
+       "mortar: there are rules of 1 to 16 points (0: its own choice), got ", options.points);
+  const Interface interface(source, target, options);
+  const std::vector<SideCurve>& edges = interface.source_sides();
   const bool cut = options.quadrature == Quadrature::Segments;
   const bool curved = source.mesh.cells.cols() == 8 || target.mesh.cells.cols() == 8;
   const int points = options.points > 0 ? options.points : (cut && curved ? 3 : 2);
-  std::vector<std::vector<double>> cuts(static_cast<std::size_t>(edges.n_sides()));
-  if (cut) cuts = segment_cuts(edges, faced);
+  std::vector<std::vector<double>> cuts(edges.size());
+  if (cut) cuts = segment_cuts(interface);
 
-  Collector collector(edges, source.first_node, target.first_node, options.sliding);
-  for (Index s = 0; s < edges.n_sides(); ++s) {
-    const SideCurve& edge = edges.side(s);
-    const EdgeSamples samples = sample_edge(edge, faced, cuts[static_cast<std::size_t>(s)], points);
+  Collector collector(interface, options.sliding);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const EdgeSamples samples = sample_edge(edges[k], interface, cuts[k], points);
     std::vector<EdgePoint> covered;
     for (const FacingPoint& point : samples.facing) covered.push_back(point.at);
     const DualBasis basis = dual_basis(covered, samples.share);
     for (const FacingPoint& point : samples.facing)
-      collector.add(edge, point, faced.side(point.target.side), basis.value(point.at.s));
-    collector.add_weight(edge, basis);
+      collector.add(edges[k], point, interface.search().side(point.target.side),
+                    basis.value(point.at.s));
+    collector.add_weight(edges[k], basis);
   }
-  return collector.pairs(source, options);
+  Pairs pairs = collector.pairs(source, options);
+  interface.check_paired(pairs.node.size());
+  return pairs;
 }
 
 }  // namespace signorini

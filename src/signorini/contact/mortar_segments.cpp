@@ -25,8 +25,9 @@ void tidy(std::vector<double>& cuts) {
 
 }  // namespace
 
-std::vector<std::vector<double>> segment_cuts(const TargetSearch& source,
-                                              const TargetSearch& target) {
+std::vector<std::vector<double>> segment_cuts(const Interface& interface) {
+  const TargetSearch source(interface.source().mesh, interface.source().boundary);
+  const TargetSearch& target = interface.search();
   std::vector<std::vector<double>> cuts(static_cast<std::size_t>(source.n_sides()));
   const auto cut = [&](const Vector2d& from, const Vector2d& normal) {
     const Projection seen = source.along(from, normal);
@@ -47,7 +48,7 @@ std::vector<std::vector<double>> segment_cuts(const TargetSearch& source,
   return cuts;
 }
 
-EdgeSamples sample_edge(const SideCurve& edge, const TargetSearch& target,
+EdgeSamples sample_edge(const SideCurve& edge, const Interface& interface,
                         const std::vector<double>& cuts, int points) {
   EdgeSamples samples;
   double begin = -1;
@@ -58,7 +59,7 @@ EdgeSamples sample_edge(const SideCurve& edge, const TargetSearch& target,
       const double s = 0.5 * (begin + end) + half * gauss.xi;
       const EdgePoint at{s, half * gauss.weight * edge.tangent(s).norm()};
       samples.share += at.length * corner_shape(s);
-      const Projection seen = target.closest(edge.point(s), edge.normal(s));
+      const Projection seen = interface.closest(edge.point(s), edge.normal(s));
       if (seen.found) samples.facing.push_back({at, seen});
     }
     begin = end;

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "signorini/contact/dual_basis.hpp"
-#include "signorini/contact/gap_operators.hpp"
-#include "signorini/contact/target_search.hpp"
+#include "signorini/contact/interface.hpp"
 
 namespace signorini {
 
@@ -27,19 +26,18 @@ struct EdgeSamples {
 ///
 /// Between its two normals a vertex that sticks out is the place that the source faces; on the bisector of
 /// one that recedes, the source changes from one side of the target to the other.
-/// \param source  sides of the source
-/// \param target  sides of the target
+/// \param interface  of source and target
 /// \return for each side of the source the places between its ends, increasing, none twice [-]
-[[nodiscard]] std::vector<std::vector<double>> segment_cuts(const TargetSearch& source,
-                                                            const TargetSearch& target);
+[[nodiscard]] std::vector<std::vector<double>> segment_cuts(const Interface& interface);
 
 /// Samples one edge of the source.
-/// \param edge    of the source
-/// \param target  its sides
-/// \param cuts    where the edge is cut into segments, increasing; none: the edge as it is
-/// \param points  Gauss points per segment
+/// \param edge       of the source
+/// \param interface  of source and target
+/// \param cuts       where the edge is cut into segments, increasing; none: the edge as it is
+/// \param points     Gauss points per segment
 /// \return points that face the target, and the share of the edge's corners
-[[nodiscard]] EdgeSamples sample_edge(const SideCurve& edge, const TargetSearch& target,
+/// \throws ProblemError as Interface::closest()
+[[nodiscard]] EdgeSamples sample_edge(const SideCurve& edge, const Interface& interface,
                                       const std::vector<double>& cuts, int points);
 
 }  // namespace signorini

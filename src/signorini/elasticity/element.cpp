@@ -1,6 +1,7 @@
 #include "signorini/elasticity/element.hpp"
 
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
@@ -65,17 +66,18 @@ void sample_strain(Shape (*shape)(double xi, double eta), const std::vector<Gaus
 }
 
 const std::vector<GaussPoint>& gauss_line(int n) {
-  static const double two = std::sqrt(1.0 / 3.0);
-  static const double three = std::sqrt(0.6);
-  static const std::vector<GaussPoint> rules[] = {
-      {{0, 0, 2}},
-      {{-two, 0, 1}, {two, 0, 1}},
-      {{-three, 0, 5.0 / 9.0}, {0, 0, 8.0 / 9.0}, {three, 0, 5.0 / 9.0}},
-      legendre_rule(4),
-      legendre_rule(5),
-      legendre_rule(6)};
-  require(n >= 1 && n <= 6, "gauss_line: rules have 1 to 6 points, got ", n);
-  return rules[n - 1];
+  static const std::array<std::vector<GaussPoint>, 16> rules = [] {
+    const double two = std::sqrt(1.0 / 3.0);
+    const double three = std::sqrt(0.6);
+    std::array<std::vector<GaussPoint>, 16> made;
+    made[0] = {{0, 0, 2}};
+    made[1] = {{-two, 0, 1}, {two, 0, 1}};
+    made[2] = {{-three, 0, 5.0 / 9.0}, {0, 0, 8.0 / 9.0}, {three, 0, 5.0 / 9.0}};
+    for (int m = 4; m <= 16; ++m) made[static_cast<std::size_t>(m - 1)] = legendre_rule(m);
+    return made;
+  }();
+  require(n >= 1 && n <= 16, "gauss_line: rules have 1 to 16 points, got ", n);
+  return rules[static_cast<std::size_t>(n - 1)];
 }
 
 const std::vector<GaussPoint>& gauss_square(int n) {
