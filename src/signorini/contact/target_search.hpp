@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "signorini/contact/side_tree.hpp"
 #include "signorini/mesh/mesh.hpp"
 #include "signorini/mesh/side_curve.hpp"
 
@@ -38,13 +39,15 @@ inline constexpr double end_tolerance = 2e-6;
 ///   the point; midway between the two if they coincide;
 /// - a point at the same distance from two sides that meet is given their common vertex, a point at
 ///   the same distance from other sides the one that comes first in the list of the boundary;
-/// - a point beyond an end by more than end_tolerance faces nothing, nor does one that lies behind a
-///   side by more than the depth of its cell.
+/// - an end of a boundary that curves is a vertex too, as if there were a next side with the same turn:
+///   what lies on a line of symmetry is not lost because sides are straight;
+/// - a point beyond an end by more than that faces nothing, nor does one that lies behind a side by
+///   more than the depth of its cell.
 class TargetSearch {
  public:
   /// \param mesh      of the target; must outlive the search
   /// \param boundary  its boundary that may be touched
-  /// \throws ProblemError if there is no such boundary
+  /// \throws ProblemError if there is no such boundary, or it has no sides
   TargetSearch(const Mesh& mesh, const std::string& boundary);
 
   /// \return number of sides
@@ -70,32 +73,29 @@ class TargetSearch {
   /// \param highest  opposite corner [length]
   /// \return their numbers, increasing
   [[nodiscard]] std::vector<Eigen::Index> near(const Eigen::Vector2d& lowest,
-                                               const Eigen::Vector2d& highest) const;
+                                               const Eigen::Vector2d& highest) const {
+    return tree_.near(lowest, highest);
+  }
   /// How far the cell behind a side reaches into the body.
   /// \param number  of the side
   /// \return greatest distance of the other corners from the line through its ends [length]
   [[nodiscard]] double depth(Eigen::Index number) const;
 
  private:
-  /// A box around sides, and all normals that a projection on them can have.
-  struct Box {
-    Eigen::Vector2d lowest, highest;
-    Eigen::Vector2d axis;      // middle of the normals
-    double spread = 0;         // angle between the axis and the farthest normal, pi at most [rad]
-    double slack = 0;          // by how much a projection may miss the box [length]
-    Eigen::Index first = -1;   // child, or number of the side in a leaf
-    Eigen::Index second = -1;  // child, or -1 in a leaf
-  };
   struct Candidate;
   struct Query;
 
-  [[nodiscard]] Box leaf(Eigen::Index number) const;
-  Eigen::Index build(std::vector<Box>& leaves, std::size_t begin, std::size_t end);
+  [[nodiscard]] SideTree make_tree();
+  [[nodiscard]] SideBox leaf(Eigen::Index number) const;
   void look(Eigen::Index box, Query& query) const;
   void look_along(Eigen::Index box, Query& query) const;
   void consider(Eigen::Index number, Query& query) const;
   [[nodiscard]] Eigen::Index neighbour(Eigen::Index number, int end) const;
+  [[nodiscard]] Eigen::Vector2d normal_beyond(Eigen::Index number, int end) const;
+  [[nodiscard]] bool next_faces(Eigen::Index number, int end, const Query& query) const;
+  [[nodiscard]] bool settle_end(Candidate& candidate, const Query& query) const;
   [[nodiscard]] Projection at_vertex(Eigen::Index number, int end, const Query& query) const;
+  [[nodiscard]] Projection on_side(const Candidate& best, const Query& query) const;
   [[nodiscard]] Projection chosen(Query& query) const;
   [[nodiscard]] bool inside_body(const Eigen::Vector2d& x) const;
 
@@ -103,8 +103,8 @@ class TargetSearch {
   std::string boundary_;
   std::vector<SideCurve> sides_;
   std::vector<Eigen::Index> before_, after_;  // neighbours, -1 at the ends of the boundary
-  std::vector<Box> tree_;                     // its root is the last
   double size_ = 0;                           // largest coordinate, for rounding
+  SideTree tree_;
 };
 
 }  // namespace signorini
