@@ -2,7 +2,6 @@
 
 #include "catch_compat.hpp"
 #include "signorini/closed_form/brazilian.hpp"
-#include "signorini/closed_form/moduli.hpp"
 #include "support/quadrature.hpp"
 
 using namespace signorini;
@@ -12,9 +11,6 @@ namespace {
 
 const SqueezedDisc disc{50, 41.76};  // of the paper [mm, N/mm]
 const double unit = brazilian_strength(disc);
-const double body_modulus = plane_strain_modulus(4000, 0.35);
-const double body_ratio = plane_strain_ratio(0.35);
-const LineContact plate{50, contact_modulus(body_modulus, body_modulus), 41.76};
 
 /// Traction on a cut with the normal (sin theta, cos theta).
 Eigen::Vector2d traction(const Eigen::Vector3d& s, double theta) {
@@ -129,46 +125,4 @@ TEST_CASE("disc under arcs: rim, cuts, equilibrium, and the limit of two lines",
           Approx(tension).margin(6e-5));
   CHECK_THROWS_WITH(arc_loaded_disc_stress(disc, 2, 0, 0), ContainsSubstring("half an arc"));
   CHECK_THROWS_AS(arc_loaded_disc_stress(disc, 1, 0, 50), std::invalid_argument);
-}
-
-TEST_CASE("disc between plates: the axis by the series of the whole disc under Hertz' pressure",
-          "[brazilian]") {
-  const double b = hertz_half_width(plate), q0 = hertz_peak_pressure(plate);
-  // Radial pressure q0 sqrt(1 - (R theta / b)^2) at both ends: a sum of arcs, each a uniform load.
-  for (const double z : {2., 4., 10., 30., 50.}) {
-    CAPTURE(z);
-    const Eigen::Vector3d s = plate_loaded_disc_stress(plate, 50, z);
-    Eigen::Vector3d sum;
-    for (int k = 0; k < 2; ++k)
-      sum[k] = quadrature::integral(
-          [&](double t) {  // t = R alpha / b; -dp of the arc alpha
-            const double alpha = t * b / 50;
-            const double weight = q0 * t / std::sqrt((1 - t) * (1 + t));
-            const SqueezedDisc unit_pressure{50, 100 * std::sin(alpha)};
-            return weight * arc_loaded_disc_stress(unit_pressure, alpha, 0, 50 - z)[k];
-          },
-          0, 1);
-    const double margin = z < 4 ? 0.05 * unit : 0.01 * unit;  // radial or vertical loads, (b/z)^2
-    CHECK(s[0] == Approx(sum[0]).margin(margin));
-    CHECK(s[1] == Approx(sum[1]).epsilon(4e-3).margin(0));
-  }
-  CHECK(plate_loaded_disc_stress(plate, 50, 10)[0] == Approx(0.2582).margin(5e-5));
-  CHECK(plate_loaded_disc_stress(plate, 50, 30)[0] == Approx(0.265566).margin(5e-7));
-  const double zero = tension_depth(plate, 50);
-  CHECK(zero == Approx(2.95068).epsilon(1e-6).margin(0));
-  CHECK(std::abs(plate_loaded_disc_stress(plate, 50, zero)[0]) < 1e-12);
-  CHECK(zero == Approx(std::cbrt(50 * b * b / 2)).epsilon(0.05));
-  CHECK_THROWS_WITH(plate_loaded_disc_stress(plate, 50, 51), ContainsSubstring("no depth of 51"));
-}
-
-TEST_CASE("disc between plates: the strain of the axis sums to the approach of the centre",
-          "[brazilian][hertz]") {
-  const double approach = quadrature::integral(
-      [](double z) {
-        const Eigen::Vector3d s = plate_loaded_disc_stress(plate, 50, z);
-        return (body_ratio * s[0] - s[1]) / body_modulus;
-      },
-      {0, 1, 10, 50});
-  // equal up to (b/R)^2
-  CHECK(disc_approach(plate, body_modulus, 50) == Approx(approach).epsilon(1e-4).margin(0));
 }

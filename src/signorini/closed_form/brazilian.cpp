@@ -63,23 +63,4 @@ Eigen::Vector3d arc_loaded_disc_stress(const SqueezedDisc& disc, double half_ang
   return {mean - half * c2 + shear * s2, mean + half * c2 - shear * s2, half * s2 + shear * c2};
 }
 
-Eigen::Vector3d plate_loaded_disc_stress(const LineContact& plate, double disc, double depth) {
-  require(depth >= 0 && depth <= disc, "disc of radius ", disc, ": no depth of ", depth);
-  const double uniform = brazilian_strength({disc, plate.force});
-  const double opposite = 2 * plate.force / (pi * (2 * disc - depth));
-  return hertz_stress(plate, 0, depth) + Eigen::Vector3d(uniform, uniform - opposite, 0);
-}
-
-double tension_depth(const LineContact& plate, double disc) {
-  double low = 0;
-  double high = disc;
-  require(plate_loaded_disc_stress(plate, disc, high)[0] > 0, "disc of radius ", disc,
-          ": compressed up to the centre, the contact is too wide for the theory");
-  while (true) {
-    const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high) return high;
-    (plate_loaded_disc_stress(plate, disc, middle)[0] < 0 ? low : high) = middle;
-  }
-}
-
 }  // namespace signorini

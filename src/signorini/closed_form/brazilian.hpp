@@ -1,12 +1,10 @@
 /// \file
-/// A disc squeezed across its diameter: by two lines, by two arcs, by two plates.
+/// A disc squeezed across its diameter by two lines or two arcs.
 ///
 /// The load acts along y on the points (0, R) and (0, -R). Stress is that of thin and of long discs
 /// alike, and forces are per thickness; stresses are tension > 0.
 #pragma once
 #include <Eigen/Core>
-
-#include "signorini/closed_form/hertz.hpp"
 
 namespace signorini {
 
@@ -60,32 +58,5 @@ struct SqueezedDisc {
 ///   point not inside of the disc
 [[nodiscard]] Eigen::Vector3d arc_loaded_disc_stress(const SqueezedDisc& disc, double half_angle,
                                                      double x, double y);
-
-/// Stress on the loaded diameter of a disc between two elastic plates.
-///
-/// Near its contact the load is the pressure of Hertz, and the other load is far away, a line:
-/// \f[ \sigma_x = \frac{P}{\pi R} + \sigma_x^{\mathrm{Hertz}}(z),\quad
-///     \sigma_y = \frac{P}{\pi R} + \sigma_y^{\mathrm{Hertz}}(z) - \frac{2 P}{\pi (2 R - z)}. \f]
-/// The pressure is taken to act along the axis. Were it normal to the round rim, which is a matter of
-/// b/R, \f$ \sigma_x \f$ of the paper's disc would differ by 0.6 % of q_0 at z = b/2 and by less than
-/// 0.01 of P / (pi R) from z = 3 b on.
-/// \param plate  contact of one plate with the disc, with P
-/// \param disc   R of the disc, equal to that of the contact if the plate is flat [length], > 0
-/// \param depth  z below the contact [length], from 0 to the centre at R
-/// \return (xx, yy, 0) [force/length^2]
-/// \throws std::invalid_argument as hertz_stress(), or unless 0 <= depth <= R
-[[nodiscard]] Eigen::Vector3d plate_loaded_disc_stress(const LineContact& plate, double disc,
-                                                       double depth);
-
-/// Where the stress across the loaded diameter turns from compression to tension: the zero of the
-/// first component of plate_loaded_disc_stress(), by bisection to rounding.
-///
-/// Far below the contact Hertz' stress across is \f$ -q_0 b^3 / (4 z^3) \f$, which gives the estimate
-/// \f$ z = (R b^2 / 2)^{1/3} \f$.
-/// \param plate  contact of one plate with the disc, with P
-/// \param disc   R of the disc [length], > 0
-/// \return depth below the contact [length]
-/// \throws std::invalid_argument as hertz_stress(), or if even the centre of the disc is compressed
-[[nodiscard]] double tension_depth(const LineContact& plate, double disc);
 
 }  // namespace signorini
