@@ -19,10 +19,10 @@ enum class Quadrature {
 
 /// What is asked of a gap operator.
 struct GapOptions {
-  Eigen::Index n_nodes = 0;      ///< of all bodies: half the columns of the matrices
-  double thickness = 1;          ///< across the plane [length]
-  bool sliding = false;          ///< whether the matrix S is wanted
-  int points = 0;                ///< Gauss points per edge or segment; 0: the operator's own choice
+  Eigen::Index n_nodes = 0;  ///< of all bodies: half the columns of the matrices
+  double thickness = 1;      ///< across the plane [length]
+  bool sliding = false;      ///< whether the matrix S is wanted
+  int points = 0;            ///< Gauss points per edge or segment; 0: the operator's own choice
   Quadrature quadrature = Quadrature::Segments;  ///< only where an operator integrates
 };
 

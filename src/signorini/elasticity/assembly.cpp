@@ -3,21 +3,12 @@
 #include <map>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/mesh/side_curve.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-/// Linear or quadratic shape functions of a side at s in [-1, 1], and their slopes.
-struct SideShape {
-  Eigen::Vector3d value;
-  Eigen::Vector3d slope;
-};
-SideShape side_shape(std::size_t n_nodes, double s) {
-  if (n_nodes == 2) return {{(1 - s) / 2, (1 + s) / 2, 0}, {-0.5, 0.5, 0}};
-  return {{s * (s - 1) / 2, 1 - s * s, s * (s + 1) / 2}, {s - 0.5, -2 * s, s + 0.5}};
-}
 
 /// Calls visit(nodes, N, tangent, position, weight) at the Gauss points of every side of a boundary.
 template <typename Visit>

@@ -1,11 +1,40 @@
 #include "signorini/elasticity/element.hpp"
 
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
+namespace {
+
+/// The points are the zeros of the Legendre polynomial of degree n, found by Newton's method from
+/// an estimate that is within a few per cent; a pair and its mirror image are exactly symmetric.
+std::vector<GaussPoint> legendre_rule(int n) {
+  std::vector<GaussPoint> rule(static_cast<std::size_t>(n), GaussPoint{0, 0, 0});
+  for (int k = 0; k < (n + 1) / 2; ++k) {
+    double x = 2 * k + 1 == n ? 0 : std::cos(std::acos(-1.0) * (k + 0.75) / (n + 0.5));
+    double slope = 0;
+    for (int step = 0; step < 6; ++step) {
+      double last = 1;
+      double value = x;
+      for (int degree = 2; degree <= n; ++degree) {
+        const double next = ((2 * degree - 1) * x * value - (degree - 1) * last) / degree;
+        last = value;
+        value = next;
+      }
+      slope = n * (x * value - last) / (x * x - 1);
+      x -= value / slope;
+    }
+    const double weight = 2 / ((1 - x * x) * slope * slope);
+    rule[static_cast<std::size_t>(k)] = {-x, 0, weight};
+    rule[static_cast<std::size_t>(n - 1 - k)] = {x, 0, weight};
+  }
+  return rule;
+}
+
+}  // namespace
 
 Jacobian jacobian(const Shape& shape, const CellNodes& nodes) {
   Jacobian map;
@@ -37,14 +66,18 @@ void sample_strain(Shape (*shape)(double xi, double eta), const std::vector<Gaus
 }
 
 const std::vector<GaussPoint>& gauss_line(int n) {
-  static const double two = std::sqrt(1.0 / 3.0);
-  static const double three = std::sqrt(0.6);
-  static const std::vector<GaussPoint> rules[] = {
-      {{0, 0, 2}},
-      {{-two, 0, 1}, {two, 0, 1}},
-      {{-three, 0, 5.0 / 9.0}, {0, 0, 8.0 / 9.0}, {three, 0, 5.0 / 9.0}}};
-  require(n >= 1 && n <= 3, "gauss_line: rules have 1, 2 or 3 points, got ", n);
-  return rules[n - 1];
+  static const std::array<std::vector<GaussPoint>, 16> rules = [] {
+    const double two = std::sqrt(1.0 / 3.0);
+    const double three = std::sqrt(0.6);
+    std::array<std::vector<GaussPoint>, 16> made;
+    made[0] = {{0, 0, 2}};
+    made[1] = {{-two, 0, 1}, {two, 0, 1}};
+    made[2] = {{-three, 0, 5.0 / 9.0}, {0, 0, 8.0 / 9.0}, {three, 0, 5.0 / 9.0}};
+    for (int m = 4; m <= 16; ++m) made[static_cast<std::size_t>(m - 1)] = legendre_rule(m);
+    return made;
+  }();
+  require(n >= 1 && n <= 16, "gauss_line: rules have 1 to 16 points, got ", n);
+  return rules[static_cast<std::size_t>(n - 1)];
 }
 
 const std::vector<GaussPoint>& gauss_square(int n) {

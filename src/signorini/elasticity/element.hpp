@@ -92,8 +92,8 @@ struct GaussPoint {
 /// \return points with xi running first; the weights add up to 4
 /// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_square(int n);
-/// The Gauss rule on the interval [-1, 1].
-/// \param n  1, 2 or 3
+/// The Gauss rule on the interval [-1, 1], exact for polynomials of degree 2 n - 1.
+/// \param n  1 to 16
 /// \return points with eta = 0 and xi increasing; the weights add up to 2
 /// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_line(int n);

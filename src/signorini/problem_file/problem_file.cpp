@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <fstream>
 #include <limits>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/problem_file/problem_text.hpp"
+#include "signorini/core/text_reader.hpp"
 
 namespace signorini {
 namespace {
@@ -18,7 +15,7 @@ namespace {
 using Eigen::Index;
 
 /// A matrix of a block format: its rows below a line with its name.
-Eigen::MatrixXd read_matrix(ProblemText& in, const std::string& name, Index rows, Index columns) {
+Eigen::MatrixXd read_matrix(TextReader& in, const std::string& name, Index rows, Index columns) {
   in.expect_line(name);
   in.check_room(rows, columns, name);
   Eigen::MatrixXd matrix(rows, columns);
@@ -31,24 +28,24 @@ Eigen::MatrixXd read_matrix(ProblemText& in, const std::string& name, Index rows
 }
 
 /// The entries of a vector on the next line.
-Eigen::VectorXd read_entries(ProblemText& in, const std::string& name, Index size) {
+Eigen::VectorXd read_entries(TextReader& in, const std::string& name, Index size) {
   in.check_room(1, size, name);
   Eigen::RowVectorXd row(size);
   in.expect_row(name, row);
   return row.transpose();
 }
 
-Eigen::VectorXd read_vector(ProblemText& in, const std::string& name, Index size) {
+Eigen::VectorXd read_vector(TextReader& in, const std::string& name, Index size) {
   in.expect_line(name);
   return read_entries(in, name, size);
 }
 
 /// One number of the Siconos format, on this line or below.
-Index siconos_size(ProblemText& in, const std::string& what) {
+Index siconos_size(TextReader& in, const std::string& what) {
   return in.size(in.word_anywhere(), what, 0);
 }
 
-std::vector<FiledProblem> read_siconos(ProblemText& in, std::string_view first) {
+std::vector<FiledProblem> read_siconos(TextReader& in, std::string_view first) {
   FiledProblem filed;
   filed.line = in.line();
   const Index n = in.size(first, "number of unknowns", 1);
@@ -77,7 +74,7 @@ std::vector<FiledProblem> read_siconos(ProblemText& in, std::string_view first) 
 }
 
 /// A problem whose line `n NUMBER` and line `M` were read.
-FiledProblem read_block(ProblemText& in, std::size_t line, Index n) {
+FiledProblem read_block(TextReader& in, std::size_t line, Index n) {
   FiledProblem filed;
   filed.line = line;
   in.check_room(n, n, "M");
@@ -91,26 +88,21 @@ FiledProblem read_block(ProblemText& in, std::size_t line, Index n) {
   return filed;
 }
 
-void end_line(ProblemText& in, const std::string& after) {
-  const std::string_view more = in.word();
-  if (!more.empty()) in.fail("the end of the line after '" + after + "'", more);
-}
-
-std::vector<FiledProblem> read_blocks(ProblemText& in, std::size_t line, Index n) {
+std::vector<FiledProblem> read_blocks(TextReader& in, std::size_t line, Index n) {
   std::vector<FiledProblem> all = {read_block(in, line, n)};
   while (in.next_line()) {
     FiledProblem& last = all.back();
     const std::string_view word = in.word();
     if (word == "z" && last.known_force.size() == 0 && last.known_gap.size() == 0) {
-      end_line(in, "z");
+      in.expect_end_of_line("'z'");
       last.known_force = read_entries(in, "z", n);
     } else if (word == "w" && last.known_gap.size() == 0) {
-      end_line(in, "w");
+      in.expect_end_of_line("'w'");
       last.known_gap = read_entries(in, "w", n);
     } else if (word == "n") {
       line = in.line();
       n = in.size(in.word(), "n", 1);
-      end_line(in, "n NUMBER");
+      in.expect_end_of_line("'n NUMBER'");
       in.expect_line("M");
       all.push_back(read_block(in, line, n));
     } else {
@@ -120,7 +112,7 @@ std::vector<FiledProblem> read_blocks(ProblemText& in, std::size_t line, Index n
   return all;
 }
 
-void check_bounds(const ProblemText& in, const TwoSidedProgramme& programme) {
+void check_bounds(const TextReader& in, const TwoSidedProgramme& programme) {
   for (Index i = 0; i < programme.lower.size(); ++i) {
     const double lower = programme.lower(i);
     const double upper = programme.upper(i);
@@ -130,7 +122,7 @@ void check_bounds(const ProblemText& in, const TwoSidedProgramme& programme) {
 }
 
 /// Refuses a P that is not symmetric to rounding, and evens the rounding out.
-void make_symmetric(const ProblemText& in, Eigen::MatrixXd& P) {
+void make_symmetric(const TextReader& in, Eigen::MatrixXd& P) {
   const Eigen::VectorXd size = P.diagonal().cwiseAbs().cwiseSqrt();
   const double rounding = 1e3 * std::numeric_limits<double>::epsilon();
   for (Index j = 0; j < P.cols(); ++j)
@@ -145,13 +137,13 @@ void make_symmetric(const ProblemText& in, Eigen::MatrixXd& P) {
     }
 }
 
-TwoSidedProgramme read_programme(ProblemText& in, Index n, Index m) {
+TwoSidedProgramme read_programme(TextReader& in, Index n, Index m) {
   TwoSidedProgramme programme;
   in.next_line();
   const std::string_view word = in.word();
   if (word != "r") in.fail("a line 'r NUMBER'", word);
   programme.r = in.number(in.word(), "r");
-  end_line(in, "r NUMBER");
+  in.expect_end_of_line("'r NUMBER'");
   programme.P = read_matrix(in, "P", n, n);
   make_symmetric(in, programme.P);
   programme.q = read_vector(in, "q", n);
@@ -172,7 +164,7 @@ std::optional<double> published_optimum(std::string_view content) {
   line = line.substr(0, line.find_first_of("\r\n"));
   const std::size_t colon = line.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
-  ProblemText rest(line.substr(colon + 1), "");
+  TextReader rest(line.substr(colon + 1), "");
   try {
     return rest.next_line() ? std::optional<double>(rest.number(rest.word(), "")) : std::nullopt;
   } catch (const ProblemError&) {
@@ -184,7 +176,7 @@ std::optional<double> published_optimum(std::string_view content) {
 
 ProblemFile parse_problem(std::string_view content, const std::string& name) {
   const std::string wanted = "a problem: the number of unknowns (Siconos) or a line 'n NUMBER'";
-  ProblemText in(content, name);
+  TextReader in(content, name);
   in.next_line();
   const std::string_view first = in.word();
   if (!first.empty() && first.find_first_not_of("+-.0123456789") == std::string_view::npos)
@@ -192,37 +184,24 @@ ProblemFile parse_problem(std::string_view content, const std::string& name) {
   if (first != "n") in.fail(wanted, first);
   const std::size_t line = in.line();
   const Index n = in.size(in.word(), "n", 1);
-  end_line(in, "n NUMBER");
+  in.expect_end_of_line("'n NUMBER'");
   in.next_line();
   const std::string_view second = in.word();
   if (second == "M") {
-    end_line(in, "M");
+    in.expect_end_of_line("'M'");
     return read_blocks(in, line, n);
   }
   if (second != "m")
     in.fail("'M' of a complementarity problem or 'm NUMBER' of a quadratic programme", second);
   const Index m = in.size(in.word(), "m", 0);
-  end_line(in, "m NUMBER");
+  in.expect_end_of_line("'m NUMBER'");
   TwoSidedProgramme programme = read_programme(in, n, m);
   programme.published_optimum = published_optimum(content);
   return programme;
 }
 
 ProblemFile read_problem(const std::filesystem::path& file) {
-  std::error_code failed;
-  const std::filesystem::file_status status = std::filesystem::status(file, failed);
-  pose(std::filesystem::exists(status), file.string(), ": there is no such file");
-  pose(!std::filesystem::is_directory(status), file.string(),
-       ": this is a folder; name a file in it");
-  pose(std::filesystem::is_regular_file(status), file.string(), ": this is not a plain file");
-  const std::uintmax_t bytes = std::filesystem::file_size(file, failed);
-  pose(!failed && bytes <= largest_problem_file, file.string(), ": expected at most ",
-       largest_problem_file, " bytes, got ", failed ? failed.message() : std::to_string(bytes));
-  std::ifstream in(file, std::ios::binary);
-  std::string content(static_cast<std::size_t>(bytes), '\0');
-  in.read(content.data(), static_cast<std::streamsize>(bytes));
-  pose(static_cast<bool>(in), file.string(), ": cannot be read; look at its permissions");
-  return parse_problem(content, file.string());
+  return parse_problem(file_content(file, largest_problem_file), file.string());
 }
 
 }  // namespace signorini

@@ -1,8 +1,10 @@
 /// \file
-/// Words and numbers of a problem file, and errors that name the line.
+/// Words and numbers of a text file, and errors that name the line.
 #pragma once
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -10,14 +12,15 @@ namespace signorini {
 
 /// The words of a text, line by line.
 ///
-/// Blanks, tabs and carriage returns part words; `#` begins a comment that lasts to the end of its
-/// line. Nothing is believed about the text: sizes that it announces are compared with its length
-/// before anything is allocated, and every error is one line `NAME:LINE: expected ..., got ...`.
-class ProblemText {
+/// Blanks, tabs and carriage returns part words. Nothing is believed about the text: sizes that it
+/// announces are compared with its length before anything is allocated, and every error is one line
+/// `NAME:LINE: expected ..., got ...`.
+class TextReader {
  public:
   /// \param content  the whole text; must outlive this
   /// \param name     of the file, for messages
-  ProblemText(std::string_view content, std::string name);
+  /// \param comment  character that begins a comment, which lasts to the end of its line; or empty
+  TextReader(std::string_view content, std::string name, std::string_view comment = "#");
 
   /// Goes on to the next line that holds a word.
   /// \return whether there is one
@@ -26,11 +29,17 @@ class ProblemText {
   std::string_view word();
   /// \return the next word of this line or of one below; empty at the end of the text
   std::string_view word_anywhere();
+  /// \return what is left of this line, without the blanks around it
+  std::string_view rest_of_line();
 
   /// Goes on to the next line, which must hold one given word.
   /// \param keyword  the word
   /// \throws ProblemError if the line holds anything else
   void expect_line(const std::string& keyword);
+  /// Checks that nothing is left on this line.
+  /// \param after  what stands before its end, for messages
+  /// \throws ProblemError if a word is left
+  void expect_end_of_line(const std::string& after);
   /// Goes on to the next line, which must hold a given word and a whole number.
   /// \param keyword  the word
   /// \param least    smallest number that makes sense
@@ -47,10 +56,21 @@ class ProblemText {
   /// \param word   the word
   /// \param what   name of the number, for messages
   /// \param least  smallest number that makes sense
-  /// \return the number, at most `largest_size`
+  /// \param most   largest number that makes sense
+  /// \return the number
+  /// \throws ProblemError if the word is anything else
+  [[nodiscard]] std::int64_t whole(std::string_view word, const std::string& what,
+                                   std::int64_t least, std::int64_t most) const;
+  /// A word as a number of rows or columns: whole(), and at most `largest_size`.
+  /// \param word   the word
+  /// \param what   name of the number, for messages
+  /// \param least  smallest number that makes sense
+  /// \return the number
   /// \throws ProblemError if the word is anything else
   [[nodiscard]] Eigen::Index size(std::string_view word, const std::string& what,
-                                  Eigen::Index least) const;
+                                  Eigen::Index least) const {
+    return whole(word, what, least, largest_size);
+  }
   /// A word as a number.
   /// \param word  the word
   /// \param what  name of the number, for messages
@@ -86,6 +106,14 @@ class ProblemText {
   std::string_view present_;  // not yet read of the present line
   std::size_t line_ = 0;
   std::string name_;
+  std::string_view comment_;
 };
+
+/// Reads a whole file.
+/// \param file  a plain file
+/// \param most  bytes that it may have
+/// \return its bytes
+/// \throws ProblemError if there is no such file, it is no plain file, too long, or cannot be read
+[[nodiscard]] std::string file_content(const std::filesystem::path& file, std::size_t most);
 
 }  // namespace signorini

@@ -1,8 +1,9 @@
-#include "signorini/problem_file/problem_text.hpp"
+#include "signorini/core/text_reader.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -34,39 +35,46 @@ std::size_t words_in(std::string_view line) {
 
 }  // namespace
 
-ProblemText::ProblemText(std::string_view content, std::string name)
-    : text_(content), name_(std::move(name)) {
+TextReader::TextReader(std::string_view content, std::string name, std::string_view comment)
+    : text_(content), name_(std::move(name)), comment_(comment) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text_.substr(0, byte_order_mark.size()) == byte_order_mark)
     text_.remove_prefix(byte_order_mark.size());
 }
 
-bool ProblemText::next_line() {
+bool TextReader::next_line() {
   while (!text_.empty()) {
     const std::size_t end = std::min(text_.find('\n'), text_.size());
     present_ = text_.substr(0, end);
     text_.remove_prefix(std::min(end + 1, text_.size()));
     ++line_;
-    present_ = present_.substr(0, present_.find('#'));
+    present_ = present_.substr(0, present_.find_first_of(comment_));
     if (present_.find_first_not_of(blanks) != std::string_view::npos) return true;
   }
   present_ = {};
   return false;
 }
 
-std::string_view ProblemText::word() {
+std::string_view TextReader::word() {
   present_.remove_prefix(std::min(present_.find_first_not_of(blanks), present_.size()));
   const std::string_view result = present_.substr(0, present_.find_first_of(blanks));
   present_.remove_prefix(result.size());
   return result;
 }
 
-std::string_view ProblemText::word_anywhere() {
+std::string_view TextReader::word_anywhere() {
   const std::string_view here = word();
   return here.empty() && next_line() ? word() : here;
 }
 
-void ProblemText::expect_line(const std::string& keyword) {
+std::string_view TextReader::rest_of_line() {
+  present_.remove_prefix(std::min(present_.find_first_not_of(blanks), present_.size()));
+  const std::string_view result = present_.substr(0, present_.find_last_not_of(blanks) + 1);
+  present_ = {};
+  return result;
+}
+
+void TextReader::expect_line(const std::string& keyword) {
   const std::string wanted = "a line with the single word '" + keyword + "'";
   next_line();
   const std::string_view first = word();
@@ -75,17 +83,21 @@ void ProblemText::expect_line(const std::string& keyword) {
   if (!more.empty()) fail(wanted, more);
 }
 
-Index ProblemText::expect_size(const std::string& keyword, Index least) {
+void TextReader::expect_end_of_line(const std::string& after) {
+  const std::string_view more = word();
+  if (!more.empty()) fail("the end of the line after " + after, more);
+}
+
+Index TextReader::expect_size(const std::string& keyword, Index least) {
   next_line();
   const std::string_view first = word();
   if (first != keyword) fail("a line '" + keyword + " NUMBER'", first);
   const Index result = size(word(), keyword, least);
-  const std::string_view more = word();
-  if (!more.empty()) fail("the end of the line after '" + keyword + " NUMBER'", more);
+  expect_end_of_line("'" + keyword + " NUMBER'");
   return result;
 }
 
-void ProblemText::expect_row(const std::string& what, Eigen::Ref<Eigen::RowVectorXd> row) {
+void TextReader::expect_row(const std::string& what, Eigen::Ref<Eigen::RowVectorXd> row) {
   if (row.size() == 0) return;
   next_line();
   const std::size_t count = words_in(present_);
@@ -99,17 +111,17 @@ void ProblemText::expect_row(const std::string& what, Eigen::Ref<Eigen::RowVecto
     fail(text(what, ": expected ", row.size(), " numbers on one line, got ", count, " words"));
 }
 
-Index ProblemText::size(std::string_view word, const std::string& what, Index least) const {
-  Index result = 0;
+std::int64_t TextReader::whole(std::string_view word, const std::string& what, std::int64_t least,
+                               std::int64_t most) const {
+  std::int64_t result = 0;
   const char* const end = word.data() + word.size();
   const auto [last, error] = std::from_chars(word.data(), end, result);
-  if (word.empty() || last != end || error != std::errc() || result < least ||
-      result > largest_size)
-    fail(text(what, ": expected a whole number from ", least, " to ", largest_size), word);
+  if (word.empty() || last != end || error != std::errc() || result < least || result > most)
+    fail(text(what, ": expected a whole number from ", least, " to ", most), word);
   return result;
 }
 
-double ProblemText::number(std::string_view word, const std::string& what) const {
+double TextReader::number(std::string_view word, const std::string& what) const {
   double result = 0;
   std::string_view digits = word;
   if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-') digits.remove_prefix(1);
@@ -122,7 +134,7 @@ double ProblemText::number(std::string_view word, const std::string& what) const
   return result;
 }
 
-void ProblemText::check_room(Index rows, Index columns, const std::string& what) const {
+void TextReader::check_room(Index rows, Index columns, const std::string& what) const {
   const Index count = rows * columns;  // both are at most 10^6
   const auto left = static_cast<Index>(present_.size() + text_.size());
   if (count > 0 && 2 * count - 1 > left)  // a digit for each, and a blank between them
@@ -130,7 +142,7 @@ void ProblemText::check_room(Index rows, Index columns, const std::string& what)
               " characters are left in the file"));
 }
 
-void ProblemText::fail(const std::string& expected, std::string_view got) const {
+void TextReader::fail(const std::string& expected, std::string_view got) const {
   const bool ended =
       got.empty() && text_.find_first_not_of(" \t\r\v\f\n") == std::string_view::npos;
   const bool tells = expected.find("expected ") != std::string::npos;
@@ -140,8 +152,25 @@ void ProblemText::fail(const std::string& expected, std::string_view got) const 
                      : "the end of the line"));
 }
 
-void ProblemText::fail(const std::string& why) const {
+void TextReader::fail(const std::string& why) const {
   throw ProblemError(text(name_, ":", std::max<std::size_t>(line_, 1), ": ", why));
+}
+
+std::string file_content(const std::filesystem::path& file, std::size_t most) {
+  std::error_code failed;
+  const std::filesystem::file_status status = std::filesystem::status(file, failed);
+  pose(std::filesystem::exists(status), file.string(), ": there is no such file");
+  pose(!std::filesystem::is_directory(status), file.string(),
+       ": this is a folder; name a file in it");
+  pose(std::filesystem::is_regular_file(status), file.string(), ": this is not a plain file");
+  const std::uintmax_t bytes = std::filesystem::file_size(file, failed);
+  pose(!failed && bytes <= most, file.string(), ": expected at most ", most, " bytes, got ",
+       failed ? failed.message() : std::to_string(bytes));
+  std::ifstream in(file, std::ios::binary);
+  std::string content(static_cast<std::size_t>(bytes), '\0');
+  in.read(content.data(), static_cast<std::streamsize>(bytes));
+  pose(static_cast<bool>(in), file.string(), ": cannot be read; look at its permissions");
+  return content;
 }
 
 }  // namespace signorini

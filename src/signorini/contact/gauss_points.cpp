@@ -1,0 +1,43 @@
+#include "signorini/contact/gauss_points.hpp"
+
+#include <set>
+
+#include "signorini/contact/point_pairs.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/elasticity/element.hpp"
+
+namespace signorini {
+namespace {
+
+/// What a Gauss point stands for: half the length of a straight side times the weight of the rule.
+/// A pressure times it is the force of the pair.
+/// \PaperEq{LinEtAl, 33} \PaperEq{LinEtAl, 34} \PaperEq{LinEtAl, 35}
+/// \PaperEq{LinEtAl, 38} \PaperEq{LinEtAl, 39} \PaperEq{LinEtAl, 40}
+double share_of(const SideCurve& side, const GaussPoint& gauss, double thickness) {
+  return gauss.weight * side.tangent(gauss.xi).norm() * thickness;
+}
+
+}  // namespace
+
+Pairs gauss_points(const Surface& source, const Surface& target, const GapOptions& options) {
+  pose(options.points >= 0 && options.points <= 6,
+       "gauss_points: there are rules of 1 to 6 points (0: two), got ", options.points);
+  const Interface interface(source, target, options);
+  std::vector<PointPair> points;
+  std::set<Eigen::Index> paired;
+  for (const SideCurve& side : interface.source_sides())
+    for (const GaussPoint& gauss : gauss_line(options.points == 0 ? 2 : options.points)) {
+      const Eigen::Vector2d x = side.point(gauss.xi);  // \PaperEq{LinEtAl, 32}
+      const Projection place = interface.closest(x, side.normal(gauss.xi));
+      if (!place.found) continue;
+      points.push_back({&side, gauss.xi, x, share_of(side, gauss, options.thickness), -1, place});
+      paired.insert(side.nodes().begin(), side.nodes().end());
+    }
+  interface.check_paired(points.size());
+  Pairs pairs = write_pairs(interface, points, options);
+  for (const Eigen::Index node : boundary_nodes(source.mesh, source.boundary))
+    if (paired.count(node) == 0) pairs.unpaired.push_back(node);
+  return pairs;
+}
+
+}  // namespace signorini

@@ -1,0 +1,76 @@
+#include "signorini/contact/interface.hpp"
+
+#include <cmath>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Vector2d;
+
+std::vector<SideCurve> curves(const Surface& surface) {
+  std::vector<SideCurve> sides;
+  for (const CellSide& side : boundary(surface.mesh, surface.boundary))
+    sides.emplace_back(surface.mesh, side);
+  return sides;
+}
+
+/// The integral of the normal: across the line from its beginning to its end.
+Vector2d mean_normal(const Surface& surface) {
+  Vector2d along = Vector2d::Zero();
+  for (const SideCurve& side : curves(surface)) along += side.point(1) - side.point(-1);
+  return {along.y(), -along.x()};
+}
+
+void check_columns(const Surface& surface, const GapOptions& options) {
+  const Eigen::Index last = surface.first_node + surface.mesh.n_nodes();
+  require(surface.first_node >= 0 && last <= options.n_nodes, "gap operator: the body '",
+          surface.mesh.name, "' has the nodes ", surface.first_node, " to ", last - 1,
+          " of all bodies, but options.n_nodes is ", options.n_nodes);
+}
+
+}  // namespace
+
+Interface::Interface(const Surface& source, const Surface& target, const GapOptions& options)
+    : source_(source),
+      target_(target),
+      sides_(curves(source)),
+      search_(target.mesh, target.boundary) {
+  check_columns(source, options);
+  check_columns(target, options);
+  require(options.thickness > 0 && std::isfinite(options.thickness),
+          "gap operator: the thickness must be positive, got ", options.thickness);
+}
+
+Projection Interface::closest(const Vector2d& x, const Vector2d& normal) const {
+  const Projection place = search_.closest(x, normal);
+  if (place.buried) refuse_buried(x);
+  return place;
+}
+
+void Interface::refuse_buried(const Vector2d& x) const {
+  throw ProblemError(text(names(), ": the point (", x.x(), ", ", x.y(), ") of '", source_.mesh.name,
+                          "' lies inside '", target_.mesh.name,
+                          "', deeper than the cell whose side it faces. Move the bodies apart, or "
+                          "check which boundaries are meant"));
+}
+
+void Interface::check_paired(std::size_t n_pairs) const {
+  if (n_pairs > 0) return;
+  const Vector2d a = mean_normal(source_);
+  const Vector2d b = mean_normal(target_);
+  pose(a.dot(b) <= 0.5 * a.norm() * b.norm() || a.dot(b) == 0, names(),
+       ": both face the same way, so that neither can touch the other. Take the boundary of one "
+       "body that looks towards the other body");
+  throw ProblemError(text(names(),
+                          ": no point of the first faces the second; it lies beside it or behind "
+                          "it. Move one of the bodies, or check which boundaries are meant"));
+}
+
+std::string Interface::names() const {
+  return text("contact of the source '", source_.boundary, "' of '", source_.mesh.name,
+              "' with the target '", target_.boundary, "' of '", target_.mesh.name, "'");
+}
+
+}  // namespace signorini

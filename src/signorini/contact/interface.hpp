@@ -1,0 +1,59 @@
+/// \file
+/// Two boundaries that may touch: their sides, the search, and the complaints about places that make
+/// no sense.
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "signorini/contact/gap_operators.hpp"
+#include "signorini/contact/target_search.hpp"
+#include "signorini/mesh/side_curve.hpp"
+
+namespace signorini {
+
+/// What the gap operators share.
+class Interface {
+ public:
+  /// \param source   the boundary whose points look for the target; must outlive this
+  /// \param target   the boundary that they look for; must outlive this
+  /// \param options  of the operator
+  /// \throws ProblemError if a boundary does not exist
+  /// \throws std::invalid_argument if a body has nodes beyond options.n_nodes, or the thickness is
+  ///   not positive and finite
+  Interface(const Surface& source, const Surface& target, const GapOptions& options);
+
+  /// \return the source
+  [[nodiscard]] const Surface& source() const { return source_; }
+  /// \return the target
+  [[nodiscard]] const Surface& target() const { return target_; }
+  /// \return sides of the source in walking order
+  [[nodiscard]] const std::vector<SideCurve>& source_sides() const { return sides_; }
+  /// \return the target's sides, to be searched
+  [[nodiscard]] const TargetSearch& search() const { return search_; }
+
+  /// Closest-point projection by the rules of TargetSearch.
+  /// \param x       point of the source [length]
+  /// \param normal  of the source there, out of its body [-]
+  /// \return the place it faces, if any
+  /// \throws ProblemError if x lies inside the target body, deeper than the cell it faces
+  [[nodiscard]] Projection closest(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
+  /// Complains that a point overlaps too far, for operators that search by other ways.
+  /// \param x  the point, of the source [length]
+  /// \throws ProblemError always
+  [[noreturn]] void refuse_buried(const Eigen::Vector2d& x) const;
+  /// Complains if there is nothing to pair.
+  /// \param n_pairs  how many were found
+  /// \throws ProblemError if there are none: the boundaries face the same way or miss each other
+  void check_paired(std::size_t n_pairs) const;
+
+ private:
+  [[nodiscard]] std::string names() const;
+
+  Surface source_;
+  Surface target_;
+  std::vector<SideCurve> sides_;
+  TargetSearch search_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,58 @@
+#include "signorini/contact/node_to_segment.hpp"
+
+#include <map>
+
+#include "signorini/contact/point_pairs.hpp"
+#include "signorini/elasticity/assembly.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+/// A node on one of its sides, and the sum of the normals of all of them.
+struct NodeOnSide {
+  const SideCurve* side;
+  double xi;
+  Vector2d normal;
+};
+
+std::map<Index, NodeOnSide> nodes_on_sides(const std::vector<SideCurve>& sides) {
+  std::map<Index, NodeOnSide> found;
+  for (const SideCurve& side : sides) {
+    const double step = 2.0 / static_cast<double>(side.nodes().size() - 1);
+    for (std::size_t k = 0; k < side.nodes().size(); ++k) {
+      const double xi = -1 + step * static_cast<double>(k);
+      const auto [place, is_new] = found.insert({side.nodes()[k], {&side, xi, side.normal(xi)}});
+      if (!is_new) place->second.normal += side.normal(xi);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+Pairs node_to_segment(const Surface& source, const Surface& target, const GapOptions& options) {
+  const Interface interface(source, target, options);
+  const std::vector<Index> nodes = boundary_nodes(source.mesh, source.boundary);
+  const Eigen::VectorXd weights = boundary_weights(source.mesh, source.boundary, options.thickness);
+  const std::map<Index, NodeOnSide> on_side = nodes_on_sides(interface.source_sides());
+  std::vector<PointPair> points;
+  std::vector<Index> unpaired;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const NodeOnSide& node = on_side.at(nodes[k]);
+    const Vector2d x = source.mesh.nodes.row(nodes[k]).transpose();
+    const Projection place = interface.closest(x, node.normal);
+    if (place.found)
+      points.push_back({node.side, node.xi, x, weights(static_cast<Index>(k)), nodes[k], place});
+    else
+      unpaired.push_back(nodes[k]);
+  }
+  interface.check_paired(points.size());
+  Pairs pairs = write_pairs(interface, points, options);
+  pairs.unpaired = unpaired;
+  return pairs;
+}
+
+}  // namespace signorini

@@ -1,0 +1,150 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "signorini/contact/target_query.hpp"
+
+namespace signorini {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+Index TargetSearch::neighbour(Index number, int end) const {
+  return (end < 0 ? before_ : after_)[static_cast<std::size_t>(number)];
+}
+
+Vector2d TargetSearch::normal_beyond(Index number, int end) const {
+  const Vector2d here = side(number).normal(end);
+  const Index other = neighbour(number, -end);
+  if (other < 0) return here;
+  // From one normal to the other the boundary turns at the far end of the side; as far again.
+  const Vector2d a = side(other).normal(end);
+  const Vector2d b = side(number).normal(-end);
+  const double cosine = a.dot(b);
+  const double sine = cross(a, b);
+  if (cosine < std::sqrt(0.5)) return here;  // an edge, not a curve in sides
+  return {cosine * here.x() - sine * here.y(), sine * here.x() + cosine * here.y()};
+}
+
+bool TargetSearch::next_faces(Index number, int end, const Query& query) const {
+  const Index next = neighbour(number, end);
+  return next >= 0 && faces(side(next).normal(-end), query.normal);
+}
+
+bool TargetSearch::settle_end(Candidate& candidate, const Query& query) const {
+  const SideCurve& curve = side(candidate.side);
+  const int end = candidate.xi < 0 ? -1 : 1;
+  if (next_faces(candidate.side, end, query)) {
+    candidate.vertex = end;
+    return side(neighbour(candidate.side, end)).closest(query.x) == -end;  // else it is nearer
+  }
+  const Vector2d beyond = normal_beyond(candidate.side, end);
+  const Vector2d outwards = end * Vector2d(-beyond.y(), beyond.x());
+  const double xi = curve.continued(query.x, end);
+  if (std::abs(xi) <= 1 + end_tolerance)
+    candidate.xi = xi;
+  else if ((query.x - curve.point(end)).dot(outwards) <= 0)
+    candidate.vertex = end;
+  else
+    return false;
+  return true;
+}
+
+void TargetSearch::consider(Index number, Query& query) const {
+  const SideCurve& curve = side(number);
+  Candidate candidate{number, curve.closest(query.x), 0, 0};
+  if (!faces(curve.normal(candidate.xi), query.normal)) return;
+  if (std::abs(candidate.xi) == 1 && !settle_end(candidate, query)) return;
+  const Vector2d arm = query.x - curve.point(candidate.xi);
+  candidate.distance = arm.norm();
+  if (arm.dot(curve.normal(candidate.xi)) < -depth(number)) {
+    query.buried = query.buried || inside_body(query.x);
+    return;
+  }
+  query.add(candidate);
+}
+
+Projection TargetSearch::at_vertex(Index number, int end, const Query& query) const {
+  const Index next = neighbour(number, end);
+  const bool between = next_faces(number, end, query);
+  Projection found;
+  found.found = true;
+  found.side = between ? std::min(number, next) : number;
+  found.xi = found.side == number ? end : -end;
+  found.point = side(number).point(end);
+  const Vector2d arm = query.x - found.point;
+  const Vector2d one = side(number).normal(end);
+  const Vector2d two = between ? side(next).normal(-end) : normal_beyond(number, end);
+  const double a = cross(arm, one);
+  const double b = cross(arm, two);
+  // The share of the second normal in the one along the arm.
+  const double share = std::abs(a - b) > query.rounding ? std::clamp(a / (a - b), 0.0, 1.0) : 0.5;
+  found.normal = ((1 - share) * one + share * two).normalized();
+  found.gap = arm.dot(found.normal);
+  return found;
+}
+
+Projection TargetSearch::on_side(const Candidate& best, const Query& query) const {
+  Projection found;
+  found.found = true;
+  found.side = best.side;
+  found.xi = best.xi;
+  found.point = side(best.side).point(best.xi);
+  found.normal = side(best.side).normal(best.xi);
+  found.gap = (query.x - found.point).dot(found.normal);
+  return found;
+}
+
+Projection TargetSearch::chosen(Query& query) const {
+  std::vector<Candidate>& all = query.candidates;
+  if (all.empty()) {
+    Projection none;
+    none.buried = query.buried;
+    return none;
+  }
+  std::sort(all.begin(), all.end(),
+            [](const Candidate& a, const Candidate& b) { return a.side < b.side; });
+  for (const Candidate& one : all) {
+    if (one.vertex != 0) return at_vertex(one.side, one.vertex, query);
+    for (const Candidate& two : all)
+      if (two.side != one.side && two.side == neighbour(one.side, 1))
+        return at_vertex(one.side, 1, query);
+  }
+  const Candidate& best = all.front();
+  for (const int end : {-1, 1}) {
+    const Vector2d arm = query.x - side(best.side).point(end);
+    const Vector2d middle =
+        (side(best.side).normal(end) + normal_beyond(best.side, end)).normalized();
+    if (!next_faces(best.side, end, query) && std::abs(cross(arm, middle)) <= query.rounding)
+      return at_vertex(best.side, end, query);
+  }
+  return on_side(best, query);
+}
+
+double TargetSearch::depth(Index number) const {
+  const CellSide& own = boundary(*mesh_, boundary_)[static_cast<std::size_t>(number)];
+  const SideCurve& curve = side(number);
+  const Vector2d chord = (curve.point(1) - curve.point(-1)).normalized();
+  double depth = 0;
+  for (int k = 2; k < 4; ++k) {
+    const Index corner = mesh_->cells(own.cell, (own.side + k) % 4);
+    const Vector2d arm = mesh_->nodes.row(corner).transpose() - curve.point(-1);
+    depth = std::max(depth, cross(chord, arm));
+  }
+  return depth;
+}
+
+bool TargetSearch::inside_body(const Vector2d& x) const {
+  for (Index cell = 0; cell < mesh_->n_cells(); ++cell) {
+    bool inside = true;
+    for (int k = 0; k < 4 && inside; ++k) {
+      const Vector2d a = mesh_->nodes.row(mesh_->cells(cell, k)).transpose();
+      const Vector2d b = mesh_->nodes.row(mesh_->cells(cell, (k + 1) % 4)).transpose();
+      inside = cross(b - a, x - a) >= 0;
+    }
+    if (inside) return true;
+  }
+  return false;
+}
+
+}  // namespace signorini

@@ -1,0 +1,72 @@
+/// \file
+/// The line along which two nodes, or three, of a cell side lie: shape functions, normals, projections.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "signorini/mesh/mesh.hpp"
+
+namespace signorini {
+
+/// Values at the nodes of a side, in walking order: first, last; or first, middle, last.
+struct SideShape {
+  Eigen::Vector3d value;  ///< N [-]; the third is 0 on a side of two nodes
+  Eigen::Vector3d slope;  ///< dN/dxi [-]
+};
+
+/// Linear or quadratic shape functions of a side.
+/// \param n_nodes  2 or 3
+/// \param xi       place along the side, -1 at its first node and 1 at its last [-]
+/// \return values and slopes in the order of Mesh::side_nodes()
+[[nodiscard]] SideShape side_shape(std::size_t n_nodes, double xi);
+
+/// One side of a mesh as the curve x(xi), straight or a parabola. The body lies to its left.
+class SideCurve {
+ public:
+  /// \param mesh  that has the side
+  /// \param side  of one of its cells
+  SideCurve(const Mesh& mesh, const CellSide& side);
+
+  /// \return numbers of its 2 or 3 nodes in walking order
+  [[nodiscard]] const std::vector<Eigen::Index>& nodes() const { return nodes_; }
+  /// \param xi  place along the side [-]
+  /// \return shape functions there
+  [[nodiscard]] SideShape shape(double xi) const { return side_shape(nodes_.size(), xi); }
+  /// \param xi  place along the side [-]
+  /// \return position [length]; exactly that of the node at -1 and 1
+  [[nodiscard]] Eigen::Vector2d point(double xi) const;
+  /// \param xi  place along the side [-]
+  /// \return dx/dxi [length], in walking direction
+  [[nodiscard]] Eigen::Vector2d tangent(double xi) const { return slope_ + 2 * xi * bend_; }
+  /// \param xi  place along the side [-]
+  /// \return unit vector out of the body [-]
+  [[nodiscard]] Eigen::Vector2d normal(double xi) const;
+  /// Lowest and highest coordinates of a box around the side.
+  /// \return columns: lowest, highest (x, y) [length]
+  [[nodiscard]] Eigen::Matrix2d box() const;
+  /// Closest place of the side: all places where the distance is smallest nearby are compared, each
+  /// found by Newton's method between bounds that hold one of them only.
+  /// \param x  a point [length]
+  /// \return xi in [-1, 1]; the lower of two at the same distance
+  [[nodiscard]] double closest(const Eigen::Vector2d& x) const;
+  /// Where x stands square on the curve continued beyond an end.
+  /// \param x    a point [length], closest to that end of the side
+  /// \param end  -1 or 1
+  /// \return xi beyond the end; not finite if there is none near
+  [[nodiscard]] double continued(const Eigen::Vector2d& x, int end) const;
+  /// Where a line meets the curve.
+  /// \param x          on the line [length]
+  /// \param direction  of the line [-]
+  /// \param beyond     how far beyond the ends the curve is continued, in xi [-]
+  /// \return up to two places xi, increasing
+  [[nodiscard]] std::vector<double> crossings(const Eigen::Vector2d& x,
+                                              const Eigen::Vector2d& direction,
+                                              double beyond) const;
+
+ private:
+  std::vector<Eigen::Index> nodes_;
+  Eigen::Vector2d first_, last_;
+  Eigen::Vector2d middle_, slope_, bend_;  // x = middle + slope xi + bend xi^2
+};
+
+}  // namespace signorini

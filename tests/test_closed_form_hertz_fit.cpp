@@ -1,0 +1,153 @@
+#include <cmath>
+
+#include "catch_compat.hpp"
+#include "signorini/closed_form/hertz_fit.hpp"
+#include "support/quadrature.hpp"
+
+using namespace signorini;
+
+namespace {
+
+constexpr double b = 1.08;
+constexpr double q0 = 24.6;
+
+double pressure(double x) { return q0 * std::sqrt(std::max(0.0, 1 - x * x / (b * b))); }
+
+/// Nodes from `first` on; each step is `growth` times the one before; the last lies beyond b.
+std::vector<double> nodes(double first, double step, double growth) {
+  std::vector<double> x{first};
+  while (x.back() < 1.3 * b) {
+    x.push_back(x.back() + step);
+    step *= growth;
+  }
+  return x;
+}
+
+std::vector<double> at(const std::vector<double>& x) {
+  std::vector<double> p;
+  for (const double each : x) p.push_back(pressure(each));
+  return p;
+}
+
+/// Nodal forces of the exact pressure on edges of two nodes.
+std::vector<double> linear_forces(const std::vector<double>& x) {
+  std::vector<double> f(x.size());
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    const double from = x[i - 1], h = x[i] - from;
+    const double to = std::max(from, std::min(x[i], b));  // the pressure ends inside of an edge
+    const double low = std::min(to, std::max(from, -b));
+    f[i] += quadrature::integral([&](double s) { return pressure(s) * (s - from) / h; }, low, to);
+    f[i - 1] +=
+        quadrature::integral([&](double s) { return pressure(s) * (from + h - s) / h; }, low, to);
+  }
+  return f;
+}
+
+/// Nodal forces on edges of three nodes, the nodes 0 2 4 ... being the ends.
+std::vector<double> quadratic_forces(const std::vector<double>& x) {
+  std::vector<double> f(x.size());
+  for (std::size_t i = 2; i < x.size(); i += 2)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double own = x[i - 2 + k], one = x[i - 2 + (k + 1) % 3], two = x[i - 2 + (k + 2) % 3];
+      f[i - 2 + k] += quadrature::integral(
+          [&](double s) {
+            return pressure(s) * (s - one) * (s - two) / ((own - one) * (own - two));
+          },
+          x[i - 2], std::max(x[i - 2], std::min(x[i], b)));
+    }
+  return f;
+}
+
+double bare(const std::vector<double>& x, const std::vector<double>& f) {
+  double sum = 0, moment = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sum += f[i];
+    moment += f[i] * x[i] * x[i];
+  }
+  return 2 * std::sqrt(moment / sum);
+}
+
+}  // namespace
+
+TEST_CASE("Hertz fit: exact pressures give the exact ellipse on any nodes", "[hertz-fit]") {
+  for (const auto& x : {nodes(0, b / 12, 1), nodes(0.3 * b, b / 40, 1.1), nodes(-1.3 * b, b / 9, 1),
+                        nodes(0, b / 6, 1), nodes(-1.1 * b, b / 8, 0.97)}) {
+    CAPTURE(x.size());
+    const HertzFit fit = fit_hertz(x, at(x));
+    CHECK(fit.peak_pressure == Approx(q0).epsilon(1e-12).margin(0));
+    CHECK(fit.half_width == Approx(b).epsilon(1e-12).margin(0));
+  }
+}
+
+TEST_CASE("Hertz fit: the outer tenth does not count", "[hertz-fit]") {
+  const std::vector<double> x = nodes(0, b / 20, 1);
+  std::vector<double> p = at(x);
+  p[19] *= 1.3;  // at 0.95 b
+  CHECK(fit_hertz(x, p).peak_pressure == Approx(q0).epsilon(1e-12).margin(0));
+  CHECK(std::abs(fit_hertz(x, p, 1).peak_pressure / q0 - 1) > 1e-3);
+}
+
+TEST_CASE("Hertz fit: means around the nodes are too small by the curvature", "[hertz-fit]") {
+  for (const double n : {12., 24., 48.}) {
+    CAPTURE(n);
+    const std::vector<double> x = nodes(0, b / n, 1);
+    std::vector<double> p = linear_forces(x);
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] /= i == 0 ? b / n / 2 : b / n;
+    const double error = (fit_hertz(x, p).peak_pressure / q0 - 1) * 12 * n * n;
+    CHECK(error == Approx(-1).margin(0.35));  // a mesh of 12 edges errs by 0.06 %, of 48 by 0.004 %
+  }
+}
+
+TEST_CASE("half-width of forces: errs by less than 0.02 % on 10 edges, equal or not",
+          "[hertz-fit]") {
+  for (const auto& x : {nodes(0, b / 10, 1), nodes(0, b / 10.4, 1), nodes(-1.2 * b, b / 10.5, 1),
+                        nodes(0, b / 20, 1.08), nodes(0, b / 12, 0.985)}) {
+    CAPTURE(x.size());
+    const std::vector<double> f = linear_forces(x);
+    CHECK(half_width_of_forces(x, f) == Approx(b).epsilon(2e-4).margin(0));
+    CHECK(bare(x, f) > b * 1.001);
+  }
+}
+
+TEST_CASE(
+    "half-width of forces: the bare sum is too large by h^2 / 3 b^2, the corrected one is not",
+    "[hertz-fit]") {
+  double before = 1;
+  for (const double n : {10., 20., 40.}) {
+    CAPTURE(n);
+    const std::vector<double> x = nodes(0, b / n, 1);
+    const std::vector<double> f = linear_forces(x);
+    CHECK((bare(x, f) / b - 1) * 3 * n * n == Approx(1).margin(0.02));
+    const double error = std::abs(half_width_of_forces(x, f) / b - 1);
+    CHECK(error < before / 8);  // better than third order
+    before = error;
+  }
+}
+
+TEST_CASE("half-width of forces: exact on quadratic edges", "[hertz-fit]") {
+  std::vector<double> x = nodes(0, b / 14.3, 1);
+  if (x.size() % 2 == 0) x.pop_back();
+  CHECK(half_width_of_forces(x, quadratic_forces(x), Trace::Quadratic) ==
+        Approx(b).epsilon(1e-12).margin(0));
+}
+
+TEST_CASE("half-width of forces: a half-model gives what the whole model gives", "[hertz-fit]") {
+  const std::vector<double> half = nodes(0, b / 11.3, 1);
+  std::vector<double> whole;
+  for (std::size_t i = half.size() - 1; i > 0; --i) whole.push_back(-half[i]);
+  whole.insert(whole.end(), half.begin(), half.end());
+  CHECK(half_width_of_forces(half, linear_forces(half)) ==
+        Approx(half_width_of_forces(whole, linear_forces(whole))).epsilon(1e-13).margin(0));
+}
+
+TEST_CASE("Hertz fit: what is no ellipse is refused", "[hertz-fit]") {
+  CHECK_THROWS_WITH(fit_hertz({0, 1}, {1}), ContainsSubstring("2 nodes and 1"));
+  CHECK_THROWS_WITH(fit_hertz({0, 1, 2}, {1, 0, 0}), ContainsSubstring("no ellipse"));
+  CHECK_THROWS_WITH(fit_hertz({0, 1, 2}, {1, 2, 3}), ContainsSubstring("no ellipse"));
+  CHECK_THROWS_WITH(fit_hertz({}, {}), ContainsSubstring("no ellipse"));
+  CHECK_THROWS_WITH(fit_hertz({-1, 1}, {2, 2}), ContainsSubstring("no ellipse"));
+  CHECK_THROWS_WITH(fit_hertz({0, 1}, {2, 1}, 0), ContainsSubstring("(0, 1]"));
+  CHECK_THROWS_WITH(half_width_of_forces({0, 1}, {0, 0}), ContainsSubstring("must be positive"));
+  CHECK_THROWS_WITH(half_width_of_forces({1, 0}, {1, 1}), ContainsSubstring("rising order"));
+  CHECK_THROWS_WITH(half_width_of_forces({0}, {1}), ContainsSubstring("more nodes"));
+}
