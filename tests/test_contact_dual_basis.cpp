@@ -25,7 +25,7 @@ std::vector<EdgePoint> points_of(double a, double b, double uneven = 0) {
 
 Vector2d share_of(const std::vector<EdgePoint>& points) {
   Vector2d share = Vector2d::Zero();
-  for (const EdgePoint& point : points) share += point.length * corner_shape(point.s);
+  for (const EdgePoint& point : points) share += point.length * end_shape(point.s);
   return share;
 }
 
@@ -37,7 +37,7 @@ DualBasis basis_of(double a, double b, double uneven = 0) {
 Matrix2d products(const DualBasis& basis, const std::vector<EdgePoint>& points) {
   Matrix2d sum = Matrix2d::Zero();
   for (const EdgePoint& point : points)
-    sum += point.length * basis.value(point.s) * corner_shape(point.s).transpose();
+    sum += point.length * basis.value(point.s) * end_shape(point.s).transpose();
   return sum;
 }
 
@@ -52,9 +52,8 @@ TEST_CASE("on a whole straight edge the dual functions are (1 - 3 s)/2 and (1 + 
   }
 }
 
-TEST_CASE(
-    "dual functions are blind to the other corner and average as their own, whatever is covered",
-    "[mortar]") {
+TEST_CASE("dual functions are blind to the other end and average as their own, whatever is covered",
+          "[mortar]") {
   Random random(17);
   int kept = 0;
   for (int trial = 0; trial < 400; ++trial) {
@@ -75,7 +74,7 @@ TEST_CASE(
   CHECK(kept > 50);
 }
 
-TEST_CASE("what an edge gives to a corner is bounded however little is covered", "[mortar]") {
+TEST_CASE("what an edge gives to an end is bounded however little is covered", "[mortar]") {
   // The steepest pair that is kept covers the middle half: psi_1 = (1 - 6 s')/2 with s' in [-1, 1].
   for (int left = 0; left < 40; ++left)
     for (int right = left + 1; right <= 40; ++right) {
@@ -89,7 +88,7 @@ TEST_CASE("what an edge gives to a corner is bounded however little is covered",
     }
 }
 
-TEST_CASE("a sliver belongs to the corner that it is nearer to", "[mortar]") {
+TEST_CASE("a sliver belongs to the end that it is nearer to", "[mortar]") {
   for (const double width : {1e-12, 1e-6, 0.1}) {
     CAPTURE(width);
     const DualBasis at_first = basis_of(-1, -1 + width);
@@ -102,16 +101,15 @@ TEST_CASE("a sliver belongs to the corner that it is nearer to", "[mortar]") {
   }
 }
 
-TEST_CASE("a corner keeps its function as long as half of its share is covered", "[mortar]") {
-  // The share of the last corner that [-1, b] covers is ((1 + b)/2)^2.
+TEST_CASE("an end keeps its function as long as half of its share is covered", "[mortar]") {
+  // The share of the last end that [-1, b] covers is ((1 + b)/2)^2.
   const double half = 2 * std::sqrt(0.5) - 1;
   CHECK(basis_of(-1, half - 1e-6).value(0) == Vector2d(1, 0));
   CHECK(basis_of(-1, half + 1e-6).mean(1) > 0.3);
   CHECK(basis_of(-0.5, 0.5).slope == Approx(6));  // a tie: both keep theirs
 }
 
-TEST_CASE("one point cannot tell two corners apart, and nothing covered gives nothing",
-          "[mortar]") {
+TEST_CASE("one point cannot tell two ends apart, and nothing covered gives nothing", "[mortar]") {
   const std::vector<EdgePoint> one = {{0, 2}};
   CHECK(dual_basis(one, share_of(one)).value(0) == Vector2d(0.5, 0.5));
   const DualBasis nothing = dual_basis({}, share_of(one));

@@ -23,14 +23,14 @@ constexpr Edges non_matching[] = {{8, 11}, {11, 8}, {7, 15}, {7, 10}};
 
 TEST_CASE("a uniform pressure passes between any two meshes: the contact patch test",
           "[mortar][patch]") {
-  // Of one stiffness, rounding leaves 1e-14. A source 1000 times as stiff as the target multiplies what
-  // rounding does to its stiffness matrix by as much.
+  // Rounding leaves 1e-14. Only a source of more edges that is 1000 times as stiff as the target multiplies it:
+  // pressures that alternate from node to node hardly move anything then.
   const auto ratio = GENERATE(1.0, 1e3, 1e-3);
-  const double accepted = ratio > 1 ? 1e-11 : 1e-13;
   const auto inclination = GENERATE(0.0, 15.0, -30.0);
   for (const char* element : {"q4", "q8", "q4_incompatible"})
     for (const Edges& edges : non_matching) {
       CAPTURE(element, edges.source, edges.target, inclination, ratio);
+      const double accepted = ratio > 1 && edges.source > edges.target ? 1e-11 : 3e-13;
       CHECK(patch_test(weighted, {}, edges.source, edges.target, inclination, ratio, element) <=
             accepted);
     }
@@ -75,7 +75,7 @@ TEST_CASE("more points than needed on segments change nothing", "[mortar][patch]
 
 TEST_CASE("two blocks under pressure close every pair and share their interface", "[mortar]") {
   const PatchResult result = press_blocks(weighted, {}, {8, 11, 15, 1, "q8"});
-  CHECK(result.pressure.size() == 9);
+  CHECK(result.pressure.size() == 17);
   const double length = 2 / std::cos(15 * std::acos(-1.0) / 180);
   CHECK(result.pairs.weight.sum() == Approx(length).epsilon(1e-14));
 }

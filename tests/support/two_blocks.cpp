@@ -20,6 +20,7 @@ namespace {
 
 constexpr double width = 2;
 constexpr double uniform = 3;  ///< the pressure
+constexpr double poisson_ratio = 0.3;
 
 struct Block {
   Mesh mesh;
@@ -51,7 +52,7 @@ Block make(Mesh mesh, const Element& element, double youngs_modulus,
            const std::vector<Support>& supports, const std::vector<std::string>& pressed) {
   Block block{std::move(mesh), {}, {}, {}};
   block.material.youngs_modulus = youngs_modulus;
-  block.material.poisson_ratio = 0.3;
+  block.material.poisson_ratio = poisson_ratio;
   block.unknowns = number_unknowns(block.mesh, supports);
   Loads loads;
   for (const std::string& side : pressed) loads.edges.push_back({side, uniform, {}});
@@ -109,9 +110,12 @@ PatchResult press_blocks(const GapOperator& gap_operator, const GapOptions& opti
   const Element& element = find_element(blocks.element);
   const auto level = [](double y) { return [y](double) { return y; }; };
   const auto sloped = [&](double x) { return interface_at(x, blocks.inclination); };
+  // In-plane strain of the target: held about a place of the interface, this does not move.
+  const double strain = -uniform * (1 + poisson_ratio) * (1 - 2 * poisson_ratio);
   const Block target =
       make(layered("lower", blocks.target_edges, element, level(0), sloped), element, 1,
-           {prescribed("bottom", Axis::Y, 0), prescribed_at("bottom", {0, 0}, Axis::X)},
+           {prescribed("bottom", Axis::Y, -strain),
+            prescribed_at("bottom", {0, 0}, Axis::X, -0.5 * width * strain)},
            {"left", "right"});
   const Vector2d pivot(0, 2);
   const Block source = make(layered("upper", blocks.source_edges, element, sloped, level(2)),

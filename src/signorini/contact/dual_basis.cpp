@@ -14,7 +14,7 @@ DualBasis dual_basis(const std::vector<EdgePoint>& covered, const Eigen::Vector2
   DualBasis basis;
   for (const EdgePoint& point : covered) {
     basis.length += point.length;
-    basis.mean += point.length * corner_shape(point.s);
+    basis.mean += point.length * end_shape(point.s);
   }
   if (basis.length == 0) return basis;
   const Eigen::Vector2d part = basis.mean.cwiseQuotient(share);
@@ -28,7 +28,7 @@ DualBasis dual_basis(const std::vector<EdgePoint>& covered, const Eigen::Vector2
   double variance = 0;
   for (const EdgePoint& point : covered)
     variance += point.length / basis.length * (point.s - basis.centre) * (point.s - basis.centre);
-  // A single point has no spread: both corners see the same gap.
+  // A single point has no spread: both ends see the same gap.
   if (covered.size() > 1) basis.slope = 2 * basis.mean(0) * basis.mean(1) / variance;
   return basis;
 }

@@ -1,8 +1,6 @@
 #include "signorini/contact/mortar.hpp"
 
-#include <algorithm>
 #include <map>
-#include <set>
 
 #include "signorini/contact/mortar_segments.hpp"
 #include "signorini/core/errors.hpp"
@@ -13,18 +11,16 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 
-/// What the corners of the source collect from the edges: integrals of psi_i times something.
+/// What the nodes of the source collect from the edges: integrals of psi_i times something.
 class Collector {
  public:
-  Collector(const Interface& interface, bool sliding);
+  Collector(const Interface& interface, const GapOptions& options)
+      : interface_(interface), options_(options) {}
 
-  /// Adds psi_i of one point of an edge, times the point's gap and motion, to both corners.
-  void add(const SideCurve& edge, const FacingPoint& point, const SideCurve& facing,
-           const Vector2d& psi);
-  /// Adds the integrals of psi_i over an edge, which is bare if they are zero.
-  void add_weight(const SideCurve& edge, const DualBasis& basis);
+  /// Adds the integrals over one edge to both of its nodes.
+  void add(const SourceEdge& edge, const EdgeSamples& samples);
   /// Divides by the weights.
-  [[nodiscard]] Pairs pairs(const Surface& source, const GapOptions& options) const;
+  [[nodiscard]] Pairs pairs() const;
 
  private:
   struct Sums {
@@ -33,65 +29,58 @@ class Collector {
     Vector2d normal = Vector2d::Zero();
     std::map<Index, double> opening, sliding;  // by column
   };
-  /// Adds what the motion of a node does to the pair of a corner.
-  void move(Sums& sums, Index node, double amount, const Vector2d& normal) const;
+  /// Adds what a point does to the pair of a node, times an amount.
+  void add(Sums& sums, const SideCurve& side, const FacingPoint& point, double amount) const;
+  /// Adds what the motion of the nodes of a side does, with the point moving as N does.
+  void move(Sums& sums, const SideCurve& side, Index first_node, const SideShape& N, double amount,
+            const Vector2d& normal) const;
 
-  Index source_first_, target_first_;
-  bool sliding_;
-  std::map<Index, Sums> sums_;  // by corner of the source
-  std::set<Index> bare_;        // midpoints of edges that face nothing
+  const Interface& interface_;
+  const GapOptions& options_;
+  std::map<Index, Sums> sums_;  // by node of the source
 };
 
-Collector::Collector(const Interface& interface, bool sliding)
-    : source_first_(interface.source().first_node),
-      target_first_(interface.target().first_node),
-      sliding_(sliding) {
-  for (const SideCurve& edge : interface.source_sides())
-    for (const Index node : {edge.nodes().front(), edge.nodes().back()}) sums_.try_emplace(node);
-}
-
-void Collector::move(Sums& sums, Index node, double amount, const Vector2d& normal) const {
-  for (Index axis = 0; axis < 2; ++axis) {
-    sums.opening[2 * node + axis] += amount * normal(axis);
-    if (sliding_) sums.sliding[2 * node + axis] += amount * (axis == 0 ? normal(1) : -normal(0));
+void Collector::add(const SourceEdge& edge, const EdgeSamples& samples) {
+  std::vector<EdgePoint> covered;
+  for (const FacingPoint& point : samples.facing) covered.push_back(point.at);
+  const DualBasis basis = dual_basis(covered, samples.share);
+  for (const Index i : {0, 1}) {
+    if (basis.mean(i) == 0) continue;  // nothing covered, or handed to the other end
+    Sums& sums = sums_[edge.nodes[static_cast<std::size_t>(i)]];
+    sums.weight += basis.length * basis.mean(i);
+    for (const FacingPoint& point : samples.facing)
+      add(sums, *edge.side, point, point.at.length * basis.value(point.at.s)(i));
   }
 }
 
-void Collector::add(const SideCurve& edge, const FacingPoint& point, const SideCurve& facing,
-                    const Vector2d& psi) {
-  const SideShape N = edge.shape(point.at.s);
-  const SideShape M = facing.shape(point.target.xi);
-  const std::size_t corner[2] = {0, edge.nodes().size() - 1};
-  for (Index i = 0; i < 2; ++i) {
-    const double amount = point.at.length * psi(i);
-    if (amount == 0) continue;
-    Sums& sums = sums_.at(edge.nodes()[corner[i]]);
-    sums.gap += amount * point.target.gap;
-    sums.normal += amount * point.target.normal;
-    for (std::size_t k = 0; k < edge.nodes().size(); ++k)
-      move(sums, source_first_ + edge.nodes()[k], amount * N.value(static_cast<Index>(k)),
-           point.target.normal);
-    for (std::size_t k = 0; k < facing.nodes().size(); ++k)
-      move(sums, target_first_ + facing.nodes()[k], -amount * M.value(static_cast<Index>(k)),
-           point.target.normal);
-  }
+void Collector::add(Sums& sums, const SideCurve& side, const FacingPoint& point,
+                    double amount) const {
+  const SideCurve& facing = interface_.search().side(point.target.side);
+  const Vector2d& normal = point.target.normal;
+  sums.gap += amount * point.target.gap;
+  sums.normal += amount * normal;
+  move(sums, side, interface_.source().first_node, side.shape(point.xi), amount, normal);
+  move(sums, facing, interface_.target().first_node, facing.shape(point.target.xi), -amount,
+       normal);
 }
 
-void Collector::add_weight(const SideCurve& edge, const DualBasis& basis) {
-  sums_.at(edge.nodes().front()).weight += basis.length * basis.mean(0);
-  sums_.at(edge.nodes().back()).weight += basis.length * basis.mean(1);
-  if (basis.length == 0 && edge.nodes().size() == 3) bare_.insert(edge.nodes()[1]);
+void Collector::move(Sums& sums, const SideCurve& side, Index first_node, const SideShape& N,
+                     double amount, const Vector2d& normal) const {
+  const Vector2d tangent(normal.y(), -normal.x());
+  for (std::size_t k = 0; k < side.nodes().size(); ++k)
+    for (Index axis = 0; axis < 2; ++axis) {
+      const Index column = 2 * (first_node + side.nodes()[k]) + axis;
+      const double share = amount * N.value(static_cast<Index>(k));
+      sums.opening[column] += share * normal(axis);
+      if (options_.sliding) sums.sliding[column] += share * tangent(axis);
+    }
 }
 
-Pairs Collector::pairs(const Surface& source, const GapOptions& options) const {
+Pairs Collector::pairs() const {
+  const Surface& source = interface_.source();
   Pairs pairs;
-  for (const Index node : boundary_nodes(source.mesh, source.boundary)) {
-    const auto corner = sums_.find(node);
-    if (corner != sums_.end() && corner->second.weight > 0)
-      pairs.node.push_back(node);
-    else if (corner != sums_.end() || bare_.count(node) != 0)
-      pairs.unpaired.push_back(node);
-  }
+  for (const Index node : boundary_nodes(source.mesh, source.boundary))
+    (sums_.count(node) != 0 ? pairs.node : pairs.unpaired).push_back(node);
   const Index n_pairs = static_cast<Index>(pairs.node.size());
   pairs.initial_gap.resize(n_pairs);
   pairs.weight.resize(n_pairs);
@@ -103,7 +92,7 @@ Pairs Collector::pairs(const Surface& source, const GapOptions& options) const {
     const Index node = pairs.node[static_cast<std::size_t>(pair)];
     const Sums& sums = sums_.at(node);
     pairs.initial_gap(pair) = sums.gap / sums.weight;
-    pairs.weight(pair) = options.thickness * sums.weight;
+    pairs.weight(pair) = options_.thickness * sums.weight;
     pairs.position.row(pair) = source.mesh.nodes.row(node);
     pairs.normal.row(pair) = sums.normal.normalized().transpose();
     const int row = static_cast<int>(pair);
@@ -112,9 +101,9 @@ Pairs Collector::pairs(const Surface& source, const GapOptions& options) const {
     for (const auto& [column, sum] : sums.sliding)
       sliding.emplace_back(row, static_cast<int>(column), sum / sums.weight);
   }
-  pairs.opening.resize(n_pairs, 2 * options.n_nodes);
+  pairs.opening.resize(n_pairs, 2 * options_.n_nodes);
   pairs.opening.setFromTriplets(opening.begin(), opening.end());
-  pairs.sliding.resize(n_pairs, 2 * options.n_nodes);
+  pairs.sliding.resize(n_pairs, 2 * options_.n_nodes);
   pairs.sliding.setFromTriplets(sliding.begin(), sliding.end());
   return pairs;
 }
@@ -125,25 +114,18 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
   pose(options.points >= 0 && options.points <= 16,
        "mortar: there are rules of 1 to 16 points (0: its own choice), got ", options.points);
   const Interface interface(source, target, options);
-  const std::vector<SideCurve>& edges = interface.source_sides();
+  const std::vector<SideCurve>& sides = interface.source_sides();
   const bool cut = options.quadrature == Quadrature::Segments;
   const bool curved = source.mesh.cells.cols() == 8 || target.mesh.cells.cols() == 8;
   const int points = options.points > 0 ? options.points : (cut && curved ? 3 : 2);
-  std::vector<std::vector<double>> cuts(edges.size());
+  std::vector<std::vector<double>> cuts(sides.size());
   if (cut) cuts = segment_cuts(interface);
 
-  Collector collector(interface, options.sliding);
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const EdgeSamples samples = sample_edge(edges[k], interface, cuts[k], points);
-    std::vector<EdgePoint> covered;
-    for (const FacingPoint& point : samples.facing) covered.push_back(point.at);
-    const DualBasis basis = dual_basis(covered, samples.share);
-    for (const FacingPoint& point : samples.facing)
-      collector.add(edges[k], point, interface.search().side(point.target.side),
-                    basis.value(point.at.s));
-    collector.add_weight(edges[k], basis);
-  }
-  Pairs pairs = collector.pairs(source, options);
+  Collector collector(interface, options);
+  for (std::size_t k = 0; k < sides.size(); ++k)
+    for (const SourceEdge& edge : edges_of(sides[k]))
+      collector.add(edge, sample_edge(edge, interface, cuts[k], points));
+  Pairs pairs = collector.pairs();
   interface.check_paired(pairs.node.size());
   return pairs;
 }

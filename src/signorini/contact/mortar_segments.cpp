@@ -48,19 +48,29 @@ std::vector<std::vector<double>> segment_cuts(const Interface& interface) {
   return cuts;
 }
 
-EdgeSamples sample_edge(const SideCurve& edge, const Interface& interface,
+std::vector<SourceEdge> edges_of(const SideCurve& side) {
+  const std::vector<Index>& nodes = side.nodes();
+  if (nodes.size() == 2) return {{&side, {nodes[0], nodes[1]}, -1, 1}};
+  return {{&side, {nodes[0], nodes[1]}, -1, 0}, {&side, {nodes[1], nodes[2]}, 0, 1}};
+}
+
+EdgeSamples sample_edge(const SourceEdge& edge, const Interface& interface,
                         const std::vector<double>& cuts, int points) {
+  std::vector<double> ends;
+  for (const double cut : cuts)
+    if (cut > edge.begin + sliver && cut < edge.end - sliver) ends.push_back(cut);
+  ends.push_back(edge.end);
   EdgeSamples samples;
-  double begin = -1;
-  for (std::size_t k = 0; k <= cuts.size(); ++k) {
-    const double end = k < cuts.size() ? cuts[k] : 1;
+  double begin = edge.begin;
+  for (const double end : ends) {
     const double half = 0.5 * (end - begin);
     for (const GaussPoint& gauss : gauss_line(points)) {
-      const double s = 0.5 * (begin + end) + half * gauss.xi;
-      const EdgePoint at{s, half * gauss.weight * edge.tangent(s).norm()};
-      samples.share += at.length * corner_shape(s);
-      const Projection seen = interface.closest(edge.point(s), edge.normal(s));
-      if (seen.found) samples.facing.push_back({at, seen});
+      const double xi = 0.5 * (begin + end) + half * gauss.xi;
+      const double s = (2 * xi - edge.begin - edge.end) / (edge.end - edge.begin);
+      const EdgePoint at{s, half * gauss.weight * edge.side->tangent(xi).norm()};
+      samples.share += at.length * end_shape(s);
+      const Projection seen = interface.closest(edge.side->point(xi), edge.side->normal(xi));
+      if (seen.found) samples.facing.push_back({at, xi, seen});
     }
     begin = end;
   }

@@ -1,6 +1,7 @@
 /// \file
 /// Where the source is integrated: Gauss points on its edges, or on segments between projected nodes.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "signorini/contact/dual_basis.hpp"
@@ -8,18 +9,31 @@
 
 namespace signorini {
 
+/// What lies between two neighbouring nodes of the source: a side of two nodes, or half of one of three.
+struct SourceEdge {
+  const SideCurve* side;              ///< of the source
+  std::array<Eigen::Index, 2> nodes;  ///< at its ends, in walking order
+  double begin;                       ///< xi of the side at the first end [-]
+  double end;                         ///< xi of the side at the second end [-]
+};
+
 /// A point of the source and the place of the target that it faces.
 struct FacingPoint {
   EdgePoint at;       ///< on the edge
+  double xi;          ///< place along the side of the source [-]
   Projection target;  ///< found
 };
 
-/// Integration of one edge of the source.
+/// Integration of one edge.
 struct EdgeSamples {
   std::vector<FacingPoint> facing;  ///< points that face the target, along the edge
-  Eigen::Vector2d share =
-      Eigen::Vector2d::Zero();  ///< integrals of the corners' N over the whole edge [length]
+  Eigen::Vector2d share = {0, 0};   ///< integrals of end_shape() over the whole edge [length]
 };
+
+/// The edges of one side.
+/// \param side  of the source; must outlive them
+/// \return one, or two if it has three nodes
+[[nodiscard]] std::vector<SourceEdge> edges_of(const SideCurve& side);
 
 /// Places at which what is integrated over the source has a kink: where the normals of the target at the
 /// ends of its sides meet the source, and at a vertex also the line midway between them.
@@ -33,11 +47,12 @@ struct EdgeSamples {
 /// Samples one edge of the source.
 /// \param edge       of the source
 /// \param interface  of source and target
-/// \param cuts       where the edge is cut into segments, increasing; none: the edge as it is
+/// \param cuts       xi where its side is cut into segments, increasing; those outside of the edge count
+///   nothing. None: the edge as it is
 /// \param points     Gauss points per segment
-/// \return points that face the target, and the share of the edge's corners
+/// \return points that face the target, and the shares of the edge's ends
 /// \throws ProblemError as Interface::closest()
-[[nodiscard]] EdgeSamples sample_edge(const SideCurve& edge, const Interface& interface,
+[[nodiscard]] EdgeSamples sample_edge(const SourceEdge& edge, const Interface& interface,
                                       const std::vector<double>& cuts, int points);
 
 }  // namespace signorini
