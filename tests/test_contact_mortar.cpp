@@ -11,6 +11,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 using namespace signorini;
+using signorini_test::problem_message;
 
 namespace {
 
@@ -69,6 +70,7 @@ TEST_CASE("a uniform pressure reaches a covered target as if it were a load", "[
 }
 
 TEST_CASE("forces balance and normal forces turn nothing", "[mortar]") {
+  const auto quadrature = GENERATE(Quadrature::Segments, Quadrature::SourceEdges);
   const Mesh source =
       mapped(block({0, 1}, {3, 1}, 6, MeshOrder::Quadratic), [](const Vector2d& x) -> Vector2d {
         return {x.x(), x.y() + 0.1 * std::sin(2 * x.x())};
@@ -80,6 +82,7 @@ TEST_CASE("forces balance and normal forces turn nothing", "[mortar]") {
         });
     GapOptions options;
     options.sliding = true;
+    options.quadrature = quadrature;
     const Pairs pairs = over(source, target, options);
     const VectorXd some = VectorXd::LinSpaced(pairs.weight.size(), 1, 2);
     MatrixXd nodes(source.n_nodes() + target.n_nodes(), 2);
@@ -192,6 +195,40 @@ TEST_CASE("the gaps of a side of three nodes see its parabola", "[mortar]") {
   CHECK(pairs.opening.coeff(0, 2 * middle + 1) == Approx(1.0 / 6).epsilon(1e-13));
   CHECK(pairs.opening.coeff(1, 2 * middle + 1) == Approx(7.0 / 6).epsilon(1e-13));
   CHECK(pairs.opening.coeff(2, 2 * middle + 1) == Approx(1.0 / 6).epsilon(1e-13));
+}
+
+TEST_CASE("segments make what is integrated smooth at a valley and at a ridge of the target",
+          "[mortar]") {
+  // In a valley the source changes sides on the bisector, and all is straight between: 2 points are exact.
+  // Above a ridge it faces the vertex from one normal to the other, where the gap is a root: 7 points do.
+  const Mesh source = block({-1, 1}, {2.2, 1}, 3);
+  for (const double slope : {0.4, -0.4}) {
+    const Mesh target = mapped(block({-3, -1}, {6, 1}, 2), [slope](const Vector2d& x) -> Vector2d {
+      return {x.x(),
+              x.y() + (slope > 0 ? slope * std::abs(x.x()) : -1.2 + slope * std::abs(x.x()))};
+    });
+    GapOptions many;
+    many.points = 16;
+    GapOptions few;
+    few.points = slope > 0 ? 2 : 7;
+    const Pairs exact = over(source, target, many);
+    const Pairs pairs = over(source, target, few);
+    CAPTURE(slope);
+    CHECK((pairs.initial_gap - exact.initial_gap).cwiseAbs().maxCoeff() <= 1e-13);
+    CHECK((MatrixXd(pairs.opening) - MatrixXd(exact.opening)).cwiseAbs().maxCoeff() <= 1e-13);
+  }
+}
+
+TEST_CASE("a number of points without a rule is refused", "[mortar]") {
+  const Mesh source = block({0, 1}, {2, 1}, 2);
+  for (const int points : {-1, 17}) {
+    GapOptions options;
+    options.points = points;
+    CHECK_THAT(problem_message([&] {
+                 static_cast<void>(over(source, block({0, 0}, {2, 1}, 3), options));
+               }),
+               ContainsSubstring("1 to 16 points"));
+  }
 }
 
 TEST_CASE("the thickness multiplies weights only", "[mortar]") {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/contact/mortar.hpp"
+#include "signorini/contact/gap_operators.hpp"
 #include "support/two_blocks.hpp"
 
 using Eigen::Index;
@@ -12,7 +12,7 @@ using signorini_test::press_blocks;
 
 namespace {
 
-const GapOperator weighted = {"mortar", "under test", true, mortar};
+const GapOperator& weighted() { return find_gap_operator("mortar"); }
 
 struct Edges {
   Index source, target;
@@ -31,7 +31,7 @@ TEST_CASE("a uniform pressure passes between any two meshes: the contact patch t
     for (const Edges& edges : non_matching) {
       CAPTURE(element, edges.source, edges.target, inclination, ratio);
       const double accepted = ratio > 1 && edges.source > edges.target ? 1e-11 : 3e-13;
-      CHECK(patch_test(weighted, {}, edges.source, edges.target, inclination, ratio, element) <=
+      CHECK(patch_test(weighted(), {}, edges.source, edges.target, inclination, ratio, element) <=
             accepted);
     }
 }
@@ -46,7 +46,7 @@ TEST_CASE("without segments the pressure is off by about a percent, less with mo
       const int points[3] = {2, 4, 10};
       for (int k = 0; k < 3; ++k) {
         options.points = points[k];
-        deviation[k] = patch_test(weighted, options, edges.source, edges.target, 0, 1, element);
+        deviation[k] = patch_test(weighted(), options, edges.source, edges.target, 0, 1, element);
       }
       CAPTURE(element, edges.source, edges.target, deviation[0], deviation[1], deviation[2]);
       CHECK(deviation[0] > 0.004);
@@ -57,11 +57,23 @@ TEST_CASE("without segments the pressure is off by about a percent, less with mo
     }
 }
 
+TEST_CASE("a pair per point of the source transfers no uniform pressure", "[mortar][patch]") {
+  // What node_to_segment and gauss_points say of themselves; pressures of Gauss points are not even unique.
+  for (const GapOperator& member : gap_operators()) {
+    if (member.passes_patch_test) continue;
+    for (const char* element : {"q4", "q8"})
+      for (const Edges& edges : non_matching) {
+        CAPTURE(member.name, element, edges.source, edges.target);
+        CHECK(patch_test(member, {}, edges.source, edges.target, 0, 1, element) > 0.02);
+      }
+  }
+}
+
 TEST_CASE("on matching meshes no segments are needed", "[mortar][patch]") {
   GapOptions options;
   options.quadrature = Quadrature::SourceEdges;
   for (const char* element : {"q4", "q8"})
-    CHECK(patch_test(weighted, options, 8, 8, 15, 1, element) <= 1e-13);
+    CHECK(patch_test(weighted(), options, 8, 8, 15, 1, element) <= 1e-13);
 }
 
 TEST_CASE("more points than needed on segments change nothing", "[mortar][patch]") {
@@ -69,12 +81,12 @@ TEST_CASE("more points than needed on segments change nothing", "[mortar][patch]
     GapOptions options;
     options.points = points;
     CAPTURE(points);
-    CHECK(patch_test(weighted, options, 7, 10, 15, 1, "q8") <= 1e-13);
+    CHECK(patch_test(weighted(), options, 7, 10, 15, 1, "q8") <= 1e-13);
   }
 }
 
 TEST_CASE("two blocks under pressure close every pair and share their interface", "[mortar]") {
-  const PatchResult result = press_blocks(weighted, {}, {8, 11, 15, 1, "q8"});
+  const PatchResult result = press_blocks(weighted(), {}, {8, 11, 15, 1, "q8"});
   CHECK(result.pressure.size() == 17);
   const double length = 2 / std::cos(15 * std::acos(-1.0) / 180);
   CHECK(result.pairs.weight.sum() == Approx(length).epsilon(1e-14));

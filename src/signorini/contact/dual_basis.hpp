@@ -38,7 +38,7 @@ struct DualBasis {
   }
 };
 
-/// Dual functions of an edge of which a part is covered.
+/// Dual functions of an edge of which a part is covered [\ref CichoszBischoff2011].
 ///
 /// With the means m_i of N_i over C and the variance v of s there, psi_2 = m_2 + 2 m_1 m_2 (s - centre)/v.
 /// On a whole straight edge that is (1 + 3 s)/2. As C shrinks towards one end, the line of

@@ -10,12 +10,12 @@ namespace signorini {
 /// \f[ gap_i = \frac{1}{w_i}\int \psi_i(x)\,(x - \bar x)\cdot n\,d\Gamma,\qquad
 ///     w_i = \int\psi_i\,d\Gamma, \f]
 ///
-/// with the closest place \f$ \bar x \f$ of the target and its normal n there [\ref Wohlmuth2011]. The
+/// with the closest place \f$ \bar x \f$ of the target and its normal n there. The
 /// pressure is \f$ \sum_i p_i\psi_i \f$ on both sides, so equal p_i are the same uniform pressure for the
 /// source and for the target, exactly so as far as the integrals are exact. On Quadrature::Segments they are
 /// wherever sides are straight, with the operator's own 2 points per segment (3 if either body has sides of
 /// three nodes, for curved ones). On Quadrature::SourceEdges (2 points, or 1 to 16) kinks within an edge are
-/// smeared: the number of points is the knob that tells how much. One point cannot tell the two ends of an
+/// smeared: the number of points is the knob that tells how much [\ref FarahPoppWall2015]. One point cannot tell the two ends of an
 /// edge apart: forces are then not unique.
 ///
 /// A side of three nodes counts as two edges: its functions psi are those of straight lines between
