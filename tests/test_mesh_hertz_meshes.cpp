@@ -42,6 +42,35 @@ TEST_CASE("the default meshes of Hertz's problem have at most 1412 nodes, 12 to 
   CHECK(surface.back() == 95);
 }
 
+TEST_CASE("every number of the specification goes where it belongs", "[hertz-mesh]") {
+  HertzMeshSpec spec;
+  spec.radius = 10;
+  spec.plate = {20, 30};
+  spec.core = 0.5;
+  spec.plate_core = 1.2;
+  spec.disc_cells = 5;
+  spec.disc_rows = 4;
+  spec.disc_layers = 3;
+  spec.plate_cells = 6;
+  spec.plate_rows = 7;
+  spec.plate_layers = 8;
+  spec.layer_grading = 2;
+  const HertzMeshes meshes = make_hertz_meshes(spec);
+  CHECK(meshes.disc.n_nodes() == 6 * 5 + 10 * 3);
+  CHECK(meshes.plate.n_nodes() == 7 * 8 + 14 * 8);
+  const std::vector<double> rim = outwards(meshes.disc, "rim");
+  const std::vector<double> surface = outwards(meshes.plate, "surface");
+  CHECK(rim.size() == 6 + 3);
+  CHECK(rim[5] == Approx(0.5).epsilon(1e-14));
+  CHECK(rim.back() == Approx(10).epsilon(1e-15));
+  CHECK(surface.size() == 7 + 8);
+  CHECK(surface[6] == Approx(0.6).epsilon(1e-14));
+  CHECK(std::log(20 / surface[13]) / std::log(surface[7] / 0.6) == Approx(2).epsilon(1e-12));
+  CHECK(meshes.plate.nodes.col(1).minCoeff() == -30);
+  CHECK(boundary(meshes.disc, "axis").size() == 4 + 3);
+  CHECK(boundary(meshes.plate, "axis").size() == 7 + 8);
+}
+
 TEST_CASE("counts make 72 pairs of good meshes of 1200 to 1412 nodes", "[hertz-mesh]") {
   int pairs = 0;
   for (const double core : {1.3, 1.4, 1.5, 1.6})
