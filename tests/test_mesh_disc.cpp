@@ -160,6 +160,8 @@ TEST_CASE("discs that cannot be made are refused by name", "[disc]") {
   CHECK_THAT(message([](DiscSpec& s) { s.radius = 0; }),
              ContainsSubstring("make_disc 'coin': radius must be positive, got 0"));
   CHECK_THAT(message([](DiscSpec& s) { s.core = 1; }), ContainsSubstring("core must be"));
+  CHECK_THAT(message([](DiscSpec& s) { s.core = 0.8; }),
+             ContainsSubstring("a core of 0.8 needs a core_roundness above 0.6, got 0.5"));
   CHECK_THAT(message([](DiscSpec& s) { s.core_roundness = 1; }), ContainsSubstring("roundness"));
   CHECK_THAT(message([](DiscSpec& s) { s.layers = 0; }),
              ContainsSubstring("at least 1, got 4 and 0"));

@@ -20,6 +20,10 @@ void check(const DiscSpec& spec) {
           "': core must be above 0 and below 1, got ", spec.core);
   require(spec.core_roundness >= 0 && spec.core_roundness < 1, "make_disc '", spec.name,
           "': core_roundness must be at least 0 and below 1, got ", spec.core_roundness);
+  // Else the diagonals of the layers, which become rounder outwards, would run inwards at the rim.
+  require(2 * spec.core < 1 + spec.core_roundness, "make_disc '", spec.name, "': a core of ",
+          spec.core, " needs a core_roundness above ", 2 * spec.core - 1, ", got ",
+          spec.core_roundness);
   require(spec.core_cells > 0 && spec.layers > 0, "make_disc '", spec.name,
           "': core_cells and layers must be at least 1, got ", spec.core_cells, " and ",
           spec.layers);
@@ -119,7 +123,7 @@ Mesh make_pressed_disc(const PressedDiscSpec& spec) {
   grid.rows /= depth;
   grid.width = growing_layers(width, 2 * radius, spec.layers, spec.layer_grading);
   grid.depth = growing_layers(depth, 2 * radius, spec.layers, spec.layer_grading);
-  const Eigen::ArrayXd outwards = graded_steps(spec.layers, 1);
+  const Eigen::ArrayXd outwards = graded_steps(spec.layers, spec.layer_grading);
   grid.roundness = 1 - (1 - outwards).square();
   grid.order = spec.order;
 

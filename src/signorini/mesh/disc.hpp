@@ -20,7 +20,7 @@ struct DiscSpec {
   std::string name = "disc";                         ///< what messages call it
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< [length]
   double radius = 1;                                 ///< [length], positive
-  double core = 0.5;                    ///< half width of the core / radius, above 0, below 1 [-]
+  double core = 0.5;  ///< half width of the core / radius, above 0, below (1 + roundness) / 2 [-]
   double core_roundness = 0.5;          ///< shape of the core, 0 (square) to 1 (disc), below 1 [-]
   Eigen::Index core_cells = 4;          ///< from the centre to a side of the core, at least 1
   Eigen::Index layers = 4;              ///< of cells around the core, at least 1

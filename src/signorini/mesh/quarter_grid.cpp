@@ -36,15 +36,18 @@ Mesh make_layers(const QuarterGrid& grid) {
   const Index columns = grid.columns.size() / 2;
   const Index rows = grid.rows.size() / 2;
   // Rays run outwards from the core: along its bottom first, then up its side.
-  Mesh mesh =
-      make_lattice(grid.name, {grid.width.size() - 1, columns + rows, grid.order},
-                   [&](Index i, Index j) -> RowVector2d {
-                     const bool below = j <= 2 * columns;
-                     const double p = below ? grid.columns(j) : 1;
-                     const double q = below ? -1 : -grid.rows(2 * (columns + rows) - j);
-                     return rounded(p, q, at_half(grid.roundness, i))
-                         .cwiseProduct(RowVector2d(at_half(grid.width, i), at_half(grid.depth, i)));
-                   });
+  const auto corner = [&](Index layer, Index j) -> RowVector2d {
+    const bool below = j <= 2 * columns;
+    const double p = below ? grid.columns(j) : 1;
+    const double q = below ? -1 : -grid.rows(2 * (columns + rows) - j);
+    return rounded(p, q, grid.roundness(layer))
+        .cwiseProduct(RowVector2d(grid.width(layer), grid.depth(layer)));
+  };
+  Mesh mesh = make_lattice(grid.name, {grid.width.size() - 1, columns + rows, grid.order},
+                           [&](Index i, Index j) -> RowVector2d {  // straight along the rays
+                             if (i % 2 == 0) return corner(i / 2, j);
+                             return 0.5 * (corner(i / 2, j) + corner(i / 2 + 1, j));
+                           });
   const std::vector<CellSide> outer = boundary(mesh, "right");
   mesh.boundaries.erase("right");
   mesh.boundaries["base"].assign(outer.begin(), outer.begin() + columns);
