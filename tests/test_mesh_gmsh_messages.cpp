@@ -89,6 +89,12 @@ TEST_CASE("counts that do not fit are refused, and nothing is allocated for them
         "file:30: expected 10 nodes in all blocks, got 9" + again);
   CHECK(complaint(with(v41(), "2 1 1 9", "2 1 1 8")) ==
         "file:21: y: expected a finite number, got the end of the line");
+  CHECK(complaint(with(v41(), "2 1 1 9", "2 1 0 9")) ==
+        "file:22: expected the end of the line after the position of a node, got '0'");
+  std::string many = "1 0 0 0 1 0 0 100";
+  for (int group = 1; group <= 100; ++group) many += text(' ', group);
+  CHECK(complaint(with(v41(), "1 0 0 0 1 0 0 1 -4", many)) ==
+        "file:6: expected an entity in at most 16 physical groups");
   CHECK(complaint(with(v41(), "0 2 1 0", "0 2 2 0")) ==
         "file:9: expected 2 surfaces, got 1" + again);
 }
@@ -138,7 +144,25 @@ TEST_CASE("cells and lines of no body, or of two, are refused", "[mesh][gmsh]") 
              StartsWith("file:17: this line of 'curve 4' lies within a body"));
   CHECK_THAT(about_elements("3", cells + "3 8 2 4 1 1 2 3\n"),
              ContainsSubstring("has 3 nodes, and the side of the cell there has 2"));
-  CHECK(about_elements("3", cells + "3 1 2 0 1 2 5\n").empty());  // in no group
+  CHECK(about_elements("3", cells + "3 1 2 0 1 2 5\n").empty());                 // in no group
+  CHECK(about_elements("4", cells + "3 1 2 4 1 1 2\n4 1 2 4 1 2 1\n").empty());  // twice
+}
+
+TEST_CASE("cells of 8 nodes fit to their neighbours, and are not mixed with those of 4",
+          "[mesh][gmsh]") {
+  const std::string more = with(with(format + nodes, "$Nodes\n6", "$Nodes\n14"), "$EndNodes",
+                                "7 .5 0 0\n8 1 .5 0\n9 .5 1 0\n10 0 .5 0\n11 1.5 0 0\n12 2 .5 0\n"
+                                "13 1.5 1 0\n14 1 .5 0\n$EndNodes");
+  const auto second = [&](const std::string& cell) {
+    return complaint(more + "$Elements\n2\n1 16 2 1 1 1 2 5 6 7 8 9 10\n" + cell +
+                     "\n$EndElements\n");
+  };
+  CHECK(second("2 16 2 1 1 2 3 4 5 11 12 13 8").empty());
+  CHECK(second("2 16 2 7 1 2 3 4 5 11 12 13 14").empty());  // another body
+  CHECK_THAT(second("2 16 2 1 1 2 3 4 5 11 12 13 14"),
+             StartsWith("file:24: this cell and that of line 23 share the ends of a side but not"));
+  CHECK_THAT(second("2 3 2 1 1 2 3 4 5"),
+             StartsWith("file:24: expected a cell of 8 nodes as in line 23, got 4"));
 }
 
 TEST_CASE("names that nothing bears, or that two bear, are refused", "[mesh][gmsh]") {
