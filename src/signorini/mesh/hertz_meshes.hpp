@@ -9,8 +9,9 @@
 namespace signorini {
 
 /// The lower right quarter of a disc of radius R that rests at the origin on the right half of a
-/// plate, with the dimensions of \PaperEq{LinEtAl, 43} by default. Vary the counts to have other meshes:
-/// equal cores face each other node by node, others do not match.
+/// plate. Vary the counts to have other meshes: equal cores face each other node by node, others do
+/// not match. The defaults fit the example of sec. 3.1 of [\ref LinEtAl]: 1399 nodes, 16 cells on
+/// 1.3 half widths of the contact.
 struct HertzMeshSpec {
   double radius = 50;                   ///< of the disc R [mm]
   Eigen::Vector2d plate = {95, 95};     ///< half width and depth of the plate [mm]
