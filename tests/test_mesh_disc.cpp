@@ -172,8 +172,8 @@ TEST_CASE("discs that cannot be made are refused by name", "[disc]") {
     return argument_message([&] { static_cast<void>(make_pressed_disc(spec)); });
   };
   using Spec = PressedDiscSpec;
-  CHECK_THAT(pressed_message([](Spec& s) { s.core.x() = 50; }),
-             ContainsSubstring("the radius, 50"));
+  CHECK_THAT(pressed_message([](Spec& s) { s.core.x() = 25; }),
+             ContainsSubstring("half the radius, 25, got 25"));
   CHECK_THAT(pressed_message([](Spec& s) { s.core.y() = 0; }), ContainsSubstring("got 1 and 0"));
   CHECK_THAT(pressed_message([](Spec& s) { s.core_rows = 0; }), ContainsSubstring("8, 0 and 10"));
   CHECK_THAT(pressed_message([](Spec& s) { s.layer_grading = 0; }), ContainsSubstring("layer_gr"));

@@ -34,9 +34,9 @@ void check(const DiscSpec& spec) {
 void check(const PressedDiscSpec& spec) {
   require(spec.radius > 0 && std::isfinite(spec.radius) && spec.pole.allFinite(),
           "make_pressed_disc '", spec.name, "': radius must be positive, got ", spec.radius);
-  require(spec.core.minCoeff() > 0 && spec.core.maxCoeff() < spec.radius, "make_pressed_disc '",
-          spec.name, "': width and depth of the core must be above 0 and below the radius, ",
-          spec.radius, ", got ", spec.core.x(), " and ", spec.core.y());
+  require(spec.core.minCoeff() > 0 && spec.core.maxCoeff() < spec.radius / 2, "make_pressed_disc '",
+          spec.name, "': width and depth of the core must be above 0 and below half the radius, ",
+          spec.radius / 2, ", got ", spec.core.x(), " and ", spec.core.y());
   require(spec.core_columns > 0 && spec.core_rows > 0 && spec.layers > 0, "make_pressed_disc '",
           spec.name, "': core_columns, core_rows and layers must be at least 1, got ",
           spec.core_columns, ", ", spec.core_rows, " and ", spec.layers);

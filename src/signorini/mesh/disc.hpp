@@ -35,8 +35,8 @@ struct DiscSpec {
 /// Divides a disc evenly. Cores of a quarter have `core_cells` squared cells, layers twice
 /// `core_cells`.
 ///
-/// Boundaries, with the body on the left: `rim`; of a part also `axis` (x of the centre), of a quarter
-/// also `middle` (y of the centre). A full rim begins at the lowest node.
+/// Boundaries, with the body on the left: `rim`; of a part also `axis` (x of the centre), of a
+/// quarter also `middle` (y of the centre). A full rim begins at the lowest node.
 /// \param spec  the disc
 /// \return a mesh that passes check_mesh(); halves that were mirrored are equal to the last bit if
 ///   the centre is the origin
@@ -50,11 +50,11 @@ struct PressedDiscSpec {
   double radius = 50;                              ///< [length], positive
   Eigen::Vector2d core = Eigen::Vector2d::Ones();  ///< width along x from the pole to the last node
                                                    ///< of the core on the rim, and depth of the
-                                                   ///< core along the axis, below radius [length]
-  Eigen::Index core_columns = 8;                   ///< cells of the core along the rim
-  Eigen::Index core_rows = 8;                      ///< cells of the core in depth
-  Eigen::Index layers = 10;                        ///< of cells around the core, at least 1
-  double layer_grading = 1;  ///< growth of the last layer / of the first, in logarithms [-]
+      ///< core along the axis, below radius / 2 [length]
+  Eigen::Index core_columns = 8;  ///< cells of the core along the rim
+  Eigen::Index core_rows = 8;     ///< cells of the core in depth
+  Eigen::Index layers = 10;       ///< of cells around the core, at least 1
+  double layer_grading = 1;       ///< growth of the last layer / of the first, in logarithms [-]
   DiscPart part = DiscPart::LowerRight;  ///< how much of it
   MeshOrder order = MeshOrder::Linear;   ///< 4 or 8 nodes per cell; 8: midpoints lie on the circle
 
@@ -64,11 +64,11 @@ struct PressedDiscSpec {
 };
 
 /// Divides a disc that is fine at its poles: the image of a half-space that is fine at a point, see
-/// make_half_space(), under the Moebius map w -> w / (1 - i w / 2 R). That map keeps angles, and takes
-/// the half disc |w| < 2 R, Im w > 0 to the lower half of the disc.
+/// make_half_space(), under the Moebius map w -> w / (1 - i w / 2 R). That map keeps angles, and
+/// takes the half disc |w| < 2 R, Im w > 0 to the lower half of the disc.
 ///
-/// Nodes of the core on the rim have even x: they face those of an even core on a plane. Boundaries as
-/// of make_disc(); `axis` runs down to the pole.
+/// Nodes of the core on the rim have even x: they face those of an even core on a plane. Boundaries
+/// as of make_disc(); `axis` runs down to the pole.
 /// \param spec  the disc
 /// \return a mesh that passes check_mesh(); left and right are equal to the last bit if the pole is
 ///   at x = 0

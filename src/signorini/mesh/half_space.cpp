@@ -56,8 +56,8 @@ Mesh make_half_space(const HalfSpaceSpec& spec) {
   grid.rows = graded_steps(2 * spec.core_rows, 1);
   grid.width = growing_layers(spec.core.x(), spec.width, spec.layers, spec.layer_grading);
   grid.depth = growing_layers(spec.core.y(), spec.depth, spec.layers, spec.layer_grading);
-  // Round half way: rays from the corner of the core then meet layers at more open angles. Where the
-  // layers hardly grow, rounding them would fold cells at the corner.
+  // Round half way: rays from the corner of the core then meet layers at more open angles. Where
+  // the layers hardly grow, rounding them would fold cells at the corner.
   const double growth = std::log(std::min(spec.width / spec.core.x(), spec.depth / spec.core.y()));
   const Eigen::ArrayXd outwards = graded_steps(spec.layers, spec.layer_grading);
   grid.roundness = std::min(1.0, growth / 2) * 4 * outwards * (1 - outwards);

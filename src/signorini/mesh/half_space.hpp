@@ -9,8 +9,9 @@
 
 namespace signorini {
 
-/// A rectangle 0 <= x <= width, -depth <= y <= 0, fine next to the origin: a core of even cells in the
-/// corner and layers around it that grow by equal factors, so that they are few however far it goes.
+/// A rectangle 0 <= x <= width, -depth <= y <= 0, fine next to the origin: a core of even cells in
+/// the corner and layers around it that grow by equal factors, so that they are few however far it
+/// goes.
 struct HalfSpaceSpec {
   std::string name = "half-space";                 ///< what messages call it
   double width = 40;                               ///< [length], beyond the core
@@ -29,8 +30,9 @@ struct HalfSpaceSpec {
 
 /// Divides a rectangle that is fine at a point of its surface, the origin.
 ///
-/// Boundaries, counter-clockwise: `axis` (x = 0, downwards), `base` (y = -depth), `side` (x = width),
-/// `surface` (y = 0, to the left). Coordinates on them are exact. Further places by moved().
+/// Boundaries, counter-clockwise: `axis` (x = 0, downwards), `base` (y = -depth), `side` (x =
+/// width), `surface` (y = 0, to the left). Coordinates on them are exact. Further places by
+/// moved().
 /// \param spec  the rectangle
 /// \return a mesh; check_mesh() finds 8-node cells that are bent too far, as where a core of one
 ///   column ends in layers that grow in depth only
@@ -64,8 +66,8 @@ struct EdgeBlockSpec {
 
 /// Divides a rectangle that is fine at an edge, by lines across its whole width and depth.
 ///
-/// Boundaries, counter-clockwise: `axis` (x = 0, downwards), `base`, `side`, `surface` (y = 0, to the
-/// left); `loaded` is the part of the surface with x <= edge.
+/// Boundaries, counter-clockwise: `axis` (x = 0, downwards), `base`, `side`, `surface` (y = 0, to
+/// the left); `loaded` is the part of the surface with x <= edge.
 /// \param spec  the rectangle
 /// \return a mesh that passes check_mesh()
 /// \throws std::invalid_argument naming the number that is out of range

@@ -26,9 +26,9 @@ struct QuarterGrid {
 
 /// Makes the cells, those of the core first.
 ///
-/// Boundaries, once round counter-clockwise: `axis` (x = 0, downwards), `base` (outermost line below
-/// the diagonal), `side` (outermost line beside it), `surface` (y = 0, to the left). Nodes on axis,
-/// surface and a straight base or side have their coordinate exactly.
+/// Boundaries, once round counter-clockwise: `axis` (x = 0, downwards), `base` (outermost line
+/// below the diagonal), `side` (outermost line beside it), `surface` (y = 0, to the left). Nodes on
+/// axis, surface and a straight base or side have their coordinate exactly.
 /// \param grid  increasing places, and half-axes and roundness of equal number
 /// \return a mesh; not checked, see check_mesh()
 [[nodiscard]] Mesh make_quarter_grid(const QuarterGrid& grid);
@@ -37,8 +37,8 @@ struct QuarterGrid {
 /// \param core     half-axis of the core, positive [length]
 /// \param far      half-axis of the outermost layer, above that of the core [length]
 /// \param layers   at least 1
-/// \param grading  growth of the last layer / growth of the first, of logarithms, positive; 1: every
-///   layer ends at the same multiple of where it begins [-]
+/// \param grading  growth of the last layer / growth of the first, of logarithms, positive; 1:
+///   every layer ends at the same multiple of where it begins [-]
 /// \return `layers + 1` half-axes; the first and the last are exact
 [[nodiscard]] Eigen::VectorXd growing_layers(double core, double far, Eigen::Index layers,
                                              double grading);

@@ -51,8 +51,9 @@ enum class MirrorLine {
 /// \param second    mesh of as many nodes per cell
 /// \param opposite  its boundary on the line
 /// \return one mesh: nodes and cells of the first, then the others of the second
-/// \throws ProblemError if there is no such boundary, or if the nodes of the two boundaries differ in
-///   number or, by more than rounding (1e-12 of the size), in place
+/// \throws ProblemError if there is no such boundary, if cells have not as many nodes in both, or
+///   if the nodes of the two boundaries differ in number or, by more than rounding (1e-12 of the
+///   size), in place
 [[nodiscard]] Mesh joined(Mesh first, const std::string& along, const Mesh& second,
                           const std::string& opposite);
 
