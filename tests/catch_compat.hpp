@@ -18,3 +18,4 @@ using Catch::Matchers::ContainsSubstring;
 /// Matches a text that contains `part`; the name that version 3 gives to this matcher.
 inline auto ContainsSubstring(const std::string& part) { return Catch::Matchers::Contains(part); }
 #endif
+using Catch::Matchers::StartsWith;

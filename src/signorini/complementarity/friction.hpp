@@ -2,6 +2,7 @@
 /// Contact with friction and cohesion, for one load step, condensed on the contact unknowns.
 #pragma once
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "signorini/complementarity/problem.hpp"
@@ -16,21 +17,32 @@ namespace signorini {
 ///
 /// lambda >= 0, gap >= 0, lambda gap = 0, and \f$ |\tau_i| \le b_i = \mu_i\lambda_i + c_i \f$ where the
 /// pair is closed, 0 where it is open; a pair slides only against a friction force at its bound:
-/// slip > 0 needs tau = -b, slip < 0 needs tau = b.
+/// slip > 0 needs tau = -b, slip < 0 needs tau = b. \PaperEq{LinEtAl, 6}, \PaperEq{LinEtAl, 8}
+///
+/// With c > 0 a solution need not exist: a pair that only the friction force of its cohesion would
+/// pull open has no force to stay closed with, and once open no friction force that pulls.
 struct FrictionProblem {
-  Eigen::MatrixXd compliance;  ///< F `2 n_c x 2 n_c` gaps first, then slips [length/force]
-  Eigen::VectorXd free_gap;    ///< d `n_c` [length]
-  Eigen::VectorXd free_slip;   ///< s `n_c` [length]
+  Eigen::MatrixXd compliance;   ///< F `2 n_c x 2 n_c` gaps first, then slips [length/force]
+  Eigen::VectorXd free_gap;     ///< d `n_c` [length]
+  Eigen::VectorXd free_slip;    ///< s `n_c` [length]
   Eigen::VectorXd coefficient;  ///< mu `n_c` >= 0 [-]
   Eigen::VectorXd cohesion;     ///< c `n_c` >= 0 [force], of closed pairs only
-  Eigen::MatrixXd rigid = {};      ///< R `2 n_c x n_r` [length/amplitude]; no columns if bodies are held
+  Eigen::MatrixXd rigid =
+      {};  ///< R `2 n_c x n_r` [length/amplitude]; no columns if bodies are held
   Eigen::VectorXd resultant = {};  ///< r `n_r` [force*length/amplitude]
 };
 
 /// What a pair does.
 enum class PairStatus { Open, Stick, Slip };
 
-/// A solution of a friction problem.
+/// Whether other forces would do as well.
+enum class Uniqueness {
+  Proved,   ///< no other solution exists, for any free gaps and slips
+  Unknown,  ///< nothing was found that speaks for another solution, or against it
+  Doubtful  ///< a warning: others may exist, see uniqueness()
+};
+
+/// A solution of a friction problem, if `report.status` is Solved.
 struct FrictionState {
   Eigen::VectorXd force;           ///< lambda `n_c` [force], compression > 0
   Eigen::VectorXd friction;        ///< tau `n_c` [force], on the source along the tangent
@@ -39,6 +51,49 @@ struct FrictionState {
   Eigen::VectorXd amplitude;       ///< a `n_r`
   std::vector<PairStatus> status;  ///< `n_c`
   Report report;                   ///< how the solver got there
+  Uniqueness uniqueness = Uniqueness::Unknown;  ///< of a solution
+  std::string reason = {};  ///< what stopped the solver, in words; empty if it did not stop short
+  /// Proof that no forces balance r, or empty: see escape().
+  Eigen::VectorXd escape = {};
 };
+
+/// Checks sizes and numbers.
+/// \param problem  any
+/// \throws std::invalid_argument unless all sizes fit, F is symmetric to rounding without a negative
+///   diagonal entry, mu and c are >= 0, and all numbers are finite
+void check_problem(const FrictionProblem& problem);
+
+/// How far a claimed solution is from each condition, free of units as in Certificate; 0 is perfect.
+///
+/// Row i counts in units of \f$ \sqrt{F_{ii}} \f$. Lengths are divided by the largest overlap, slip,
+/// or one of the terms they are sums of; forces by the largest normal or friction force.
+struct FrictionCertificate {
+  double penetration = 0;      ///< largest overlap / length
+  double tension = 0;          ///< largest tensile contact force / force
+  double complementarity = 0;  ///< largest |lambda gap| / (length * force)
+  /// Largest difference of a gap or slip from the recomputed one / length; largest R^T f - r / its terms
+  double equilibrium = 0;
+  double cone = 0;  ///< largest |tau| - b / force; c counts in b as far as the pair is closed
+  double sliding =
+      0;  ///< largest |slip| b + slip tau, which is 0 if friction resists / (length * force)
+
+  /// \return the worst of the six
+  [[nodiscard]] double worst() const;
+  /// Whether this is good enough.
+  /// \param tolerance  for all six [-]
+  /// \return whether none exceeds it
+  [[nodiscard]] bool holds(double tolerance = 1e-12) const { return worst() <= tolerance; }
+};
+
+/// The certificate of a claimed solution, recomputed from the data in twice the working precision.
+///
+/// A pair may be open or closed, whichever the numbers suit better: open, it has the bound mu lambda
+/// (which `complementarity` makes zero); closed, it has mu lambda + c, and its gap counts in `cone`.
+/// \param problem  as it was posed
+/// \param state    forces, friction forces, gaps, slips and amplitudes; nothing else is looked at
+/// \return the six figures; all infinite if a number is not finite
+/// \throws std::invalid_argument if sizes do not fit, or as check_problem()
+[[nodiscard]] FrictionCertificate certify(const FrictionProblem& problem,
+                                          const FrictionState& state);
 
 }  // namespace signorini

@@ -3,39 +3,19 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/mesh/lattice.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
 
-/// Numbers the nodes of a block: corners on even, midpoints on odd places of a lattice of half steps.
-class Lattice {
- public:
-  Lattice(Index cells_x, Index cells_y, MeshOrder order)
-      : cells_x_(cells_x), cells_y_(cells_y), quadratic_(order == MeshOrder::Quadratic) {}
+namespace {
 
-  [[nodiscard]] Index n_nodes() const { return row_start(2 * cells_y_ + 1); }
-  /// Number of the node at half steps (i, j).
-  [[nodiscard]] Index node(Index i, Index j) const {
-    return row_start(j) + (quadratic_ && j % 2 == 0 ? i : i / 2);
-  }
-
- private:
-  /// Nodes in the lattice rows below j. Full rows alternate with rows of midpoints.
-  [[nodiscard]] Index row_start(Index j) const {
-    const Index full = quadratic_ ? 2 * cells_x_ + 1 : cells_x_ + 1;
-    const Index between = quadratic_ ? cells_x_ + 1 : 0;
-    return (j + 1) / 2 * full + j / 2 * between;
-  }
-  Index cells_x_;
-  Index cells_y_;
-  bool quadratic_;
-};
-
-/// Position at half step i of a row of steps.
-double at_half(const Eigen::VectorXd& steps, Index i) {
-  return i % 2 == 0 ? steps(i / 2) : 0.5 * (steps(i / 2) + steps(i / 2 + 1));
+Mesh block_of(const std::string& name, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
+              MeshOrder order) {
+  return make_lattice(name, {x.size() - 1, y.size() - 1, order}, [&](Index i, Index j) {
+    return Eigen::RowVector2d(at_half(x, i), at_half(y, j));
+  });
 }
 
 }  // namespace
@@ -58,54 +38,70 @@ Mesh make_block(const BlockSpec& spec) {
           " x ", spec.size.y());
   require(spec.cells_x > 0 && spec.cells_y > 0, "make_block '", spec.name,
           "': need at least one cell in each direction, got ", spec.cells_x, " x ", spec.cells_y);
-  const Lattice lattice(spec.cells_x, spec.cells_y, spec.order);
   const Eigen::VectorXd x =
       spec.corner.x() + spec.size.x() * graded_steps(spec.cells_x, spec.grading_x).array();
   const Eigen::VectorXd y =
       spec.corner.y() + spec.size.y() * graded_steps(spec.cells_y, spec.grading_y).array();
-  const bool quadratic = spec.order == MeshOrder::Quadratic;
-
-  Mesh mesh;
-  mesh.name = spec.name;
-  mesh.nodes.resize(lattice.n_nodes(), 2);
-  for (Index j = 0; j <= 2 * spec.cells_y; ++j)
-    for (Index i = 0; i <= 2 * spec.cells_x; ++i) {
-      const bool corner = i % 2 == 0 && j % 2 == 0;
-      const bool midpoint = quadratic && i % 2 != j % 2;
-      if (corner || midpoint) mesh.nodes.row(lattice.node(i, j)) << at_half(x, i), at_half(y, j);
-    }
-
-  mesh.cells.resize(spec.cells_x * spec.cells_y, quadratic ? 8 : 4);
-  for (Index cy = 0; cy < spec.cells_y; ++cy)
-    for (Index cx = 0; cx < spec.cells_x; ++cx) {
-      const Index cell = cy * spec.cells_x + cx;
-      const Index i = 2 * cx;
-      const Index j = 2 * cy;
-      mesh.cells.row(cell).head<4>() << lattice.node(i, j), lattice.node(i + 2, j),
-          lattice.node(i + 2, j + 2), lattice.node(i, j + 2);
-      if (quadratic)
-        mesh.cells.row(cell).tail<4>() << lattice.node(i + 1, j), lattice.node(i + 2, j + 1),
-            lattice.node(i + 1, j + 2), lattice.node(i, j + 1);
-    }
-
-  const Index top_row = (spec.cells_y - 1) * spec.cells_x;
-  for (Index c = 0; c < spec.cells_x; ++c) {
-    mesh.boundaries["bottom"].push_back({c, 0});
-    mesh.boundaries["top"].push_back({top_row + spec.cells_x - 1 - c, 2});
-  }
-  for (Index c = 0; c < spec.cells_y; ++c) {
-    mesh.boundaries["right"].push_back({c * spec.cells_x + spec.cells_x - 1, 1});
-    mesh.boundaries["left"].push_back({(spec.cells_y - 1 - c) * spec.cells_x, 3});
-  }
-  return mesh;
+  return block_of(spec.name, x, y, spec.order);
 }
 
-Mesh mapped(Mesh mesh, const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& map) {
-  for (Index node = 0; node < mesh.n_nodes(); ++node) {
-    const Eigen::Vector2d image = map(mesh.nodes.row(node).transpose());
-    mesh.nodes.row(node) = image.transpose();
+Eigen::VectorXd stretched(double start, const std::vector<Stretch>& stretches) {
+  require(!stretches.empty(), "stretched: need at least one stretch");
+  Index cells = 0;
+  for (std::size_t s = 0; s < stretches.size(); ++s) {
+    const double begin = s == 0 ? start : stretches[s - 1].end;
+    const Stretch& part = stretches[s];
+    require(part.end > begin && std::isfinite(part.end - begin), "stretched: stretch ", s,
+            " begins at ", begin, " and must end beyond, got ", part.end);
+    require(part.cells > 0 && part.grading > 0 && std::isfinite(part.grading),
+            "stretched: stretch ", s, " needs at least one cell and a positive grading, got ",
+            part.cells, " and ", part.grading);
+    cells += part.cells;
   }
-  return mesh;
+  Eigen::VectorXd positions(cells + 1);
+  positions(0) = start;
+  Index at = 0;
+  for (const Stretch& part : stretches) {
+    const double begin = positions(at);
+    positions.segment(at + 1, part.cells) =
+        begin +
+        (part.end - begin) * graded_steps(part.cells, part.grading).tail(part.cells).array();
+    at += part.cells;
+    positions(at) = part.end;
+  }
+  return positions;
+}
+
+double grading_from(double length, Index cells, double first) {
+  require(cells > 1 && first > 0 && first < length && std::isfinite(length),
+          "grading_from: need at least 2 cells and a first cell shorter than the line, got ", cells,
+          " cells, the first of ", first, " on a line of ", length);
+  // Cells grow by the factor e^t, and their sum with t.
+  const double n = static_cast<double>(cells);
+  const auto too_long = [&](double t) {
+    return first * (t == 0 ? n : std::expm1(n * t) / std::expm1(t)) > length;
+  };
+  double low = -1;
+  double high = 1;
+  while (too_long(low)) low *= 2;
+  while (!too_long(high)) high *= 2;
+  for (double t = 0; low < t && t < high; t = 0.5 * (low + high)) (too_long(t) ? high : low) = t;
+  return std::exp((n - 1) * low);
+}
+
+Mesh make_graded_block(const std::string& name, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
+                       MeshOrder order) {
+  const auto check = [&](char axis, const Eigen::VectorXd& lines) {
+    require(lines.size() > 1, "make_graded_block '", name, "': need at least 2 lines of ", axis,
+            ", got ", lines.size());
+    for (Index i = 0; i < lines.size(); ++i)
+      require(std::isfinite(lines(i)) && (i == 0 || lines(i) > lines(i - 1)), "make_graded_block '",
+              name, "': positions of ", axis, " must increase, but number ", i, " is ", lines(i),
+              i == 0 ? "" : text(" after ", lines(i - 1)));
+  };
+  check('x', x);
+  check('y', y);
+  return block_of(name, x, y, order);
 }
 
 }  // namespace signorini

@@ -2,17 +2,13 @@
 /// Rectangular blocks of quadrilaterals, graded in both directions.
 #pragma once
 #include <Eigen/Core>
-#include <functional>
+#include <string>
+#include <vector>
 
 #include "signorini/mesh/mesh.hpp"
+#include "signorini/mesh/reshape.hpp"
 
 namespace signorini {
-
-/// Nodes per cell side.
-enum class MeshOrder {
-  Linear,    ///< 2: cells of 4 nodes
-  Quadratic  ///< 3: cells of 8 nodes
-};
 
 /// A rectangle and how it is divided.
 struct BlockSpec {
@@ -42,11 +38,37 @@ struct BlockSpec {
 /// \throws std::invalid_argument if `n` or `grading` is out of range
 [[nodiscard]] Eigen::VectorXd graded_steps(Eigen::Index n, double grading);
 
-/// Bends a mesh into another shape.
-/// \param mesh  to start from
-/// \param map   new position of a node from its position [length]
-/// \return the same cells and boundaries with every node moved; not checked, see check_mesh()
-[[nodiscard]] Mesh mapped(Mesh mesh,
-                          const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& map);
+/// A part of a line and how it is divided.
+struct Stretch {
+  double end = 1;          ///< where it ends; it begins where the one before it ended [length]
+  Eigen::Index cells = 1;  ///< at least 1
+  double grading = 1;      ///< last cell / first cell, positive; geometric in between [-]
+};
+
+/// Positions along a line of several parts.
+/// \param start      where the first part begins [length]
+/// \param stretches  parts one after the other, at least one, each ending beyond the one before
+/// \return increasing positions: `start`, and one more for every cell; ends of parts are exact
+/// \throws std::invalid_argument naming the stretch (counted from 0) that has no length, no cell or
+///   no positive grading
+[[nodiscard]] Eigen::VectorXd stretched(double start, const std::vector<Stretch>& stretches);
+
+/// The grading with which a part of a line begins with a cell of given length.
+/// \param length  of the part, positive [length]
+/// \param cells   at least 2
+/// \param first   length of the first cell, below `length` [length]
+/// \return last cell / first cell [-]
+/// \throws std::invalid_argument if a number is out of range
+[[nodiscard]] double grading_from(double length, Eigen::Index cells, double first);
+
+/// Divides a rectangle along given lines. Cells and boundaries are those of make_block().
+/// \param name   what messages call it
+/// \param x      positions of the upright lines, increasing, at least 2 [length]
+/// \param y      positions of the level lines, increasing, at least 2 [length]
+/// \param order  4 or 8 nodes per cell; 8: midpoints lie half way
+/// \return a mesh that passes check_mesh() unless cells are thinner than rounding of the positions
+/// \throws std::invalid_argument naming the first pair of lines that does not increase
+[[nodiscard]] Mesh make_graded_block(const std::string& name, const Eigen::VectorXd& x,
+                                     const Eigen::VectorXd& y, MeshOrder order = MeshOrder::Linear);
 
 }  // namespace signorini

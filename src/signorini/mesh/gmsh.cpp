@@ -36,6 +36,24 @@ void check_plane(const GmshRecords& file) {
     }
 }
 
+/// Refuses names of curves and surfaces that nothing in the file bears.
+void check_names(const GmshRecords& file) {
+  std::set<GmshGroups::Key> borne;
+  const auto add = [&](int dimension, const std::vector<GmshElement>& elements) {
+    for (const GmshElement& element : elements)
+      for (const std::int64_t tag : file.groups.tags(element.groups))
+        borne.insert({dimension, tag});
+  };
+  add(1, file.lines);
+  add(2, file.cells);
+  for (const auto& [group, name] : file.groups.names())
+    pose((group.first != 1 && group.first != 2) || borne.count(group) != 0, file.name,
+         ":1: nothing in the file is in the physical ", group.first == 1 ? "curve" : "surface",
+         " '", name,
+         "'; mesh it before saving, with Mesh.SaveAll = 0 (1 loses the groups in version",
+         " 2.2), or take the name away");
+}
+
 /// Which cells are whose. Without physical surfaces all have the tag 0.
 CellsByTag cells_by_tag(const GmshRecords& file) {
   CellsByTag result;
@@ -106,6 +124,7 @@ std::vector<Mesh> parse_gmsh(std::string_view content, const std::string& name) 
   pose(!file.cells.empty(), name,
        ":1: the file has no quadrilaterals; mesh the surfaces (gmsh -2) ",
        "and recombine them before saving");
+  check_names(file);
   check_plane(file);
   std::vector<GmshBody> bodies;
   std::set<std::string> names;

@@ -20,9 +20,9 @@ namespace signorini {
 ///
 /// Each physical curve becomes a boundary of its name, in every mesh that has sides on it: a curve
 /// that two bodies share becomes a boundary of both. Its sides stand in walking order, the body to
-/// the left whatever the direction of the curve, piece after piece. An open piece begins at its
-/// end that is first in the file, a closed one with its side that is first; where several sides go
-/// on from one node, the first of them in the file is taken.
+/// the left whatever the direction of the curve, piece after piece: first the open pieces, each from
+/// its end, then the closed ones, each from its side that is first in the file; where several sides
+/// go on from one node, the first of them in the file is taken.
 ///
 /// Groups without a name are called `surface TAG` and `curve TAG`. Points, and lines in no group,
 /// are ignored.
@@ -31,9 +31,9 @@ namespace signorini {
 /// \return at least one mesh; the shapes of the cells are not checked, see check_mesh()
 /// \throws ProblemError `NAME:LINE: ...` if the text is no such file; has cells other than
 ///   quadrilaterals of 4 or 8 nodes, or both in one body; a cell in no physical surface though there
-///   are some, or in two; cells of one plane that overlap along a side; a line of a physical curve
-///   that is no side of a cell or lies within a body; two groups of one name; or if z varies by more
-///   than 1e-9 of the extent
+///   are some, or in two; cells that overlap along a side; a line of a physical curve
+///   that is no side of a cell or lies within a body; two groups of one name, or a name that no
+///   element bears; or if z varies by more than 1e-9 of the extent
 [[nodiscard]] std::vector<Mesh> parse_gmsh(std::string_view content, const std::string& name);
 
 /// Makes meshes of a Gmsh file.

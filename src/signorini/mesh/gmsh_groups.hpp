@@ -84,8 +84,12 @@ class GmshGroups {
   /// \return its name; without one `curve TAG` or `surface TAG`
   [[nodiscard]] std::string name(int dimension, std::int64_t tag) const;
 
+  /// Dimension and tag of an entity or of a physical group.
+  using Key = std::pair<int, std::int64_t>;
+  /// \return the groups that have a name
+  [[nodiscard]] const std::map<Key, std::string>& names() const { return names_; }
+
  private:
-  using Key = std::pair<int, std::int64_t>;  // dimension and tag
   void read_entity(GmshText& in, int dimension, std::string_view first);
 
   bool has_entities_ = false;

@@ -46,13 +46,10 @@ class SectionReader {
       in_.expect_end_of_line("the name of a section");
       read_section(section);
     }
-    if (seen_.count("$MeshFormat") == 0)
-      in_.fail("a section '$MeshFormat', as in mesh files of Gmsh", "");
-    for (const char* needed : {"$Nodes", "$Elements"})
+    for (const char* needed : {"$MeshFormat", "$Nodes", "$Elements"})
       if (seen_.count(needed) == 0)
-        in_.fail(text("expected a section '", needed,
-                      "', got the end of the file; mesh before saving, and set "
-                      "Mesh.SaveParametric = 0"));
+        in_.fail(text("expected a section '", needed, "', got the end of the file; save the mesh, ",
+                      "with Mesh.SaveParametric = 0"));
     resolve_nodes();
     return std::move(out_);
   }
@@ -102,7 +99,6 @@ class SectionReader {
   }
 
   void read_names() { out_.groups.read_names(in_); }
-
   void read_entities() {
     if (!version_4_) in_.fail("'$Entities' belongs to version 4.1, the file says 2.2");
     if (seen_.count("$Elements") != 0) in_.fail("'$Entities' must stand before '$Elements'");

@@ -13,6 +13,12 @@ using NodeArray = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 /// Node numbers of cells, one row each.
 using CellArray = Eigen::Matrix<Eigen::Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Nodes per cell side.
+enum class MeshOrder {
+  Linear,    ///< 2: cells of 4 nodes
+  Quadratic  ///< 3: cells of 8 nodes
+};
+
 /// One side of one cell.
 struct CellSide {
   Eigen::Index cell;  ///< number of the cell

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/mesh/lattice.hpp"
 
 namespace signorini {
 namespace {
@@ -13,36 +14,6 @@ namespace {
 using Eigen::Index;
 
 const double pi = std::acos(-1.0);
-
-/// Numbers the nodes ray by ray, outwards; half rays hold midpoints only.
-class RayLattice {
- public:
-  RayLattice(Index rays, Index steps, bool closed, bool quadratic)
-      : rays_(rays), steps_(steps), closed_(closed), quadratic_(quadratic) {}
-
-  [[nodiscard]] Index n_nodes() const { return ray_start(closed_ ? 2 * rays_ : 2 * rays_ + 1); }
-  /// Whether there is a node at half ray i and half step j.
-  [[nodiscard]] bool has(Index i, Index j) const {
-    return quadratic_ ? i % 2 == 0 || j % 2 == 0 : i % 2 == 0 && j % 2 == 0;
-  }
-  /// Its number.
-  [[nodiscard]] Index node(Index i, Index j) const {
-    const Index ray = closed_ && i == 2 * rays_ ? 0 : i;
-    return ray_start(ray) + (quadratic_ && ray % 2 == 0 ? j : j / 2);
-  }
-
- private:
-  /// Nodes on the half rays below i.
-  [[nodiscard]] Index ray_start(Index i) const {
-    const Index full = quadratic_ ? 2 * steps_ + 1 : steps_ + 1;
-    const Index between = quadratic_ ? steps_ + 1 : 0;
-    return (i + 1) / 2 * full + i / 2 * between;
-  }
-  Index rays_;
-  Index steps_;
-  bool closed_;
-  bool quadratic_;
-};
 
 }  // namespace
 
@@ -92,42 +63,15 @@ Eigen::RowVector2d unit_vector(double angle) {
 
 Mesh make_ring_of_rays(const std::string& name, const NodeArray& inner, const NodeArray& outer,
                        const Eigen::VectorXd& steps, Sector sector, MeshOrder order) {
-  const Index n = inner.rows() / 2;
-  const Index m = steps.size() - 1;
-  const bool closed = sector == Sector::Full;
-  const bool quadratic = order == MeshOrder::Quadratic;
-  const RayLattice lattice(n, m, closed, quadratic);
-  Mesh mesh;
-  mesh.name = name;
-  mesh.nodes.resize(lattice.n_nodes(), 2);
-  for (Index i = 0; i < (closed ? 2 * n : 2 * n + 1); ++i)
-    for (Index j = 0; j <= 2 * m; ++j) {
-      if (!lattice.has(i, j)) continue;
-      const double z = j % 2 == 0 ? steps(j / 2) : 0.5 * (steps(j / 2) + steps(j / 2 + 1));
-      mesh.nodes.row(lattice.node(i, j)) = (1 - z) * inner.row(i) + z * outer.row(i);
-    }
-
-  mesh.cells.resize(n * m, quadratic ? 8 : 4);
-  for (Index ray = 0; ray < n; ++ray)
-    for (Index step = 0; step < m; ++step) {
-      const Index cell = ray * m + step;
-      const Index i = 2 * ray;
-      const Index j = 2 * step;
-      mesh.cells.row(cell).head<4>() << lattice.node(i, j), lattice.node(i, j + 2),
-          lattice.node(i + 2, j + 2), lattice.node(i + 2, j);
-      if (quadratic)
-        mesh.cells.row(cell).tail<4>() << lattice.node(i, j + 1), lattice.node(i + 1, j + 2),
-            lattice.node(i + 2, j + 1), lattice.node(i + 1, j);
-    }
-
-  for (Index ray = 0; ray < n; ++ray) {
-    mesh.boundaries["outer"].push_back({ray * m + m - 1, 1});
-    mesh.boundaries["inner"].push_back({(n - 1 - ray) * m, 3});
-  }
-  for (Index step = 0; step < m && !closed; ++step) {
-    mesh.boundaries["start"].push_back({step, 0});
-    mesh.boundaries["end"].push_back({(n - 1) * m + m - 1 - step, 2});
-  }
+  const Lattice lattice{steps.size() - 1, inner.rows() / 2, order, sector == Sector::Full};
+  Mesh mesh = make_lattice(name, lattice, [&](Index i, Index j) -> Eigen::RowVector2d {
+    const double z = at_half(steps, i);
+    return (1 - z) * inner.row(j) + z * outer.row(j);
+  });
+  rename_boundary(mesh, "bottom", "start");
+  rename_boundary(mesh, "right", "outer");
+  rename_boundary(mesh, "top", "end");
+  rename_boundary(mesh, "left", "inner");
   return mesh;
 }
 
