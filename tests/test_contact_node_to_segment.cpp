@@ -110,6 +110,17 @@ TEST_CASE("a node weighs what its shape function covers of the source", "[gap_op
   }
 }
 
+TEST_CASE("a corner of the source looks midway between its sides", "[gap_operators]") {
+  TwoBodies bodies = two_blocks({1, 3, 2}, {0, 4, 3}, 0.1, Form::Flat, MeshOrder::Linear);
+  std::vector<CellSide>& around = bodies.source.boundaries["around"];
+  for (const char* name : {"right", "bottom"})
+    for (const CellSide& side : boundary(bodies.source, name)) around.push_back(side);
+  bodies.source_boundary = "around";
+  const Pairs pairs = pairs_of(member(), bodies);
+  CHECK(pairs.node == std::vector<Index>{2, 0, 1});
+  CHECK(pairs.unpaired.size() == 2);  // further up on the right
+}
+
 TEST_CASE("g + N u is the gap of the moved bodies, up to the square of the motion",
           "[gap_operators][LinEtAl-22]") {
   Random random(2);

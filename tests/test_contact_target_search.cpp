@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include "catch_compat.hpp"
 #include "signorini/contact/target_search.hpp"
@@ -90,6 +91,15 @@ TEST_CASE("an edge behind which the boundary turns away from the source is an en
   CHECK(edge.gap == Approx(0.5).epsilon(1e-15));
 }
 
+TEST_CASE("a boundary that has turned an edge does not turn another at its end",
+          "[target_search]") {
+  Mesh mesh = plate(1);
+  mesh.boundaries["hook"] = {boundary(mesh, "right").front(), boundary(mesh, "top").front()};
+  const TargetSearch search(mesh, "hook");
+  CHECK(search.closest({4.1, 0.3}, {-1, -1}).found);
+  CHECK_FALSE(search.closest({-0.1, 0.3}, {-1, -1}).found);
+}
+
 TEST_CASE("a closed target is met on the side that faces the source, even from inside its wall",
           "[target_search]") {
   for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
@@ -140,6 +150,32 @@ TEST_CASE("midway over a concave vertex the vertex is taken, not one of the flan
   CHECK((place.normal - Vector2d(0, 1)).norm() < 1e-15);
   CHECK(place.gap == Approx(0.4).epsilon(1e-15));
   CHECK(search.closest({2.01, -0.1}, {0, -1}).normal.x() < -0.2);
+}
+
+TEST_CASE("points that coincide with vertices but for rounding look along the bisector",
+          "[target_search]") {
+  for (Index cells = 8; cells <= 32; cells += 4) {
+    const Mesh mesh = ring(cells, MeshOrder::Linear);
+    for (const char* name : {"outer", "inner"}) {
+      const TargetSearch search(mesh, name);
+      const double out = std::string(name) == "outer" ? 1 : -1;
+      for (const Index node : boundary_nodes(mesh, name)) {
+        const Vector2d x = mesh.nodes.row(node).transpose();
+        for (const double ulps : {-4, -1, 0, 1, 4}) {
+          const double bit = ulps * std::numeric_limits<double>::epsilon();
+          const Vector2d near = x + bit * Vector2d(x.x() - x.y(), x.y());
+          const Projection place = search.closest(near, -out * x);
+          CAPTURE(cells, name, node, ulps);
+          REQUIRE(place.found);
+          CHECK((place.normal - out * x.normalized()).norm() < 1e-14);
+        }
+      }
+      // Over the vertex between the last side and the first, the first is named.
+      const Vector2d start = search.side(0).point(-1);
+      const Projection place = search.closest((1 + 0.05 * out) * start, -out * start);
+      CHECK((place.side == 0 && place.xi == -1));
+    }
+  }
 }
 
 TEST_CASE("on a line of symmetry the end of a round boundary is not lost", "[target_search]") {

@@ -11,13 +11,15 @@ using signorini_test::Random;
 
 namespace {
 
-/// The bottom of one cell, from (0, 0) to (2, 0); with its middle at `middle` if it is quadratic.
-SideCurve bottom_side(MeshOrder order, const Vector2d& middle = {1, 0}) {
+/// The bottom of one cell, from (0, 0) to `last`; with its middle at `middle` if it is quadratic.
+SideCurve bottom_side(MeshOrder order, const Vector2d& middle = {1, 0},
+                      const Vector2d& last = {2, 0}) {
   BlockSpec spec;
   spec.size = {2, 1};
   spec.order = order;
   Mesh mesh = make_block(spec);
   const CellSide side = boundary(mesh, "bottom").front();
+  mesh.nodes.row(mesh.side_nodes(side).back()) = last.transpose();
   if (order == MeshOrder::Quadratic) mesh.nodes.row(mesh.side_nodes(side)[1]) = middle.transpose();
   return {mesh, side};
 }
@@ -101,8 +103,9 @@ TEST_CASE("a line meets a parabola in up to two places", "[side]") {
 TEST_CASE("the box of a side holds all of it", "[side]") {
   Random random(8);
   for (int k = 0; k < 50; ++k) {
-    const SideCurve curve =
-        bottom_side(MeshOrder::Quadratic, {random.uniform(0.55, 1.45), random.uniform(-0.9, 0.9)});
+    const Vector2d middle(random.uniform(0.55, 1.45), random.uniform(-0.9, 0.9));
+    const Vector2d last(2, random.uniform(-1, 1));
+    const SideCurve curve = bottom_side(MeshOrder::Quadratic, middle, last);
     const Eigen::Matrix2d box = curve.box();
     for (int i = 0; i <= 20; ++i) {
       const Vector2d x = curve.point(-1 + i / 10.0);
