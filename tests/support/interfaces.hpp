@@ -9,6 +9,7 @@
 
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/mesh/reshape.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {
