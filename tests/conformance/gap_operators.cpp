@@ -18,8 +18,8 @@ namespace {
 /// Rounding of sums of a few hundred terms of size one.
 constexpr double rounding = 1e-13;
 
-const Stretch coarse{0.31, 3.47, 5};
-const Stretch fine{0, 4, 11};
+const Extent coarse{0.31, 3.47, 5};
+const Extent fine{0, 4, 11};
 
 using Check = std::function<void(const GapOperator&, const TwoBodies&)>;
 
@@ -31,8 +31,8 @@ void for_every_interface(double gap, const Check& check) {
       for (const Form form : {Form::Flat, Form::Inclined, Form::Curved})
         for (const bool finer_source : {false, true}) {
           CAPTURE(member.name, static_cast<int>(order), static_cast<int>(form), finer_source);
-          const Stretch& source = finer_source ? fine : coarse;
-          const Stretch& target = finer_source ? coarse : fine;
+          const Extent& source = finer_source ? fine : coarse;
+          const Extent& target = finer_source ? coarse : fine;
           check(member, two_blocks(source, target, gap, form, order));
         }
 }

@@ -9,6 +9,7 @@
 
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/mesh/reshape.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {
@@ -21,7 +22,7 @@ struct TwoBodies {
   std::string target_boundary = "top";
 };
 
-struct Stretch {
+struct Extent {
   double from;
   double to;
   Eigen::Index cells;
@@ -36,12 +37,12 @@ inline Eigen::Vector2d turned(const Eigen::Vector2d& x, double angle) {
 
 /// Two blocks one above the other, `gap` apart; then turned, or bent into waves. Quadratic cells of
 /// a curved interface are curved.
-inline TwoBodies two_blocks(const Stretch& source, const Stretch& target, double gap, Form form,
+inline TwoBodies two_blocks(const Extent& source, const Extent& target, double gap, Form form,
                             signorini::MeshOrder order) {
   signorini::BlockSpec spec;
   spec.order = order;
   spec.cells_y = 2;
-  const auto make = [&](const char* name, const Stretch& x, double low) {
+  const auto make = [&](const char* name, const Extent& x, double low) {
     spec.name = name;
     spec.corner = {x.from, low};
     spec.size = {x.to - x.from, 1};

@@ -40,8 +40,7 @@ double SideBox::distance(const Vector2d& x) const {
   return (x - x.cwiseMax(lowest).cwiseMin(highest)).norm();
 }
 
-bool SideBox::may_face(const Vector2d& x, const Vector2d& normal, double rounding) const {
-  if (angle_between(axis, normal) + spread < pi / 2) return false;
+bool SideBox::may_hold_foot(const Vector2d& x, double rounding) const {
   if (spread >= pi / 2) return true;
   const Vector2d arm = x - (lowest + highest) / 2;
   const Vector2d half = (highest - lowest) / 2;

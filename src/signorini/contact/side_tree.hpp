@@ -24,15 +24,12 @@ struct SideBox {
   /// Whether a projection of x on the sides inside is possible at all.
   ///
   /// The line from x to its projection runs along the normal there, so that the box must meet the
-  /// wedges that open from x along the normals inside: what lies beside a flat target is told from it at once,
-  /// not after a look at all of its sides.
-  /// \param x         a point of the source [length]
-  /// \param normal    of the source there [-]
+  /// wedges that open from x along the normals inside: what lies beside a flat target is told from
+  /// it at once, not after a look at all of its sides.
+  /// \param x         a point [length]
   /// \param rounding  of distances [length]
-  /// \return false only if no normal inside is more than 90 degrees from that of the source, or no
-  ///   line from x into the box is along a normal inside
-  [[nodiscard]] bool may_face(const Eigen::Vector2d& x, const Eigen::Vector2d& normal,
-                              double rounding) const;
+  /// \return false only if no line from x into the box is along a normal inside
+  [[nodiscard]] bool may_hold_foot(const Eigen::Vector2d& x, double rounding) const;
   /// \param x          on a line [length]
   /// \param direction  of the line, unit vector [-]
   /// \param reach      how far from x, both ways [length]

@@ -31,12 +31,20 @@ bool TargetSearch::next_faces(Index number, int end, const Query& query) const {
   return next >= 0 && faces(side(next).normal(-end), query.normal);
 }
 
+double TargetSearch::foot(Index number, const Query& query) const {
+  const SideCurve& curve = side(number);
+  const double xi = curve.closest(query.x);
+  const int end = xi < 0 ? -1 : 1;
+  // By rounding the feet on two sides may lie on both sides of their vertex, or on neither.
+  return (curve.point(xi) - curve.point(end)).norm() <= query.rounding ? end : xi;
+}
+
 bool TargetSearch::settle_end(Candidate& candidate, const Query& query) const {
   const SideCurve& curve = side(candidate.side);
   const int end = candidate.xi < 0 ? -1 : 1;
   if (next_faces(candidate.side, end, query)) {
     candidate.vertex = end;
-    return side(neighbour(candidate.side, end)).closest(query.x) == -end;  // else it is nearer
+    return foot(neighbour(candidate.side, end), query) == -end;  // else it is nearer
   }
   const Vector2d beyond = normal_beyond(candidate.side, end);
   const Vector2d outwards = end * Vector2d(-beyond.y(), beyond.x());
@@ -52,7 +60,7 @@ bool TargetSearch::settle_end(Candidate& candidate, const Query& query) const {
 
 void TargetSearch::consider(Index number, Query& query) const {
   const SideCurve& curve = side(number);
-  Candidate candidate{number, curve.closest(query.x), 0, 0};
+  Candidate candidate{number, foot(number, query), 0, 0};
   if (!faces(curve.normal(candidate.xi), query.normal)) return;
   if (std::abs(candidate.xi) == 1 && !settle_end(candidate, query)) return;
   const Vector2d arm = query.x - curve.point(candidate.xi);

@@ -69,7 +69,7 @@ void TargetSearch::look(Index number, Query& query) const {
   const SideBox& box = tree_.box(number);
   ++query.visits;
   if (box.distance(query.x) > query.nearest + query.rounding + box.slack) return;
-  if (!box.may_face(query.x, query.normal, query.rounding)) return;
+  if (!box.may_hold_foot(query.x, query.rounding)) return;
   if (box.is_leaf()) return consider(box.first, query);
   const bool swap =
       tree_.box(box.second).distance(query.x) < tree_.box(box.first).distance(query.x);

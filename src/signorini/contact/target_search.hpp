@@ -93,6 +93,7 @@ class TargetSearch {
   [[nodiscard]] Eigen::Index neighbour(Eigen::Index number, int end) const;
   [[nodiscard]] Eigen::Vector2d normal_beyond(Eigen::Index number, int end) const;
   [[nodiscard]] bool next_faces(Eigen::Index number, int end, const Query& query) const;
+  [[nodiscard]] double foot(Eigen::Index number, const Query& query) const;
   [[nodiscard]] bool settle_end(Candidate& candidate, const Query& query) const;
   [[nodiscard]] Projection at_vertex(Eigen::Index number, int end, const Query& query) const;
   [[nodiscard]] Projection on_side(const Candidate& best, const Query& query) const;
