@@ -31,18 +31,19 @@ inline double median(std::vector<double> values) {
 /// \return the scene; its cells are square
 inline Scene pressed_block(Eigen::Index cells_x, Eigen::Index cells_y) {
   Scene scene;
+  Body& body = scene.bodies[0];
   BlockSpec spec;
   spec.name = "block";
   spec.size.x() = static_cast<double>(cells_x) / static_cast<double>(cells_y);
   spec.cells_x = cells_x;
   spec.cells_y = cells_y;
   const double curvature = 0.1 / (spec.size.x() * spec.size.x());
-  scene.mesh = mapped(make_block(spec), [curvature](const Eigen::Vector2d& x) {
+  body.mesh = mapped(make_block(spec), [curvature](const Eigen::Vector2d& x) {
     return Eigen::Vector2d(x.x(), x.y() + curvature * x.x() * x.x() * (1 - x.y()));
   });
-  scene.material = {1, 0.3, PlaneState::Strain, 1};
-  scene.supports = {symmetric("left"), prescribed("top", Axis::Y, -0.02)};
-  scene.contact = ObstacleContactSpec{"bottom", half_plane({0, 0}, {0, 1})};
+  body.material = {1, 0.3, PlaneState::Strain, 1};
+  body.supports = {symmetric("left"), prescribed("top", Axis::Y, -0.02)};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
   return scene;
 }
 

@@ -134,7 +134,7 @@ bool contact(Table& table) {
     const Model model = build(pressed_block(999, cells_y), ledger);
     const Eigen::SparseMatrix<double>& K = model.programme.stiffness;
     const EliminationOrder order =
-        nested_dissection(K, unknown_positions(model.mesh, model.unknowns));
+        nested_dissection(K, unknown_positions(model.bodies[0].mesh, model.unknowns));
     const double factor =
         mean_seconds(1, [&] { const ContactLastFactor alone(K, order, 0, ledger); });
     const Condensed condensed = condense(model, ledger);
@@ -144,7 +144,7 @@ bool contact(Table& table) {
       seconds.push_back(mean_seconds(1, [&] { (void)solver.solve(condensed.problem, {}); }));
     const Solution solution = solve(model, condensed, solver.name, ledger);
     certified = certified && solution.contact.report.status == Status::Solved;
-    table.row({text(model.unknowns.count), text(model.gaps.A.rows()),
+    table.row({text(model.unknowns.count), text(model.programme.A.rows()),
                text(solution.contact.active.size()), number(factor, "%.3f"),
                number(median(seconds), "%.4f"), number(100 * median(seconds) / factor, "%.2f"),
                text(solution.contact.report.iterations),

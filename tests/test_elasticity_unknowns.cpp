@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "catch_compat.hpp"
+#include "signorini/elasticity/rigid_modes.hpp"
 #include "signorini/elasticity/unknowns.hpp"
 #include "signorini/mesh/block.hpp"
 #include "support/message.hpp"

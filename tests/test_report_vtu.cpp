@@ -68,9 +68,9 @@ TEST_CASE("a VTU file is well formed and its arrays have the sizes it names", "[
     const std::filesystem::path path = folder.path() / "beam.vtu";
     write_vtu(path, run.model, run.solution);
     const std::string file = content_of(path);
-    const auto points = static_cast<std::size_t>(run.model.mesh.n_nodes());
-    const auto cells = static_cast<std::size_t>(run.model.mesh.n_cells());
-    const auto nodes = static_cast<std::size_t>(run.model.mesh.cells.cols());
+    const auto points = static_cast<std::size_t>(run.model.bodies[0].mesh.n_nodes());
+    const auto cells = static_cast<std::size_t>(run.model.bodies[0].mesh.n_cells());
+    const auto nodes = static_cast<std::size_t>(run.model.bodies[0].mesh.cells.cols());
     CHECK(is_balanced(file));
     CHECK_THAT(file, ContainsSubstring("type=\"UnstructuredGrid\"") &&
                          ContainsSubstring("NumberOfPoints=\"" + std::to_string(points) + '"') &&
@@ -104,12 +104,12 @@ TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
   const std::vector<Eigen::Index>& active = run.solution.contact.active;
   CHECK_FALSE(active.empty());
   CHECK(std::count(status.begin(), status.end(), "1") == static_cast<long>(active.size()));
-  const std::vector<Eigen::Index>& pair_nodes = run.model.gaps.node;
+  const std::vector<Eigen::Index>& pair_nodes = run.model.pairs.node;
   for (std::size_t node = 0; node < gap.size(); ++node) {
     const auto row = static_cast<Eigen::Index>(node);
     CAPTURE(node);
     CHECK(std::stod(u[3 * node + 1]) ==
-          Approx(run.solution.displacements(row, 1)).epsilon(1e-8).margin(1e-15));
+          Approx(run.solution.displacements[0](row, 1)).epsilon(1e-8).margin(1e-15));
     const auto pair = std::find(pair_nodes.begin(), pair_nodes.end(), row);
     if (pair == pair_nodes.end()) {
       CHECK(gap[node] == "0");

@@ -34,7 +34,7 @@ Solved solved(const Scene& scene) {
 
 double tip_deflection(const Scene& scene) {
   const Solution solution = solve(scene);
-  return solution.displacements(boundary_nodes(scene.mesh, "bottom").back(), 1);
+  return solution.displacements[0](boundary_nodes(scene.bodies[0].mesh, "bottom").back(), 1);
 }
 
 }  // namespace
@@ -47,8 +47,8 @@ TEST_CASE("the cantilever reproduces the mesh-exact forces", "[cantilever][refer
     const ContactState& contact = run.solution.contact;
     CHECK(contact.force.sum() == Approx(expected.total_force).epsilon(1e-8).margin(0));
     REQUIRE(contact.active.size() == static_cast<std::size_t>(expected.closed_pairs));
-    CHECK(run.model.gaps.position(contact.active.front(), 0) == Approx(42).epsilon(1e-14));
-    CHECK(run.model.gaps.position(contact.active.back(), 0) == Approx(50).epsilon(1e-14));
+    CHECK(run.model.pairs.position(contact.active.front(), 0) == Approx(42).epsilon(1e-14));
+    CHECK(run.model.pairs.position(contact.active.back(), 0) == Approx(50).epsilon(1e-14));
     if (expected.forces[0] == 0) continue;
     for (std::size_t k = 0; k < expected.forces.size(); ++k)
       CHECK(contact.force(contact.active[k]) == Approx(expected.forces[k]).epsilon(1e-6).margin(0));
@@ -66,7 +66,7 @@ TEST_CASE("the cantilever reproduces the mesh-exact energy and free deflection",
     const QuadraticProgramme& programme = run.model.programme;
     const double energy = 0.5 * u.dot(programme.stiffness * u) - programme.load.dot(u);
     CHECK(energy == Approx(expected.potential_energy).epsilon(1e-8).margin(0));
-    scene.contact.reset();
+    scene.contacts.clear();
     CHECK(tip_deflection(scene) == Approx(expected.free_tip_deflection).epsilon(1e-7).margin(0));
   }
 }
@@ -93,12 +93,13 @@ TEST_CASE("below the first touch there is no force and the foundation is not fel
           "[cantilever]") {
   Scene scene = cantilever("q4_incompatible", 50, 5, 0.27);
   const Solution with = solve(scene);
-  scene.contact.reset();
+  scene.contacts.clear();
   const Solution without = solve(scene);
   CHECK(with.contact.active.empty());
   CHECK(with.contact.force.norm() == 0);
   CHECK(with.contact.gap.minCoeff() > 0);
-  CHECK((with.displacements - without.displacements).norm() < 1e-10 * without.displacements.norm());
+  CHECK((with.displacements[0] - without.displacements[0]).norm() <
+        1e-10 * without.displacements[0].norm());
   CHECK(without.contact.force.size() == 0);
   CHECK(without.certificate.holds());
 }
@@ -118,13 +119,14 @@ TEST_CASE("the clamp carries what the foundation does not, in force and moment",
           "[cantilever][equilibrium]") {
   const Scene scene = cantilever("q4_incompatible", 50, 5);
   const Solved run = solved(scene);
-  const Mesh& mesh = scene.mesh;
+  const Mesh& mesh = scene.bodies[0].mesh;
   // Reactions of all nodes: the whole stiffness matrix times all displacements, minus the loads.
   const Unknowns all = number_unknowns(mesh, {});
-  const LinearSystem whole = assemble(mesh, run.model.element, scene.material, all, scene.loads);
+  const LinearSystem whole = assemble(mesh, run.model.bodies[0].element, scene.bodies[0].material,
+                                      all, scene.bodies[0].loads);
   Eigen::VectorXd u(all.count);
   for (Index node = 0; node < mesh.n_nodes(); ++node)
-    u.segment<2>(2 * node) = run.solution.displacements.row(node).transpose();
+    u.segment<2>(2 * node) = run.solution.displacements[0].row(node).transpose();
   const Eigen::VectorXd reaction = whole.stiffness * u - whole.load;
   Vector2d clamp(0, 0);
   double moment = 0;
@@ -133,12 +135,12 @@ TEST_CASE("the clamp carries what the foundation does not, in force and moment",
     clamp += force;
     moment += mesh.nodes(node, 0) * force.y() - mesh.nodes(node, 1) * force.x();
   }
-  const Gaps& gaps = run.model.gaps;
+  const Pairs& pairs = run.model.pairs;
   const Eigen::VectorXd& force = run.solution.contact.force;
   // 1e-9: rounding of K u, which is about 1e6 times larger than the load in a slender beam.
   CHECK(clamp.x() == Approx(0).margin(180e-9));
   CHECK(clamp.y() + force.sum() == Approx(180).epsilon(1e-9));
-  CHECK(moment + force.dot(gaps.position.col(0)) == Approx(180 * 25).epsilon(1e-9));
+  CHECK(moment + force.dot(pairs.position.col(0)) == Approx(180 * 25).epsilon(1e-9));
 }
 
 TEST_CASE("centimetres, millimetres and metres give the same answer", "[cantilever][units]") {
@@ -153,7 +155,7 @@ TEST_CASE("centimetres, millimetres and metres give the same answer", "[cantilev
     };
     CHECK(close(other.contact.force / units.force, cm.contact.force));
     CHECK(close(other.contact.gap / units.length, cm.contact.gap));
-    CHECK(close(other.displacements / units.length, cm.displacements));
+    CHECK(close(other.displacements[0] / units.length, cm.displacements[0]));
     CHECK(close(other.pressure * (units.length * units.length / units.force), cm.pressure));
     CHECK(other.certificate.holds());
   }
@@ -171,15 +173,16 @@ TEST_CASE("the numbering of cells and nodes does not matter", "[cantilever]") {
                 list[static_cast<std::size_t>(random.whole(0, k))]);
     return list;
   };
-  const std::vector<Index> new_node = permutation(scene.mesh.n_nodes());
-  const std::vector<Index> new_cell = permutation(scene.mesh.n_cells());
-  for (Index node = 0; node < scene.mesh.n_nodes(); ++node)
-    shuffled.mesh.nodes.row(new_node[static_cast<std::size_t>(node)]) = scene.mesh.nodes.row(node);
-  for (Index cell = 0; cell < scene.mesh.n_cells(); ++cell)
+  const std::vector<Index> new_node = permutation(scene.bodies[0].mesh.n_nodes());
+  const std::vector<Index> new_cell = permutation(scene.bodies[0].mesh.n_cells());
+  for (Index node = 0; node < scene.bodies[0].mesh.n_nodes(); ++node)
+    shuffled.bodies[0].mesh.nodes.row(new_node[static_cast<std::size_t>(node)]) =
+        scene.bodies[0].mesh.nodes.row(node);
+  for (Index cell = 0; cell < scene.bodies[0].mesh.n_cells(); ++cell)
     for (Index k = 0; k < 4; ++k)
-      shuffled.mesh.cells(new_cell[static_cast<std::size_t>(cell)], k) =
-          new_node[static_cast<std::size_t>(scene.mesh.cells(cell, k))];
-  for (auto& [name, sides] : shuffled.mesh.boundaries)
+      shuffled.bodies[0].mesh.cells(new_cell[static_cast<std::size_t>(cell)], k) =
+          new_node[static_cast<std::size_t>(scene.bodies[0].mesh.cells(cell, k))];
+  for (auto& [name, sides] : shuffled.bodies[0].mesh.boundaries)
     for (CellSide& side : sides) side.cell = new_cell[static_cast<std::size_t>(side.cell)];
   const Solution first = solve(scene);
   const Solution second = solve(shuffled);
@@ -190,7 +193,7 @@ TEST_CASE("the numbering of cells and nodes does not matter", "[cantilever]") {
 TEST_CASE("a beam clamped at the other end is the mirror image", "[cantilever]") {
   const Scene scene = cantilever("q4_incompatible", 50, 5);
   Scene mirrored = scene;
-  mirrored.supports = {fixed("right")};
+  mirrored.bodies[0].supports = {fixed("right")};
   const Solution first = solve(scene);
   const Solution second = solve(mirrored);
   REQUIRE(second.contact.force.size() == first.contact.force.size());
@@ -204,22 +207,23 @@ TEST_CASE("turning the whole scene turns the solution", "[cantilever]") {
   Eigen::Matrix2d R;
   R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
   Scene turned = scene;
-  turned.mesh = mapped(scene.mesh, [&](const Vector2d& x) { return Vector2d(R * x); });
-  turned.contact->obstacle = half_plane(R * Vector2d(0, -1), R * Vector2d(0, 1));
+  turned.bodies[0].mesh =
+      mapped(scene.bodies[0].mesh, [&](const Vector2d& x) { return Vector2d(R * x); });
+  turned.contacts[0].target = half_plane(R * Vector2d(0, -1), R * Vector2d(0, 1));
   const Solution first = solve(scene);
   const Solution second = solve(turned);
   CHECK(second.contact.active == first.contact.active);
   // The nodes themselves are rounded when they are turned; the slender beam magnifies this.
   CHECK((second.contact.force - first.contact.force).norm() < 1e-9 * first.contact.force.norm());
-  CHECK((second.displacements - first.displacements * R.transpose()).norm() <
-        1e-9 * first.displacements.norm());
+  CHECK((second.displacements[0] - first.displacements[0] * R.transpose()).norm() <
+        1e-9 * first.displacements[0].norm());
   CHECK(second.certificate.holds());
 }
 
 TEST_CASE("a second run gives the same bits", "[cantilever]") {
   const Solution first = solve(cantilever("q8", 40, 4));
   const Solution second = solve(cantilever("q8", 40, 4));
-  CHECK(first.displacements == second.displacements);
+  CHECK(first.displacements[0] == second.displacements[0]);
   CHECK(first.contact.force == second.contact.force);
   CHECK(first.contact.gap == second.contact.gap);
   CHECK(first.certificate.worst() == second.certificate.worst());
@@ -229,7 +233,7 @@ TEST_CASE("loads and gap in proportion give displacements and forces in proporti
           "[cantilever][units]") {
   const Solution first = solve(cantilever("q4_incompatible", 50, 5));
   Scene doubled = cantilever("q4_incompatible", 50, 5, 7.2);
-  doubled.contact->obstacle = half_plane({0, -2}, {0, 1});
+  doubled.contacts[0].target = half_plane({0, -2}, {0, 1});
   const Solution second = solve(doubled);
   CHECK(second.contact.active == first.contact.active);
   CHECK((second.contact.force - 2 * first.contact.force).norm() <

@@ -14,17 +14,18 @@ using Eigen::Index;
 
 Scene beam(double length, double height, Index nx, Index ny, const char* element) {
   Scene scene;
+  Body& body = scene.bodies[0];
   BlockSpec block;
   block.name = "beam";
   block.size = {length, height};
   block.cells_x = nx;
   block.cells_y = ny;
   block.order = std::string(element) == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear;
-  scene.mesh = make_block(block);
-  scene.element = element;
-  scene.material = {1e6, 0.3, PlaneState::Stress, 1};
-  scene.supports = {fixed("left")};
-  scene.contact = ObstacleContactSpec{"bottom", half_plane({0, -1}, {0, 1})};
+  body.mesh = make_block(block);
+  body.element = element;
+  body.material = {1e6, 0.3, PlaneState::Stress, 1};
+  body.supports = {fixed("left")};
+  scene.contacts = {{{"bottom"}, half_plane({0, -1}, {0, 1})}};
   return scene;
 }
 
@@ -37,7 +38,7 @@ TEST_CASE("pairs that just touch without force do not keep the solver busy", "[d
     CAPTURE(seed);
     Ledger ledger;
     Model model = build(beam(50, 50, 10, 2, "q8"), ledger);
-    const Index pairs = model.gaps.A.rows();
+    const Index pairs = model.programme.A.rows();
     Eigen::VectorXd force(pairs);
     unsigned state = 12345 + 977 * seed;
     for (Index i = 0; i < pairs; ++i) {
@@ -59,7 +60,7 @@ TEST_CASE("a body too slender for double precision is never called solved", "[sl
   for (const char* element : {"q4", "q4_bbar", "q4_incompatible"}) {
     CAPTURE(element);
     Scene scene = beam(1e5, 1, 200, 1, element);
-    scene.loads.edges = {{"top", 1e-9, {}}};
+    scene.bodies[0].loads.edges = {{"top", 1e-9, {}}};
     try {
       const Solution solution = solve(scene);
       CHECK((solution.contact.report.status != Status::Solved || solution.certificate.holds()));
@@ -75,9 +76,9 @@ TEST_CASE("a free body never passes the factor, whatever its size", "[free]") {
       for (Index ny = 1; ny <= 5; ++ny) {
         CAPTURE(element, nx, ny);
         Scene scene = beam(3, 1.1, nx, ny, element);
-        const Unknowns unknowns = number_unknowns(scene.mesh, {});
-        const LinearSystem system =
-            assemble(scene.mesh, find_element(element), scene.material, unknowns, {});
+        const Unknowns unknowns = number_unknowns(scene.bodies[0].mesh, {});
+        const LinearSystem system = assemble(scene.bodies[0].mesh, find_element(element),
+                                             scene.bodies[0].material, unknowns, {});
         Ledger ledger;
         CHECK_THROWS_AS(
             ContactLastFactor(system.stiffness, minimum_degree(system.stiffness), 0, ledger),
@@ -87,29 +88,29 @@ TEST_CASE("a free body never passes the factor, whatever its size", "[free]") {
 
 TEST_CASE("a node that belongs to no cell is named", "[input]") {
   Scene scene = beam(50, 5, 4, 2, "q4");
-  scene.mesh.nodes.conservativeResize(scene.mesh.n_nodes() + 1, 2);
-  scene.mesh.nodes.bottomRows<1>() << 7, 7;
+  scene.bodies[0].mesh.nodes.conservativeResize(scene.bodies[0].mesh.n_nodes() + 1, 2);
+  scene.bodies[0].mesh.nodes.bottomRows<1>() << 7, 7;
   CHECK_THROWS_WITH(plan(scene), ContainsSubstring("node 15") && ContainsSubstring("no cell"));
 }
 
 // cos(pi/2) is 6e-17, not 0: it must not count as a direction in which a held node can give way.
 TEST_CASE("a normal tilted by rounding is the axis it was meant to be", "[contact]") {
   Scene scene = beam(50, 5, 20, 2, "q4");
-  scene.supports = {prescribed("left", Axis::Y, -0.1), symmetric("right")};
-  scene.contact->obstacle = half_plane({0, 0}, {std::cos(std::acos(-1.0) / 2), 1});
-  CHECK_THROWS_WITH(plan(scene), ContainsSubstring("held by a support and overlaps"));
+  scene.bodies[0].supports = {prescribed("left", Axis::Y, -0.1), symmetric("right")};
+  scene.contacts[0].target = half_plane({0, 0}, {std::cos(std::acos(-1.0) / 2), 1});
+  CHECK_THROWS_WITH(plan(scene), ContainsSubstring("is held by supports and overlaps"));
 }
 
 TEST_CASE("what a scene says about a normal of the wrong length", "[contact]") {
   Scene scene = beam(50, 5, 4, 2, "q4");
-  scene.contact->obstacle = {"stretched", [](const Eigen::Vector2d& x) {
-                               return ObstacleContact{x.y() + 1, {0, 2}};
-                             }};
+  scene.contacts[0].target = Obstacle{"stretched", [](const Eigen::Vector2d& x) {
+                                        return ObstacleContact{x.y() + 1, {0, 2}};
+                                      }};
   CHECK_THROWS_WITH(plan(scene), ContainsSubstring("must have length 1, got 2"));
 }
 
 TEST_CASE("a side that is listed twice is refused", "[input]") {
   Scene scene = beam(50, 5, 4, 2, "q4");
-  scene.mesh.boundaries["bottom"].push_back({0, 0});
+  scene.bodies[0].mesh.boundaries["bottom"].push_back({0, 0});
   CHECK_THROWS_WITH(plan(scene), ContainsSubstring("lists side 0 of cell 0 twice"));
 }

@@ -32,74 +32,76 @@ TEST_CASE("the scene that the bad ones are made from is sound", "[input]") {
 }
 
 TEST_CASE("bad input: an inverted cell", "[input]") {
-  CHECK_THAT(
-      complaint([](Scene& s) { s.mesh.cells.row(7) = s.mesh.cells.row(7).reverse().eval(); }),
-      ContainsSubstring("mesh 'beam': cell 7 is inverted"));
+  CHECK_THAT(complaint([](Scene& s) {
+               s.bodies[0].mesh.cells.row(7) = s.bodies[0].mesh.cells.row(7).reverse().eval();
+             }),
+             ContainsSubstring("mesh 'beam': cell 7 is inverted"));
 }
 
 TEST_CASE("bad input: a boundary side of zero length", "[input]") {
   CHECK_THAT(complaint([](Scene& s) {
-               const auto nodes = s.mesh.side_nodes(s.mesh.boundaries.at("top")[3]);
-               s.mesh.nodes.row(nodes[0]) = s.mesh.nodes.row(nodes[1]);
+               const auto nodes =
+                   s.bodies[0].mesh.side_nodes(s.bodies[0].mesh.boundaries.at("top")[3]);
+               s.bodies[0].mesh.nodes.row(nodes[0]) = s.bodies[0].mesh.nodes.row(nodes[1]);
              }),
              ContainsSubstring("side 3 of the boundary 'top'") && ContainsSubstring("zero length"));
 }
 
 TEST_CASE("bad input: Poisson's ratio one half in plane strain", "[input]") {
   CHECK_THAT(complaint([](Scene& s) {
-               s.material.poisson_ratio = 0.5;
-               s.material.state = PlaneState::Strain;
+               s.bodies[0].material.poisson_ratio = 0.5;
+               s.bodies[0].material.state = PlaneState::Strain;
              }),
              ContainsSubstring("Poisson's ratio 0.5") && ContainsSubstring("q4_bbar"));
 }
 
 TEST_CASE("bad input: a negative Young's modulus", "[input]") {
-  CHECK_THAT(complaint([](Scene& s) { s.material.youngs_modulus = -21000; }),
+  CHECK_THAT(complaint([](Scene& s) { s.bodies[0].material.youngs_modulus = -21000; }),
              ContainsSubstring("Young's modulus must be positive, got -21000"));
 }
 
 TEST_CASE("bad input: a free body, with its direction", "[input]") {
-  CHECK_THAT(complaint([](Scene& s) { s.supports = {symmetric("left")}; }),
+  CHECK_THAT(complaint([](Scene& s) { s.bodies[0].supports = {symmetric("left")}; }),
              ContainsSubstring("body 'beam'") && ContainsSubstring("freely in direction y") &&
                  !ContainsSubstring("direction x") && ContainsSubstring("add a support"));
-  CHECK_THAT(complaint([](Scene& s) { s.supports.clear(); }),
+  CHECK_THAT(complaint([](Scene& s) { s.bodies[0].supports.clear(); }),
              ContainsSubstring("direction x") && ContainsSubstring("direction y") &&
                  ContainsSubstring("turn freely"));
 }
 
 TEST_CASE("bad input: a support, a load or contact on an unknown boundary", "[input]") {
-  CHECK_THAT(complaint([](Scene& s) { s.supports.push_back(fixed("clamp")); }),
+  CHECK_THAT(complaint([](Scene& s) { s.bodies[0].supports.push_back(fixed("clamp")); }),
              ContainsSubstring("no boundary 'clamp'") && ContainsSubstring("bottom, left"));
   CHECK_THAT(complaint([](Scene& s) {
-               s.loads.edges.push_back({"roof", 1, {}});
+               s.bodies[0].loads.edges.push_back({"roof", 1, {}});
              }),
              ContainsSubstring("no boundary 'roof'"));
-  CHECK_THAT(complaint([](Scene& s) { s.contact->boundary = "belly"; }),
+  CHECK_THAT(complaint([](Scene& s) { s.contacts[0].source.boundary = "belly"; }),
              ContainsSubstring("no boundary 'belly'"));
 }
 
 TEST_CASE("bad input: a profile that is not finite", "[input]") {
   CHECK_THAT(complaint([](Scene& s) {
-               s.contact->obstacle =
+               s.contacts[0].target =
                    profile([](double x) { return -1 - 1 / (x - 25); }, [](double) { return 0.0; });
              }),
              ContainsSubstring("'profile'") && ContainsSubstring("x = 25"));
 }
 
 TEST_CASE("bad input: a contact boundary that is also fixed", "[input]") {
-  CHECK_THAT(complaint([](Scene& s) { s.supports.push_back(fixed("bottom")); }),
+  CHECK_THAT(complaint([](Scene& s) { s.bodies[0].supports.push_back(fixed("bottom")); }),
              ContainsSubstring("contact boundary 'bottom' is also held"));
 }
 
 TEST_CASE("bad input: a held node inside the obstacle", "[input]") {
   CHECK_THAT(complaint([](Scene& s) {
-               s.contact->obstacle = half_plane({0, 0.5}, {0, 1});
+               s.contacts[0].target = half_plane({0, 0.5}, {0, 1});
              }),
              ContainsSubstring("overlaps the obstacle by 0.5"));
 }
 
 TEST_CASE("bad input: unknown names", "[input]") {
-  CHECK_THAT(complaint([](Scene& s) { s.element = "q9"; }),
+  CHECK_THAT(complaint([](Scene& s) { s.bodies[0].element = "q9"; }),
              ContainsSubstring("unknown element 'q9'") && ContainsSubstring("q8"));
   CHECK_THAT(complaint([](Scene& s) { s.solver = "newton"; }),
              ContainsSubstring("unknown solver 'newton'") && ContainsSubstring("enumerate"));
@@ -107,18 +109,18 @@ TEST_CASE("bad input: unknown names", "[input]") {
 
 TEST_CASE("bad input: supports that contradict each other", "[input]") {
   CHECK_THAT(
-      complaint([](Scene& s) { s.supports.push_back(prescribed("top", Axis::Y, -1.0)); }),
+      complaint([](Scene& s) { s.bodies[0].supports.push_back(prescribed("top", Axis::Y, -1.0)); }),
       ContainsSubstring("support on 'top'") && ContainsSubstring("another support gives it 0"));
 }
 
 TEST_CASE("bad input: an element that does not fit the cells", "[input]") {
-  CHECK_THAT(complaint([](Scene& s) { s.element = "q8"; }),
+  CHECK_THAT(complaint([](Scene& s) { s.bodies[0].element = "q8"; }),
              ContainsSubstring("cells of 4 nodes") && ContainsSubstring("q8 needs 8"));
 }
 
 TEST_CASE("bad input: a load that is not finite", "[input]") {
   Scene scene = signorini_test::cantilever("q4", 10, 2);
-  scene.loads.edges[0].pressure = std::numeric_limits<double>::quiet_NaN();
+  scene.bodies[0].loads.edges[0].pressure = std::numeric_limits<double>::quiet_NaN();
   CHECK_THAT(signorini_test::problem_message([&] { static_cast<void>(solve(scene)); }),
              ContainsSubstring("load on 'top'") && ContainsSubstring("not finite"));
 }

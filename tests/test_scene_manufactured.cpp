@@ -41,28 +41,28 @@ Errors errors_of(const char* element, Index n) {
   spec.cells_y = n;
   spec.order = std::string(element) == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear;
   Scene scene;
-  scene.mesh = make_block(spec);
-  scene.element = element;
-  scene.material = {2.5, 0.25, PlaneState::Strain, 1};
+  Body& body = scene.bodies[0];
+  body.mesh = make_block(spec);
+  body.element = element;
+  body.material = {2.5, 0.25, PlaneState::Strain, 1};
   for (const char* side : {"right", "top", "left"})
-    scene.supports.push_back({side, true, true, exact_displacement, false});
-  scene.loads.body_force = body_force;
+    body.supports.push_back({side, true, true, exact_displacement, false});
+  body.loads.body_force = body_force;
   const auto ground = [](double x) {
     return sunk(x) - std::pow(std::max(0.0, x - edge), 2);  // its normal stays vertical
   };
-  scene.contact = {"bottom", profile(ground, [](double) { return 0.0; })};
+  scene.contacts = {{{"bottom"}, profile(ground, [](double) { return 0.0; })}};
   const Solution solution = solve(scene);
   REQUIRE(solution.contact.report.status == Status::Solved);
   CHECK(solution.certificate.holds());
 
   Errors errors{0, 0, 0};
-  for (Index node = 0; node < scene.mesh.n_nodes(); ++node) {
-    const Vector2d exact = exact_displacement(scene.mesh.nodes.row(node).transpose());
-    errors.displacement += (solution.displacements.row(node).transpose() - exact).squaredNorm();
+  for (Index node = 0; node < body.mesh.n_nodes(); ++node) {
+    const Vector2d exact = exact_displacement(body.mesh.nodes.row(node).transpose());
+    errors.displacement += (solution.displacements[0].row(node).transpose() - exact).squaredNorm();
   }
-  errors.displacement = std::sqrt(errors.displacement / static_cast<double>(scene.mesh.n_nodes()));
-  const Gaps gaps = node_to_obstacle(scene.mesh, "bottom", scene.contact->obstacle,
-                                     number_unknowns(scene.mesh, scene.supports), 1);
+  errors.displacement = std::sqrt(errors.displacement / static_cast<double>(body.mesh.n_nodes()));
+  const Gaps gaps = plan(scene).gaps;
   const double h = 1 / static_cast<double>(n);
   for (Index pair = 0; pair < solution.pressure.size(); ++pair) {
     const double x = gaps.position(pair, 0);

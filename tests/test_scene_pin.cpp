@@ -26,9 +26,9 @@ struct Bearing {
 
 Bearing bearing(const Scene& scene) {
   const SolvedScene run = solved(scene, "the pin");
-  const double side = scene.loads.edges.front().pressure > 0 ? 1 : -1;
+  const double side = scene.bodies[0].loads.edges.front().pressure > 0 ? 1 : -1;
   const BoundaryForces hole =
-      boundary_forces(scene, run, "hole");  // from the left pole to the right
+      boundary_forces(scene, run, {"hole"});  // from the left pole to the right
   const Index n = hole.weight.size();
   Bearing out{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), 0, 0};
   for (Index k = 0; k < n; ++k) {
@@ -39,7 +39,8 @@ Bearing bearing(const Scene& scene) {
     out.pressure(k) = out.force(k) / hole.weight(place);
     out.resultant += 2 * side * hole.force(place, 0);
   }
-  out.right = run.solution.displacements(boundary_nodes(scene.mesh, "right").front(), 0);
+  out.right =
+      run.solution.displacements[0](boundary_nodes(scene.bodies[0].mesh, "right").front(), 0);
   return out;
 }
 

@@ -29,16 +29,17 @@ struct Disc {
     spec.grading = similar_cells(60, 70);
     spec.sector = Sector::Half;
     Scene scene;
-    scene.mesh = make_annulus(spec);
-    scene.element = "q4_bbar";
-    scene.material = {1, nu, PlaneState::Strain, 1};
-    scene.supports = {symmetric("symmetry"), prescribed("outer", Axis::X, 0.0)};
-    scene.contact = {"inner", pin_in_hole({0, 0}, 0.01, {0.01 * shift, 0})};
+    Body& body = scene.bodies[0];
+    body.mesh = make_annulus(spec);
+    body.element = "q4_bbar";
+    body.material = {1, nu, PlaneState::Strain, 1};
+    body.supports = {symmetric("symmetry"), prescribed("outer", Axis::X, 0.0)};
+    scene.contacts = {{{"inner"}, pin_in_hole({0, 0}, 0.01, {0.01 * shift, 0})}};
     return solved(scene, "the disc");
   }
   [[nodiscard]] double modulus() const { return 1 / (1 - nu * nu); }
   [[nodiscard]] double angle(Index pair) const {
-    return std::atan2(run.model.gaps.position(pair, 1), run.model.gaps.position(pair, 0));
+    return std::atan2(run.model.pairs.position(pair, 1), run.model.pairs.position(pair, 0));
   }
   /// The state of another shift, on the same compliance.
   [[nodiscard]] ContactState shifted(double shift) const {
@@ -67,7 +68,7 @@ TEST_CASE("a pin in a large incompressible disc is that of the closed form", "[p
           Approx(pin_contact_angle(pin)).margin(1.5 * degree).epsilon(0));
     const Index pole = state.force.size() - 1;
     for (const Index k : {pole, pole - 5, pole - 10})
-      CHECK(state.force(k) / disc.run.model.gaps.weight(k) ==
+      CHECK(state.force(k) / disc.run.model.pairs.weight(k) ==
             Approx(pin_pressure(pin, disc.angle(k))).epsilon(0.002));
   }
 }
@@ -90,7 +91,7 @@ TEST_CASE("a pin in a large compressible disc is that of the integral equation",
     const Index pole = state.force.size() - 1;
     CHECK(disc.angle(state.active.front()) / degree ==
           Approx(expected.half_angle).margin(1.5).epsilon(0));
-    CHECK(state.force(pole) / disc.run.model.gaps.weight(pole) / disc.force(state) ==
+    CHECK(state.force(pole) / disc.run.model.pairs.weight(pole) / disc.force(state) ==
           Approx(expected.pressure).epsilon(0.002));
   }
 }

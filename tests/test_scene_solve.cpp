@@ -31,8 +31,8 @@ TEST_CASE("a plan says what is on and what is off, without assembling", "[plan]"
 
 TEST_CASE("what is absent is off", "[plan]") {
   Scene scene = cantilever("q4", 10, 2);
-  scene.contact.reset();
-  scene.loads = {};
+  scene.contacts.clear();
+  scene.bodies[0].loads = {};
   const Plan found = plan(scene);
   CHECK(found.off == std::vector<std::string>{"body force", "edge loads", "contact"});
   CHECK(found.gaps.A.rows() == 0);
@@ -40,13 +40,13 @@ TEST_CASE("what is absent is off", "[plan]") {
 
 TEST_CASE("a plan warns of an element that will lock and of overlap before loading", "[plan]") {
   Scene scene = cantilever("q4", 10, 2);
-  scene.material.state = PlaneState::Strain;
-  scene.material.poisson_ratio = 0.4999;
+  scene.bodies[0].material.state = PlaneState::Strain;
+  scene.bodies[0].material.poisson_ratio = 0.4999;
   REQUIRE(plan(scene).notes.size() == 1);
   CHECK_THAT(plan(scene).notes[0], ContainsSubstring("q4 locks") && ContainsSubstring("q4_bbar"));
-  scene.element = "q4_bbar";
+  scene.bodies[0].element = "q4_bbar";
   CHECK(plan(scene).notes.empty());
-  scene.contact->obstacle = disc({40, -10}, 10.5);
+  scene.contacts[0].target = disc({40, -10}, 10.5);
   REQUIRE(plan(scene).notes.size() == 1);
   CHECK_THAT(plan(scene).notes[0], ContainsSubstring("overlaps the obstacle by 0.5"));
 }
@@ -67,12 +67,13 @@ TEST_CASE("one factorisation of the stiffness serves the whole solution", "[ledg
 TEST_CASE("the gap in a solution is that of the displaced nodes", "[solve][XuanLi2002-13]") {
   const Scene scene = cantilever("q4_incompatible", 50, 5);
   const Solution solution = solve(scene);
-  const Gaps gaps = node_to_obstacle(scene.mesh, "bottom", scene.contact->obstacle,
-                                     number_unknowns(scene.mesh, scene.supports), 1);
+  const Gaps gaps =
+      node_to_obstacle(scene.bodies[0].mesh, "bottom", scene.contacts[0].target,
+                       number_unknowns(scene.bodies[0].mesh, scene.bodies[0].supports), 1);
   for (Index pair = 0; pair < solution.contact.gap.size(); ++pair) {
     const Index node = gaps.node[static_cast<std::size_t>(pair)];
     CHECK(solution.contact.gap(pair) ==
-          Approx(1 + solution.displacements(node, 1)).epsilon(0).margin(1e-14));
+          Approx(1 + solution.displacements[0](node, 1)).epsilon(0).margin(1e-14));
     CHECK(solution.pressure(pair) ==
           Approx(solution.contact.force(pair) / gaps.weight(pair)).epsilon(1e-15).margin(0));
   }
@@ -94,7 +95,7 @@ TEST_CASE("a body pressed into a disc, a hole and a wave is certified", "[solve]
   for (const Obstacle& obstacle : {disc({40, -6}, 5), hole({30, 400}, 402), wave}) {
     CAPTURE(obstacle.name);
     Scene scene = cantilever("q4_incompatible", 60, 6);
-    scene.contact->obstacle = obstacle;
+    scene.contacts[0].target = obstacle;
     const Solution solution = solve(scene);
     CHECK(solution.contact.report.status == Status::Solved);
     CHECK_FALSE(solution.contact.active.empty());
@@ -104,7 +105,8 @@ TEST_CASE("a body pressed into a disc, a hole and a wave is certified", "[solve]
 
 TEST_CASE("a body force alone acts like a pressure of the same weight", "[solve]") {
   Scene weight = cantilever("q4_incompatible", 50, 5);
-  weight.loads = {[](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -3.6 / 5); }, {}};
+  weight.bodies[0].loads = {[](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -3.6 / 5); },
+                            {}};
   const Solution solution = solve(weight);
   CHECK(solution.certificate.holds());
   // Where on the section the load acts changes the local stress, not the beam: a few thousandths.

@@ -27,15 +27,16 @@ const double radius = 60;                // of the obstacle [mm]
 const double reference_force = 10.5451;  // on 640 x 320 cells [N]
 Scene block_on_obstacle(Index cells_x) {
   Scene scene;
+  Body& body = scene.bodies[0];
   BlockSpec block;
   block.corner = {-20, 0};
   block.size = {40, 20};
   block.cells_x = cells_x;
   block.cells_y = cells_x / 2;
-  scene.mesh = make_block(block);
-  scene.material = {/*E [N/mm^2]*/ 10, /*nu*/ 0.3, PlaneState::Strain, /*thickness [mm]*/ 1};
-  scene.supports = {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -1.0)};
-  scene.contact = ObstacleContactSpec{"bottom", disc({0, -radius}, radius)};
+  body.mesh = make_block(block);
+  body.material = {/*E [N/mm^2]*/ 10, /*nu*/ 0.3, PlaneState::Strain, /*thickness [mm]*/ 1};
+  body.supports = {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -1.0)};
+  scene.contacts = {{{"bottom"}, disc({0, -radius}, radius)}};
   return scene;
 }
 // [scene]
@@ -51,7 +52,7 @@ void try_all_sets(const ProgramOptions& run, Results& results) {
   if (tried.active != block.solution.contact.active)
     throw NotSolved("enumeration and active set method disagree");
   const Table table =
-      table_of({{"x [mm]", block.model.gaps.position.col(0), "%.0f"},
+      table_of({{"x [mm]", block.model.pairs.position.col(0), "%.0f"},
                 {"gap without contact [mm]", block.condensed.problem.free_gap, "%.3f"},
                 {"gap [mm]", tried.gap, "%.3f"},
                 {"contact force [N]", tried.force, "%.3f"}});
@@ -94,16 +95,16 @@ double half_width(const SolvedScene& block) {
   const Index last = block.solution.contact.active.back();
   const double p1 = std::pow(block.solution.pressure(last), 2);
   const double p2 = std::pow(block.solution.pressure(last - 1), 2);
-  const double x1 = block.model.gaps.position(last, 0);
-  return x1 + p1 / (p2 - p1) * (x1 - block.model.gaps.position(last - 1, 0));
+  const double x1 = block.model.pairs.position(last, 0);
+  return x1 + p1 / (p2 - p1) * (x1 - block.model.pairs.position(last - 1, 0));
 }
 
 // 5. Gap and pressure along the base, for figure 1.1.
 void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Results& results) {
-  const Gaps& gaps = block.model.gaps;
-  write_file(run.out / "fig_1_1.csv", pressure_csv(gaps, block.solution, "rel 1e-6 abs 1e-8"));
-  const Eigen::VectorXd x = gaps.position.col(0);
-  const NodeArray moved = gaps.position + block.solution.displacements(gaps.node, Eigen::all);
+  const Pairs& pairs = block.model.pairs;
+  write_file(run.out / "fig_1_1.csv", pressure_csv(pairs, block.solution, "rel 1e-6 abs 1e-8"));
+  const Eigen::VectorXd x = pairs.position.col(0);
+  const NodeArray moved = pairs.position + block.solution.displacements[0](pairs.node, Eigen::all);
   const Table outline =
       table_of({{"x", x},
                 {"obstacle", (radius * radius - x.array().square()).sqrt() - radius},
@@ -111,8 +112,8 @@ void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Resul
                 {"base_y", moved.col(1)}});
   write_file(run.out / "fig_1_1_obstacle.csv", outline.csv("rel 1e-6 abs 1e-8"));
   write_vtu(run.out / "ch01.vtu", block.model, block.solution);
-  const Resultants sum = resultants(gaps, block.solution);
-  results.add("candidates", static_cast<double>(gaps.A.rows()), "-");
+  const Resultants sum = resultants(pairs, block.solution);
+  results.add("candidates", static_cast<double>(block.model.programme.A.rows()), "-");
   results.add("closed", static_cast<double>(block.solution.contact.active.size()), "-");
   results.add("total_contact_force", sum.force.y(), "N");
   results.add("peak_pressure", sum.peak_pressure, "N/mm^2");
@@ -152,7 +153,7 @@ Status chapter(const ProgramOptions& run) {
   gap_formulas(run, results);
   if (run.full) {  // the mesh that the headline is compared with
     const SolvedScene fine = solve_block(640);
-    results.add("fine_force", resultants(fine.model.gaps, fine.solution).force.y(), "N",
+    results.add("fine_force", resultants(fine.model.pairs, fine.solution).force.y(), "N",
                 Repeats::No);
   }
   results.add("reference_force", reference_force, "N");

@@ -25,15 +25,16 @@ using Eigen::VectorXd;
 // [scene]
 Scene three_candidates() {
   Scene scene;
+  Body& body = scene.bodies[0];
   BlockSpec block;
   block.corner = {-20, 0};
   block.size = {40, 20};
   block.cells_x = 2;
   block.cells_y = 1;
-  scene.mesh = make_block(block);
-  scene.material = {/*E [N/mm^2]*/ 10, /*nu*/ 0.3, PlaneState::Strain, /*thickness [mm]*/ 1};
-  scene.supports = {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -1.0)};
-  scene.contact = ObstacleContactSpec{"bottom", disc({5, -400}, 400)};
+  body.mesh = make_block(block);
+  body.material = {/*E [N/mm^2]*/ 10, /*nu*/ 0.3, PlaneState::Strain, /*thickness [mm]*/ 1};
+  body.supports = {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -1.0)};
+  scene.contacts = {{{"bottom"}, disc({5, -400}, 400)}};
   return scene;
 }
 // [scene]

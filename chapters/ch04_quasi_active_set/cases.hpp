@@ -48,8 +48,8 @@ inline Eigen::VectorXd displacement(const DenseProgramme& q, const ContactState&
 }
 
 inline ContactProblem condensed(Scene scene, const BlockSpec& block, const Obstacle& obstacle) {
-  scene.mesh = make_block(block);
-  scene.contact = ObstacleContactSpec{"bottom", obstacle};
+  scene.bodies[0].mesh = make_block(block);
+  scene.contacts = {{{"bottom"}, obstacle}};
   Ledger ledger;
   return condense(build(scene, ledger), ledger).problem;
 }
@@ -57,8 +57,9 @@ inline ContactProblem condensed(Scene scene, const BlockSpec& block, const Obsta
 /// The block of chapter 1 on its obstacle.
 inline ContactProblem block_on_obstacle() {
   Scene scene;
-  scene.material = {10, 0.3, PlaneState::Strain, 1};
-  scene.supports = {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -1.0)};
+  Body& body = scene.bodies[0];
+  body.material = {10, 0.3, PlaneState::Strain, 1};
+  body.supports = {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -1.0)};
   BlockSpec block;
   block.corner = {-20, 0};
   block.size = {40, 20};
@@ -70,9 +71,10 @@ inline ContactProblem block_on_obstacle() {
 /// The cantilever of chapter 6 on its foundation.
 inline ContactProblem cantilever() {
   Scene scene;
-  scene.material = {2.1e4, 0.29, PlaneState::Stress, 1};
-  scene.supports = {fixed("left")};
-  scene.loads.edges = {{"top", 3.6, {}}};
+  Body& body = scene.bodies[0];
+  body.material = {2.1e4, 0.29, PlaneState::Stress, 1};
+  body.supports = {fixed("left")};
+  body.loads.edges = {{"top", 3.6, {}}};
   BlockSpec block;
   block.size = {50, 5};
   block.cells_x = 100;

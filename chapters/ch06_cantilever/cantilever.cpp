@@ -34,18 +34,19 @@ const double total_force_2d = 71.626;  // limit of our own meshes up to 800 x 80
 // [scene]
 Scene cantilever(const BeamOnFoundation& beam, const std::string& element, Index cells) {
   Scene scene;
+  Body& body = scene.bodies[0];
   BlockSpec block;
   block.name = "cantilever";
   block.size = {beam.length, beam.height};
   block.cells_x = cells;
   block.cells_y = cells / 10;
   block.order = element == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear;
-  scene.mesh = make_block(block);
-  scene.element = element;
-  scene.material = {beam.youngs_modulus, beam.poisson_ratio, PlaneState::Stress, beam.width};
-  scene.supports = {fixed("left")};
-  scene.loads.edges = {{"top", beam.pressure, {}}};
-  scene.contact = ObstacleContactSpec{"bottom", half_plane({0, -beam.gap}, {0, 1})};
+  body.mesh = make_block(block);
+  body.element = element;
+  body.material = {beam.youngs_modulus, beam.poisson_ratio, PlaneState::Stress, beam.width};
+  body.supports = {fixed("left")};
+  body.loads.edges = {{"top", beam.pressure, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, -beam.gap}, {0, 1})}};
   return scene;
 }
 // [scene]
@@ -59,7 +60,7 @@ SolvedScene solve_cantilever(const BeamOnFoundation& beam, const std::string& el
 // [solve]
 
 double total_force(const SolvedScene& run) {
-  return resultants(run.model.gaps, run.solution).force.y();
+  return resultants(run.model.pairs, run.solution).force.y();
 }
 
 // 4. The load history: nothing touches, the tip touches, a line touches.
@@ -119,7 +120,7 @@ void contact_pressure(const ProgramOptions& run, Results& results) {
   const SolvedScene fine = solve_cantilever(paper, "q4_incompatible", 200);
   const SolvedScene q8 = solve_cantilever(paper, "q8", 100);  // as many nodes on the lower side
   const double s = euler_bernoulli(paper).touchdown;
-  const Eigen::VectorXd x = fine.model.gaps.position.col(0);
+  const Eigen::VectorXd x = fine.model.pairs.position.col(0);
   const auto thin = [s](double at) { return at < s ? 0 : paper.pressure; };
   const auto thick = [](double at) { return timoshenko_pressure(paper, at); };
   const Table curve = table_of({{"x", x},
@@ -129,17 +130,20 @@ void contact_pressure(const ProgramOptions& run, Results& results) {
                                 {"euler_bernoulli", x.unaryExpr(thin)},
                                 {"timoshenko", x.unaryExpr(thick)}});
   write_file(run.out / "fig_6_2.csv", curve.csv("rel 1e-6 abs 1e-7"));
-  write_file(run.out / "pressure.csv", pressure_csv(fine.model.gaps, fine.solution));
+  write_file(run.out / "pressure.csv", pressure_csv(fine.model.pairs, fine.solution));
   write_vtu(run.out / "ch06.vtu", fine.model, fine.solution);
   const SolvedScene coarse = solve_cantilever(paper, "q4_incompatible", 100);
-  const StressArray stress = cell_stress(coarse.model.mesh, coarse.model.element,
-                                         coarse.model.material, coarse.solution.displacements);
+  const StressArray stress =
+      cell_stress(coarse.model.bodies[0].mesh, coarse.model.bodies[0].element,
+                  coarse.model.bodies[0].material, coarse.solution.displacements[0]);
   write_file(run.out / "fig_6_3.csv",
-             deformed_cells_csv(coarse.model.mesh, coarse.solution.displacements, stress.col(0)));
+             deformed_cells_csv(coarse.model.bodies[0].mesh, coarse.solution.displacements[0],
+                                stress.col(0)));
   Index peak = 0;
   results.add("peak_pressure", fine.solution.pressure.maxCoeff(&peak), "kN/cm^2");
-  results.add("peak_position", fine.model.gaps.position(peak, 0), "cm");
-  results.add("touchdown", fine.model.gaps.position(fine.solution.contact.active.front(), 0), "cm");
+  results.add("peak_position", fine.model.pairs.position(peak, 0), "cm");
+  results.add("touchdown", fine.model.pairs.position(fine.solution.contact.active.front(), 0),
+              "cm");
   results.add("euler_bernoulli_touchdown", s, "cm");
   results.add("euler_bernoulli_point_force", euler_bernoulli(paper).point_force, "kN");
   results.add("timoshenko_touchdown", timoshenko(paper).touchdown, "cm");
@@ -180,7 +184,7 @@ void as_linear_programme(Results& results) {
   const ContactProblem& problem = beam.condensed.problem;
   const ContactState once = linear_programme(problem);
   const std::vector<ContactState> steps =
-      incremental_linear_programme(problem, beam.model.gaps.initial_gap, 20);
+      incremental_linear_programme(problem, beam.model.pairs.initial_gap, 20);
   Index pivots = 0;
   for (const ContactState& step : steps) pivots += step.report.iterations;
   const Eigen::VectorXd& force = beam.solution.contact.force;

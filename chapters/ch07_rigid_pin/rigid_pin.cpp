@@ -56,13 +56,15 @@ Scene pin_in_plate(const Pin& pin, Index cells_radius, const VectorXd& rays) {
   const Eigen::Vector2d pole(pin.side() * hole_radius, 0);
   const Eigen::Vector2d shift(pin.side() * pin.clearance, 0);  // the pin touches the pole
   Scene scene;
-  scene.mesh = make_plate_with_hole(plate);
-  scene.element = "q4";
-  scene.material = plate_material;
-  scene.supports = {symmetric("symmetry"), prescribed_at("hole", pole, Axis::X)};
-  scene.loads.edges = {{"right", pin.q, {}}};
-  scene.contact = {"hole", pin.linear_gap ? pin_in_hole({0, 0}, pin.clearance, shift)
-                                          : disc(shift, hole_radius - pin.clearance)};
+  Body& body = scene.bodies[0];
+  body.mesh = make_plate_with_hole(plate);
+  body.element = "q4";
+  body.material = plate_material;
+  body.supports = {symmetric("symmetry"), prescribed_at("hole", pole, Axis::X)};
+  body.loads.edges = {{"right", pin.q, {}}};
+  scene.contacts = {{{"hole"},
+                     pin.linear_gap ? pin_in_hole({0, 0}, pin.clearance, shift)
+                                    : disc(shift, hole_radius - pin.clearance)}};
   return scene;
 }
 // [scene]
@@ -80,7 +82,7 @@ struct Bearing {
 Bearing bearing(const Pin& pin, Index cells_radius, const VectorXd& rays) {
   const Scene scene = pin_in_plate(pin, cells_radius, rays);
   SolvedScene run = solved(scene, "the pin");
-  const BoundaryForces hole = boundary_forces(scene, run, "hole");  // from the left to the right
+  const BoundaryForces hole = boundary_forces(scene, run, {"hole"});  // from the left to the right
   VectorXd theta = (pin.side() * hole.position.col(0).array() / hole_radius).acos() / degree;
   VectorXd force = hole.force.cwiseProduct(hole.position).rowwise().sum() / hole_radius;
   VectorXd pressure = force.cwiseQuotient(hole.weight);
@@ -88,8 +90,8 @@ Bearing bearing(const Pin& pin, Index cells_radius, const VectorXd& rays) {
     for (VectorXd* values : {&theta, &force, &pressure}) values->reverseInPlace();
   if (force(0) < 0) throw NotSolved("the pole pulls at its support: it must not be held");
   const double resultant = 2 * pin.side() * hole.force.col(0).sum();
-  const Index right = boundary_nodes(scene.mesh, "right").front();
-  const double moved = run.solution.displacements(right, 0);
+  const Index right = boundary_nodes(scene.bodies[0].mesh, "right").front();
+  const double moved = run.solution.displacements[0](right, 0);
   return {std::move(run), theta, force, pressure, resultant, moved};
 }
 // [bearing]
@@ -116,7 +118,7 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
   Table family({"solver", "iterations (T)", "iterations (C)"});
   // [family]
   for (const Solver& solver : solvers()) {
-    if (solver.largest > 0 && solver.largest < t.run.model.gaps.A.rows()) continue;
+    if (solver.largest > 0 && solver.largest < t.run.model.programme.A.rows()) continue;
     std::vector<std::string> row = {solver.name};
     for (const Bearing* now : {&t, &c}) {
       const ContactState state = solver.solve(now->run.condensed.problem, {});
@@ -130,16 +132,16 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
   write_file(run.out / "solvers.md", family.markdown());
   for (const auto& [name, now] : {std::pair("t", &t), std::pair("c", &c)}) {
     const auto& [model, condensed, solution] = now->run;
-    const StressArray stress =
-        cell_stress(model.mesh, model.element, model.material, solution.displacements);
+    const StressArray stress = cell_stress(model.bodies[0].mesh, model.bodies[0].element,
+                                           model.bodies[0].material, solution.displacements[0]);
     write_file(run.out / text("fig_7_2_", name, ".csv"),
-               deformed_cells_csv(model.mesh, solution.displacements, stress.col(0)));
+               deformed_cells_csv(model.bodies[0].mesh, solution.displacements[0], stress.col(0)));
     if (std::abs(now->resultant - 500) > 500e-10) throw NotSolved("the pin does not bear the load");
     results.add(text("resultant_", name), now->resultant, "kN/cm");
     results.add(text("right_", name), now->right, "cm");
   }
-  results.add("mesh_cells", static_cast<double>(t.run.model.mesh.n_cells()), "-");
-  results.add("mesh_nodes", static_cast<double>(t.run.model.mesh.n_nodes()), "-");
+  results.add("mesh_cells", static_cast<double>(t.run.model.bodies[0].mesh.n_cells()), "-");
+  results.add("mesh_nodes", static_cast<double>(t.run.model.bodies[0].mesh.n_nodes()), "-");
 }
 
 // 5. Even cells along the half hole: 15 to compare programs digit by digit, then finer ones.
@@ -207,17 +209,18 @@ InDisc pin_in_disc(double poisson_ratio, double clearance, double shift) {
   disc.grading = similar_cells(disc.outer_radius, disc.cells_radius);
   disc.sector = Sector::Half;
   Scene scene;
-  scene.mesh = make_annulus(disc);
-  scene.element = "q4_bbar";
-  scene.material = {/*E*/ 1, poisson_ratio, PlaneState::Strain, /*thickness*/ 1};
-  scene.supports = {symmetric("symmetry"), prescribed("outer", Axis::X, 0.0)};
-  scene.contact = {"inner", pin_in_hole({0, 0}, clearance, {shift, 0})};
+  Body& body = scene.bodies[0];
+  body.mesh = make_annulus(disc);
+  body.element = "q4_bbar";
+  body.material = {/*E*/ 1, poisson_ratio, PlaneState::Strain, /*thickness*/ 1};
+  body.supports = {symmetric("symmetry"), prescribed("outer", Axis::X, 0.0)};
+  scene.contacts = {{{"inner"}, pin_in_hole({0, 0}, clearance, {shift, 0})}};
   const auto [model, condensed, solution] = solved(scene, "the pin in the disc");
-  const double force = 2 * obstacle_forces(model, solution).col(0).sum();
+  const double force = 2 * contact_forces(model, solution).col(0).sum();
   const double modulus = 1 / (1 - poisson_ratio * poisson_ratio);  // the pin is rigid
-  VectorXd theta(model.gaps.A.rows());
+  VectorXd theta(model.programme.A.rows());
   for (Index k = 0; k < theta.size(); ++k)
-    theta(k) = std::atan2(model.gaps.position(k, 1), model.gaps.position(k, 0));
+    theta(k) = std::atan2(model.pairs.position(k, 1), model.pairs.position(k, 0));
   const double last = theta(solution.contact.active.front());  // they run towards the pole
   return {{1, clearance, force, modulus, modulus}, theta, solution.pressure / force, last};
 }

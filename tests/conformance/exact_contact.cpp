@@ -16,11 +16,12 @@ namespace {
 /// A block 3 wide and 2 high whose top is pushed down by 0.1 onto a base that is 0.04 away.
 Scene pressed_block(const Element& element, PlaneState state) {
   Scene scene;
-  scene.mesh = distorted(block_for(element, {3, 2}, 4, 3), {3, 2}, {0.75, 2.0 / 3.0}, 21);
-  scene.element = element.name;
-  scene.material = {500, 0.3, state, 0.7};
-  scene.supports = {symmetric("left"), prescribed("top", Axis::Y, -0.1)};
-  scene.contact = {"bottom", half_plane({0, -0.04}, {0, 1})};
+  Body& body = scene.bodies[0];
+  body.mesh = distorted(block_for(element, {3, 2}, 4, 3), {3, 2}, {0.75, 2.0 / 3.0}, 21);
+  body.element = element.name;
+  body.material = {500, 0.3, state, 0.7};
+  body.supports = {symmetric("left"), prescribed("top", Axis::Y, -0.1)};
+  scene.contacts = {{{"bottom"}, half_plane({0, -0.04}, {0, 1})}};
   return scene;
 }
 
@@ -37,14 +38,15 @@ TEST_CASE("every element: a pressed block has the uniform pressure of the closed
       REQUIRE(solution.contact.report.status == Status::Solved);
       const double modulus = state == PlaneState::Stress ? 500 : 500 / (1 - 0.09);
       const double pressure = modulus * (0.1 - 0.04) / 2;
-      REQUIRE(solution.contact.active.size() == boundary_nodes(scene.mesh, "bottom").size());
+      REQUIRE(solution.contact.active.size() ==
+              boundary_nodes(scene.bodies[0].mesh, "bottom").size());
       for (Index pair = 0; pair < solution.pressure.size(); ++pair)
         CHECK(solution.pressure(pair) == Approx(pressure).epsilon(1e-11).margin(0));
       CHECK(solution.contact.force.sum() == Approx(pressure * 3 * 0.7).epsilon(1e-11).margin(0));
       // Sideways the block grows freely by nu' p / E'.
       const double nu = state == PlaneState::Stress ? 0.3 : 0.3 / 0.7;
-      const Index corner = boundary_nodes(scene.mesh, "right").front();
-      CHECK(solution.displacements(corner, 0) == Approx(nu * 0.03 * 3).epsilon(1e-11).margin(0));
+      const Index corner = boundary_nodes(scene.bodies[0].mesh, "right").front();
+      CHECK(solution.displacements[0](corner, 0) == Approx(nu * 0.03 * 3).epsilon(1e-11).margin(0));
       CHECK(solution.certificate.holds());
     }
 }
@@ -54,7 +56,7 @@ TEST_CASE("every element: a block that is not pushed far enough stays free of fo
   for (const Element& element : elements()) {
     CAPTURE(element.name);
     Scene scene = pressed_block(element, PlaneState::Stress);
-    scene.supports = {symmetric("left"), prescribed("top", Axis::Y, -0.03)};
+    scene.bodies[0].supports = {symmetric("left"), prescribed("top", Axis::Y, -0.03)};
     const Solution solution = solve(scene);
     CHECK(solution.contact.active.empty());
     CHECK(solution.contact.force.norm() == 0);
@@ -78,9 +80,10 @@ TEST_CASE("every element: a block on a slanted plane has the same pressure as on
   for (const Element& element : elements()) {
     CAPTURE(element.name);
     Scene scene = pressed_block(element, PlaneState::Stress);
-    scene.mesh = mapped(scene.mesh, [&](const Vector2d& x) { return Vector2d(R * x); });
-    scene.supports = {{"top", true, true, pushed, false}};
-    scene.contact = {"bottom", half_plane(R * Vector2d(0, -0.04), R * Vector2d(0, 1))};
+    scene.bodies[0].mesh =
+        mapped(scene.bodies[0].mesh, [&](const Vector2d& x) { return Vector2d(R * x); });
+    scene.bodies[0].supports = {{"top", true, true, pushed, false}};
+    scene.contacts = {{{"bottom"}, half_plane(R * Vector2d(0, -0.04), R * Vector2d(0, 1))}};
     const Solution solution = solve(scene);
     REQUIRE(solution.contact.report.status == Status::Solved);
     for (Index pair = 0; pair < solution.pressure.size(); ++pair)

@@ -25,12 +25,13 @@ inline signorini::Scene cantilever(const std::string& element, Eigen::Index cell
   spec.cells_y = cells_y;
   spec.order = element == "q8" ? signorini::MeshOrder::Quadratic : signorini::MeshOrder::Linear;
   signorini::Scene scene;
-  scene.mesh = signorini::make_block(spec);
-  scene.element = element;
-  scene.material = {2.1e4 * units.force / area, 0.29, signorini::PlaneState::Stress, units.length};
-  scene.supports = {signorini::fixed("left")};
-  scene.loads.edges.push_back({"top", pressure * units.force / area, {}});
-  scene.contact = {"bottom", signorini::half_plane({0, -units.length}, {0, 1})};
+  signorini::Body& body = scene.bodies[0];
+  body.mesh = signorini::make_block(spec);
+  body.element = element;
+  body.material = {2.1e4 * units.force / area, 0.29, signorini::PlaneState::Stress, units.length};
+  body.supports = {signorini::fixed("left")};
+  body.loads.edges.push_back({"top", pressure * units.force / area, {}});
+  scene.contacts = {{{"bottom"}, signorini::half_plane({0, -units.length}, {0, 1})}};
   return scene;
 }
 

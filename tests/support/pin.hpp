@@ -23,13 +23,14 @@ inline signorini::Scene pin_in_plate(double pressure, Eigen::Index cells_angle =
   spec.sector = signorini::Sector::Half;
   spec.order = element == "q8" ? signorini::MeshOrder::Quadratic : signorini::MeshOrder::Linear;
   signorini::Scene scene;
-  scene.mesh = signorini::make_plate_with_hole(spec);
-  scene.element = element;
-  scene.material = {1000, 0.3, signorini::PlaneState::Strain, 1};
-  scene.supports = {signorini::symmetric("symmetry"),
-                    signorini::prescribed_at("hole", {5 * side, 0}, signorini::Axis::X)};
-  scene.loads.edges = {{"right", pressure, {}}};
-  scene.contact = {"hole", signorini::pin_in_hole({0, 0}, clearance, {clearance * side, 0})};
+  signorini::Body& body = scene.bodies[0];
+  body.mesh = signorini::make_plate_with_hole(spec);
+  body.element = element;
+  body.material = {1000, 0.3, signorini::PlaneState::Strain, 1};
+  body.supports = {signorini::symmetric("symmetry"),
+                   signorini::prescribed_at("hole", {5 * side, 0}, signorini::Axis::X)};
+  body.loads.edges = {{"right", pressure, {}}};
+  scene.contacts = {{{"hole"}, signorini::pin_in_hole({0, 0}, clearance, {clearance * side, 0})}};
   return scene;
 }
 

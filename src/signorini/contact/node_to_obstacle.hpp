@@ -1,34 +1,33 @@
 /// \file
 /// The gaps between the nodes of one boundary and a rigid obstacle.
 #pragma once
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <string>
-#include <vector>
 
+#include "signorini/contact/gaps.hpp"
 #include "signorini/contact/obstacle.hpp"
+#include "signorini/contact/pairs.hpp"
 #include "signorini/elasticity/unknowns.hpp"
 #include "signorini/mesh/mesh.hpp"
 
 namespace signorini {
 
-/// Linear gaps gap = initial_gap - A u of candidate pairs, and what turns forces into pressures.
-struct Gaps {
-  /// `n_c x n` [-]: minus the normal, in the columns of the node's unknowns.
-  Eigen::SparseMatrix<double, Eigen::RowMajor> A;
-  Eigen::VectorXd initial_gap;  ///< `n_c` [length], given displacements included; overlap < 0
-  Eigen::VectorXd weight;       ///< `n_c` share of the boundary [length^2]: pressure = force / it
-  NodeArray position;           ///< `n_c x 2` where the pairs are before loading [length]
-  NodeArray normal;             ///< `n_c x 2` out of the obstacle [-]
-  std::vector<Eigen::Index> node;  ///< `n_c` node of each pair
-};
-
-/// One pair per node of the boundary that can still move along its normal. \PaperEq{XuanLi2002, 13}
+/// One pair per node of a boundary.
 ///
-/// The normal points out of the obstacle, so that u along it opens the gap: the row of A is minus
-/// the normal. The weight of a node is the integral of its shape function along the boundary times
-/// the thickness: half a side at the ends of a linear boundary, 1/6 and 4/6 of a side for the
-/// corners and midpoints of a quadratic one.
+/// The normal points out of the obstacle, so that u along it opens the gap. The weight of a node is the
+/// integral of its shape function along the boundary times the thickness: half a side at the ends of
+/// a linear boundary, 1/6 and 4/6 of a side for the corners and midpoints of a quadratic one.
+/// \param source     the boundary that may touch (slave)
+/// \param obstacle   the target (master)
+/// \param n_nodes    of all bodies
+/// \param thickness  of the body across the plane [length]
+/// \param sliding    whether slips are wanted too
+/// \return pairs in the order of boundary_nodes()
+/// \throws ProblemError if the boundary does not exist, or if the obstacle gives a gap or a normal that
+///   is not finite
+[[nodiscard]] Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle,
+                                     Eigen::Index n_nodes, double thickness, bool sliding = false);
+
+/// The same for a single body, of nodes that can still move along their normal. \PaperEq{XuanLi2002, 13}
 /// \param mesh       of the body, the source (slave)
 /// \param boundary   its boundary that may touch
 /// \param obstacle   the target (master)

@@ -30,7 +30,8 @@ struct Pairs {
   Eigen::VectorXd weight;       ///< `n_c` share of the source [length^2]: pressure = force / it
   NodeArray position;           ///< `n_c x 2` on the source before loading [length]
   NodeArray normal;             ///< `n_c x 2` out of the target [-]; the tangent is (n_y, -n_x)
-  std::vector<Eigen::Index> node;  ///< `n_c` source node of each pair in its own mesh; -1 if it has none
+  std::vector<Eigen::Index>
+      node;  ///< `n_c` source node of each pair in its own mesh; -1 if it has none
   /// Nodes of the source that face no target and have no pair, in walking order.
   std::vector<Eigen::Index> unpaired;
 };

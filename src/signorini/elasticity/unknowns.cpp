@@ -1,10 +1,8 @@
 #include "signorini/elasticity/unknowns.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "signorini/core/errors.hpp"
 
@@ -45,41 +43,6 @@ std::vector<Index> supported_nodes(const Mesh& mesh, const Support& support) {
        point.x(), ", ", point.y(), "); the nearest, node ", nearest, ", lies at (",
        mesh.nodes(nearest, 0), ", ", mesh.nodes(nearest, 1), ')');
   return {nearest};
-}
-
-/// Numbers the connected bodies of a mesh; returns the body of every node.
-std::vector<Index> body_of_nodes(const Mesh& mesh) {
-  std::vector<Index> parent(static_cast<std::size_t>(mesh.n_nodes()));
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto root = [&parent](Index node) {
-    while (parent[static_cast<std::size_t>(node)] != node) {
-      Index& up = parent[static_cast<std::size_t>(node)];
-      up = parent[static_cast<std::size_t>(up)];
-      node = up;
-    }
-    return node;
-  };
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (Index k = 1; k < mesh.cells.cols(); ++k)
-      parent[static_cast<std::size_t>(root(mesh.cells(cell, k)))] = root(mesh.cells(cell, 0));
-  std::vector<Index> body(parent.size());
-  for (std::size_t node = 0; node < parent.size(); ++node)
-    body[node] = root(static_cast<Index>(node));
-  return body;
-}
-
-/// Says in words what the rigid motion (a, b, c) does: translation (a, b) and rotation c about `centre`.
-std::string motion_in_words(const Eigen::Vector3d& motion, const Eigen::Vector2d& centre) {
-  constexpr double visible = 1e-6;
-  const bool x = std::abs(motion(0)) > visible;
-  const bool y = std::abs(motion(1)) > visible;
-  if (std::abs(motion(2)) > visible) {
-    const double pivot_x = centre.x() - motion(1) / motion(2);
-    const double pivot_y = centre.y() + motion(0) / motion(2);
-    return text("turn freely about (", pivot_x, ", ", pivot_y, ')');
-  }
-  if (x && y) return text("move freely in direction (", motion(0), ", ", motion(1), ')');
-  return x ? "move freely in direction x" : "move freely in direction y";
 }
 
 }  // namespace
@@ -160,55 +123,22 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports)
   return unknowns;
 }
 
-std::vector<std::string> free_motions(const Mesh& mesh, const Unknowns& unknowns) {
-  const std::vector<Index> body = body_of_nodes(mesh);
-  std::vector<std::string> found;
-  for (Index first = 0; first < mesh.n_nodes(); ++first) {
-    if (body[static_cast<std::size_t>(first)] != first) continue;
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    Eigen::Vector2d low = mesh.nodes.row(first).transpose();
-    Eigen::Vector2d high = low;
-    double members = 0;
-    for (Index node = 0; node < mesh.n_nodes(); ++node) {
-      if (body[static_cast<std::size_t>(node)] != first) continue;
-      const Eigen::Vector2d x = mesh.nodes.row(node).transpose();
-      centre += x;
-      low = low.cwiseMin(x);
-      high = high.cwiseMax(x);
-      ++members;
-    }
-    if (members < 2) continue;  // a node that belongs to no cell
-    centre /= members;
-    const double size = (high - low).norm();
-    // A rigid motion (a, b, c) moves x by (a - c (y - y0), b + c (x - x0)); held components forbid it.
-    Eigen::Matrix3d forbidden = Eigen::Matrix3d::Zero();
-    for (Index node = 0; node < mesh.n_nodes(); ++node) {
-      if (body[static_cast<std::size_t>(node)] != first) continue;
-      const Eigen::Vector2d arm = (mesh.nodes.row(node).transpose() - centre) / size;
-      const Eigen::Vector3d in_x(1, 0, -arm.y());
-      const Eigen::Vector3d in_y(0, 1, arm.x());
-      if (unknowns.number(node, 0) < 0) forbidden += in_x * in_x.transpose();
-      if (unknowns.number(node, 1) < 0) forbidden += in_y * in_y.transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(forbidden);
-    const double none =
-        16 * std::numeric_limits<double>::epsilon() * std::max(1.0, forbidden.trace());
-    std::string motions;
-    for (int k = 0; k < 3; ++k) {
-      if (modes.eigenvalues()(k) > none) continue;
-      Eigen::Vector3d motion = modes.eigenvectors().col(k);
-      motion(2) /= size;
-      motion /= std::max(motion.head<2>().norm(), std::abs(motion(2)) * size);
-      motions += (motions.empty() ? "" : " and ") + motion_in_words(motion, centre);
-    }
-    Index cells = 0;
-    for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-      cells += body[static_cast<std::size_t>(mesh.cells(cell, 0))] == first ? 1 : 0;
-    if (!motions.empty())
-      found.push_back(text("body '", mesh.name, "' (", cells, " cells around (", centre.x(), ", ",
-                           centre.y(), ")) can ", motions));
+Unknowns joined(const std::vector<Unknowns>& bodies) {
+  Unknowns all;
+  Index n_nodes = 0;
+  for (const Unknowns& body : bodies) n_nodes += body.number.rows();
+  all.number.resize(n_nodes, 2);
+  all.held.resize(n_nodes, 2);
+  Index first = 0;
+  for (const Unknowns& body : bodies) {
+    const Index rows = body.number.rows();
+    all.number.middleRows(first, rows) = (body.number < 0).select(-1, body.number + all.count);
+    all.held.middleRows(first, rows) = body.held;
+    for (const Index node : body.node_of) all.node_of.push_back(first + node);
+    all.count += body.count;
+    first += rows;
   }
-  return found;
+  return all;
 }
 
 }  // namespace signorini

@@ -89,11 +89,9 @@ struct Unknowns {
 ///   contradict each other
 [[nodiscard]] Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports);
 
-/// Finds the rigid motions that the supports leave to each connected body of the mesh.
-/// \param mesh      one body or several
-/// \param unknowns  of it
-/// \return one sentence per body that can move ("body 'x' (8 cells around (2, 0.5)) can move freely
-///   in direction x"), empty if there is none
-[[nodiscard]] std::vector<std::string> free_motions(const Mesh& mesh, const Unknowns& unknowns);
+/// Numbers the unknowns of several bodies one after another.
+/// \param bodies  numbered one by one
+/// \return nodes and unknowns of the first body, then those of the second, ...
+[[nodiscard]] Unknowns joined(const std::vector<Unknowns>& bodies);
 
 }  // namespace signorini

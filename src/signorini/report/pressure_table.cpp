@@ -19,33 +19,34 @@ void check_solved(const Solution& solution) {
 
 }  // namespace
 
-Resultants resultants(const Gaps& gaps, const Solution& solution) {
+Resultants resultants(const Pairs& pairs, const Solution& solution) {
   check_solved(solution);
   Resultants sum{Eigen::Vector2d::Zero(), 0, 0, 0};
   for (Index pair = 0; pair < solution.contact.force.size(); ++pair) {
-    const Eigen::Vector2d force = solution.contact.force(pair) * gaps.normal.row(pair).transpose();
+    const Eigen::Vector2d force = solution.contact.force(pair) * pairs.normal.row(pair).transpose();
     sum.force += force;
-    sum.moment += gaps.position(pair, 0) * force.y() - gaps.position(pair, 1) * force.x();
+    sum.moment += pairs.position(pair, 0) * force.y() - pairs.position(pair, 1) * force.x();
     sum.peak_pressure = std::max(sum.peak_pressure, solution.pressure(pair));
   }
-  for (const Index pair : solution.contact.active) sum.closed_weight += gaps.weight(pair);
+  for (const Index pair : solution.contact.active) sum.closed_weight += pairs.weight(pair);
   return sum;
 }
 
-std::string pressure_csv(const Gaps& gaps, const Solution& solution, const std::string& tolerance) {
+std::string pressure_csv(const Pairs& pairs, const Solution& solution,
+                         const std::string& tolerance) {
   check_solved(solution);
   std::vector<const char*> status(static_cast<std::size_t>(solution.contact.force.size()), "open");
   for (const Index pair : solution.contact.active)
     status[static_cast<std::size_t>(pair)] = "closed";
   std::ostringstream out;
   if (!tolerance.empty()) out << "# tolerance " << tolerance << '\n';
-  const Resultants sum = resultants(gaps, solution);
+  const Resultants sum = resultants(pairs, solution);
   out << std::setprecision(10) << "# force of the obstacle (" << sum.force.x() << ", "
       << sum.force.y() << "), moment about the origin " << sum.moment << ", closed boundary "
       << sum.closed_weight << ", peak pressure " << sum.peak_pressure
       << "\nx,y,gap,pressure,force,status\n";
   for (Index pair = 0; pair < solution.contact.force.size(); ++pair)
-    out << gaps.position(pair, 0) << ',' << gaps.position(pair, 1) << ','
+    out << pairs.position(pair, 0) << ',' << pairs.position(pair, 1) << ','
         << solution.contact.gap(pair) << ',' << solution.pressure(pair) << ','
         << solution.contact.force(pair) << ',' << status[static_cast<std::size_t>(pair)] << '\n';
   return out.str();

@@ -41,50 +41,69 @@ void write_cells(std::ostream& out, const Mesh& mesh) {
   out << "        </DataArray>\n      </Cells>\n";
 }
 
+/// What contact did at the nodes of all bodies.
+struct NodalContact {
+  Eigen::VectorXd pressure;
+  Eigen::VectorXd gap;
+  Eigen::VectorXd status;
+};
+
+NodalContact nodal_contact(const Model& model, const Solution& solution) {
+  const Index n_nodes = model.unknowns.number.rows();
+  NodalContact contact{Eigen::VectorXd::Zero(n_nodes), Eigen::VectorXd::Zero(n_nodes),
+                       Eigen::VectorXd::Constant(n_nodes, -1)};
+  for (Index pair = 0; pair < solution.pressure.size(); ++pair) {
+    const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
+    if (node < 0) continue;
+    contact.pressure(node) = solution.pressure(pair);
+    contact.gap(node) = solution.contact.gap(pair);
+    contact.status(node) = 0;
+  }
+  for (const Index pair : solution.contact.active)
+    if (const Index node = model.pairs.node[static_cast<std::size_t>(pair)]; node >= 0)
+      contact.status(node) = 1;
+  return contact;
+}
+
+void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displacements,
+                const NodalContact& contact) {
+  const Mesh& mesh = body.mesh;
+  const Index n_nodes = mesh.n_nodes();
+  const StressArray stress = nodal_stress(mesh, body.element, body.material, displacements);
+  Eigen::VectorXd mises(n_nodes);
+  for (Index node = 0; node < n_nodes; ++node)
+    mises(node) = von_mises(body.material, stress.row(node).transpose());
+  out << "    <Piece NumberOfPoints=\"" << n_nodes << "\" NumberOfCells=\"" << mesh.n_cells()
+      << "\">\n      <PointData Vectors=\"displacement\">\n";
+  write_array(out, "displacement", displacements, 3);
+  write_array(out, "stress", stress, 3);
+  write_array(out, "von_mises", mises, 1);
+  write_array(out, "contact_pressure", contact.pressure.segment(body.first_node, n_nodes), 1);
+  write_array(out, "contact_gap", contact.gap.segment(body.first_node, n_nodes), 1);
+  write_array(out, "contact_status", contact.status.segment(body.first_node, n_nodes), 1);
+  out << "      </PointData>\n      <CellData>\n";
+  write_array(out, "cell_stress", cell_stress(mesh, body.element, body.material, displacements), 3);
+  out << "      </CellData>\n      <Points>\n";
+  write_array(out, "points", mesh.nodes, 3);
+  out << "      </Points>\n";
+  write_cells(out, mesh);
+  out << "    </Piece>\n";
+}
+
 }  // namespace
 
 void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution) {
   require(solution.contact.report.status == Status::Solved,
           "write_vtu: the problem was not solved (", to_string(solution.contact.report.status),
           ')');
-  const Mesh& mesh = model.mesh;
-  const StressArray stress =
-      nodal_stress(mesh, model.element, model.material, solution.displacements);
-  Eigen::VectorXd mises(mesh.n_nodes());
-  for (Index node = 0; node < mesh.n_nodes(); ++node)
-    mises(node) = von_mises(model.material, stress.row(node).transpose());
-  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(mesh.n_nodes());
-  Eigen::VectorXd gap = Eigen::VectorXd::Zero(mesh.n_nodes());
-  Eigen::VectorXd status = Eigen::VectorXd::Constant(mesh.n_nodes(), -1);
-  for (Index pair = 0; pair < solution.pressure.size(); ++pair) {
-    const Index node = model.gaps.node[static_cast<std::size_t>(pair)];
-    pressure(node) = solution.pressure(pair);
-    gap(node) = solution.contact.gap(pair);
-    status(node) = 0;
-  }
-  for (const Index pair : solution.contact.active)
-    status(model.gaps.node[static_cast<std::size_t>(pair)]) = 1;
+  const NodalContact contact = nodal_contact(model, solution);
   std::ostringstream out;
   out << std::setprecision(9);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-         "byte_order=\"LittleEndian\">\n"
-      << "  <UnstructuredGrid>\n    <Piece NumberOfPoints=\"" << mesh.n_nodes()
-      << "\" NumberOfCells=\"" << mesh.n_cells()
-      << "\">\n      <PointData Vectors=\"displacement\">\n";
-  write_array(out, "displacement", solution.displacements, 3);
-  write_array(out, "stress", stress, 3);
-  write_array(out, "von_mises", mises, 1);
-  write_array(out, "contact_pressure", pressure, 1);
-  write_array(out, "contact_gap", gap, 1);
-  write_array(out, "contact_status", status, 1);
-  out << "      </PointData>\n      <CellData>\n";
-  write_array(out, "cell_stress",
-              cell_stress(mesh, model.element, model.material, solution.displacements), 3);
-  out << "      </CellData>\n      <Points>\n";
-  write_array(out, "points", mesh.nodes, 3);
-  out << "      </Points>\n";
-  write_cells(out, mesh);
-  out << "    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
+         "byte_order=\"LittleEndian\">\n  <UnstructuredGrid>\n";
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    write_body(out, model.bodies[b], solution.displacements[b], contact);
+  out << "  </UnstructuredGrid>\n</VTKFile>\n";
   write_file(file, out.str());
 }
 

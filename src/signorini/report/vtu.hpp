@@ -7,7 +7,8 @@
 
 namespace signorini {
 
-/// Writes mesh, displacements, stresses and contact quantities of a solution, with 9 digits.
+/// Writes mesh, displacements, stresses and contact quantities of a solution, one piece per body,
+/// with 9 digits.
 ///
 /// Point data: `displacement` [length], `stress` (xx, yy, xy) and `von_mises` [force/length^2,
 /// tension positive], `contact_pressure` [force/length^2, compression positive, 0 where there is no

@@ -1,12 +1,17 @@
 #include <cmath>
 #include <ostream>
+#include <set>
 
 #include "signorini/complementarity/solvers.hpp"
+#include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
 namespace {
+
+using Eigen::Index;
 
 void check_load(const Mesh& mesh, const EdgeLoad& load) {
   static_cast<void>(boundary(mesh, load.boundary));
@@ -14,58 +19,113 @@ void check_load(const Mesh& mesh, const EdgeLoad& load) {
        " is not finite");
 }
 
-void plan_body(const Scene& scene, Plan& plan) {
-  const bool stress = scene.material.state == PlaneState::Stress;
-  plan.on.push_back(text("body '", scene.mesh.name, "': ", scene.mesh.n_cells(), " cells ",
-                         scene.element, ", ", plan.unknowns.count, " unknowns, plane ",
-                         stress ? "stress" : "strain"));
+void plan_body(const Body& body, Plan& plan) {
+  const std::string& name = body.mesh.name;
+  plan.quality.push_back(check_mesh(body.mesh));
+  check_element(body.mesh, find_element(body.element));
+  check_material(body.material);
+  for (const EdgeLoad& load : body.loads.edges) check_load(body.mesh, load);
+  plan.unknowns.push_back(number_unknowns(body.mesh, body.supports));
+  const Index count = plan.unknowns.back().count;
+  const bool stress = body.material.state == PlaneState::Stress;
+  plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ", body.element, ", ",
+                         count, " unknowns, plane ", stress ? "stress" : "strain"));
   plan.on.push_back(
-      text("supports: ", 2 * scene.mesh.n_nodes() - plan.unknowns.count, " displacements given"));
-  (scene.loads.body_force ? plan.on : plan.off).emplace_back("body force");
-  if (scene.loads.edges.empty()) plan.off.emplace_back("edge loads");
-  for (const EdgeLoad& load : scene.loads.edges)
-    plan.on.push_back("load on '" + load.boundary + "'");
-  const bool plain = scene.element == "q4";
-  if (plain && !stress && scene.material.poisson_ratio > 0.4)
-    plan.notes.push_back(text("q4 locks for Poisson's ratio ", scene.material.poisson_ratio,
+      text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
+  (body.loads.body_force ? plan.on : plan.off).push_back("body force on '" + name + "'");
+  if (body.loads.edges.empty()) plan.off.push_back("edge loads on '" + name + "'");
+  for (const EdgeLoad& load : body.loads.edges)
+    plan.on.push_back("load on '" + load.boundary + "' of '" + name + "'");
+  if (body.element == "q4" && !stress && body.material.poisson_ratio > 0.4)
+    plan.notes.push_back(text("q4 locks for Poisson's ratio ", body.material.poisson_ratio,
                               " in plane strain and bears too much load: use q4_bbar or q8"));
 }
 
+void check_names(const Scene& scene) {
+  pose(!scene.bodies.empty(), "a scene needs at least one body");
+  std::set<std::string> names;
+  for (const Body& body : scene.bodies)
+    pose(names.insert(body.mesh.name).second, "two bodies are called '", body.mesh.name,
+         "': give every mesh a name of its own");
+}
+
+/// Pairs of one contact, and the line of the plan that tells of it.
+Pairs pair_up(const Scene& scene, const ContactSpec& contact, Plan& plan) {
+  const Surface source = surface(scene, contact.source);
+  const Body& body = scene.bodies[body_index(scene, contact.source)];
+  const Index n_nodes = count_nodes(scene);
+  if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target)) {
+    Pairs pairs = node_to_obstacle(source, *obstacle, n_nodes, body.material.thickness);
+    plan.on.push_back(text(describe(scene, contact), ": ", pairs.weight.size(),
+                           " candidate pairs, no mesh and no search for the obstacle"));
+    return pairs;
+  }
+  const Side& side = std::get<Side>(contact.target);
+  const Body& other = scene.bodies[body_index(scene, side)];
+  pose(body.material.thickness == other.material.thickness, describe(scene, contact),
+       ": the bodies are ", body.material.thickness, " and ", other.material.thickness,
+       " thick, but contact in the plane needs one thickness");
+  const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
+  GapOptions options;
+  options.n_nodes = n_nodes;
+  options.thickness = body.material.thickness;
+  options.points = contact.points;
+  options.quadrature = contact.quadrature;
+  Pairs pairs = gap_operator.pair(source, surface(scene, side), options);
+  plan.on.push_back(text(describe(scene, contact), ": ", pairs.weight.size(),
+                         " candidate pairs by ", gap_operator.name));
+  if (!pairs.unpaired.empty())
+    plan.notes.push_back(text(describe(scene, contact), ": ", pairs.unpaired.size(),
+                              " source nodes face no target and are left out, the first is node ",
+                              pairs.unpaired.front()));
+  return pairs;
+}
+
 void plan_contact(const Scene& scene, Plan& plan) {
-  plan.gaps.A.resize(0, plan.unknowns.count);
-  if (!scene.contact) {
+  const Unknowns unknowns = joined(plan.unknowns);
+  plan.gaps.A.resize(0, unknowns.count);
+  if (scene.contacts.empty()) {
     plan.off.emplace_back("contact");
     return;
   }
-  plan.gaps = node_to_obstacle(scene.mesh, scene.contact->boundary, scene.contact->obstacle,
-                               plan.unknowns, scene.material.thickness);
-  const Eigen::Index n_pairs = plan.gaps.initial_gap.size();
-  plan.on.push_back(text("contact of '", scene.contact->boundary, "' with a rigid ",
-                         scene.contact->obstacle.name, ": ", n_pairs,
-                         " candidate pairs, no mesh and no search for the obstacle"));
+  for (const ContactSpec& contact : scene.contacts)
+    plan.gaps =
+        stacked(plan.gaps, reduce(pair_up(scene, contact, plan), surface(scene, contact.source),
+                                  unknowns, describe(scene, contact)));
   plan.on.push_back("solver " + scene.solver +
                     " on the condensed problem, certified from K, p, A, g");
-  const double lowest = n_pairs > 0 ? plan.gaps.initial_gap.minCoeff() : 0;
+  const double lowest = plan.gaps.initial_gap.size() > 0 ? plan.gaps.initial_gap.minCoeff() : 0;
   if (lowest < 0)
-    plan.notes.push_back(text("the body overlaps the obstacle by ", -lowest, " before loading"));
+    plan.notes.push_back(text("the two sides overlap by ", -lowest, " before loading"));
+}
+
+/// Rigid motions that no support forbids are unknowns if contact can stop them, and errors if not.
+void plan_modes(const Scene& scene, Plan& plan) {
+  const std::vector<Index> first = first_unknowns(plan.unknowns);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (RigidMode& mode : rigid_modes(scene.bodies[b].mesh, plan.unknowns[b])) {
+      const Eigen::VectorXd own = std::move(mode.shape);
+      mode.shape.setZero(plan.gaps.A.cols());
+      mode.shape.segment(first[b], own.size()) = own;
+      plan.on.push_back(mode.sentence + ": only contact holds it, one amplitude");
+      plan.modes.push_back(std::move(mode));
+    }
+  const std::vector<std::string> loose = motions_without_contact(plan.gaps.A, plan.modes);
+  std::string all;
+  for (const std::string& motion : loose) all += (all.empty() ? "" : "; ") + motion;
+  pose(loose.empty(), all,
+       scene.contacts.empty() ? ": add a support" : ", and no contact stops that: add a support");
 }
 
 }  // namespace
 
 Plan plan(const Scene& scene) {
   Plan plan;
-  plan.quality = check_mesh(scene.mesh);
-  check_element(scene.mesh, find_element(scene.element));
+  check_names(scene);
   static_cast<void>(find_solver(scene.solver));
-  check_material(scene.material);
-  for (const EdgeLoad& load : scene.loads.edges) check_load(scene.mesh, load);
-  plan.unknowns = number_unknowns(scene.mesh, scene.supports);
-  plan_body(scene, plan);
+  for (const Body& body : scene.bodies) plan_body(body, plan);
   plan_contact(scene, plan);
-  std::string free;
-  for (const std::string& motion : free_motions(scene.mesh, plan.unknowns))
-    free += (free.empty() ? "" : "; ") + motion;
-  pose(free.empty(), free, ". Contact can only push and is not counted on: add a support");
+  plan_modes(scene, plan);
   return plan;
 }
 

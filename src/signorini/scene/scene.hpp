@@ -3,79 +3,112 @@
 #pragma once
 #include <Eigen/Core>
 #include <iosfwd>
-#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "signorini/complementarity/certificate.hpp"
-#include "signorini/contact/node_to_obstacle.hpp"
+#include "signorini/complementarity/floating.hpp"
+#include "signorini/contact/gap_operators.hpp"
+#include "signorini/contact/gaps.hpp"
+#include "signorini/contact/obstacle.hpp"
 #include "signorini/core/ledger.hpp"
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/contact_last_factor.hpp"
 #include "signorini/elasticity/elements.hpp"
+#include "signorini/elasticity/rigid_modes.hpp"
 
 namespace signorini {
 
-/// A boundary that may come to rest on a rigid obstacle.
-struct ObstacleContactSpec {
-  std::string boundary;  ///< of the body, the source (slave)
-  Obstacle obstacle;     ///< the target (master)
+/// An elastic body, what holds it and what loads it. The name of its mesh is the name of the body.
+struct Body {
+  Mesh mesh;                                ///< has a name that no other body has
+  std::string element = "q4_incompatible";  ///< name in elements(); fits the cells
+  Material material;                        ///< of all cells
+  std::vector<Support> supports;            ///< may leave rigid motions if contact stops them
+  Loads loads;                              ///< none by default
 };
 
-/// An elastic body, what holds it, what loads it and what it may touch. Every effect is an optional
-/// entry; one that is absent costs nothing.
+/// A boundary of a body.
+struct Side {
+  std::string boundary;   ///< its name
+  std::string body = {};  ///< name of the body; may be left out if there is only one
+};
+
+/// Two sides that may touch. What only meshes need is not looked at for a rigid obstacle.
+struct ContactSpec {
+  Side source;                          ///< the slave; its nodes or points carry the forces
+  std::variant<Obstacle, Side> target;  ///< the master
+  std::string gap_operator = "mortar";  ///< name in gap_operators()
+  Quadrature quadrature = Quadrature::Segments;  ///< where the operator integrates
+  int points = 0;                                ///< Gauss points; 0: as many as the operator wants
+};
+
+/// Elastic bodies and what they may touch. Every effect is an optional entry; one that is absent costs
+/// nothing.
 struct Scene {
-  Mesh mesh;                                      ///< the body
-  std::string element = "q4_incompatible";        ///< name in elements(); fits the cells
-  Material material;                              ///< of all cells
-  std::vector<Support> supports;                  ///< leave no rigid motion
-  Loads loads;                                    ///< none by default
-  std::optional<ObstacleContactSpec> contact;     ///< none by default
+  std::vector<Body> bodies = {{}};                ///< one or more
+  std::vector<ContactSpec> contacts;              ///< none by default
   std::string solver = "primal_dual_active_set";  ///< name in solvers()
 };
 
 /// What a scene calls for, found without assembling anything.
 struct Plan {
-  std::vector<std::string> on;     ///< effects that are on, one line each
-  std::vector<std::string> off;    ///< effects that are off
-  std::vector<std::string> notes;  ///< what a user should know, such as an element that will lock
-  MeshQuality quality{};           ///< of the worst cells
-  Unknowns unknowns;               ///< `n`, numbered
-  Gaps gaps;                       ///< `n_c` candidate pairs, none without contact
+  std::vector<std::string> on;       ///< effects that are on, one line each
+  std::vector<std::string> off;      ///< effects that are off
+  std::vector<std::string> notes;    ///< what a user should know, such as an element that will lock
+  std::vector<MeshQuality> quality;  ///< of the worst cells, per body
+  std::vector<Unknowns> unknowns;    ///< per body, numbered from 0 in each
+  std::vector<RigidMode> modes;      ///< `n_r` rigid motions that only contact can stop
+  Gaps gaps;                         ///< `n_c` candidate pairs of all contacts, none without
 };
 
-/// Matrices of the body and the gaps it may close.
+/// A body ready to be assembled, and where it stands among the others.
+struct BodyModel {
+  Mesh mesh;                   ///< of the scene
+  Element element;             ///< found by its name
+  Material material;           ///< of the scene
+  Unknowns unknowns;           ///< of this body, numbered from 0
+  Eigen::Index first_node;     ///< number of its first node among those of all bodies
+  Eigen::Index first_unknown;  ///< number of its first unknown
+};
+
+/// Matrices of the bodies and the gaps they may close.
 struct Model {
-  Mesh mesh;                     ///< of the scene
-  Element element;               ///< found by its name
-  Material material;             ///< of the scene
-  Unknowns unknowns;             ///< `n`, numbered
-  QuadraticProgramme programme;  ///< K, p, A, g: what the certificate refers to
-  Gaps gaps;                     ///< `n_c` pairs, none without contact
+  std::vector<BodyModel> bodies;  ///< as in the scene
+  Unknowns unknowns;              ///< `n` of all bodies, one after another
+  QuadraticProgramme programme;   ///< K, p, A, g: what the certificate refers to
+  Pairs pairs;  ///< `n_c` that can close, with given displacements in `initial_gap`
+  std::vector<RigidMode> modes;  ///< `n_r` null vectors of K
 };
 
 /// The model with all unknowns but the contact forces eliminated.
 struct Condensed {
-  ContactLastFactor factor;           ///< of K
+  ContactLastFactor factor;           ///< of K, or of K and one spring per rigid mode
   ContactProblem problem;             ///< G = A K^-1 A^T and d = g - A u0
   Eigen::VectorXd free_displacement;  ///< u0 = K^-1 p `n` [length]
+  Eigen::MatrixXd rigid;      ///< R `n_c x n_r` what an amplitude opens, see FloatingProblem
+  Eigen::VectorXd resultant;  ///< r `n_r` what contact forces must add up to [force]
 };
 
 /// Everything that is known at the end. Unless `contact.report.status` is Solved, it has the state,
 /// the report and the ledger only, and its certificate says nothing.
 struct Solution {
-  NodeArray displacements;   ///< `n_nodes x 2` [length]
-  ContactState contact;      ///< refined forces, gaps and status per pair
-  Eigen::VectorXd pressure;  ///< `n_c` force / weight [force/length^2], compression > 0
-  PrimalDual refined;        ///< unknowns in two parts, and forces: what the certificate is about
-  Certificate certificate = uncertified();   ///< of `refined`, from the original K, p, A, g
-  Ledger ledger;             ///< what it cost
+  std::vector<NodeArray> displacements;  ///< `n_nodes x 2` of each body [length]
+  ContactState contact;                  ///< refined forces, gaps and status per pair
+  Eigen::VectorXd amplitude;             ///< `n_r` of the rigid modes [length]
+  Eigen::VectorXd pressure;              ///< `n_c` force / weight [force/length^2], compression > 0
+  PrimalDual refined;                    ///< unknowns in two parts, and forces: what is certified
+  Certificate certificate = uncertified();  ///< of `refined`, from the original K, p, A, g
+  std::string escape;                       ///< if the load pulls a body away: how it moves off
+  Ledger ledger;                            ///< what it cost
 };
 
 /// Reads a scene and says what will be computed. \param scene  to be solved
 /// \return what is on and off, and how large it is
 /// \throws ProblemError for unknown names, bad cells, an element that does not fit them, bad
-///   constants, supports that contradict each other or leave a body free; build() finds the rest
+///   constants, supports that contradict each other, boundaries that cannot be paired, or a rigid motion
+///   that nothing can stop; build() finds the rest
 [[nodiscard]] Plan plan(const Scene& scene);
 
 /// Assembles. \param scene  that plan() accepts; mesh and free motions are not checked again

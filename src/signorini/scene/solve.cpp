@@ -2,8 +2,10 @@
 #include <utility>
 
 #include "signorini/complementarity/refine.hpp"
+#include "signorini/complementarity/rigid_modes.hpp"
 #include "signorini/complementarity/solvers.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
@@ -11,37 +13,113 @@ namespace {
 
 using Eigen::Index;
 
+/// Adds what one more pass of the solver did to what earlier ones did.
+void add_up(Report& now, const Report& earlier) {
+  now.iterations += earlier.iterations;
+  now.factorisations += earlier.factorisations;
+  now.history.insert(now.history.begin(), earlier.history.begin(), earlier.history.end());
+}
+
+/// Solves the condensed problem, with rigid modes or without.
+FloatingState solve_condensed(const FloatingProblem& problem, const Solver& solver) {
+  if (problem.rigid.cols() > 0) return solve(problem, solver);
+  FloatingState state;
+  state.contact = solver.solve(problem.contact, {});
+  return state;
+}
+
 /// The first state of the condensed problem and its refinement; repeated while refinement refutes it.
 Refinement solve_and_refine(const Model& model, const Condensed& condensed, const Solver& solver,
-                            Ledger& ledger, ContactState& state) {
+                            Ledger& ledger, FloatingState& state) {
   const auto solve_stiffness = [&](const Eigen::VectorXd& load) {
     return condensed.factor.solve(load);
   };
-  ContactProblem problem = condensed.problem;
+  const RigidModes modes{mode_shapes(model.modes)};
+  FloatingProblem problem{condensed.problem, condensed.rigid, condensed.resultant};
   PrimalDual start{condensed.free_displacement, {}, {}};
   Refinement refined;
   std::set<std::vector<Index>> refuted;
   while (true) {
     {
       const Ledger::Phase phase(ledger, "contact");
-      const Report earlier = state.report;
-      state = solver.solve(problem, {});
-      state.report.iterations += earlier.iterations;
-      state.report.factorisations += earlier.factorisations;
-      state.report.history.insert(state.report.history.begin(), earlier.history.begin(),
-                                  earlier.history.end());
+      const Report earlier = state.contact.report;
+      state = solve_condensed(problem, solver);
+      add_up(state.contact.report, earlier);
     }
-    if (state.report.status != Status::Solved) return refined;
+    if (state.contact.report.status != Status::Solved) return refined;
     const Ledger::Phase phase(ledger, "refinement");
-    start.force = state.force;
-    refined = refine(model.programme, solve_stiffness, problem.compliance, start, state.active);
+    start.force = state.contact.force;
+    refined = refine(model.programme, solve_stiffness, problem.contact.compliance, start,
+                     state.contact.active, modes);
     ledger.count("sweeps", refined.sweeps);
     if (refined.confirmed) return refined;
     // Rounding cannot decide between sets that come back; the certificate will say whether it matters.
-    if (!refuted.insert(state.active).second) return refined;
-    problem.free_gap = refined.gap - problem.compliance * refined.solution.force;
+    if (!refuted.insert(state.contact.active).second) return refined;
+    problem.contact.free_gap = refined.gap - problem.contact.compliance * refined.solution.force -
+                               problem.rigid * refined.amplitude;
     start = refined.solution;
   }
+}
+
+/// K and p of all bodies, one block after another.
+LinearSystem assemble_all(const Scene& scene, const std::vector<BodyModel>& bodies, Index count) {
+  LinearSystem all;
+  all.stiffness.resize(count, count);
+  all.load.resize(count);
+  Eigen::VectorXi lengths(count);
+  std::vector<LinearSystem> systems;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodyModel& body = bodies[b];
+    systems.push_back(
+        assemble(body.mesh, body.element, body.material, body.unknowns, scene.bodies[b].loads));
+    all.load.segment(body.first_unknown, body.unknowns.count) = systems.back().load;
+    for (Index k = 0; k < body.unknowns.count; ++k)
+      lengths(body.first_unknown + k) =
+          static_cast<int>(systems.back().stiffness.innerVector(k).nonZeros());
+  }
+  if (bodies.size() == 1) return std::move(systems.front());
+  all.stiffness.reserve(lengths);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (Index k = 0; k < bodies[b].unknowns.count; ++k)
+      for (Eigen::SparseMatrix<double>::InnerIterator it(systems[b].stiffness, k); it; ++it)
+        all.stiffness.insert(bodies[b].first_unknown + it.row(), bodies[b].first_unknown + k) =
+            it.value();
+  all.stiffness.makeCompressed();
+  return all;
+}
+
+/// K with one spring per rigid mode. In balance the springs carry nothing, so their size is free: that
+/// of the diagonal there.
+Eigen::SparseMatrix<double> grounded(const Model& model) {
+  Eigen::SparseMatrix<double> K = model.programme.stiffness;
+  for (const Index unknown : grounding(model.modes)) K.coeffRef(unknown, unknown) *= 2;
+  return K;
+}
+
+NodeArray positions_of_unknowns(const Model& model) {
+  NodeArray positions(model.unknowns.count, 2);
+  for (const BodyModel& body : model.bodies)
+    positions.middleRows(body.first_unknown, body.unknowns.count) =
+        unknown_positions(body.mesh, body.unknowns);
+  return positions;
+}
+
+std::string describe_unknown(const Model& model, Index unknown) {
+  std::size_t b = model.bodies.size() - 1;
+  while (model.bodies[b].first_unknown > unknown) --b;
+  const BodyModel& body = model.bodies[b];
+  return text("body '", body.mesh.name, "', ",
+              body.unknowns.describe(body.mesh, unknown - body.first_unknown));
+}
+
+/// Says which of the modes move, and which way, along a direction that nothing stops.
+std::string escape_in_words(const Model& model, const Eigen::VectorXd& escape) {
+  std::string words;
+  const double most = escape.size() > 0 ? escape.cwiseAbs().maxCoeff() : 0;
+  for (Index k = 0; k < escape.size(); ++k)
+    if (std::abs(escape(k)) > 1e-6 * most)
+      words += (words.empty() ? "" : "; ") + model.modes[static_cast<std::size_t>(k)].sentence;
+  return words;
 }
 
 }  // namespace
@@ -52,58 +130,78 @@ Model build(const Scene& scene, Ledger& ledger) {
     return plan(scene);
   }();
   const Ledger::Phase phase(ledger, "assembly");
-  Model model{scene.mesh, find_element(scene.element), scene.material, std::move(now.unknowns),
-              {},         std::move(now.gaps)};
-  LinearSystem system =
-      assemble(model.mesh, model.element, model.material, model.unknowns, scene.loads);
+  Model model;
+  model.unknowns = joined(now.unknowns);
+  const std::vector<Index> first = first_unknowns(now.unknowns);
+  Index first_node = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    model.bodies.push_back({body.mesh, find_element(body.element), body.material,
+                            std::move(now.unknowns[b]), first_node, first[b]});
+    first_node += body.mesh.n_nodes();
+  }
+  LinearSystem system = assemble_all(scene, model.bodies, model.unknowns.count);
   ledger.count("unknowns", model.unknowns.count);
-  ledger.count("pairs", model.gaps.A.rows());
+  ledger.count("pairs", now.gaps.A.rows());
   model.programme.stiffness.swap(system.stiffness);
   model.programme.load.swap(system.load);
-  model.programme.A = model.gaps.A;
-  model.programme.initial_gap = model.gaps.initial_gap;
+  model.programme.A.swap(now.gaps.A);
+  model.programme.initial_gap = now.gaps.initial_gap;
+  model.pairs = std::move(now.gaps);
+  model.modes = std::move(now.modes);
   return model;
 }
 
 Condensed condense(const Model& model, Ledger& ledger) {
   const QuadraticProgramme& programme = model.programme;
-  const auto describe = [&model](Index unknown) {
-    return model.unknowns.describe(model.mesh, unknown);
-  };
+  const bool floats = !model.modes.empty();
+  const Eigen::SparseMatrix<double> held = floats ? grounded(model) : Eigen::SparseMatrix<double>();
+  const Eigen::SparseMatrix<double>& K = floats ? held : programme.stiffness;
+  const auto describe = [&model](Index unknown) { return describe_unknown(model, unknown); };
   ContactLastFactor factor = [&] {
     const Ledger::Phase phase(ledger, "factor");
     const std::vector<Index> last = contact_unknowns(programme.A);
     const EliminationOrder order = [&] {
       const Ledger::Phase ordering(ledger, "ordering");
-      return nested_dissection(programme.stiffness, unknown_positions(model.mesh, model.unknowns),
-                               last);
+      return nested_dissection(K, positions_of_unknowns(model), last);
     }();
-    return ContactLastFactor(programme.stiffness, order, static_cast<Index>(last.size()), ledger,
-                             describe);
+    return ContactLastFactor(K, order, static_cast<Index>(last.size()), ledger, describe);
   }();
   const Ledger::Phase phase(ledger, "condensation");
-  Condensed condensed{std::move(factor), {}, {}};
+  Condensed condensed{std::move(factor), {}, {}, {}, {}};
   condensed.free_displacement = condensed.factor.solve(programme.load);
   condensed.problem.compliance = condensed.factor.compliance(programme.A);
   condensed.problem.free_gap =
       gaps(programme, {condensed.free_displacement, {}, Eigen::VectorXd::Zero(programme.A.rows())});
+  if (floats) {
+    FloatingProblem floating =
+        floating_problem(programme, condensed.problem, {mode_shapes(model.modes)});
+    condensed.rigid = std::move(floating.rigid);
+    condensed.resultant = std::move(floating.resultant);
+  }
   return condensed;
 }
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger) {
   Solution solution;
-  Refinement refined =
-      solve_and_refine(model, condensed, find_solver(solver), ledger, solution.contact);
+  FloatingState state;
+  Refinement refined = solve_and_refine(model, condensed, find_solver(solver), ledger, state);
+  solution.contact = std::move(state.contact);
   if (solution.contact.report.status == Status::Solved) {
     const Ledger::Phase phase(ledger, "recovery");
-    solution.displacements = expand(model.unknowns, refined.solution.displacement);
+    const NodeArray all = expand(model.unknowns, refined.solution.displacement);
+    for (const BodyModel& body : model.bodies)
+      solution.displacements.emplace_back(all.middleRows(body.first_node, body.mesh.n_nodes()));
     solution.contact.force = refined.solution.force;
     solution.contact.gap = refined.gap;
-    solution.pressure = solution.contact.force.cwiseQuotient(model.gaps.weight);
+    solution.amplitude = refined.amplitude;
+    solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
     solution.refined = std::move(refined.solution);
     solution.certificate = certify(model.programme, solution.refined);
     if (!solution.certificate.holds()) solution.contact.report.status = Status::Breakdown;
+  } else {
+    solution.escape = escape_in_words(model, state.escape);
   }
   solution.ledger = std::move(ledger);
   return solution;
@@ -111,6 +209,11 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
 
 void require_solved(const Solution& solution, const std::string& what) {
   const Report& report = solution.contact.report;
+  if (!solution.escape.empty())
+    throw NotSolved(text(what,
+                         " was not solved: the load pulls a body away from all it could rest "
+                         "on: ",
+                         solution.escape, ". Turn the load round or add a support"));
   if (report.status != Status::Solved)
     throw NotSolved(text(what, " was not solved: ", to_string(report.status), " after ",
                          report.iterations, " iterations; certificate: ", solution.certificate));

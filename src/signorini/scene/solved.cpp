@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace signorini {
 
@@ -17,33 +18,33 @@ SolvedScene solved(const Scene& scene, const std::string& what) {
 }
 // [solved]
 
-NodeArray obstacle_forces(const Model& model, const Solution& solution) {
+NodeArray contact_forces(const Model& model, const Solution& solution, std::size_t body) {
   require(solution.contact.report.status == Status::Solved,
           "forces on the nodes: the problem was not solved");
-  NodeArray forces = NodeArray::Zero(model.mesh.n_nodes(), 2);
-  for (Eigen::Index pair = 0; pair < solution.contact.force.size(); ++pair)
-    forces.row(model.gaps.node[static_cast<std::size_t>(pair)]) +=
-        solution.contact.force(pair) * model.gaps.normal.row(pair);
-  return forces;
+  const BodyModel& own = model.bodies.at(body);
+  const Eigen::VectorXd all = model.pairs.opening.transpose() * solution.contact.force;
+  return Eigen::Map<const NodeArray>(all.data() + 2 * own.first_node, own.mesh.n_nodes(), 2);
 }
 
-NodeArray support_forces(const Model& model, const Loads& loads, const Solution& solution) {
-  const NodeArray obstacle = obstacle_forces(model, solution);
-  return internal_forces(model.mesh, model.element, model.material, solution.displacements) -
-         nodal_loads(model.mesh, model.element, model.material, loads) - obstacle;
+NodeArray support_forces(const Scene& scene, const Model& model, const Solution& solution,
+                         std::size_t body) {
+  const NodeArray contact = contact_forces(model, solution, body);
+  const BodyModel& own = model.bodies[body];
+  return internal_forces(own.mesh, own.element, own.material, solution.displacements[body]) -
+         nodal_loads(own.mesh, own.element, own.material, scene.bodies[body].loads) - contact;
 }
 
-BoundaryForces boundary_forces(const Scene& scene, const SolvedScene& run,
-                               const std::string& name) {
-  const Model& model = run.model;
-  const std::vector<Eigen::Index> nodes = boundary_nodes(model.mesh, name);
-  NodeArray force = obstacle_forces(model, run.solution);
-  const NodeArray support = support_forces(model, scene.loads, run.solution);
+BoundaryForces boundary_forces(const Scene& scene, const SolvedScene& run, const Side& side) {
+  const std::size_t body = body_index(scene, side);
+  const BodyModel& own = run.model.bodies[body];
+  const std::vector<Eigen::Index> nodes = boundary_nodes(own.mesh, side.boundary);
+  NodeArray force = contact_forces(run.model, run.solution, body);
+  const NodeArray support = support_forces(scene, run.model, run.solution, body);
   for (const Eigen::Index node : nodes)
     for (int axis = 0; axis < 2; ++axis)
-      if (model.unknowns.number(node, axis) < 0) force(node, axis) += support(node, axis);
-  return {model.mesh.nodes(nodes, Eigen::all), force(nodes, Eigen::all),
-          boundary_weights(model.mesh, name, model.material.thickness)};
+      if (own.unknowns.number(node, axis) < 0) force(node, axis) += support(node, axis);
+  return {own.mesh.nodes(nodes, Eigen::all), force(nodes, Eigen::all),
+          boundary_weights(own.mesh, side.boundary, own.material.thickness)};
 }
 
 }  // namespace signorini

@@ -21,36 +21,39 @@ struct SolvedScene {
 /// \throws NotSolved as require_solved(); ProblemError as plan(), build() and condense()
 [[nodiscard]] SolvedScene solved(const Scene& scene, const std::string& what);
 
-/// Forces of the obstacle on the nodes.
+/// Forces of contact on the nodes of one body: \f$ N^T\lambda \f$.
 /// \param model     of the scene
 /// \param solution  of the model
+/// \param body      its number
 /// \return `n_nodes x 2` [force], zero at nodes without a closed pair
 /// \throws std::invalid_argument if the problem is not solved
-[[nodiscard]] NodeArray obstacle_forces(const Model& model, const Solution& solution);
+[[nodiscard]] NodeArray contact_forces(const Model& model, const Solution& solution,
+                                       std::size_t body = 0);
 
-/// Forces of the supports on the nodes.
+/// Forces of the supports on the nodes of one body.
+/// \param scene     that was solved
 /// \param model     of the scene
-/// \param loads     of the scene
 /// \param solution  of the model
+/// \param body      its number
 /// \return `n_nodes x 2` [force], zero but for rounding where no support holds
 /// \throws std::invalid_argument if the problem is not solved
-[[nodiscard]] NodeArray support_forces(const Model& model, const Loads& loads,
-                                       const Solution& solution);
+[[nodiscard]] NodeArray support_forces(const Scene& scene, const Model& model,
+                                       const Solution& solution, std::size_t body = 0);
 
-/// What obstacle and supports do to one boundary, in the order of boundary_nodes().
+/// What contact and supports do to one boundary, in the order of boundary_nodes().
 struct BoundaryForces {
-  NodeArray position;  ///< `n x 2` before loading [length]
-  NodeArray force;     ///< `n x 2` on the body: of the obstacle, and of supports at held components
+  NodeArray position;      ///< `n x 2` before loading [length]
+  NodeArray force;         ///< `n x 2` on the body: of contact, and of supports at held components
   Eigen::VectorXd weight;  ///< `n` share of the boundary [length^2]: pressure = force / it
 };
 
 /// Collects the forces on one boundary.
 /// \param scene  that was solved
 /// \param run    what solved() made of it
-/// \param name   of the boundary
-/// \return forces at its nodes, exactly zero where neither obstacle nor support acts
+/// \param side   boundary and body
+/// \return forces at its nodes, exactly zero where neither contact nor support acts
 /// \throws ProblemError if there is no such boundary
 [[nodiscard]] BoundaryForces boundary_forces(const Scene& scene, const SolvedScene& run,
-                                             const std::string& name);
+                                             const Side& side);
 
 }  // namespace signorini

@@ -26,17 +26,18 @@ VectorXd positions(const signorini::Mesh& mesh, const std::string& name) {
 // The beam of Xuan & Li, sec. 4, example 2 (kN, cm), in coarse cells.
 signorini::Scene cantilever(const std::string& element, MeshOrder order, Index cells) {
   signorini::Scene scene;
+  signorini::Body& body = scene.bodies[0];
   signorini::BlockSpec block;
   block.size = {50, 5};
   block.cells_x = cells;
   block.cells_y = cells / 10;
   block.order = order;
-  scene.mesh = signorini::make_block(block);
-  scene.element = element;
-  scene.material = {2.1e4, 0.29, signorini::PlaneState::Stress, 1};
-  scene.supports = {signorini::fixed("left")};
-  scene.loads.edges = {{"top", 3.6, {}}};
-  scene.contact = {"bottom", signorini::half_plane({0, -1}, {0, 1})};
+  body.mesh = signorini::make_block(block);
+  body.element = element;
+  body.material = {2.1e4, 0.29, signorini::PlaneState::Stress, 1};
+  body.supports = {signorini::fixed("left")};
+  body.loads.edges = {{"top", 3.6, {}}};
+  scene.contacts = {{{"bottom"}, signorini::half_plane({0, -1}, {0, 1})}};
   return scene;
 }
 
@@ -97,7 +98,7 @@ TEST_CASE("ex6.2 held out: the touchdown of the cantilever", "[ex6.2]") {
   const signorini::Scene scene = cantilever(element, order, 50);
   const signorini::Solution solution = signorini::solve(scene);
   REQUIRE(solution.contact.report.status == signorini::Status::Solved);
-  const VectorXd x = positions(scene.mesh, "bottom");
+  const VectorXd x = positions(scene.bodies[0].mesh, "bottom");
   VectorXd force = VectorXd::Zero(x.size());  // the clamped node at x = 0 has no pair
   force.tail(x.size() - 1) = solution.contact.force;
   const ContactLine line = contact_line(x, force, order, 1);

@@ -1,0 +1,43 @@
+/// \file
+/// Gaps and slips of the unknown displacements: candidate pairs with the supports taken out.
+#pragma once
+#include <Eigen/SparseCore>
+#include <string>
+
+#include "signorini/contact/pairs.hpp"
+#include "signorini/elasticity/unknowns.hpp"
+
+namespace signorini {
+
+/// Linear gaps gap = initial_gap - A u and slips slip = initial_slip + T u of `n` unknowns, of pairs that
+/// can still move. \PaperEq{XuanLi2002, 13}
+///
+/// `initial_gap` includes what given displacements open; `opening` and `sliding` keep the columns of
+/// held components, for the forces that supports feel. `node` and `unpaired` count the nodes of all bodies.
+struct Gaps : Pairs {
+  Eigen::SparseMatrix<double, Eigen::RowMajor> A;  ///< `n_c x n` [-]: minus N, free components
+  Eigen::SparseMatrix<double, Eigen::RowMajor> T;  ///< `n_c x n` [-]; no entries without friction
+  Eigen::VectorXd initial_slip;                    ///< `n_c` [length]
+};
+
+/// Takes the supports out of candidate pairs.
+///
+/// A pair whose points cannot move along the normal is dropped: no contact force can act between two
+/// supports.
+/// \param pairs     `n_c` candidates
+/// \param source    the boundary they are on
+/// \param unknowns  `n` of all bodies
+/// \param what      what a message calls the two sides, such as "contact of 'bottom' with the disc"
+/// \return the pairs that can open or close
+/// \throws ProblemError if a dropped pair overlaps, which no contact force can undo, or if both ends of a
+///   side of the source are dropped: the boundary was meant for a support or for contact
+[[nodiscard]] Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
+                          const std::string& what);
+
+/// Puts the pairs of several contacts below each other.
+/// \param upper  `n_1` pairs of `n` unknowns, or empty
+/// \param lower  `n_2` pairs of as many unknowns
+/// \return `n_1 + n_2` pairs
+[[nodiscard]] Gaps stacked(const Gaps& upper, const Gaps& lower);
+
+}  // namespace signorini

@@ -1,0 +1,146 @@
+#include "signorini/elasticity/rigid_modes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Numbers the connected bodies of a mesh; returns the body of every node.
+std::vector<Index> body_of_nodes(const Mesh& mesh) {
+  std::vector<Index> parent(static_cast<std::size_t>(mesh.n_nodes()));
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const auto root = [&parent](Index node) {
+    while (parent[static_cast<std::size_t>(node)] != node) {
+      Index& up = parent[static_cast<std::size_t>(node)];
+      up = parent[static_cast<std::size_t>(up)];
+      node = up;
+    }
+    return node;
+  };
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (Index k = 1; k < mesh.cells.cols(); ++k)
+      parent[static_cast<std::size_t>(root(mesh.cells(cell, k)))] = root(mesh.cells(cell, 0));
+  std::vector<Index> body(parent.size());
+  for (std::size_t node = 0; node < parent.size(); ++node)
+    body[node] = root(static_cast<Index>(node));
+  return body;
+}
+
+/// One connected piece of a mesh.
+struct ConnectedBody {
+  std::vector<Index> nodes;
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< mean of the nodes
+  double size = 0;                                   ///< diagonal of the bounding box
+  Index cells = 0;
+};
+
+/// The connected pieces, in the order of their first node; a node that belongs to no cell is none.
+std::vector<ConnectedBody> connected_bodies(const Mesh& mesh) {
+  const std::vector<Index> body = body_of_nodes(mesh);
+  std::map<Index, ConnectedBody> found;
+  for (Index node = 0; node < mesh.n_nodes(); ++node)
+    found[body[static_cast<std::size_t>(node)]].nodes.push_back(node);
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    ++found[body[static_cast<std::size_t>(mesh.cells(cell, 0))]].cells;
+  std::vector<ConnectedBody> bodies;
+  for (auto& [first, piece] : found) {
+    if (piece.cells == 0) continue;
+    const NodeArray x = mesh.nodes(piece.nodes, Eigen::all);
+    piece.centre = x.colwise().mean().transpose();
+    piece.size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
+    bodies.push_back(std::move(piece));
+  }
+  std::sort(bodies.begin(), bodies.end(), [](const ConnectedBody& a, const ConnectedBody& b) {
+    return a.nodes.front() < b.nodes.front();
+  });
+  return bodies;
+}
+
+/// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)) and no held component.
+std::vector<Eigen::Vector3d> free_motions(const ConnectedBody& body, const Mesh& mesh,
+                                          const Unknowns& unknowns) {
+  Eigen::Matrix3d forbidden = Eigen::Matrix3d::Zero();
+  for (const Index node : body.nodes) {
+    const Eigen::Vector2d arm = (mesh.nodes.row(node).transpose() - body.centre) / body.size;
+    const Eigen::Vector3d in_x(1, 0, -arm.y());
+    const Eigen::Vector3d in_y(0, 1, arm.x());
+    if (unknowns.number(node, 0) < 0) forbidden += in_x * in_x.transpose();
+    if (unknowns.number(node, 1) < 0) forbidden += in_y * in_y.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(forbidden);
+  const double none = 16 * epsilon * std::max(1.0, forbidden.trace());
+  std::vector<Eigen::Vector3d> motions;
+  for (int k = 0; k < 3; ++k) {
+    if (modes.eigenvalues()(k) > none) continue;
+    Eigen::Vector3d motion = modes.eigenvectors().col(k);
+    motion = (motion.array().abs() < 16 * epsilon).select(0, motion);
+    motion(2) /= body.size;
+    motion /= std::max(motion.head<2>().norm(), std::abs(motion(2)) * body.size);
+    motions.push_back(motion);
+  }
+  return motions;
+}
+
+/// Says in words what the rigid motion (a, b, c) does: translation (a, b) and rotation c about `centre`.
+std::string motion_in_words(const Eigen::Vector3d& motion, const Eigen::Vector2d& centre) {
+  constexpr double visible = 1e-6;
+  const bool x = std::abs(motion(0)) > visible;
+  const bool y = std::abs(motion(1)) > visible;
+  if (std::abs(motion(2)) > visible) {
+    const double pivot_x = centre.x() - motion(1) / motion(2);
+    const double pivot_y = centre.y() + motion(0) / motion(2);
+    return text("turn freely about (", pivot_x, ", ", pivot_y, ')');
+  }
+  if (x && y) return text("move freely in direction (", motion(0), ", ", motion(1), ')');
+  return x ? "move freely in direction x" : "move freely in direction y";
+}
+
+}  // namespace
+
+std::vector<RigidMode> rigid_modes(const Mesh& mesh, const Unknowns& unknowns) {
+  std::vector<RigidMode> found;
+  for (const ConnectedBody& body : connected_bodies(mesh))
+    for (const Eigen::Vector3d& motion : free_motions(body, mesh, unknowns)) {
+      RigidMode mode;
+      mode.sentence =
+          text("body '", mesh.name, "' (", body.cells, " cells around (", body.centre.x(), ", ",
+               body.centre.y(), ")) can ", motion_in_words(motion, body.centre));
+      mode.shape.setZero(unknowns.count);
+      for (const Index node : body.nodes) {
+        const Eigen::Vector2d arm = mesh.nodes.row(node).transpose() - body.centre;
+        const Eigen::Vector2d moves(motion(0) - motion(2) * arm.y(),
+                                    motion(1) + motion(2) * arm.x());
+        for (int axis = 0; axis < 2; ++axis)
+          if (const Index unknown = unknowns.number(node, axis); unknown >= 0)
+            mode.shape(unknown) = moves(axis);
+      }
+      found.push_back(std::move(mode));
+    }
+  return found;
+}
+
+std::vector<std::string> free_motions(const Mesh& mesh, const Unknowns& unknowns) {
+  std::vector<std::string> found;
+  for (const ConnectedBody& body : connected_bodies(mesh)) {
+    std::string motions;
+    for (const Eigen::Vector3d& motion : free_motions(body, mesh, unknowns))
+      motions += (motions.empty() ? "" : " and ") + motion_in_words(motion, body.centre);
+    if (!motions.empty())
+      found.push_back(text("body '", mesh.name, "' (", body.cells, " cells around (",
+                           body.centre.x(), ", ", body.centre.y(), ")) can ", motions));
+  }
+  return found;
+}
+
+}  // namespace signorini

@@ -1,0 +1,99 @@
+#include "signorini/scene/bodies.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <limits>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+
+using Eigen::Index;
+
+std::size_t body_index(const Scene& scene, const Side& side) {
+  if (side.body.empty() && scene.bodies.size() == 1) return 0;
+  std::string names;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (scene.bodies[b].mesh.name == side.body) return b;
+    names += (b == 0 ? "'" : ", '") + scene.bodies[b].mesh.name + "'";
+  }
+  throw ProblemError(text("boundary '", side.boundary, "': there is no body '", side.body,
+                          "'; the scene has ", names));
+}
+
+Surface surface(const Scene& scene, const Side& side) {
+  const std::size_t own = body_index(scene, side);
+  Index first_node = 0;
+  for (std::size_t b = 0; b < own; ++b) first_node += scene.bodies[b].mesh.n_nodes();
+  static_cast<void>(boundary(scene.bodies[own].mesh, side.boundary));
+  return {scene.bodies[own].mesh, side.boundary, first_node};
+}
+
+Index count_nodes(const Scene& scene) {
+  Index count = 0;
+  for (const Body& body : scene.bodies) count += body.mesh.n_nodes();
+  return count;
+}
+
+std::vector<Index> first_unknowns(const std::vector<Unknowns>& unknowns) {
+  std::vector<Index> first;
+  Index count = 0;
+  for (const Unknowns& body : unknowns) {
+    first.push_back(count);
+    count += body.count;
+  }
+  return first;
+}
+
+std::string describe(const Scene& scene, const ContactSpec& contact) {
+  const auto name = [&scene](const Side& side) {
+    return text('\'', side.boundary, "' of '", scene.bodies[body_index(scene, side)].mesh.name,
+                '\'');
+  };
+  if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
+    return text("contact of ", name(contact.source), " with a rigid ", obstacle->name);
+  return text("contact of ", name(contact.source), " with ", name(std::get<Side>(contact.target)));
+}
+
+Eigen::MatrixXd mode_shapes(const std::vector<RigidMode>& modes) {
+  Eigen::MatrixXd shapes(modes.empty() ? 0 : modes.front().shape.size(),
+                         static_cast<Index>(modes.size()));
+  for (Index k = 0; k < shapes.cols(); ++k)
+    shapes.col(k) = modes[static_cast<std::size_t>(k)].shape;
+  return shapes;
+}
+
+std::vector<std::string> motions_without_contact(
+    const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const std::vector<RigidMode>& modes) {
+  std::vector<std::string> sentences;
+  if (modes.empty()) return sentences;
+  const Eigen::MatrixXd shapes = mode_shapes(modes);
+  Eigen::MatrixXd moved = A * shapes;
+  // What rounding can make of a row: a motion along a plane opens no gap.
+  const Eigen::MatrixXd terms = A.cwiseAbs() * shapes.cwiseAbs();
+  const double rounding = 64 * std::numeric_limits<double>::epsilon();
+  moved = (moved.array().abs() <= rounding * terms.array()).select(0.0, moved);
+  const Eigen::RowVectorXd size = moved.colwise().lpNorm<Eigen::Infinity>();
+  for (Index k = 0; k < moved.cols(); ++k)
+    if (size(k) > 0) moved.col(k) /= size(k);
+  if (moved.rows() < moved.cols())
+    moved.conservativeResizeLike(Eigen::MatrixXd::Zero(moved.cols(), moved.cols()));
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(moved);
+  factor.setThreshold(rounding * static_cast<double>(moved.cols()));
+  const Index rank = factor.rank();
+  for (Index k = rank; k < moved.cols(); ++k)
+    sentences.push_back(
+        modes[static_cast<std::size_t>(factor.colsPermutation().indices()(k))].sentence);
+  return sentences;
+}
+
+std::vector<Index> grounding(const std::vector<RigidMode>& modes) {
+  std::vector<Index> unknowns;
+  if (modes.empty()) return unknowns;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(mode_shapes(modes).transpose());
+  for (Index k = 0; k < static_cast<Index>(modes.size()); ++k)
+    unknowns.push_back(factor.colsPermutation().indices()(k));
+  return unknowns;
+}
+
+}  // namespace signorini

@@ -1,0 +1,57 @@
+/// \file
+/// The bodies of a scene by name, their nodes and unknowns one after another, and their rigid motions.
+#pragma once
+#include <Eigen/SparseCore>
+#include <string>
+#include <vector>
+
+#include "signorini/scene/scene.hpp"
+
+namespace signorini {
+
+/// Which body a side belongs to.
+/// \param scene  one body or several
+/// \param side   that names it, or leaves the name out if there is one only
+/// \return its number in `scene.bodies`
+/// \throws ProblemError listing the bodies if there is none of that name
+[[nodiscard]] std::size_t body_index(const Scene& scene, const Side& side);
+
+/// A side as gap operators want it.
+/// \param scene  that must outlive the result
+/// \param side   of one of its bodies
+/// \return mesh, boundary and first node
+/// \throws ProblemError as body_index(), or if the body has no such boundary
+[[nodiscard]] Surface surface(const Scene& scene, const Side& side);
+
+/// \param scene  any
+/// \return number of nodes of all bodies
+[[nodiscard]] Eigen::Index count_nodes(const Scene& scene);
+
+/// \param unknowns  per body
+/// \return number of the first unknown of each body among those of all
+[[nodiscard]] std::vector<Eigen::Index> first_unknowns(const std::vector<Unknowns>& unknowns);
+
+/// What messages call a contact.
+/// \param scene    that has it
+/// \param contact  one of its contacts
+/// \return such as "contact of 'rim' of 'disc' with 'top' of 'plate'"
+[[nodiscard]] std::string describe(const Scene& scene, const ContactSpec& contact);
+
+/// Rigid motions that open and close no gap.
+/// \param A      `n_c x n` gaps, see Gaps
+/// \param modes  `n_r` rigid motions of `n` unknowns
+/// \return sentences of the modes that take part in such a motion, empty if every motion moves some gap
+[[nodiscard]] std::vector<std::string> motions_without_contact(
+    const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const std::vector<RigidMode>& modes);
+
+/// One unknown per rigid mode to attach a spring to, so that the springs alone hold the bodies.
+/// \param modes  `n_r` independent rigid motions of `n` unknowns
+/// \return `n_r` numbers of unknowns
+[[nodiscard]] std::vector<Eigen::Index> grounding(const std::vector<RigidMode>& modes);
+
+/// The shapes of rigid modes side by side.
+/// \param modes  `n_r`
+/// \return `n x n_r`; empty if there are none
+[[nodiscard]] Eigen::MatrixXd mode_shapes(const std::vector<RigidMode>& modes);
+
+}  // namespace signorini
