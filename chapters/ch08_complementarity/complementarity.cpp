@@ -1,6 +1,6 @@
 // Chapter 8 - Contact as complementarity (Lin et al., secs. 2.1 and 2.2, eqs. 1-19).
 // Run:  make ch08     Reads: nothing     Writes: ch08.results, functions.md, newton.md, path.md,
-//       split.md, units.md, fig_8_1.csv, fig_8_2.csv, fig_8_3.csv
+//       split.md, methods.md, units.md, fig_8_1.csv, fig_8_2.csv, fig_8_3.csv
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +8,7 @@
 #include "one_pair.hpp"
 #include "problems.hpp"
 #include "signorini/complementarity/fischer_burmeister.hpp"
+#include "signorini/complementarity/friction_solvers.hpp"
 #include "signorini/complementarity/solvers.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -130,7 +131,41 @@ void friction(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_8_2.csv", dots.csv());
 }
 
-// 5. Units: the same cylinder in lengths and stresses of other sizes.
+// 5. The library's methods for friction, on the lifted pair and on 40 pairs, of which many are open.
+void compare_friction(const ProgramOptions& run, Results& results) {
+  const auto one = [](double x) { return VectorXd::Constant(1, x); };
+  const OnePair& lifted = one_pairs.back().pair;
+  const std::vector<FrictionProblem> all = {
+      {Eigen::MatrixXd::Identity(2, 2), one(lifted.free_gap), one(lifted.free_slip), one(lifted.mu),
+       one(lifted.cohesion)},
+      sheared(0.02),
+      sheared(0.05),
+      sheared(0.1)};
+  Table table({"", "open, cohesion", "shift 0.02", "shift 0.05", "shift 0.1"});
+  std::vector<std::string> counts = {"open, stick, slide"};
+  for (const FrictionSolver& solver : friction_solvers()) {
+    std::vector<std::string> row = {solver.name};
+    for (const FrictionProblem& problem : all) {
+      const FrictionState state = solver.solve(problem, {});
+      const bool solved = state.report.status == Status::Solved;
+      row.push_back(solved ? std::to_string(state.report.iterations)
+                           : to_string(state.report.status));
+      if (&solver != &friction_solvers().front()) continue;
+      const auto of = [&](PairStatus s) {
+        return std::count(state.status.begin(), state.status.end(), s);
+      };
+      counts.push_back(
+          text(of(PairStatus::Open), ", ", of(PairStatus::Stick), ", ", of(PairStatus::Slip)));
+      results.add(text("open_pairs_", counts.size() - 1), static_cast<double>(of(PairStatus::Open)),
+                  "-");
+    }
+    table.row(row);
+  }
+  table.row(counts);
+  write_file(run.out / "methods.md", table.markdown());
+}
+
+// 6. Units: the same cylinder in lengths and stresses of other sizes.
 // [units]
 struct Units {
   const char* name;
@@ -196,6 +231,7 @@ Status chapter(const ProgramOptions& run) {
   compare_functions(run);
   compare_newton(run, results);
   friction(run, results);
+  compare_friction(run, results);
   units(run, results);
   results.print();
   results.write(run.out);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "signorini/complementarity/examples.hpp"
+#include "signorini/complementarity/friction.hpp"
 
 namespace signorini {
 
@@ -35,6 +36,21 @@ inline const std::vector<Named> problems = {
     {"string", string_over_wave(40)},
     {"half-plane", half_plane_indentation(40).problem}};
 // [problems]
+
+/// The half-plane, dragged along by a shift of the punch with mu = 0.3. A half-plane that does not change its
+/// volume gives way along its surface as it does across it, and the two do not mix.
+// [sheared]
+inline FrictionProblem sheared(double shift) {
+  const ContactProblem pressed = half_plane_indentation(40).problem;
+  const Eigen::Index n = pressed.free_gap.size();
+  FrictionProblem problem{Eigen::MatrixXd::Zero(2 * n, 2 * n), pressed.free_gap,
+                          Eigen::VectorXd::Constant(n, shift), Eigen::VectorXd::Constant(n, 0.3),
+                          Eigen::VectorXd::Zero(n)};
+  problem.compliance.topLeftCorner(n, n) = pressed.compliance;
+  problem.compliance.bottomRightCorner(n, n) = pressed.compliance;
+  return problem;
+}
+// [sheared]
 
 /// A rigid cylinder, R = 50 mm, pressed into a half-plane until 2.16 mm of it touch: 40 pairs on 3.6 mm, in
 /// mm and N per mm of thickness.
