@@ -61,7 +61,7 @@ inline std::vector<Eigen::VectorXd> all_solutions(const signorini::FrictionProbl
     for (Eigen::Index i = 0; i < n; ++i)
       motions.push_back(static_cast<signorini::Motion>((choice >> (2 * i)) & 3));
     const auto closure = signorini::close_friction(scaled, motions, Eigen::VectorXd::Zero(2 * n),
-                                                   Eigen::VectorXd(0));
+                                                   Eigen::VectorXd::Zero(scaled.resultant.size()));
     bool known = !closure.confirmed;
     for (const Eigen::VectorXd& other : found)
       known = known || (scaled.scale.cwiseInverse().cwiseProduct(other) - closure.force).norm() <=
