@@ -93,7 +93,7 @@ TEST_CASE("forged programme solution: primal and dual energy that differ raise t
   CHECK(certificate_of({1 + slip, -1 - slip, 2 + slip}, {2, 3, 0}).duality_gap > seen);
 }
 
-TEST_CASE("the figures of a programme are what their definitions say", "[certificate][XuanLi2002-6][XuanLi2002-21]") {
+TEST_CASE("the figures of a programme are what their definitions say", "[certificate][XuanLi2002-6][XuanLi2002-21][LinEtAl-2][LinEtAl-3][LinEtAl-4]") {
   // u = (2, -1, 2), lambda = (2, 3, -1): gaps (-1, 0, 3), p - K u - A^T lambda = (-3, -1, -1).
   const Certificate forged = certificate_of({2, -1, 2}, {2, 3, -1});
   const double root = std::sqrt(2.0);  // norm of every row

@@ -25,7 +25,7 @@ VectorXd powers_of_ten(Random& random, Index n, int range) {
 }  // namespace
 
 TEST_CASE("the Fischer-Burmeister function is zero exactly on the two half axes",
-          "[fischer_burmeister][closed-form]") {
+          "[fischer_burmeister][closed-form][LinEtAl-11][LinEtAl-12]") {
   CHECK(fischer_burmeister(0, 0) == 0);
   CHECK(fischer_burmeister(0, 7) == 0);
   CHECK(fischer_burmeister(7, 0) == 0);

@@ -62,7 +62,7 @@ TEST_CASE("a row of A is minus the normal in the unknowns of its node", "[gaps][
   }
 }
 
-TEST_CASE("the linear gap is the first-order change of the true one", "[gaps][derivative]") {
+TEST_CASE("the linear gap is the first-order change of the true one", "[gaps][derivative][LinEtAl-1]") {
   const Mesh mesh = plate();
   const Unknowns unknowns = number_unknowns(mesh, {});
   // Nodes lie on the profile, where its normal is exact; a circle's normal is exact everywhere.

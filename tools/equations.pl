@@ -2,7 +2,7 @@
 # equations.pl [--check] [ROOT]: writes chapters/equations.md, the way from every numbered equation of the papers to
 # the chapter that explains it, the functions that evaluate it and the tests that hold it.
 #   chapter    <a id="eq-23"></a> in chapters/chNN_*/README.md
-#   functions  \PaperEq{XuanLi2002, 23} in a comment of src/ or of a chapter program: what is declared below it
+#   functions  \PaperEq{XuanLi2002, 23} in a comment of src/ or of a chapter's code: what is declared below it
 #   tests      [XuanLi2002-23] among the tags of a TEST_CASE
 #   errata     rows of chapters/notation.md that begin with | [(23)](
 # --check writes nothing: it fails if the file is not what would be written.  Both fail if an equation leads nowhere.
@@ -16,7 +16,7 @@ my $check = @ARGV && $ARGV[0] eq '--check' ? shift @ARGV : '';
 chdir($ARGV[0] // '.') or die "equations.pl: no folder $ARGV[0]\n";
 
 # Paper, its words, last equation, its chapters.
-my @papers = (['XuanLi2002', 'Xuan & Li (2002)', 39, 1, 7]);
+my @papers = (['XuanLi2002', 'Xuan & Li (2002)', 39, 1, 7], ['LinEtAl', 'Lin et al.', 46, 8, 14]);
 
 sub slurp {
     my ($file) = @_;
@@ -37,7 +37,7 @@ sub declared {    # the name that a line of C++ declares, or nothing
 my (%function, %test, %chapter, %erratum);
 my @complaints;
 
-for my $file (sort(glob('src/signorini/*/*.hpp'), glob('src/signorini/*/*.cpp'), glob('chapters/ch*/*.cpp'))) {
+for my $file (sort(glob('src/signorini/*/*.hpp'), glob('src/signorini/*/*.cpp'), glob('chapters/ch*/*.hpp'), glob('chapters/ch*/*.cpp'))) {
     my @lines = split /\n/, slurp($file);
     for my $i (0 .. $#lines) {
         next unless $lines[$i] =~ /\\PaperEq\{/;
@@ -92,7 +92,9 @@ for my $paper (@papers) {
     }
 }
 for my $row (split /\n/, slurp('chapters/notation.md')) {
-    $erratum{"XuanLi2002-$_"} = 1 for $row =~ /^\| (\[.*?\]\(.*?\)[^|]*)\|/ ? $1 =~ /\((\d+)\)/g : ();
+    my ($equations, $number) = $row =~ /^\| (\[.*?\]\(ch(\d\d)_.*?\)[^|]*)\|/ or next;
+    my ($paper) = grep { $number >= $_->[3] && $number <= $_->[4] } @papers;
+    $erratum{"$paper->[0]-$_"} = 1 for $equations =~ /\((\d+)\)/g;
 }
 
 my $out = <<'END';
@@ -105,7 +107,10 @@ file that documents them, tests to the claim they check. An erratum means that t
 <!-- written by tools/equations.pl from the tags in chapters, code and tests -->
 END
 for my $paper (@papers) {
-    my ($key, $words, $last) = @$paper;
+    my ($key, $words, $last, undef, $end) = @$paper;
+    if (!glob sprintf 'chapters/ch%02d_*', $end) {    # being written: only as far as chapters explain it
+        --$last while $last > 0 && !$chapter{"$key-$last"};
+    }
     $out .= "\n## $words\n\n| equation | chapter | functions | tests | |\n|:--|:--|:--|:--|:--|\n";
     for my $n (1 .. $last) {
         my $id = "$key-$n";

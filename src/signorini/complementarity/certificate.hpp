@@ -50,7 +50,8 @@ struct PrimalDual {
 /// \return u without the rigid part `n` [length], rounded once
 [[nodiscard]] Eigen::VectorXd strained(const PrimalDual& solution);
 
-/// Certificate of (u, lambda) against K, p, A, g. \PaperEq{XuanLi2002, 6}, \PaperEq{XuanLi2002, 21}
+/// Certificate of (u, lambda) against K, p, A, g. \PaperEq{XuanLi2002, 6}, \PaperEq{XuanLi2002, 21},
+/// \PaperEq{LinEtAl, 2} to \PaperEq{LinEtAl, 4}
 ///
 /// Residuals are summed in twice the working precision. The equilibrium is measured against the
 /// loads and not against |K||u|, which is far larger in a slender body: with u in plain doubles it

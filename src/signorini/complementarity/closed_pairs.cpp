@@ -170,6 +170,15 @@ std::optional<std::pair<ClosedPairs, std::vector<Index>>> confirmed(
   return std::make_pair(std::move(closed), std::move(chosen));
 }
 
+Index differences(std::vector<Index> one, std::vector<Index> other) {
+  std::sort(one.begin(), one.end());
+  std::sort(other.begin(), other.end());
+  std::vector<Index> different;
+  std::set_symmetric_difference(one.begin(), one.end(), other.begin(), other.end(),
+                                std::back_inserter(different));
+  return static_cast<Index>(different.size());
+}
+
 ContactState unscaled(const ScaledProblem& problem, const ClosedPairs& closed,
                       std::vector<Index> active, Report report) {
   ContactState state;

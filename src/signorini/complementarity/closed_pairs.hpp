@@ -85,6 +85,12 @@ struct ClosedPairs {
 [[nodiscard]] std::optional<std::pair<ClosedPairs, std::vector<Eigen::Index>>> confirmed(
     const ScaledProblem& problem, const std::vector<Eigen::Index>& candidates);
 
+/// \param one    pairs without repetition, in any order
+/// \param other  the same
+/// \return how many pairs are in one of the two and not in the other
+[[nodiscard]] Eigen::Index differences(std::vector<Eigen::Index> one,
+                                       std::vector<Eigen::Index> other);
+
 /// Turns scaled numbers into a state of the original problem.
 /// \param problem  whose scales were used
 /// \param closed   forces and gaps `n_c`; negative ones, which may be rounding, become 0

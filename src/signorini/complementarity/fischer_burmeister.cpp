@@ -186,16 +186,6 @@ Iteration summary(const ScaledProblem& scaled, const Point& point, double reach,
   return entry;
 }
 
-/// How many pairs are in one of two lists and not in the other.
-Index differences(std::vector<Index> one, std::vector<Index> other) {
-  std::sort(one.begin(), one.end());
-  std::sort(other.begin(), other.end());
-  std::vector<Index> different;
-  std::set_symmetric_difference(one.begin(), one.end(), other.begin(), other.end(),
-                                std::back_inserter(different));
-  return static_cast<Index>(different.size());
-}
-
 }  // namespace
 
 ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptions& options) {

@@ -3,12 +3,10 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
-#include "signorini/complementarity/bordered_system.hpp"
-#include "signorini/core/exact_sum.hpp"
+#include "signorini/complementarity/balanced_pairs.hpp"
 
 namespace signorini {
 namespace {
@@ -83,66 +81,6 @@ VectorXd first_touch(const ScaledFloating& problem) {
                                                        : VectorXd::Zero(way.size());
 }
 
-/// Forces, gaps and amplitude when pairs are closed and the resultant is kept.
-struct Balanced {
-  ClosedPairs closed;
-  VectorXd amplitude;
-  std::vector<Index> active;
-};
-
-/// minus (start + A x + B y), row by row, summed in twice the working precision.
-VectorXd residual(const VectorXd& start, const MatrixXd& A, const VectorXd& x, const MatrixXd& B,
-                  const VectorXd& y) {
-  VectorXd result(start.size());
-  for (Index i = 0; i < start.size(); ++i) {
-    ExactSum sum(-start(i));
-    for (Index k = 0; k < x.size(); ++k) sum.add_product(-A(i, k), x(k));
-    for (Index k = 0; k < y.size(); ++k) sum.add_product(-B(i, k), y(k));
-    result(i) = sum.value();
-  }
-  return result;
-}
-
-/// Closes pairs exactly, with the amplitude near a given one, if that is a solution to rounding.
-std::optional<Balanced> balanced(const ScaledFloating& problem,
-                                 const std::vector<Index>& candidates, VectorXd amplitude) {
-  const BorderedSystem system(problem, candidates);
-  const std::vector<Index>& W = system.pairs();
-  const MatrixXd G = problem.contact.compliance(W, W);
-  const MatrixXd R = problem.rigid(W, Eigen::all);
-  const MatrixXd Rt = R.transpose();
-  const VectorXd d = problem.contact.free_gap(W);
-  VectorXd force = VectorXd::Zero(d.size());
-  for (int step = 0; step < 4; ++step) {
-    const auto change = system.solve(residual(d, G, force, R, amplitude),
-                                     residual(-problem.resultant, Rt, force, Rt, VectorXd()));
-    force += change.first;
-    amplitude += change.second;
-  }
-  const double rounding = static_cast<double>(W.size() + problem.resultant.size() + 1) * epsilon;
-  const VectorXd pushed = residual(-problem.resultant, Rt, force, Rt, VectorXd()).cwiseAbs();
-  const VectorXd terms = problem.resultant.cwiseAbs() + Rt.cwiseAbs() * force.cwiseAbs();
-  if (!force.allFinite() || !amplitude.allFinite() ||
-      (pushed.array() > 2 * rounding * terms.array()).any() ||
-      (force.array() < -rounding * largest(force)).any())
-    return std::nullopt;
-
-  Balanced result;
-  result.closed.force = VectorXd::Zero(problem.contact.free_gap.size());
-  result.closed.force(W) = force.cwiseMax(0.0);
-  const MatrixXd columns = problem.contact.compliance(Eigen::all, W);
-  result.closed.gap = -residual(problem.contact.free_gap, columns, force, problem.rigid, amplitude);
-  const VectorXd size = problem.contact.free_gap.cwiseAbs() +
-                        columns.cwiseAbs() * force.cwiseAbs() +
-                        problem.rigid.cwiseAbs() * amplitude.cwiseAbs();
-  if ((result.closed.gap.array() < -2 * rounding * size.array()).any()) return std::nullopt;
-  result.closed.gap(W).setZero();
-  result.amplitude = std::move(amplitude);
-  result.active = W;
-  std::sort(result.active.begin(), result.active.end());
-  return result;
-}
-
 /// Closed pairs, the largest force first.
 std::vector<Index> by_force(const ContactState& state) {
   std::vector<Index> pairs = state.active;
@@ -167,12 +105,39 @@ ContactProblem on_springs(const ScaledFloating& problem, const VectorXd& amplitu
   return held;
 }
 
-/// The state in the units of the problem.
-FloatingState unscaled(const ScaledFloating& problem, const ClosedPairs& closed,
-                       std::vector<Index> active, const VectorXd& amplitude, FloatingState state) {
-  state.contact =
-      unscaled(problem.contact, closed, std::move(active), std::move(state.contact.report));
-  state.amplitude = problem.amplitude_scale.cwiseProduct(amplitude);
+/// The method of multipliers, after what was tried before it.
+FloatingState solve_on_springs(const FloatingProblem& problem, const ScaledFloating& scaled,
+                               const Solver& solver, const SolverOptions& options, Report report) {
+  VectorXd amplitude = first_touch(scaled);
+  ContactState now;
+  Index passes = 0;
+  double rho = spring_compliance(scaled);
+  double last_spring = std::numeric_limits<double>::infinity();
+  while (passes < most_passes) {
+    now = solver.solve(on_springs(scaled, amplitude, rho), options);
+    ++passes;
+    add_to(report, now.report);
+    const VectorXd missing = scaled.rigid.transpose() * now.force - scaled.resultant;
+    const VectorXd spring = scaled.inverse.transpose() * missing;
+    amplitude += rho * (scaled.inverse * spring);
+    ++report.factorisations;
+    const BalancedPairs end = balance_pairs(scaled, by_force(now), amplitude);
+    if (auto solved = certified(problem, scaled, end, report)) {
+      solved->passes = passes;
+      return *solved;
+    }
+    if (report.status != Status::Solved) break;
+    report.status = Status::IterationLimit;
+    if (spring.norm() > 0.5 * last_spring) rho *= 2;
+    last_spring = spring.norm();
+  }
+  if (report.status == Status::Infeasible && now.infeasibility.size() == 0)
+    report.status = Status::Breakdown;  // said of a body on springs, and not proved
+  FloatingState state = unscaled(scaled, {now.force, now.gap, {}, {}, false}, now.active, amplitude,
+                                 std::move(report));
+  if (now.infeasibility.size() > 0)
+    state.contact.infeasibility = scaled.contact.scale.cwiseProduct(now.infeasibility);
+  state.passes = passes;
   return state;
 }
 
@@ -181,42 +146,20 @@ FloatingState unscaled(const ScaledFloating& problem, const ClosedPairs& closed,
 FloatingState solve(const FloatingProblem& problem, const Solver& solver,
                     const SolverOptions& options) {
   const ScaledFloating scaled = equilibrate(problem);
+  const Index n = scaled.contact.free_gap.size();
   FloatingState state;
-  VectorXd amplitude = first_touch(scaled);
-  ContactState now{VectorXd::Zero(scaled.contact.free_gap.size()), scaled.contact.free_gap, {}, {}};
-  Report& report = state.contact.report;
-  if (const VectorXd direction = escape(scaled); direction.size() > 0)
+  if (const VectorXd direction = escape(scaled); direction.size() > 0) {
+    state.contact.report.status = Status::Infeasible;
+    state = unscaled(scaled, {VectorXd::Zero(n), scaled.contact.free_gap, {}, {}, false}, {},
+                     first_touch(scaled), std::move(state.contact.report));
     state.escape = scaled.amplitude_scale.cwiseProduct(direction);
-  report.status = Status::Infeasible;
-  double rho = spring_compliance(scaled);
-  double last_spring = std::numeric_limits<double>::infinity();
-  while (state.escape.size() == 0 && state.passes < most_passes) {
-    now = solver.solve(on_springs(scaled, amplitude, rho), options);
-    ++state.passes;
-    add_to(report, now.report);
-    const VectorXd missing = scaled.rigid.transpose() * now.force - scaled.resultant;
-    const VectorXd spring = scaled.inverse.transpose() * missing;
-    amplitude += rho * (scaled.inverse * spring);
-    ++report.factorisations;
-    if (auto end = balanced(scaled, by_force(now), amplitude)) {
-      FloatingState solved = state;
-      solved.contact.report.status = Status::Solved;
-      solved = unscaled(scaled, end->closed, end->active, end->amplitude, std::move(solved));
-      if (certify(problem, solved).holds()) return solved;
-    }
-    if (report.status != Status::Solved) break;
-    report.status = Status::IterationLimit;
-    if (spring.norm() > 0.5 * last_spring) rho *= 2;
-    last_spring = spring.norm();
+    return state;
   }
-  VectorXd proof = std::move(now.infeasibility);
-  if (report.status == Status::Infeasible && proof.size() == 0 && state.escape.size() == 0)
-    report.status = Status::Breakdown;  // said of a body on springs, and not proved
-  if (proof.size() > 0) proof = scaled.contact.scale.cwiseProduct(proof);
-  state = unscaled(scaled, {now.force, now.gap, {}, {}, false}, now.active, amplitude,
-                   std::move(state));
-  state.contact.infeasibility = proof;
-  return state;
+  if (solver.solve_floating != nullptr) {
+    state = solver.solve_floating(problem, options);
+    if (state.contact.report.status == Status::Solved) return state;
+  }
+  return solve_on_springs(problem, scaled, solver, options, std::move(state.contact.report));
 }
 
 }  // namespace signorini

@@ -25,7 +25,7 @@ struct FloatingState {
   ContactState
       contact;  ///< forces, gaps, closed pairs and the report, with iterations of all passes
   Eigen::VectorXd amplitude;  ///< a `n_r`
-  Eigen::Index passes = 0;    ///< contact problems solved on the way
+  Eigen::Index passes = 0;    ///< contact problems solved on the way, 0 if none was needed
   /// Proof that no forces hold the body, or empty: a direction a `n_r` that closes no gap, R a >= 0,
   /// while the load does work along it, r^T a < 0. It would move that way for ever.
   Eigen::VectorXd escape = {};
@@ -45,7 +45,8 @@ struct FloatingState {
 ///     \begin{pmatrix} -d_W \\ r \end{pmatrix} \f]
 ///
 /// is solved and refined; if all signs are right beyond rounding, that is the solution, and no spring
-/// is left in it. Nothing is to be tuned: on equilibrated data \f$ P = (R^T R)^{-1} \f$ and rho is the
+/// is left in it. A member with `solve_floating` first tries the whole problem at once, and the springs
+/// come in where that fails. Nothing is to be tuned: on equilibrated data \f$ P = (R^T R)^{-1} \f$ and rho is the
 /// trace of G, twice as much after each pass that did not halve the spring forces. The first anchor is
 /// where the body meets the first obstacle when it follows its load.
 ///

@@ -20,7 +20,9 @@ namespace signorini {
 /// slip > 0 needs tau = -b, slip < 0 needs tau = b. \PaperEq{LinEtAl, 6}, \PaperEq{LinEtAl, 8}
 ///
 /// With c > 0 a solution need not exist: a pair that only the friction force of its cohesion would
-/// pull open has no force to stay closed with, and once open no friction force that pulls.
+/// pull open has no force to stay closed with, and once open no friction force that pulls. With rigid
+/// modes it need not exist either: pairs that could balance r may not be pressed hard enough. For held
+/// bodies without cohesion and a positive definite F there is one for every mu, see friction_lemke().
 struct FrictionProblem {
   Eigen::MatrixXd compliance;   ///< F `2 n_c x 2 n_c` gaps first, then slips [length/force]
   Eigen::VectorXd free_gap;     ///< d `n_c` [length]

@@ -210,13 +210,10 @@ void descend(const ScaledFriction& problem, FrictionEquations& equations, Index 
                            point.motions);
   };
   static_cast<void>(look());
-  std::vector<Motion> tried;
+  bool fresh = true;  // whether the motions have not been tried yet
   const double first = newton.residual();
   while (true) {
-    if (tried != point.motions) {
-      tried = point.motions;
-      if (finished(problem, reach, point)) return;
-    }
+    if (fresh && finished(problem, reach, point)) return;
     point.report.status = Status::IterationLimit;
     point.reason = "Newton's method did not settle on what each pair does";
     if (newton.residual() <= epsilon * first || point.report.iterations >= limit) break;
@@ -224,6 +221,7 @@ void descend(const ScaledFriction& problem, FrictionEquations& equations, Index 
     ++point.report.iterations;
     ++point.report.factorisations;
     const Index changes = look();
+    fresh = changes > 0;
     point.report.history.push_back(
         friction_iteration(problem, point, changes, first == 0 ? 0 : newton.residual() / first));
     if (moved) continue;
@@ -231,7 +229,7 @@ void descend(const ScaledFriction& problem, FrictionEquations& equations, Index 
     point.reason = "no step lowers the residual any more, at a point that is no solution";
     break;
   }
-  if (tried != point.motions) static_cast<void>(finished(problem, reach, point));
+  if (fresh) static_cast<void>(finished(problem, reach, point));
 }
 
 }  // namespace signorini

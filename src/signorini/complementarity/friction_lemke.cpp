@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "signorini/complementarity/friction_active_set.hpp"
 #include "signorini/complementarity/friction_proofs.hpp"
 #include "signorini/complementarity/lemke.hpp"
 
@@ -92,12 +93,11 @@ void follow_lemke(const ScaledFriction& problem, const SolverOptions& options,
         std::string("Lemke's method ended with '") + to_string(state.report.status) + "'";
     if (!state.force.allFinite()) return;
     take(problem, cohesion, state, point);
-    FrictionClosure end =
-        close_friction(problem, point.motions, point.closure.force, point.closure.amplitude);
-    if (end.confirmed) {
-      point.closure = std::move(end);
-      return;
-    }
+    std::string reason = point.reason;
+    exchange_motions(problem, 3, point);  // rounding may have the say over pairs that barely touch
+    if (point.closure.confirmed) return;
+    point.report.status = state.report.status;
+    point.reason = std::move(reason);
     if (state.report.status != Status::Solved) return;
     for (Index i = 0; i < n; ++i)
       cohesion(i) =

@@ -21,7 +21,10 @@ namespace signorini {
 /// For z >= 0, \f$ z^T M z = f^T F f + 2\mu\lambda^T v^- \ge 0 \f$ with f = (lambda, tau + c): M is
 /// copositive, and for a positive definite F it belongs to the matrices for which Lemke's method always
 /// finds a solution, whatever mu is [\ref CottlePangStone1992]. Rigid amplitudes join as differences
-/// of positive numbers, R^T f = r as two inequalities; they keep M copositive.
+/// of positive numbers, R^T f = r as two inequalities. M stays copositive, but the method now may end on a
+/// ray, and it must be able to: that some forces within their bounds balance r does not mean that the
+/// bodies press where these forces are needed. With different mu from pair to pair there are such problems
+/// without any solution.
 ///
 /// In these equations an open pair carries cohesion. So c is given to a set of pairs, first to all and then
 /// to those that came out closed, until both are the same set; that need not happen.
@@ -29,7 +32,8 @@ namespace signorini {
 /// \param problem  F positive semidefinite, d, s, mu, c, R, r
 /// \param options  `iteration_limit` of each run of lemke()
 /// \return `Solved`; `Infeasible` with `escape` if no forces balance r; `Ray`, `IterationLimit` and
-///   `Breakdown` as lemke(), the last one also if the sets of cohesive pairs run in circles
+///   `Breakdown` as lemke() with four covering vectors, the last one also if the sets of cohesive pairs run
+///   in circles
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] FrictionState friction_lemke(const FrictionProblem& problem,
                                            const SolverOptions& options = {});

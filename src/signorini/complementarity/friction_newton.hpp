@@ -20,7 +20,7 @@ namespace signorini {
 /// are solved exactly, and the result is kept if all signs are right beyond rounding.
 ///
 /// If that does not end in a solution, exchange_motions() and then friction_lemke() go on from there; the
-/// last one finds a solution wherever there is no cohesion and forces can balance r.
+/// last one finds a solution of every held body without cohesion.
 ///
 /// \param problem  F positive semidefinite, d, s, mu, c, R, r
 /// \param options  `iteration_limit` 0 stands for 25 Newton steps; with a limit nothing follows them

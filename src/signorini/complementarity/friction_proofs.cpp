@@ -2,9 +2,11 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "signorini/complementarity/lemke.hpp"
 
@@ -55,7 +57,19 @@ VectorXd lacking(const ScaledFriction& problem) {
   lcp.compliance.topRightCorner(m, c).bottomRows(c).setIdentity();
   lcp.compliance.bottomLeftCorner(c, m).rightCols(c) = -MatrixXd::Identity(c, c);
   lcp.free_gap << -D.transpose() * target, 2 * push.most;
-  return D * lemke(lcp).force.head(m) - target;
+  const VectorXd weight = lemke(lcp).force;
+  VectorXd way = D * weight.head(m) - target;
+  // The difference of two close numbers. What it must be orthogonal to, pushes that are neither at zero nor at
+  // their bound, gives back the digits that it lost.
+  std::vector<Index> inner;
+  for (Index j = 0; j < m; ++j)
+    if (weight(j) > 0 && (j < m - c || weight(c + j) == 0)) inner.push_back(j);
+  if (inner.empty()) return way;
+  const Eigen::ColPivHouseholderQR<MatrixXd> factor(MatrixXd(D(Eigen::all, inner)));
+  const Index rank = factor.rank();
+  const MatrixXd Q = MatrixXd(factor.householderQ()).leftCols(rank);
+  for (int step = 0; step < 2; ++step) way -= Q * (Q.transpose() * way);
+  return way;
 }
 
 /// Whether a direction proves that nothing balances r.
@@ -78,6 +92,7 @@ bool proves(const ScaledFriction& problem, const VectorXd& way) {
 /// G - C T^-1 C^T - mu |T| mu / 4, or nothing if T is not positive definite.
 bool bound_excludes_others(const MatrixXd& F, const VectorXd& coefficient) {
   const Index n = coefficient.size();
+  if (n == 0) return true;
   const Eigen::LLT<MatrixXd> tangential(F.bottomRightCorner(n, n));
   if (tangential.info() != Eigen::Success) return false;
   const MatrixXd C = F.topRightCorner(n, n);

@@ -4,6 +4,7 @@
 
 #include "signorini/complementarity/enumerate.hpp"
 #include "signorini/complementarity/fischer_burmeister.hpp"
+#include "signorini/complementarity/floating_newton.hpp"
 #include "signorini/complementarity/goldfarb_idnani.hpp"
 #include "signorini/complementarity/lemke.hpp"
 #include "signorini/complementarity/linear_programme.hpp"
@@ -35,7 +36,10 @@ const std::vector<Solver>& solvers() {
        "whole groups of pairs change sides; single exchanges if a set repeats",
        primal_dual_active_set,
        0,
-       {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::IllConditioned}},
+       {Trait::Asymmetric, Trait::Dependent, Trait::Infeasible, Trait::IllConditioned},
+       nullptr,
+       nullptr,
+       primal_dual_active_set},
       {"enumerate",
        "tries every set of closed pairs; the oracle of the tests",
        enumerate,
@@ -98,7 +102,10 @@ const std::vector<Solver>& solvers() {
        "one equation per pair, solved by Newton's method with a line search",
        fischer_burmeister,
        0,
-       {Trait::Dependent, Trait::Infeasible}},
+       {Trait::Dependent, Trait::Infeasible},
+       nullptr,
+       nullptr,
+       fischer_burmeister},
       {"linear_programme",
        "simplex steps to the least sum of artificial gaps, one pair at a time",
        linear_programme,

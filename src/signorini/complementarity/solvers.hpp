@@ -10,6 +10,8 @@
 namespace signorini {
 
 struct DenseSolution;
+struct FloatingProblem;
+struct FloatingState;
 
 /// What can be hard about a problem.
 enum class Trait {
@@ -44,6 +46,10 @@ struct Solver {
   /// The same from K, p, A and g to the refined end, or null: then the programme is condensed.
   DenseSolution (*solve_programme)(const DenseProgramme& programme,
                                    const SolverOptions& options) = nullptr;
+  /// The same with rigid modes as unknowns, or null: then springs hold them. It may end without a
+  /// solution and says so.
+  FloatingState (*solve_floating)(const FloatingProblem& problem,
+                                  const SolverOptions& options) = nullptr;
 };
 
 /// Whether a member says that it may fail on a trait.

@@ -15,7 +15,7 @@ namespace signorini {
 using NodalRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// How much every candidate pair opens and slides when nodes move, with u the displacement
-/// components of all nodes, held or not:
+/// components of all nodes, held or not: \PaperEq{LinEtAl, 1}
 ///
 /// \f[ gap = g + N u,\qquad slip = S u. \f]
 ///

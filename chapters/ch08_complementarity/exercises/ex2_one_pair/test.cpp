@@ -1,0 +1,39 @@
+#include "catch_compat.hpp"
+#include "exercise.hpp"
+
+using Eigen::Vector4d;
+
+namespace {
+
+double wrong(const ex8_2::Pair& pair, const Vector4d& state) {
+  return ex8_2::equations(pair, state).residual.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+// d = -1 and s = 1 with compliances 1: f_n = 1 closes the pair, f_t would be -1 if it stuck.
+TEST_CASE("ex8.2 a pair that slides forth has friction -B and no part that slides back",
+          "[ex8.2][LinEtAl-10][LinEtAl-14][LinEtAl-16][LinEtAl-18][LinEtAl-19]") {
+  const ex8_2::Pair pair{-1, 1, 1, 1, 0.5, 0};
+  CHECK(wrong(pair, {1, -0.5, 0.5, 0}) < 1e-15);
+  CHECK(wrong(pair, {1, 0.5, 1.5, 0}) > 0.1);    // friction along the slip
+  CHECK(wrong(pair, {1, -0.6, 0.4, 0}) > 0.01);  // beyond the bound
+}
+
+TEST_CASE("ex8.2 a pair that slides back has friction B",
+          "[ex8.2][LinEtAl-10][LinEtAl-13][LinEtAl-15][LinEtAl-17]") {
+  CHECK(wrong({-1, -1, 1, 1, 0.5, 0}, {1, 0.5, 0, 0.5}) < 1e-15);
+}
+
+TEST_CASE("ex8.2 a pair sticks where that needs less than the bound, and more pressure holds more",
+          "[ex8.2][LinEtAl-6][LinEtAl-8][LinEtAl-9]") {
+  CHECK(wrong({-1, 0.4, 1, 1, 0.5, 0}, {1, -0.4, 0, 0}) < 1e-15);
+  CHECK(wrong({-2, 0.9, 1, 1, 0.5, 0}, {2, -0.9, 0, 0}) < 1e-15);
+  CHECK(wrong({-1, 0.9, 1, 1, 0.5, 0}, {1, -0.9, 0, 0}) > 0.01);
+}
+
+TEST_CASE("ex8.2 cohesion holds a closed pair and not an open one", "[ex8.2][LinEtAl-6]") {
+  CHECK(wrong({-1, 0.6, 1, 1, 0.5, 0.2}, {1, -0.6, 0, 0}) < 1e-15);
+  CHECK(wrong({1, 0.6, 1, 1, 0.5, 0.2}, {0, 0, 0.6, 0}) < 1e-15);
+  CHECK(wrong({1, 0.6, 1, 1, 0.5, 0.2}, {0, -0.2, 0.4, 0}) > 0.01);
+}

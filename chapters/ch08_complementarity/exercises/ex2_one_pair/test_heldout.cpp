@@ -1,0 +1,80 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "catch_compat.hpp"
+#include "exercise.hpp"
+#include "signorini/core/random.hpp"
+
+using Eigen::Vector4d;
+
+namespace {
+
+ex8_2::Pair random_pair(signorini::Random& random) {
+  return {random.uniform(-1, -0.1), random.uniform(-2, 2),  random.uniform(0.5, 2),
+          random.uniform(0.5, 2),   random.uniform(0.1, 1), random.uniform(0, 0.3)};
+}
+
+// A closed pair sticks if it can, else the friction is at its bound.
+Vector4d closed_form(const ex8_2::Pair& pair) {
+  const double fn = -pair.free_gap / pair.normal_compliance;
+  const double bound = pair.cohesion + pair.mu * fn;
+  const double ft = std::clamp(-pair.free_slip / pair.tangential_compliance, -bound, bound);
+  const double slip = pair.free_slip + pair.tangential_compliance * ft;
+  return {fn, ft, std::max(slip, 0.0), std::max(-slip, 0.0)};
+}
+
+}  // namespace
+
+TEST_CASE("ex8.2 held out: the Jacobian agrees with central differences", "[ex8.2]") {
+  signorini::Random random(1);
+  for (int sample = 0; sample < 100; ++sample) {
+    const ex8_2::Pair pair = random_pair(random);
+    Vector4d x;
+    for (double& number : x) number = random.uniform(0.1, 1);
+    CAPTURE(sample);
+    const Eigen::Matrix4d J = ex8_2::equations(pair, x).jacobian;
+    for (Eigen::Index j = 0; j < 4; ++j) {
+      const Vector4d h = 1e-6 * Vector4d::Unit(j);
+      const Vector4d rise =
+          ex8_2::equations(pair, x + h).residual - ex8_2::equations(pair, x - h).residual;
+      // Differences of the root are wrong by h^2 over the square of its size, which is at least 0.05.
+      CHECK((rise / 2e-6 - J.col(j)).norm() < 1e-7);
+    }
+  }
+}
+
+TEST_CASE("ex8.2 held out: Newton's method ends at the closed form", "[ex8.2]") {
+  signorini::Random random(2);
+  for (int sample = 0; sample < 200; ++sample) {
+    const ex8_2::Pair pair = random_pair(random);
+    const Vector4d expected = closed_form(pair);
+    CAPTURE(sample);
+    CHECK(ex8_2::equations(pair, expected).residual.norm() < 1e-14);
+    Vector4d x = expected + Vector4d::Constant(0.01);
+    for (int step = 0; step < 20; ++step) {
+      const ex8_2::System at = ex8_2::equations(pair, x);
+      x -= at.jacobian.partialPivLu().solve(at.residual);
+    }
+    CHECK((x - expected).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("ex8.2 held out: residuals are lengths, in any units", "[ex8.2][units]") {
+  signorini::Random random(3);
+  const double length = 1.0 / 1024, force = 4096;  // powers of two hardly round
+  for (int sample = 0; sample < 50; ++sample) {
+    const ex8_2::Pair p = random_pair(random);
+    const ex8_2::Pair q{p.free_gap * length,
+                        p.free_slip * length,
+                        p.normal_compliance * length / force,
+                        p.tangential_compliance * length / force,
+                        p.mu,
+                        p.cohesion * force};
+    const Vector4d x(0.7, -0.2, 0.3, 0.1);
+    const Vector4d y(x(0) * force, x(1) * force, x(2) * length, x(3) * length);
+    CAPTURE(sample);
+    CHECK((ex8_2::equations(q, y).residual / length - ex8_2::equations(p, x).residual).norm() <
+          1e-15);
+  }
+}

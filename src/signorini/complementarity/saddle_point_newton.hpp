@@ -1,0 +1,53 @@
+/// \file
+/// The uncondensed Newton method of the second paper: displacements and contact forces together.
+#pragma once
+#include "signorini/complementarity/certificate.hpp"
+#include "signorini/complementarity/problem.hpp"
+
+namespace signorini {
+
+/// Choices for saddle_point_newton().
+struct SaddlePointOptions {
+  Eigen::Index iteration_limit = 100;  ///< factorisations at most
+  double tolerance = 1e-12;            ///< where it stops [-], see saddle_point_newton()
+  bool scaled = true;                  ///< false: the paper's equations, a length beside a force
+};
+
+/// What the method came to.
+struct SaddlePointSolution {
+  PrimalDual solution;  ///< u in two parts, and lambda
+  /// `iterations` are factorisations; `residual` in the history is |F| over its size at the start.
+  Report report;
+};
+
+/// Solves for displacements and contact forces together, by Newton's method with a sparse LU factor of
+/// the whole Jacobian in every iteration.
+///
+/// Equilibrium and one Fischer-Burmeister equation per pair, \PaperEq{LinEtAl, 28}, \PaperEq{LinEtAl, 30}
+///
+/// \f[ F = \begin{pmatrix} K u + A^T\lambda - p \\ \varphi(g - A u, \lambda) \end{pmatrix} = 0,
+///     \qquad
+///     J = \begin{pmatrix} K & A^T \\ -D_a A & D_b \end{pmatrix}, \f]
+///
+/// with the diagonal matrices of the slopes of \f$ \varphi \f$, \PaperEq{LinEtAl, 31}. It starts at rest,
+/// u = 0 and lambda = 0. Both residuals are summed in twice the working precision and u is kept in two
+/// parts, so the last steps are also the refinement.
+///
+/// In the paper's form (`scaled` false) \f$ \varphi \f$ compares a length with a force, every step is taken
+/// whole, and the method stops where |F|, forces and lengths mixed, is `tolerance` of its start. Where
+/// that ends depends on the units. The default compares numbers of one unit, gap / sqrt(c_i) and
+/// lambda sqrt(c_i) with \f$ c_i = \sum_j A_{ij}^2 / K_{jj} \f$, the compliance of the pair if all
+/// neighbours stood still; row j of equilibrium counts as force / sqrt(K_jj). It shortens steps until
+/// |F| falls (Armijo's rule), and stops when certify() holds to `tolerance`.
+///
+/// A body that nothing but contact holds has a singular K. J is regular where enough pairs touch at the
+/// start, gap 0, and singular where all are open.
+/// \param programme  K, p, A, g
+/// \param options    limits, and which form
+/// \return `Solved` only with a certificate of 1e-12; `Breakdown` if J is singular to working precision, if
+///   |F| falls no more, or if the paper's form stops at what is no solution; `IterationLimit`
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
+                                                      const SaddlePointOptions& options = {});
+
+}  // namespace signorini
