@@ -30,7 +30,8 @@ namespace signorini {
 /// All arguments are scaled; only pairs whose force exceeds their gap carry cohesion; every step goes as
 /// far as the residual falls; the diagonal of u+ and u- in the Jacobian, whose entries lie between
 /// -2 and 0, is lowered by 1e-10, which moves no solution and makes it regular; and once it is settled what every
-/// pair does, that is solved exactly, as in friction_newton(). There is no fallback.
+/// pair does, that is solved exactly, as in friction_newton(). Of these repairs the shift matters least: with
+/// the others in place, hundreds of random problems take as many steps without it. There is no fallback.
 /// \param problem  F, d, s, mu, c, R, r
 /// \param options  `iteration_limit` 0 stands for 25
 /// \return `Solved`; `Infeasible` with `escape` if no forces balance r; `IterationLimit`; `Breakdown` if no
