@@ -58,20 +58,8 @@ NodalRows kept_rows(const NodalRows& rows, const std::vector<Index>& kept) {
   return matrix(static_cast<Index>(kept.size()), rows.cols(), entries);
 }
 
-NodalRows below(const NodalRows& upper, const NodalRows& lower) {
-  Triplets entries;
-  for (Index row = 0; row < upper.rows(); ++row)
-    for (NodalRows::InnerIterator it(upper, row); it; ++it)
-      entries.emplace_back(static_cast<int>(row), static_cast<int>(it.col()), it.value());
-  for (Index row = 0; row < lower.rows(); ++row)
-    for (NodalRows::InnerIterator it(lower, row); it; ++it)
-      entries.emplace_back(static_cast<int>(upper.rows() + row), static_cast<int>(it.col()),
-                           it.value());
-  return matrix(upper.rows() + lower.rows(), lower.cols(), entries);
-}
-
 template <typename Array>
-Array below(const Array& upper, const Array& lower) {
+Array below_dense(const Array& upper, const Array& lower) {
   Array both(upper.rows() + lower.rows(), lower.cols());
   both << upper, lower;
   return both;
@@ -143,6 +131,18 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
   return gaps;
 }
 
+NodalRows below(const NodalRows& upper, const NodalRows& lower) {
+  Triplets entries;
+  for (Index row = 0; row < upper.rows(); ++row)
+    for (NodalRows::InnerIterator it(upper, row); it; ++it)
+      entries.emplace_back(static_cast<int>(row), static_cast<int>(it.col()), it.value());
+  for (Index row = 0; row < lower.rows(); ++row)
+    for (NodalRows::InnerIterator it(lower, row); it; ++it)
+      entries.emplace_back(static_cast<int>(upper.rows() + row), static_cast<int>(it.col()),
+                           it.value());
+  return matrix(upper.rows() + lower.rows(), lower.cols(), entries);
+}
+
 Gaps stacked(const Gaps& upper, const Gaps& lower) {
   if (upper.initial_gap.size() == 0) return lower;
   Gaps both;
@@ -150,11 +150,11 @@ Gaps stacked(const Gaps& upper, const Gaps& lower) {
   both.T = below(upper.T, lower.T);
   both.opening = below(upper.opening, lower.opening);
   both.sliding = below(upper.sliding, lower.sliding);
-  both.initial_gap = below(upper.initial_gap, lower.initial_gap);
-  both.initial_slip = below(upper.initial_slip, lower.initial_slip);
-  both.weight = below(upper.weight, lower.weight);
-  both.position = below(upper.position, lower.position);
-  both.normal = below(upper.normal, lower.normal);
+  both.initial_gap = below_dense(upper.initial_gap, lower.initial_gap);
+  both.initial_slip = below_dense(upper.initial_slip, lower.initial_slip);
+  both.weight = below_dense(upper.weight, lower.weight);
+  both.position = below_dense(upper.position, lower.position);
+  both.normal = below_dense(upper.normal, lower.normal);
   both.node = upper.node;
   both.node.insert(both.node.end(), lower.node.begin(), lower.node.end());
   both.unpaired = upper.unpaired;

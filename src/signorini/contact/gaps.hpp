@@ -34,6 +34,12 @@ struct Gaps : Pairs {
 [[nodiscard]] Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
                           const std::string& what);
 
+/// Puts the rows of two matrices below each other.
+/// \param upper  `m_1 x n`
+/// \param lower  `m_2 x n`
+/// \return `m_1 + m_2` rows; those of `lower` alone if `upper` is empty
+[[nodiscard]] NodalRows below(const NodalRows& upper, const NodalRows& lower);
+
 /// Puts the pairs of several contacts below each other.
 /// \param upper  `n_1` pairs of `n` unknowns, or empty
 /// \param lower  `n_2` pairs of as many unknowns

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <set>
 
+#include "signorini/complementarity/friction_solvers.hpp"
 #include "signorini/complementarity/solvers.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
@@ -12,6 +14,7 @@ namespace signorini {
 namespace {
 
 using Eigen::Index;
+using Eigen::VectorXd;
 
 void check_load(const Mesh& mesh, const EdgeLoad& load) {
   static_cast<void>(boundary(mesh, load.boundary));
@@ -50,12 +53,12 @@ void check_names(const Scene& scene) {
 }
 
 /// Pairs of one contact, and the line of the plan that tells of it.
-Pairs pair_up(const Scene& scene, const ContactSpec& contact, Plan& plan) {
+Pairs pair_up(const Scene& scene, const ContactSpec& contact, bool sliding, Plan& plan) {
   const Surface source = surface(scene, contact.source);
   const Body& body = scene.bodies[body_index(scene, contact.source)];
   const Index n_nodes = count_nodes(scene);
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target)) {
-    Pairs pairs = node_to_obstacle(source, *obstacle, n_nodes, body.material.thickness);
+    Pairs pairs = node_to_obstacle(source, *obstacle, n_nodes, body.material.thickness, sliding);
     plan.on.push_back(text(describe(scene, contact), ": ", pairs.weight.size(),
                            " candidate pairs, no mesh and no search for the obstacle"));
     return pairs;
@@ -69,6 +72,7 @@ Pairs pair_up(const Scene& scene, const ContactSpec& contact, Plan& plan) {
   GapOptions options;
   options.n_nodes = n_nodes;
   options.thickness = body.material.thickness;
+  options.sliding = sliding;
   options.points = contact.points;
   options.quadrature = contact.quadrature;
   Pairs pairs = gap_operator.pair(source, surface(scene, side), options);
@@ -81,6 +85,34 @@ Pairs pair_up(const Scene& scene, const ContactSpec& contact, Plan& plan) {
   return pairs;
 }
 
+/// Whether a contact has friction. A law that allows no friction force is none.
+bool rubs(const ContactSpec& contact) {
+  return contact.friction &&
+         (contact.friction->coefficient != 0 || contact.friction->cohesion != 0);
+}
+
+VectorXd extended(const VectorXd& head, const VectorXd& tail) {
+  VectorXd both(head.size() + tail.size());
+  both << head, tail;
+  return both;
+}
+
+void add_friction(const Scene& scene, const ContactSpec& contact, const VectorXd& weight,
+                  Plan& plan) {
+  const Friction law = contact.friction.value_or(Friction{});
+  for (const auto& [name, value] :
+       {std::pair("friction coefficient", law.coefficient), std::pair("cohesion", law.cohesion)})
+    pose(std::isfinite(value) && value >= 0, describe(scene, contact), ": the ", name,
+         " must be a number >= 0, got ", value);
+  PairFriction& all = *plan.friction;
+  all.coefficient = extended(all.coefficient, VectorXd::Constant(weight.size(), law.coefficient));
+  all.cohesion = extended(all.cohesion, law.cohesion * weight);
+  if (rubs(contact))
+    plan.on.push_back(text("friction of the ", describe(scene, contact), ": coefficient ",
+                           law.coefficient, ", cohesion ", law.cohesion, ", ", weight.size(),
+                           " slips"));
+}
+
 void plan_contact(const Scene& scene, Plan& plan) {
   const Unknowns unknowns = joined(plan.unknowns);
   plan.gaps.A.resize(0, unknowns.count);
@@ -88,11 +120,17 @@ void plan_contact(const Scene& scene, Plan& plan) {
     plan.off.emplace_back("contact");
     return;
   }
-  for (const ContactSpec& contact : scene.contacts)
-    plan.gaps =
-        stacked(plan.gaps, reduce(pair_up(scene, contact, plan), surface(scene, contact.source),
-                                  unknowns, describe(scene, contact)));
-  plan.on.push_back("solver " + scene.solver +
+  const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), rubs);
+  if (!sliding) plan.off.emplace_back("friction");
+  if (sliding) plan.friction.emplace();
+  for (const ContactSpec& contact : scene.contacts) {
+    Gaps gaps = reduce(pair_up(scene, contact, sliding, plan), surface(scene, contact.source),
+                       unknowns, describe(scene, contact));
+    if (sliding) add_friction(scene, contact, gaps.weight, plan);
+    plan.gaps = stacked(plan.gaps, gaps);
+  }
+  if (sliding) static_cast<void>(find_friction_solver(scene.friction_solver));
+  plan.on.push_back("solver " + (sliding ? scene.friction_solver : scene.solver) +
                     " on the condensed problem, certified from K, p, A, g");
   const double lowest = plan.gaps.initial_gap.size() > 0 ? plan.gaps.initial_gap.minCoeff() : 0;
   if (lowest < 0)
@@ -110,7 +148,8 @@ void plan_modes(const Scene& scene, Plan& plan) {
       plan.on.push_back(mode.sentence + ": only contact holds it, one amplitude");
       plan.modes.push_back(std::move(mode));
     }
-  const std::vector<std::string> loose = motions_without_contact(plan.gaps.A, plan.modes);
+  const std::vector<std::string> loose = motions_without_contact(
+      plan.friction ? below(plan.gaps.A, plan.gaps.T) : plan.gaps.A, plan.modes);
   std::string all;
   for (const std::string& motion : loose) all += (all.empty() ? "" : "; ") + motion;
   pose(loose.empty(), all,

@@ -3,12 +3,14 @@
 #pragma once
 #include <Eigen/Core>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/floating.hpp"
+#include "signorini/complementarity/friction.hpp"
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/contact/obstacle.hpp"
@@ -35,6 +37,12 @@ struct Side {
   std::string body = {};  ///< name of the body; may be left out if there is only one
 };
 
+/// Coulomb friction with cohesion between two sides, for one load step.
+struct Friction {
+  double coefficient = 0;  ///< mu >= 0 [-]
+  double cohesion = 0;     ///< c >= 0 where the sides touch [force/length^2]
+};
+
 /// Two sides that may touch. What only meshes need is not looked at for a rigid obstacle.
 struct ContactSpec {
   Side source;                          ///< the slave; its nodes or points carry the forces
@@ -42,6 +50,7 @@ struct ContactSpec {
   std::string gap_operator = "mortar";  ///< name in gap_operators()
   Quadrature quadrature = Quadrature::Segments;  ///< where the operator integrates
   int points = 0;                                ///< Gauss points; 0: as many as the operator wants
+  std::optional<Friction> friction;              ///< none by default
 };
 
 /// Elastic bodies and what they may touch. Every effect is an optional entry; one that is absent costs
@@ -50,6 +59,14 @@ struct Scene {
   std::vector<Body> bodies = {{}};                ///< one or more
   std::vector<ContactSpec> contacts;              ///< none by default
   std::string solver = "primal_dual_active_set";  ///< name in solvers()
+  /// Name in friction_solvers(), which take over if any contact has friction.
+  std::string friction_solver = "friction_active_set";
+};
+
+/// The friction law pair by pair; 0 where a contact has none.
+struct PairFriction {
+  Eigen::VectorXd coefficient;  ///< mu `n_c` [-]
+  Eigen::VectorXd cohesion;     ///< c times the weight `n_c` [force]
 };
 
 /// What a scene calls for, found without assembling anything.
@@ -61,6 +78,7 @@ struct Plan {
   std::vector<Unknowns> unknowns;    ///< per body, numbered from 0 in each
   std::vector<RigidMode> modes;      ///< `n_r` rigid motions that only contact can stop
   Gaps gaps;                         ///< `n_c` candidate pairs of all contacts, none without
+  std::optional<PairFriction> friction;  ///< of all pairs if any contact has friction
 };
 
 /// A body ready to be assembled, and where it stands among the others.
@@ -77,9 +95,12 @@ struct BodyModel {
 struct Model {
   std::vector<BodyModel> bodies;  ///< as in the scene
   Unknowns unknowns;              ///< `n` of all bodies, one after another
-  QuadraticProgramme programme;   ///< K, p, A, g: what the certificate refers to
+  /// K, p, A, g: what the certificate refers to. With friction `n_c` rows of slips, -T and the initial
+  /// slips, follow those of the gaps.
+  QuadraticProgramme programme;
   Pairs pairs;  ///< `n_c` that can close, with given displacements in `initial_gap`
-  std::vector<RigidMode> modes;  ///< `n_r` null vectors of K
+  std::vector<RigidMode> modes;          ///< `n_r` null vectors of K
+  std::optional<PairFriction> friction;  ///< of all pairs, or none
 };
 
 /// The model with all unknowns but the contact forces eliminated.
@@ -91,6 +112,13 @@ struct Condensed {
   Eigen::VectorXd resultant;  ///< r `n_r` what contact forces must add up to [force]
 };
 
+/// What friction did.
+struct FrictionOutcome {
+  FrictionState state;  ///< forces, friction forces, gaps and slips, from the displacements
+  /// Of `state`, from the original K, p, A and T: its equilibrium is also that of every node.
+  FrictionCertificate certificate;
+};
+
 /// Everything that is known at the end. Unless `contact.report.status` is Solved, it has the state,
 /// the report and the ledger only, and its certificate says nothing.
 struct Solution {
@@ -99,6 +127,7 @@ struct Solution {
   Eigen::VectorXd amplitude;             ///< `n_r` of the rigid modes [length]
   Eigen::VectorXd pressure;              ///< `n_c` force / weight [force/length^2], compression > 0
   PrimalDual refined;                    ///< unknowns in two parts, and forces: what is certified
+  std::optional<FrictionOutcome> friction;  ///< only if the scene has friction
   Certificate certificate = uncertified();  ///< of `refined`, from the original K, p, A, g
   std::string escape;                       ///< if the load pulls a body away: how it moves off
   Ledger ledger;                            ///< what it cost
@@ -130,12 +159,18 @@ struct Solution {
 /// problem is solved again with free gaps from the refined solution.
 /// \param model      from build()
 /// \param condensed  from condense() of it
-/// \param solver     name in solvers()
+/// \param solver     name in solvers(), or with friction in friction_solvers()
 /// \param ledger     goes on in the solution, with the phases `contact`, `refinement`, `recovery`
 /// \return the solution; check its `contact.report.status` first, or call require_solved()
 /// \throws ProblemError for an unknown name; std::invalid_argument for more pairs than it accepts
 [[nodiscard]] Solution solve(const Model& model, const Condensed& condensed,
                              const std::string& solver, Ledger ledger);
+
+/// The solver that a scene asks for.
+/// \param scene  to be solved
+/// \param model  from build() of it
+/// \return `scene.friction_solver` if the model has friction, else `scene.solver`
+[[nodiscard]] const std::string& solver_name(const Scene& scene, const Model& model);
 
 /// Stops a program that has no use for an unsolved problem.
 /// \param solution  what solve() returned

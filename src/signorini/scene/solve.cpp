@@ -6,6 +6,7 @@
 #include "signorini/complementarity/solvers.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/frictional.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
@@ -112,16 +113,6 @@ std::string describe_unknown(const Model& model, Index unknown) {
               body.unknowns.describe(body.mesh, unknown - body.first_unknown));
 }
 
-/// Says which of the modes move, and which way, along a direction that nothing stops.
-std::string escape_in_words(const Model& model, const Eigen::VectorXd& escape) {
-  std::string words;
-  const double most = escape.size() > 0 ? escape.cwiseAbs().maxCoeff() : 0;
-  for (Index k = 0; k < escape.size(); ++k)
-    if (std::abs(escape(k)) > 1e-6 * most)
-      words += (words.empty() ? "" : "; ") + model.modes[static_cast<std::size_t>(k)].sentence;
-  return words;
-}
-
 }  // namespace
 
 Model build(const Scene& scene, Ledger& ledger) {
@@ -143,10 +134,17 @@ Model build(const Scene& scene, Ledger& ledger) {
   LinearSystem system = assemble_all(scene, model.bodies, model.unknowns.count);
   ledger.count("unknowns", model.unknowns.count);
   ledger.count("pairs", now.gaps.A.rows());
+  if (now.friction) {
+    now.gaps.A = below(now.gaps.A, -now.gaps.T);
+    model.programme.initial_gap.resize(2 * now.gaps.initial_gap.size());
+    model.programme.initial_gap << now.gaps.initial_gap, now.gaps.initial_slip;
+  } else {
+    model.programme.initial_gap = now.gaps.initial_gap;
+  }
+  model.friction = std::move(now.friction);
   model.programme.stiffness.swap(system.stiffness);
   model.programme.load.swap(system.load);
   model.programme.A.swap(now.gaps.A);
-  model.programme.initial_gap = now.gaps.initial_gap;
   model.pairs = std::move(now.gaps);
   model.modes = std::move(now.modes);
   return model;
@@ -185,14 +183,17 @@ Condensed condense(const Model& model, Ledger& ledger) {
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger) {
   Solution solution;
+  if (model.friction) {
+    solution = solve_frictional(model, condensed, solver, ledger);
+    solution.ledger = std::move(ledger);
+    return solution;
+  }
   FloatingState state;
   Refinement refined = solve_and_refine(model, condensed, find_solver(solver), ledger, state);
   solution.contact = std::move(state.contact);
   if (solution.contact.report.status == Status::Solved) {
     const Ledger::Phase phase(ledger, "recovery");
-    const NodeArray all = expand(model.unknowns, refined.solution.displacement);
-    for (const BodyModel& body : model.bodies)
-      solution.displacements.emplace_back(all.middleRows(body.first_node, body.mesh.n_nodes()));
+    solution.displacements = displacements_of_bodies(model, refined.solution.displacement);
     solution.contact.force = refined.solution.force;
     solution.contact.gap = refined.gap;
     solution.amplitude = refined.amplitude;
@@ -205,6 +206,10 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   }
   solution.ledger = std::move(ledger);
   return solution;
+}
+
+const std::string& solver_name(const Scene& scene, const Model& model) {
+  return model.friction ? scene.friction_solver : scene.solver;
 }
 
 void require_solved(const Solution& solution, const std::string& what) {
@@ -223,7 +228,7 @@ Solution solve(const Scene& scene) {
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);
-  return solve(model, condensed, scene.solver, std::move(ledger));
+  return solve(model, condensed, solver_name(scene, model), std::move(ledger));
 }
 
 }  // namespace signorini

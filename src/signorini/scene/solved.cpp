@@ -12,7 +12,7 @@ SolvedScene solved(const Scene& scene, const std::string& what) {
   Ledger ledger;
   Model model = build(scene, ledger);             // K, p, A, g of the quadratic programme
   Condensed condensed = condense(model, ledger);  // G = A K^-1 A^T and d = g - A u0
-  Solution solution = solve(model, condensed, scene.solver, ledger);
+  Solution solution = solve(model, condensed, solver_name(scene, model), ledger);
   require_solved(solution, what);
   return {std::move(model), std::move(condensed), std::move(solution)};
 }
@@ -22,7 +22,8 @@ NodeArray contact_forces(const Model& model, const Solution& solution, std::size
   require(solution.contact.report.status == Status::Solved,
           "forces on the nodes: the problem was not solved");
   const BodyModel& own = model.bodies.at(body);
-  const Eigen::VectorXd all = model.pairs.opening.transpose() * solution.contact.force;
+  Eigen::VectorXd all = model.pairs.opening.transpose() * solution.contact.force;
+  if (solution.friction) all += model.pairs.sliding.transpose() * solution.friction->state.friction;
   return Eigen::Map<const NodeArray>(all.data() + 2 * own.first_node, own.mesh.n_nodes(), 2);
 }
 

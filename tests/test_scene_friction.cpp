@@ -1,0 +1,154 @@
+// Friction in scenes: published and mesh-exact values, and what friction must not change.
+#include <cmath>
+
+#include "catch_compat.hpp"
+#include "signorini/mesh/block.hpp"
+#include "signorini/mesh/reshape.hpp"
+#include "signorini/scene/solved.hpp"
+#include "support/message.hpp"
+
+using Eigen::Index;
+using namespace signorini;
+
+namespace {
+
+/// The square block pressed on a rough plane of the GRECO benchmark, half of it, in metres and pascal.
+Scene rough_block(const char* element, double coefficient) {
+  BlockSpec spec;
+  spec.size.x() = 0.04;
+  spec.size.y() = 0.04;
+  spec.cells_x = 32;
+  spec.cells_y = 32;
+  Scene scene;
+  Body& body = scene.bodies[0];
+  body.mesh = make_block(spec);
+  body.element = element;
+  body.material = {1.3e11, 0.2, PlaneState::Strain, 1};
+  body.supports = {symmetric("right"), prescribed_at("bottom", {0.04, 0}, Axis::Y)};
+  body.loads.edges = {{"top", 5e7, {}}, {"left", 15e7, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  scene.contacts[0].friction = Friction{coefficient, 0};
+  return scene;
+}
+
+/// A block on a wider block, pressed by q and dragged along by s.
+Scene dragged_block(double q, double s, Friction law) {
+  Scene scene;
+  scene.bodies.resize(2);
+  BlockSpec spec;
+  spec.size.x() = 4;
+  spec.size.y() = 1;
+  spec.cells_x = 12;
+  spec.cells_y = 3;
+  spec.name = "ground";
+  scene.bodies[0].mesh = make_block(spec);
+  scene.bodies[0].supports = {fixed("bottom")};
+  spec.size.x() = 2;
+  spec.cells_x = 8;
+  spec.name = "slab";
+  scene.bodies[1].mesh = moved(make_block(spec), {1, 1});
+  scene.bodies[1].loads.edges = {
+      {"top", q, [s](const Eigen::Vector2d&) { return Eigen::Vector2d(s, 0); }}};
+  for (Body& body : scene.bodies) body.material = {1000, 0.3, PlaneState::Strain, 1};
+  scene.contacts = {{{"bottom", "slab"}, Side{"top", "ground"}}};
+  scene.contacts[0].friction = law;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a block pressed on a rough plane slides and sticks as published", "[friction]") {
+  struct Case {
+    const char* element;
+    double displacement[5];  // of the lower side at 0, 1.25, 5, 7.5, 11.25 mm, in 1e-5 m
+    double normal;
+    double tangential;
+  };
+  // Computed with another program on the same mesh and elements, all digits printed.
+  for (const Case& expected :
+       {Case{
+            "q4", {2.8594382, 2.7216850, 2.2849985, 1.9796271, 1.5405644}, 1.947574e6, -1.405376e6},
+        Case{"q4_incompatible",
+             {2.8602823, 2.7225483, 2.2857099, 1.9800111, 1.5407947},
+             1.947574e6,
+             -1.404927e6}}) {
+    const Scene scene = rough_block(expected.element, 1);
+    const SolvedScene run = solved(scene, "the block");
+    const FrictionState& state = run.solution.friction->state;
+    CHECK(run.solution.friction->certificate.holds());
+    CHECK(state.report.iterations <= 25);
+    const Index at[5] = {0, 1, 4, 6, 9};
+    for (int k = 0; k < 5; ++k)
+      CHECK(run.solution.displacements[0](at[k], 0) ==
+            Approx(1e-5 * expected.displacement[k]).epsilon(1e-7).margin(0));
+    CHECK(state.force.sum() == Approx(expected.normal).epsilon(1e-6).margin(0));
+    CHECK(state.friction.sum() == Approx(expected.tangential).epsilon(1e-6).margin(0));
+    for (Index k = 0; k < 32; ++k) {
+      const PairStatus status = state.status[static_cast<std::size_t>(k)];
+      CHECK(status == (k < 3 ? PairStatus::Open : k < 24 ? PairStatus::Slip : PairStatus::Stick));
+    }
+    const NodeArray forces = support_forces(scene, run.model, run.solution);
+    const NodeArray contact = contact_forces(run.model, run.solution);
+    CHECK(forces.col(0).sum() + contact.col(0).sum() == Approx(-15e7 * 0.04).epsilon(1e-9));
+    CHECK(forces.col(1).sum() + contact.col(1).sum() == Approx(5e7 * 0.04).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("no coefficient and no cohesion is no friction", "[friction]") {
+  const Scene rough = rough_block("q4", 0);
+  Scene smooth = rough;
+  smooth.contacts[0].friction.reset();
+  const Solution a = solve(rough);
+  const Solution b = solve(smooth);
+  CHECK_FALSE(a.friction);
+  CHECK(a.contact.force == b.contact.force);
+  // A coefficient that cannot be felt takes the other road and comes to the same place.
+  const Solution c = solve(rough_block("q4", 1e-14));
+  REQUIRE(c.friction);
+  CHECK((c.contact.force - b.contact.force).norm() <= 1e-12 * b.contact.force.norm());
+}
+
+TEST_CASE("a slab that nothing but friction holds sticks, and slides off when dragged too hard",
+          "[friction][floating]") {
+  const SolvedScene held = solved(dragged_block(10, 2, {0.5, 0}), "the slab");
+  const FrictionState& state = held.solution.friction->state;
+  CHECK(held.solution.friction->certificate.holds());
+  CHECK(state.force.sum() == Approx(20).epsilon(1e-12));
+  CHECK(state.friction.sum() == Approx(-4).epsilon(1e-12));
+  CHECK_THROWS_WITH(solved(dragged_block(10, 6, {0.5, 0}), "the slab"),
+                    ContainsSubstring("slab") && ContainsSubstring("not solved"));
+  // The same push is held by cohesion: 6 < 0.5 * 10 + 2 everywhere if the pressure were even.
+  CHECK_NOTHROW(solved(dragged_block(10, 3, {0.1, 4}), "the slab"));
+  CHECK_THROWS_WITH(
+      plan(dragged_block(10, 2, {0, 0})),
+      ContainsSubstring("can move freely in direction x") && ContainsSubstring("add a support"));
+}
+
+TEST_CASE("friction in other units is the same friction", "[friction][units]") {
+  const Scene first = dragged_block(10, 2, {0.25, 0.1});
+  Scene second = first;
+  const double length = 1e6;
+  for (Body& body : second.bodies) {
+    body.mesh.nodes *= length;
+    body.material.youngs_modulus *= 1e-3;
+  }
+  second.bodies[1].loads.edges[0].pressure *= 1e-3;
+  second.bodies[1].loads.edges[0].traction = [](const Eigen::Vector2d&) {
+    return Eigen::Vector2d(2e-3, 0);
+  };
+  second.contacts[0].friction->cohesion *= 1e-3;
+  const FrictionState a = solved(first, "the slab").solution.friction->state;
+  const FrictionState b = solved(second, "the slab").solution.friction->state;
+  CHECK((b.friction / (1e-3 * length) - a.friction).norm() <= 1e-10 * a.friction.norm());
+  CHECK((b.slip / length - a.slip).norm() <= 1e-10 * a.slip.norm());
+  CHECK(b.status == a.status);
+}
+
+TEST_CASE("a friction law that is none is refused", "[friction][input]") {
+  CHECK_THROWS_WITH(plan(rough_block("q4", -0.3)),
+                    ContainsSubstring("friction coefficient must be a number >= 0, got -0.3"));
+  Scene scene = rough_block("q4", 1);
+  scene.friction_solver = "magic";
+  CHECK_THROWS_WITH(plan(scene),
+                    ContainsSubstring("magic") && ContainsSubstring("friction_active_set"));
+}
