@@ -1,5 +1,6 @@
 #include "signorini/complementarity/saddle_point_newton.hpp"
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,25 @@ struct Units {
   VectorXd force;  ///< of lambda; gaps are divided by it
 };
 
+/// The largest gap, against that of a pair alone, that forces 1 on all pairs make: from one factor of K, or
+/// the number of pairs if K is singular to rounding. Forces and gaps are scaled by `units`.
+double reach_of(const QuadraticProgramme& programme, const Units& units) {
+  const double pairs = static_cast<double>(std::max<Index>(1, units.force.size()));
+  const Eigen::SparseMatrix<double> K =
+      units.row.asDiagonal() * programme.stiffness * units.row.asDiagonal();
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(K);
+  const double rounding =
+      static_cast<double>(K.rows() + 1) * std::numeric_limits<double>::epsilon();
+  if (K.rows() == 0 || factor.info() != Eigen::Success || factor.vectorD().minCoeff() <= rounding)
+    return pairs;
+  const VectorXd forces = programme.A.transpose() * units.force.cwiseInverse();
+  const VectorXd moved = factor.solve(units.row.cwiseProduct(forces));
+  const VectorXd gap =
+      (programme.A * units.row.cwiseProduct(moved)).cwiseQuotient(units.force).cwiseAbs();
+  const double reach = gap.size() == 0 ? 0 : gap.maxCoeff();
+  return reach > 0 && std::isfinite(reach) ? reach : pairs;
+}
+
 Units units_of(const QuadraticProgramme& programme, bool scaled) {
   Units units{VectorXd::Ones(programme.load.size()), VectorXd::Ones(programme.initial_gap.size())};
   if (!scaled) return units;
@@ -38,6 +58,7 @@ Units units_of(const QuadraticProgramme& programme, bool scaled) {
       compliance += std::pow(at.value() * units.row(at.col()), 2);
     if (compliance > 0) units.force(i) = std::sqrt(compliance);
   }
+  units.force *= std::sqrt(reach_of(programme, units));
   return units;
 }
 
@@ -163,7 +184,7 @@ SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
     const VectorXd step = factor.solve(-point.residual);
     // A factor of a singular J gives a step that does not even solve for half of F.
     if (!step.allFinite() || (J * step + point.residual).norm() > 0.5 * point.size) break;
-    if (!options.scaled)
+    if (!options.scaled || report.iterations == 1)  // then equilibrium, which is linear, holds
       point = moved(programme, units, point, step, 1);
     else if (!search(programme, units, step, point))
       break;
