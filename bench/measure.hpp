@@ -4,9 +4,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <chrono>
+#include <utility>
 #include <vector>
 
 #include "signorini/mesh/block.hpp"
+#include "signorini/mesh/hertz_meshes.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini::bench {
@@ -44,6 +46,31 @@ inline Scene pressed_block(Eigen::Index cells_x, Eigen::Index cells_y) {
   body.material = {1, 0.3, PlaneState::Strain, 1};
   body.supports = {symmetric("left"), prescribed("top", Axis::Y, -0.02)};
   scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  return scene;
+}
+
+/// The cylinder on a plate of chapter 11, half of it: two bodies of which contact alone holds one.
+/// \param cells   of the cores along the contact
+/// \param rows    of the cores in depth
+/// \param layers  around the cores
+/// \return the scene
+inline Scene hertz(Eigen::Index cells, Eigen::Index rows, Eigen::Index layers) {
+  HertzMeshSpec spec;
+  spec.disc_cells = spec.plate_cells = cells;
+  spec.disc_rows = spec.plate_rows = rows;
+  spec.disc_layers = spec.plate_layers = layers;
+  HertzMeshes meshes = make_hertz_meshes(spec);
+  Scene scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].mesh = std::move(meshes.disc);
+  scene.bodies[0].loads.edges = {{"middle", 41.76 / 2 / spec.radius, {}}};
+  scene.bodies[1].mesh = std::move(meshes.plate);
+  for (Body& body : scene.bodies) {
+    body.material = {4000, 0.35, PlaneState::Strain, 1};
+    body.supports = {symmetric("axis")};
+  }
+  scene.bodies[1].supports.push_back(fixed("base"));
+  scene.contacts = {{{"rim", "disc"}, Side{"surface", "plate"}}};
   return scene;
 }
 

@@ -1,15 +1,17 @@
 // What contact costs: everything after assembly, over one plain linear solve of the same mesh.
-// Run:  make bench     Reads: nothing     Writes: price.csv (in the folder of --out)
+// Run:  make bench     Reads: nothing     Writes: price.csv, saddle_point.csv (in the folder of --out)
 #include <chrono>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 
 #include "bench/measure.hpp"
+#include "signorini/complementarity/saddle_point_newton.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace {
@@ -38,6 +40,7 @@ Scene cantilever(Eigen::Index cells_y) {
 std::string price_line(const std::string& name, const Scene& scene, int runs) {
   Ledger setup;
   const Model model = build(scene, setup);
+  const Eigen::SparseMatrix<double> K = grounded_stiffness(model);
   std::vector<double> plain;
   std::vector<double> contact;
   std::vector<double> ratio;
@@ -48,9 +51,8 @@ std::string price_line(const std::string& name, const Scene& scene, int runs) {
     Ledger unused;
     auto begin = std::chrono::steady_clock::now();
     {
-      const EliminationOrder order = nested_dissection(
-          model.programme.stiffness, unknown_positions(model.bodies[0].mesh, model.unknowns));
-      const ContactLastFactor factor(model.programme.stiffness, order, 0, unused);
+      const EliminationOrder order = nested_dissection(K, unknown_positions(model));
+      const ContactLastFactor factor(K, order, 0, unused);
       const Eigen::VectorXd u = factor.solve(model.programme.load);
       plain.push_back(seconds_since(begin));
       fill[0] = static_cast<double>(factor.nonzeros());
@@ -84,6 +86,37 @@ std::string price_line(const std::string& name, const Scene& scene, int runs) {
   return line.str();
 }
 
+/// The condensed method and the uncondensed Newton method on the same two bodies.
+std::string saddle_point_line(const Scene& scene) {
+  Ledger ledger;
+  const Model model = build(scene, ledger);
+  auto begin = std::chrono::steady_clock::now();
+  const Condensed condensed = condense(model, ledger);
+  const Solution ours = solve(model, condensed, scene.solver, ledger);
+  const double seconds = seconds_since(begin);
+  begin = std::chrono::steady_clock::now();
+  SaddlePointOptions options;  // at rest nothing holds the disc: an equal share of the load
+  options.start_force = ours.contact.force.sum() * model.pairs.weight / model.pairs.weight.sum();
+  const SaddlePointSolution paper = saddle_point_newton(model.programme, options);
+  const double paper_seconds = seconds_since(begin);
+  pose(ours.contact.report.status == Status::Solved && paper.report.status == Status::Solved,
+       "price: condensed ", to_string(ours.contact.report.status), ", uncondensed ",
+       to_string(paper.report.status));
+  const double difference =
+      (paper.solution.force - ours.contact.force).norm() / ours.contact.force.norm();
+  std::cout << "\nhertz, " << model.unknowns.number.rows() << " nodes: condensed " << std::fixed
+            << std::setprecision(2) << seconds << " s, " << ours.contact.report.iterations
+            << " steps; uncondensed " << paper_seconds << " s, " << paper.report.iterations
+            << " factors; ratio " << paper_seconds / seconds << ", forces differ by "
+            << std::scientific << std::setprecision(0) << difference << '\n';
+  std::ostringstream line;
+  line << "nodes,condensed_s,condensed_steps,uncondensed_s,uncondensed_steps,ratio,difference\n"
+       << model.unknowns.number.rows() << ',' << seconds << ',' << ours.contact.report.iterations
+       << ',' << paper_seconds << ',' << paper.report.iterations << ',' << paper_seconds / seconds
+       << ',' << difference << '\n';
+  return line.str();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -101,7 +134,11 @@ int main(int argc, char** argv) {
       csv += price_line("block", pressed_block(cells, cells), runs);
     for (const auto& [cells, runs] : {std::pair{31, 15}, {63, 7}, {94, 5}})
       csv += price_line("cantilever", cantilever(cells), runs);
+    csv += price_line("hertz", hertz(46, 34, 43), 15);
+    csv += price_line("hertz", hertz(92, 68, 87), 7);
+    csv += price_line("hertz", hertz(138, 102, 131), 5);
     write_file(options.out / "price.csv", csv);
+    write_file(options.out / "saddle_point.csv", saddle_point_line(hertz(64, 48, 60)));
     return Status::Solved;
   };
   return run_program("price", "What contact costs over one plain linear solve", SIGNORINI_BENCH_OUT,

@@ -10,6 +10,7 @@
 
 #include "signorini/complementarity/complementarity_functions.hpp"
 #include "signorini/complementarity/refine.hpp"
+#include "signorini/core/errors.hpp"
 
 namespace signorini {
 namespace {
@@ -160,6 +161,12 @@ SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
   const Index pairs = programme.initial_gap.size();
   const Units units = units_of(programme, options.scaled);
   Point point{{VectorXd::Zero(n), VectorXd::Zero(n), VectorXd::Zero(pairs)}, {}, {}};
+  if (options.start_force.size() > 0) {
+    require(options.start_force.size() == pairs && options.start_force.allFinite(),
+            "saddle_point_newton: need ", pairs, " finite forces to start from, got ",
+            options.start_force.size());
+    point.solution.force = options.start_force;
+  }
   evaluate(programme, units, point);
   const double first = point.size;
   std::vector<bool> closed(static_cast<std::size_t>(pairs));

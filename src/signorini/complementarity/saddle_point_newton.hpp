@@ -1,6 +1,8 @@
 /// \file
 /// The uncondensed Newton method of the second paper: displacements and contact forces together.
 #pragma once
+#include <Eigen/Core>
+
 #include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/problem.hpp"
 
@@ -11,6 +13,7 @@ struct SaddlePointOptions {
   Eigen::Index iteration_limit = 100;  ///< factorisations at most
   double tolerance = 1e-12;            ///< where it stops [-], see saddle_point_newton()
   bool scaled = true;                  ///< false: the paper's equations, a length beside a force
+  Eigen::VectorXd start_force = {};    ///< `n_c` lambda to start from [force]; none if empty
 };
 
 /// What the method came to.
@@ -29,8 +32,8 @@ struct SaddlePointSolution {
 ///     \qquad
 ///     J = \begin{pmatrix} K & A^T \\ -D_a A & D_b \end{pmatrix}, \f]
 ///
-/// with the diagonal matrices of the slopes of \f$ \varphi \f$, \PaperEq{LinEtAl, 31}. It starts at rest,
-/// u = 0 and lambda = 0. Both residuals are summed in twice the working precision and u is kept in two
+/// with the diagonal matrices of the slopes of \f$ \varphi \f$, \PaperEq{LinEtAl, 31}. It starts at u = 0
+/// with the forces that are given. Both residuals are summed in twice the working precision and u is kept in two
 /// parts, so the last steps are also the refinement.
 ///
 /// In the paper's form (`scaled` false) \f$ \varphi \f$ compares a length with a force, every step is taken
@@ -42,13 +45,14 @@ struct SaddlePointSolution {
 /// 17. The first step is taken whole, as equilibrium is linear and holds from then on, others as
 /// far as |F| falls (Armijo's rule), and the method stops when certify() holds to `tolerance`.
 ///
-/// A body that nothing but contact holds has a singular K. J is regular where enough pairs touch at the
-/// start, gap 0, and singular where all are open.
+/// A body that nothing but contact holds has a singular K. J is regular where enough pairs touch or push
+/// at the start, and singular where all are open and without force: give `start_force` an equal share of
+/// the load.
 /// \param programme  K, p, A, g
 /// \param options    limits, and which form
 /// \return `Solved` only with a certificate of 1e-12; `Breakdown` if J is singular to working precision, if
 ///   |F| falls no more, or if the paper's form stops at what is no solution; `IterationLimit`
-/// \throws std::invalid_argument if sizes do not fit
+/// \throws std::invalid_argument if sizes do not fit, or if a force to start from is not finite
 [[nodiscard]] SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
                                                       const SaddlePointOptions& options = {});
 

@@ -96,4 +96,18 @@ std::vector<Index> grounding(const std::vector<RigidMode>& modes) {
   return unknowns;
 }
 
+Eigen::SparseMatrix<double> grounded_stiffness(const Model& model) {
+  Eigen::SparseMatrix<double> K = model.programme.stiffness;
+  for (const Index unknown : grounding(model.modes)) K.coeffRef(unknown, unknown) *= 2;
+  return K;
+}
+
+NodeArray unknown_positions(const Model& model) {
+  NodeArray positions(model.unknowns.count, 2);
+  for (const BodyModel& body : model.bodies)
+    positions.middleRows(body.first_unknown, body.unknowns.count) =
+        unknown_positions(body.mesh, body.unknowns);
+  return positions;
+}
+
 }  // namespace signorini

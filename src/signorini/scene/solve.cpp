@@ -89,22 +89,6 @@ LinearSystem assemble_all(const Scene& scene, const std::vector<BodyModel>& bodi
   return all;
 }
 
-/// K with one spring per rigid mode. In balance the springs carry nothing, so their size is free: that
-/// of the diagonal there.
-Eigen::SparseMatrix<double> grounded(const Model& model) {
-  Eigen::SparseMatrix<double> K = model.programme.stiffness;
-  for (const Index unknown : grounding(model.modes)) K.coeffRef(unknown, unknown) *= 2;
-  return K;
-}
-
-NodeArray positions_of_unknowns(const Model& model) {
-  NodeArray positions(model.unknowns.count, 2);
-  for (const BodyModel& body : model.bodies)
-    positions.middleRows(body.first_unknown, body.unknowns.count) =
-        unknown_positions(body.mesh, body.unknowns);
-  return positions;
-}
-
 std::string describe_unknown(const Model& model, Index unknown) {
   std::size_t b = model.bodies.size() - 1;
   while (model.bodies[b].first_unknown > unknown) --b;
@@ -153,7 +137,8 @@ Model build(const Scene& scene, Ledger& ledger) {
 Condensed condense(const Model& model, Ledger& ledger) {
   const QuadraticProgramme& programme = model.programme;
   const bool floats = !model.modes.empty();
-  const Eigen::SparseMatrix<double> held = floats ? grounded(model) : Eigen::SparseMatrix<double>();
+  const Eigen::SparseMatrix<double> held =
+      floats ? grounded_stiffness(model) : Eigen::SparseMatrix<double>();
   const Eigen::SparseMatrix<double>& K = floats ? held : programme.stiffness;
   const auto describe = [&model](Index unknown) { return describe_unknown(model, unknown); };
   ContactLastFactor factor = [&] {
@@ -161,7 +146,7 @@ Condensed condense(const Model& model, Ledger& ledger) {
     const std::vector<Index> last = contact_unknowns(programme.A);
     const EliminationOrder order = [&] {
       const Ledger::Phase ordering(ledger, "ordering");
-      return nested_dissection(K, positions_of_unknowns(model), last);
+      return nested_dissection(K, unknown_positions(model), last);
     }();
     return ContactLastFactor(K, order, static_cast<Index>(last.size()), ledger, describe);
   }();
