@@ -1,9 +1,9 @@
 #include "signorini/complementarity/balanced_pairs.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/exact_sum.hpp"
 
 namespace signorini {
@@ -12,10 +12,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
 /// minus (start + A x + B y), row by row, summed in twice the working precision.
 VectorXd residual(const VectorXd& start, const MatrixXd& A, const VectorXd& x, const MatrixXd& B,

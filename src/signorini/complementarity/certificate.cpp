@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "signorini/complementarity/closed_pairs.hpp"
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 
@@ -16,8 +17,6 @@ namespace {
 
 using Eigen::Index;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
 
 /// Whether u carries a second, smaller part.
 bool has_low(const PrimalDual& solution) { return solution.displacement_low.size() > 0; }
@@ -100,7 +99,6 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
   double inside = 0;
   for (const double force : Eigen::VectorXd(diagonal.cwiseProduct(strained(solution))))
     inside = std::max(inside, std::abs(force));
-  const double epsilon = std::numeric_limits<double>::epsilon();
   if (scale.force <= epsilon * epsilon * inside) scale.force = inside;
   return scale;
 }

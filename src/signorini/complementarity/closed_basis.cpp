@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/complementarity/triangular.hpp"
 
 namespace signorini {
@@ -11,8 +11,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-const double epsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -95,7 +93,7 @@ void ClosedBasis::push(Candidates& candidates, Index which, Index first) {
 /// digits are trusted in any case.
 double ClosedBasis::pivot_rounding(Index which) const {
   VectorXd r = cross_.col(which).head(size());
-  solve_upper(L_, r);
+  solve_lower_transposed(L_, r);
   return std::min(std::pow(epsilon, 0.6), epsilon * std::pow(1 + r.lpNorm<1>(), 2));
 }
 
@@ -133,7 +131,7 @@ Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
 void ClosedBasis::solve(Eigen::VectorXd& force) const {
   if (force.size() < capacity()) force.resize(capacity());
   force.head(size()) = y_.head(size());
-  solve_upper(L_, force.head(size()));
+  solve_lower_transposed(L_, force.head(size()));
 }
 
 Eigen::VectorXd ClosedBasis::response(const Candidates& candidates) const {

@@ -88,9 +88,6 @@ class ClosedBasis {
   /// \param force  its first `size` entries [sqrt(energy)]
   void set_force(const Eigen::VectorXd& force);
 
-  /// Empties the basis.
-  void clear() { rows_.clear(); }
-
  private:
   void project(Candidates& candidates);
   void push(Candidates& candidates, Eigen::Index which, Eigen::Index first);

@@ -3,15 +3,14 @@
 #include <Eigen/Householder>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using Rotation = Eigen::JacobiRotation<double>;
-
-const double epsilon = std::numeric_limits<double>::epsilon();
 
 /// (x, y) becomes the adjoint of the rotation times it.
 void rotate(const Rotation& rotation, double& x, double& y) {

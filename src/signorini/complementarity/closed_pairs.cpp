@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "signorini/complementarity/certificate.hpp"
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/exact_sum.hpp"
 
 namespace signorini {
@@ -91,7 +92,6 @@ ScaledProblem equilibrate_any(const ContactProblem& problem) {
 
 ClosedPairs close_pairs(const ScaledProblem& problem, const std::vector<Index>& active) {
   const Index n = problem.free_gap.size();
-  const double epsilon = std::numeric_limits<double>::epsilon();
   ClosedPairs closed;
   closed.force.setZero(n);
   closed.force_rounding.setZero(n);

@@ -3,13 +3,13 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/complementarity_functions.hpp"
+#include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -17,8 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using Candidate = std::pair<ClosedPairs, std::vector<Index>>;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// What Armijo's rule asks of a step: this part of the decrease that the slope promises. Any number
 /// below 1/2 lets the full Newton step pass near a solution.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "signorini/complementarity/balanced_pairs.hpp"
+#include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -15,10 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr Index most_passes = 100;
-
-double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
 /// Weights >= 0 with which the rows of U come closest to t, by the active set method of Lawson and
 /// Hanson [\ref LawsonHanson1995].

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "signorini/complementarity/floating.hpp"
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 
@@ -10,8 +11,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
 
 /// Gaps of a state, and for each pair the largest of the three parts that they are made of.
 struct Gaps {

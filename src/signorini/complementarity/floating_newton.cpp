@@ -3,13 +3,13 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "signorini/complementarity/balanced_pairs.hpp"
 #include "signorini/complementarity/complementarity_functions.hpp"
 #include "signorini/complementarity/floating_projection.hpp"
+#include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -17,8 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Armijo's rule, as in fischer_burmeister.cpp.
 constexpr double enough = 1e-4;

@@ -8,6 +8,7 @@
 
 #include "signorini/complementarity/bordered_system.hpp"
 #include "signorini/complementarity/refine.hpp"
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -16,12 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
-
-double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
 void check(const DenseProgramme& programme, const MatrixXd& N) {
   const Index n = programme.load.size();

@@ -6,6 +6,7 @@
 
 #include "signorini/complementarity/closed_factor.hpp"
 #include "signorini/complementarity/closed_pairs.hpp"
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/complementarity/scaled_half.hpp"
 
 namespace signorini {
@@ -13,7 +14,6 @@ namespace {
 
 using Eigen::Index;
 
-const double epsilon = std::numeric_limits<double>::epsilon();
 const double infinity = std::numeric_limits<double>::infinity();
 
 /// The method itself, on scaled numbers.

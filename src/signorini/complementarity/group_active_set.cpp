@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
+
+#include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-const double epsilon = std::numeric_limits<double>::epsilon();
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 

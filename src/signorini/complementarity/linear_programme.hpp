@@ -15,8 +15,8 @@ namespace signorini {
 /// is left to a rule of the pivots, *restricted basis entry*: a force may join the basis only if the
 /// gap of its pair is not in it, and the other way round. This is Wolfe's method for quadratic programmes
 /// [\ref Wolfe1959]. The contact analysis from which Xuan and Li take their examples uses linear
-/// programmes in increments of load [\ref SimunovicSaigal1995]; its text was not at hand, so nothing here
-/// claims to follow it line by line.
+/// programmes in increments of load [\ref SimunovicSaigal1995]; this member takes the whole load at once
+/// and does not follow it.
 ///
 /// Why the rule does not block the way: let no allowed pivot lower the sum, and let y be the prices of the
 /// equations. A gap in the basis has y_i = 0, a force in the basis (G y)_i = 0, and a pair with

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "signorini/complementarity/programme_rows.hpp"
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/complementarity/triangular.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/exact_vector.hpp"
@@ -12,14 +13,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-const double epsilon = std::numeric_limits<double>::epsilon();
-
-double largest(const Eigen::Ref<const VectorXd>& v) {
-  return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff();
-}
-
-double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
 
 }  // namespace
 
@@ -58,7 +51,7 @@ void ProgrammeRows::correct(const ClosedBasis& basis, Refined& refined, Work& wo
   work.along.noalias() = basis.directions().transpose() * work.z;
   work.along -= work.a;
   work.z.noalias() -= basis.directions() * work.along;
-  solve_upper(factor_.matrixLLT(), work.z);
+  solve_lower_transposed(factor_.matrixLLT(), work.z);
   L.transpose().solveInPlace(work.along);
   for (Index j = 0; j < n; ++j) {  // u is kept as a sum of two doubles
     const double addend = solution.displacement_low(j) + work.z(j);
@@ -77,7 +70,7 @@ void ProgrammeRows::correct(const ClosedBasis& basis, Refined& refined, Work& wo
 VectorXd ProgrammeRows::carried(const ClosedBasis& basis, VectorXd load) const {
   solve_lower(factor_.matrixLLT(), load);
   VectorXd force = basis.directions().transpose() * load;
-  solve_upper(basis.factor(), force);
+  solve_lower_transposed(basis.factor(), force);
   VectorXd all = VectorXd::Zero(count());
   for (Index i = 0; i < basis.size(); ++i) {
     const Index row = basis.rows()[static_cast<std::size_t>(i)];

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/complementarity/triangular.hpp"
 #include "signorini/core/errors.hpp"
 
@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-const double epsilon = std::numeric_limits<double>::epsilon();
 
 /// How far a row of this weight can move when the unknowns move so far; a row without entries cannot.
 double reach(double stretch, double weight) { return weight > 0 ? stretch / weight : 0; }
@@ -80,7 +78,7 @@ ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(progr
                                          programme.initial_gap.head(equations()));
   }
   solve_lower(factor_.matrixLLT(), displacement_);
-  solve_upper(factor_.matrixLLT(), displacement_);
+  solve_lower_transposed(factor_.matrixLLT(), displacement_);
   gap_ = programme.initial_gap;
   gap_.noalias() -= programme.A * displacement_;
   norm_.setZero(count());
@@ -114,7 +112,7 @@ void ProgrammeRows::gaps(const ClosedBasis& basis, VectorXd& gap, VectorXd& roun
   if (base_.size() > 0) moved_ -= base_;
   const double size = moved_.norm() * static_cast<double>(moved_.size() + 4) * epsilon;
   if (size == 0) return;
-  solve_upper(factor_.matrixLLT(), moved_);
+  solve_lower_transposed(factor_.matrixLLT(), moved_);
   gap.noalias() += programme_.A * moved_;
   for (Index i = 0; i < gap.size(); ++i) rounding(i) += reach(size, weight_(i));
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/group_active_set.hpp"
 #include "signorini/complementarity/programme_rows.hpp"
+#include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -15,8 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using Rows = std::vector<Index>;
-
-const double epsilon = std::numeric_limits<double>::epsilon();
 
 Index limit_of(const SolverOptions& options, Index count) {
   return options.iteration_limit > 0 ? options.iteration_limit : 10 * count + 100;

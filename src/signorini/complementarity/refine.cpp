@@ -8,18 +8,13 @@
 #include <utility>
 
 #include "signorini/complementarity/bordered_system.hpp"
+#include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
-
-double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
 /// What closes the gaps of W, factored once: G_WW, and with rigid modes its bordered system.
 class Closing {

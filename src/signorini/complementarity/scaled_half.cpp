@@ -3,8 +3,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 
@@ -12,8 +12,6 @@ namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-const double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Columns of length 1 whose distance from the span of others is no more than this depend on them.
 double dependent(Index rows, Index others) { return static_cast<double>(rows + others) * epsilon; }

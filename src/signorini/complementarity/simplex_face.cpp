@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "signorini/complementarity/rounding.hpp"
+
 namespace signorini {
 
 using Eigen::Index;
@@ -52,7 +54,6 @@ void SimplexFace::settle() {  // forces from scratch; what rounding makes tensil
 
 bool SimplexFace::add(Index vertex) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const double epsilon = std::numeric_limits<double>::epsilon();
   const double own = problem_.compliance(vertex, vertex);
   double force = 0;  // of the new pair
   while (true) {

@@ -19,7 +19,8 @@ inline void solve_lower(const Eigen::Ref<const Eigen::MatrixXd>& L, Eigen::Ref<E
 /// Solves L^T x = b in place, backwards along the columns of L.
 /// \param L  `n x n` or larger; only its lower triangle is read, the diagonal must not vanish
 /// \param x  `n` b, then x
-inline void solve_upper(const Eigen::Ref<const Eigen::MatrixXd>& L, Eigen::Ref<Eigen::VectorXd> x) {
+inline void solve_lower_transposed(const Eigen::Ref<const Eigen::MatrixXd>& L,
+                                   Eigen::Ref<Eigen::VectorXd> x) {
   const Eigen::Index n = x.size();
   for (Eigen::Index j = n - 1; j >= 0; --j)
     x(j) = (x(j) - L.col(j).segment(j + 1, n - j - 1).dot(x.tail(n - j - 1))) / L(j, j);
