@@ -50,7 +50,7 @@ struct ContactSpec {
   std::string gap_operator = "mortar";  ///< name in gap_operators()
   Quadrature quadrature = Quadrature::Segments;  ///< where the operator integrates
   int points = 0;                                ///< Gauss points; 0: as many as the operator wants
-  std::optional<Friction> friction;              ///< none by default
+  std::optional<Friction> friction = {};         ///< none by default
 };
 
 /// Elastic bodies and what they may touch. Every effect is an optional entry; one that is absent costs
