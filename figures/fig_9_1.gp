@@ -1,0 +1,38 @@
+# Figure 9.1 - a node of the source over an edge of the target, and the forces of f_n = 1.2, tau = 0.5.   In: fig_9_1.csv   Out: fig_9_1.svg
+width = 640
+height = 430
+load 'style.gp'
+file = data.'/fig_9_1.csv'
+set border 0
+unset tics
+unset grid
+unset key
+set size ratio -1
+set xrange [-1:5.2]
+set yrange [-1.1:3.4]
+set lmargin 1
+set rmargin 1
+set tmargin 1
+set bmargin 1
+set object 1 polygon from 4,0 to 0,3 to -0.75,2 to 3.25,-1 to 4,0 fc rgb LIGHT fs solid noborder back
+set label 1 '1' at 4.12,0.12 textcolor rgb BLACK
+set label 2 '2' at 0.1,3.2 textcolor rgb BLACK
+set label 3 '3, on the source' at 3.15,1.42 textcolor rgb BLACK
+set label 4 "3′" at 2.4,1.4 textcolor rgb BLACK
+set label 5 'target' at 1.1,1.35 textcolor rgb BLACK
+set label 6 '{/:Italic f_n n} + {/:Italic τ t}' at 4.18,2.25 textcolor rgb BLACK
+set label 7 '{/:Italic N}_1 of it' at 2.62,-0.6 right textcolor rgb BLACK
+set label 8 '{/:Italic N}_2 of it' at -0.9,2.62 textcolor rgb BLACK
+set label 9 'reaction' at 1.25,0.22 textcolor rgb BLACK
+set label 10 '{/:Italic g}_0' at 2.9,1.17 textcolor rgb BLACK
+set arrow 11 from 1.0,2.25 to 1.36,2.73 lw 1.5 lc rgb BLACK size screen 0.012,20
+set arrow 12 from 1.0,2.25 to 1.48,1.89 lw 1.5 lc rgb BLACK size screen 0.012,20
+set label 11 '{/:Italic n}' at 1.42,2.78 textcolor rgb BLACK
+set label 12 '{/:Italic t}' at 1.42,2.12 textcolor rgb BLACK
+plot file using 'x':'y':(column('x2')-column('x')):(column('y2')-column('y')) every ::0::0 with vectors nohead lw 3 dt 1 lc rgb BLACK, \
+     file using 'x':'y':(column('x2')-column('x')):(column('y2')-column('y')) every ::1::1 with vectors nohead lw 1.2 dt (4,3) lc rgb BLACK, \
+     file using 'x':'y':(column('x2')-column('x')):(column('y2')-column('y')) every ::5::5 with vectors size screen 0.018,18 lw 2 dt (8,4) lc rgb GREY, \
+     file using 'x':'y':(column('x2')-column('x')):(column('y2')-column('y')) every ::2::3 with vectors size screen 0.018,18 lw 2.5 dt 1 lc rgb RED, \
+     file using 'x':'y':(column('x2')-column('x')):(column('y2')-column('y')) every ::4::4 with vectors size screen 0.018,18 lw 2.5 dt 1 lc rgb BLUE, \
+     file using 'x':'y' every ::2::4 with points pt 7 ps 1.1 lc rgb BLACK, \
+     file using 'x':'y' every ::5::5 with points pt 6 ps 1.1 lw 1.5 lc rgb BLACK
