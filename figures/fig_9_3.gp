@@ -8,7 +8,7 @@ set xlabel 'step'
 set ylabel 'residual, over that at the start'
 set yrange [1e-18:10]
 set ytics 1e-18, 1e3
-set key bottom left
+set key bottom left width -6
 plot file using 'step':'residual' every :::0::0 with linespoints ls 1 title 'condensed', \
      file using 'step':'residual' every :::1::1 with linespoints ls 2 title 'uncondensed, scaled', \
      file using 'step':'residual' every :::2::2 with linespoints ls 3 title 'uncondensed, as printed, in mm and N', \
