@@ -56,7 +56,9 @@ inline Scene patch(Index upper, Index lower, Source source, const std::string& g
   scene.bodies[1].supports = {prescribed_at("top", {0, 2}, Axis::X)};  // contact must hold the rest
   scene.bodies[1].loads.edges.push_back({"top", 0.01, {}});
   const Side over{"bottom", "upper"}, under{"top", "lower"};
-  scene.contacts = {source == Source::Upper ? ContactSpec{over, under} : ContactSpec{under, over}};
+  scene.contacts = {{}};
+  scene.contacts[0].source = source == Source::Upper ? over : under;
+  scene.contacts[0].target = source == Source::Upper ? under : over;
   scene.contacts[0].gap_operator = gap_operator;
   return scene;
 }
@@ -76,7 +78,9 @@ inline Scene corner(Index upper, Source source, const std::string& gap_operator)
   scene.bodies[1].supports = {prescribed("top", Axis::Y, -0.01),
                               prescribed_at("top", {0, 2}, Axis::X)};
   const Side over{"bottom", "upper"}, under{"top", "lower"};
-  scene.contacts = {source == Source::Upper ? ContactSpec{over, under} : ContactSpec{under, over}};
+  scene.contacts = {{}};
+  scene.contacts[0].source = source == Source::Upper ? over : under;
+  scene.contacts[0].target = source == Source::Upper ? under : over;
   scene.contacts[0].gap_operator = gap_operator;
   return scene;
 }
@@ -161,7 +165,9 @@ inline Scene round_block(Index n, const Units& units) {
   upper.material = {2000 * stress, 0.3, PlaneState::Strain, L};
   lower.supports = {fixed("bottom")};
   upper.supports = {prescribed("top", Axis::Y, -0.1 * L), prescribed("top", Axis::X, 0)};
-  scene.contacts = {{Side{"bottom", "upper"}, Side{"top", "lower"}}};
+  scene.contacts = {{}};
+  scene.contacts[0].source = {"bottom", "upper"};
+  scene.contacts[0].target = Side{"top", "lower"};
   scene.contacts[0].gap_operator = "node_to_segment";
   scene.solver = "fischer_burmeister";
   return scene;
