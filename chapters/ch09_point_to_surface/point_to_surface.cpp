@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact_element.hpp"
+#include "curves.hpp"
 #include "newton.hpp"
 #include "scenes.hpp"
 #include "signorini/complementarity/saddle_point_newton.hpp"
@@ -42,17 +43,7 @@ void one_element(const ProgramOptions& run, Results& results) {
   write_file(run.out / "element.md", table.markdown());
   if (std::abs(moment(X, fn)) > 1e-14) throw NotSolved("the normal forces turn the bodies");
   results.add("moment_of_friction", moment(X, ft), "N mm");
-  Table sketch({"x", "y", "x2", "y2"});  // edge, projection, and the four forces as arrows
-  const Vector2d foot = at.N1 * X.row(0).transpose() + at.N2 * X.row(1).transpose();
-  const auto arrow = [&](const Vector2d& from, const Vector2d& to) {
-    sketch.row({from.x(), from.y(), to.x(), to.y()});
-  };
-  arrow(X.row(0).transpose(), X.row(1).transpose());
-  arrow(X.row(2).transpose(), foot);
-  const Nodes both = nodal_forces(at, 1.2, 0.5);
-  for (Index i = 0; i < 3; ++i) arrow(X.row(i).transpose(), (X.row(i) + both.row(i)).transpose());
-  arrow(foot, foot + (both.row(0) + both.row(1)).transpose());
-  write_file(run.out / "fig_9_1.csv", sketch.csv());
+  write_file(run.out / "fig_9_1.csv", sketch(X, 1.2, 0.5).csv());
 }
 
 // 2. The same for every pair of two meshes, by the library: forces and moments of N and S.
@@ -175,20 +166,6 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void histories(const ProgramOptions& run, const Way& condensed, const Report& uncondensed,
-               const Report& printed, const Report& in_metres) {
-  Table curves({"step", "residual"});
-  for (std::size_t k = 0; k < condensed.residuals.size(); ++k)
-    curves.row({static_cast<double>(k), condensed.residuals[k]});
-  for (const Report* report : {&uncondensed, &printed, &in_metres}) {
-    curves.blank_line();
-    curves.row({0.0, 1.0});
-    for (std::size_t k = 0; k < report->history.size(); ++k)
-      curves.row({static_cast<double>(k + 1), report->history[k].residual});
-  }
-  write_file(run.out / "fig_9_3.csv", curves.csv("rel 1e-3 abs 1e-9"));
-}
-
 // 6. Condensed and uncondensed on the round block.
 // [compare]
 void compare(const ProgramOptions& run, Results& results) {
@@ -225,8 +202,9 @@ void compare(const ProgramOptions& run, Results& results) {
     results.headline("total_force", two.solution.force.sum(), "the uncondensed equations (30)");
     Ledger ledger;
     const Model in_metres = build(round_block(n, {"m, N", 1e-3, 1}), ledger);
-    histories(run, way, two.report, three.report,
-              saddle_point_newton(in_metres.programme, printed).report);
+    const SaddlePointSolution four = saddle_point_newton(in_metres.programme, printed);
+    const Table curves = histories(way, {&two.report, &three.report, &four.report});
+    write_file(run.out / "fig_9_3.csv", curves.csv("rel 1e-3 abs 1e-9"));
   }
   write_file(run.out / "newton.md", table.markdown());
 }

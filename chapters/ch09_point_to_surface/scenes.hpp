@@ -86,7 +86,7 @@ inline Scene corner(Index upper, Source source, const std::string& gap_operator)
 }
 // [corner]
 
-/// How far two nodes or corners of a level interface lie inside each other, at the nodes of either side.
+/// How deep the two lines of nodes of a level interface lie inside each other, at the nodes of either.
 /// \param scene  with the bodies "lower" and "upper"
 /// \param run    its solution
 /// \return largest overlap [length]
