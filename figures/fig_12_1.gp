@@ -3,8 +3,9 @@ load 'style.gp'
 set xlabel 'depth below the contact {/:Italic z} [mm]'
 set ylabel '{/:Italic σ_x} [N/mm²]'
 set logscale x
-set xrange [0.9:50]
-set yrange [-3:0.5]
+set xrange [1:50]
+set yrange [-1.6:0.4]
+set ytics 0.4
 set xtics (1, 2, 5, 10, 20, 50)
 set key bottom right
 plot 0 with lines lc rgb GREY lw 0.8 notitle, \

@@ -50,6 +50,19 @@ void compare_arcs(const ProgramOptions& run, Results& results) {
   }
   write_file(run.out / "arcs.md", table.markdown());
   results.add("arc_of_contact", 2 * b / R * 180 / std::acos(-1.0), "degree");
+  // [moment]
+  const double narrower = std::sqrt(0.75) * b / R;  // the second moment of an ellipse on 2 b
+  double apart = 0;
+  for (double depth = 2 * b; depth < R; depth += 0.1)
+    apart = std::max(apart, std::abs(arc_loaded_disc_stress(lines, narrower, 0, depth - R)[0] -
+                                     exact_across(depth)));
+  // [moment]
+  results.add("arc_of_equal_moment", 100 * apart / strength, "%");
+  results.add("arc_as_wide_at_2b",
+              100 * (arc_loaded_disc_stress(lines, b / R, 0, 2 * b - R)[0] - exact_across(2 * b)) /
+                  strength,
+              "%");
+  results.add("across_at_2b", exact_across(2 * b), "N/mm^2");
   results.add("arc_middle", arc_loaded_disc_stress(lines, b / R, 0, 0)[0], "N/mm^2");
 }
 
@@ -116,7 +129,7 @@ void balance(const ProgramOptions& run, const SolvedScene& now, Results& results
     difference = std::max(difference, std::abs(low.pressure[k] - high.pressure[k]));
     if (low.x[k] < 1.3) nodes.row({low.x[k], low.pressure[k], high.pressure[k]});
   }
-  for (int k = 0; k <= 130; ++k) curve.row({0.01 * k, hertz_pressure(plate, 0.01 * k)});
+  for (int k = 0; k <= 500; ++k) curve.row({0.0025 * k, hertz_pressure(plate, 0.0025 * k)});
   write_file(run.out / "fig_12_3_nodes.csv", nodes.csv("rel 1e-6 abs 1e-6"));
   write_file(run.out / "fig_12_3.csv", curve.csv());
   const double q0 = hertz_peak_pressure(plate);
@@ -129,6 +142,7 @@ void balance(const ProgramOptions& run, const SolvedScene& now, Results& results
               "%");
   results.add("lower_width_error", 100 * (half_width_of_forces(low.x, low.force) / b - 1), "%");
   results.add("upper_width_error", 100 * (half_width_of_forces(high.x, high.force) / b - 1), "%");
+  results.add("iterations", static_cast<double>(now.solution.contact.report.iterations), "-");
   results.add("pairs", static_cast<double>(now.model.pairs.weight.size()), "-");
   results.add("closed_pairs", static_cast<double>(now.solution.contact.active.size()), "-");
   results.add("sinks", -now.solution.displacements[2].col(1).maxCoeff(), "mm");
@@ -150,7 +164,7 @@ void strength_test(const SolvedScene& now, Results& results) {
 
 // 8. Disc and plates after loading, cell by cell, for figure 12.2.
 void draw(const ProgramOptions& run) {
-  const SolvedScene coarse = solve_disc(for_middle, 0.5);
+  const SolvedScene coarse = solve_disc({20, 15, 30, 0.6, 0.8});
   const char* files[] = {"fig_12_2.csv", "fig_12_2_lower.csv", "fig_12_2_upper.csv"};
   for (std::size_t k = 0; k < 3; ++k) {
     const BodyModel& body = coarse.model.bodies[k];

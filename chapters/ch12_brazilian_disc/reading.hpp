@@ -22,8 +22,7 @@ struct Diameter {
   StressArray stress;     ///< of the nodes there [N/mm^2]
 };
 
-/// \param run  solved
-/// \return stress at the nodes on the axis of the disc
+/// \param run  solved \return stress at the nodes on the axis of the disc
 inline Diameter diameter_of(const SolvedScene& run) {
   const BodyModel& body = run.model.bodies[0];
   const StressArray stress =
@@ -34,17 +33,15 @@ inline Diameter diameter_of(const SolvedScene& run) {
   return {body.mesh.nodes(nodes, 1), stress(nodes, Eigen::all)};
 }
 
-/// \param axis  of the disc
-/// \return depth where compression turns into tension, between two nodes [mm]
+/// \param axis  of the disc \return depth where compression turns into tension, between two nodes [mm]
 inline double sign_change(const Diameter& axis) {
   Index k = 1;
-  while (axis.stress(k, 0) < 0) ++k;
+  while (k + 1 < axis.depth.size() && axis.stress(k, 0) < 0) ++k;
   const double before = axis.stress(k - 1, 0), after = axis.stress(k, 0);
   return axis.depth(k - 1) - (axis.depth(k) - axis.depth(k - 1)) * before / (after - before);
 }
 
-/// \param run  solved
-/// \return stress at the node in the middle of the disc [N/mm^2]
+/// \param run  solved \return stress at the node in the middle of the disc [N/mm^2]
 inline Eigen::Vector3d middle(const SolvedScene& run) {
   const Diameter axis = diameter_of(run);
   Index at = 0;
@@ -52,8 +49,7 @@ inline Eigen::Vector3d middle(const SolvedScene& run) {
   return axis.stress.row(at);
 }
 
-/// \param run  solved
-/// \return number of nodes of all bodies
+/// \param run  solved \return number of nodes of all bodies
 inline Index nodes_of(const SolvedScene& run) {
   Index sum = 0;
   for (const BodyModel& body : run.model.bodies) sum += body.mesh.n_nodes();

@@ -87,9 +87,9 @@ inline SolvedScene solve_disc(const Division& d, double finer = 1) {
   const auto cells = [finer](Index n) {
     return static_cast<Index>(std::lround(finer * static_cast<double>(n)));
   };
-  return solved(
-      disc_between_plates({cells(d.columns), cells(d.rows), cells(d.layers), d.grading, finer}),
-      "the disc");
+  return solved(disc_between_plates({cells(d.columns), cells(d.rows), cells(d.layers), d.grading,
+                                     d.plates * finer}),
+                "the disc");
 }
 
 }  // namespace ch12
