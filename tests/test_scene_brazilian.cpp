@@ -2,9 +2,8 @@
 // a disc and a plate that only contact holds.
 #include <cmath>
 
-#include "../chapters/ch12_brazilian_disc/reading.hpp"
+#include "../chapters/ch12_brazilian_disc/from_gmsh.hpp"
 #include "catch_compat.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
 
 using Eigen::Index;
 using namespace signorini;
@@ -70,6 +69,18 @@ TEST_CASE("Brazilian disc: every cut carries the load", "[brazilian]") {
     double sum = 0;
     for (const double force : contact_of(run, upper).force) sum += force;
     CHECK(sum == Approx(P / 2).epsilon(1e-11).margin(0));
+  }
+}
+
+TEST_CASE("Brazilian disc: a mesh of Gmsh in place of our own", "[brazilian][gmsh]") {
+  const std::string chapter = SIGNORINI_TEST_DATA "/../../chapters/ch12_brazilian_disc/";
+  const SolvedScene run = solved(disc_of_file(chapter + "disc.msh"), "the disc of Gmsh");
+  CHECK(force_across(run, 30) == Approx(P / 2).epsilon(1e-11).margin(0));
+  CHECK(middle(run)[0] == Approx(exact(R)[0]).epsilon(5e-3).margin(0));
+  for (const bool upper : {false, true}) {
+    const Contact contact = contact_of(run, upper);
+    CHECK(fit_hertz(contact.x, contact.pressure).peak_pressure ==
+          Approx(hertz_peak_pressure(plate)).epsilon(5e-3).margin(0));
   }
 }
 
