@@ -1,0 +1,95 @@
+/// \file
+/// Chapter 12 - the disc between two plates, as a scene.
+#pragma once
+#include <cmath>
+
+#include "signorini/closed_form/brazilian.hpp"
+#include "signorini/closed_form/hertz.hpp"
+#include "signorini/closed_form/moduli.hpp"
+#include "signorini/mesh/disc.hpp"
+#include "signorini/mesh/half_space.hpp"
+#include "signorini/mesh/reshape.hpp"
+#include "signorini/scene/solved.hpp"
+
+namespace ch12 {
+
+using namespace signorini;
+using Eigen::Index;
+
+// [data]
+constexpr double R = 50;     // radius of the disc [mm]
+constexpr double P = 41.76;  // load, of both halves together [N/mm]
+constexpr double size = 95;  // width of a half plate, and its height [mm]
+const Material material{4000, 0.35, PlaneState::Strain, 1};  // of all bodies [N/mm^2], [mm]
+
+const double modulus = plane_strain_modulus(material.youngs_modulus, material.poisson_ratio);
+const LineContact plate{R, contact_modulus(modulus, modulus), P};
+const double b = hertz_half_width(plate);           // of the contacts [mm]
+const SqueezedDisc lines{R, P};                     // line loads in place of the plates
+const double strength = brazilian_strength(lines);  // equation (44) [N/mm^2]
+// [data]
+
+/// How finely the three bodies are divided.
+struct Division {
+  Index columns;      ///< cells of the disc along its rim at a pole, on 1.4 mm
+  Index rows;         ///< cells below them, on 1.4 mm
+  Index layers;       ///< from there to the middle of the disc
+  double grading;     ///< small: fine in the middle; large: fine at the poles
+  double plates = 1;  ///< finer plates
+};
+
+// [divisions]
+const Division for_middle{28, 12, 36, 0.1};  // cells of one size in the middle
+const Division for_axis{28, 18, 84, 2};      // cells that grow from the poles to the middle
+// [divisions]
+
+/// \param division  of the bodies
+/// \return right halves of disc, lower and upper plate
+// [scene]
+inline Scene disc_between_plates(const Division& division) {
+  PressedDiscSpec round;
+  round.core = {1.4, 1.4};  // even cells where the contact will be
+  round.core_columns = division.columns;
+  round.core_rows = division.rows;
+  round.layers = division.layers;
+  round.layer_grading = division.grading;
+  round.part = DiscPart::Right;
+  HalfSpaceSpec flat;
+  flat.name = "lower plate";
+  flat.width = flat.depth = size;
+  flat.core = round.core;
+  flat.core_columns = std::lround(20 * division.plates);
+  flat.core_rows = std::lround(10 * division.plates);
+  flat.layers = std::lround(14 * division.plates);
+  flat.layer_grading = 3;
+  Scene scene;
+  scene.bodies.resize(3);
+  scene.bodies[0].mesh = make_pressed_disc(round);
+  scene.bodies[1].mesh = make_half_space(flat);
+  scene.bodies[2].mesh = moved(mirrored(scene.bodies[1].mesh, MirrorLine::Level), {0, 2 * R});
+  scene.bodies[2].mesh.name = "upper plate";
+  for (Body& body : scene.bodies) {
+    body.material = material;
+    body.supports = {symmetric("axis")};
+  }
+  scene.bodies[1].supports.push_back(fixed("base"));
+  scene.bodies[2].loads.edges = {{"base", P / 2 / size, {}}};
+  scene.contacts = {{{"rim", "disc"}, Side{"surface", "lower plate"}},
+                    {{"rim", "disc"}, Side{"surface", "upper plate"}}};
+  return scene;
+}
+// [scene]
+
+/// \param d      of the bodies
+/// \param finer  cells in each direction, against `d`
+/// \return solved scene
+inline SolvedScene solve_disc(const Division& d, double finer = 1) {
+  const auto cells = [finer](Index n) {
+    return static_cast<Index>(std::lround(finer * static_cast<double>(n)));
+  };
+  return solved(disc_between_plates({cells(d.columns), cells(d.rows), cells(d.layers), d.grading,
+                                     d.plates * finer}),
+                "the disc");
+}
+
+}  // namespace ch12
