@@ -39,8 +39,7 @@ TEST_CASE("on matching meshes either side may be the source, by nodes", "[footin
     const SolvedScene footing = settled(by(turned_round(scene), gap_operator));
     CHECK(soil.model.pairs.unpaired.size() == 9);  // the soil beside the footing
     CHECK(footing.model.pairs.unpaired.empty());
-    for (const Index node : soil.model.pairs.unpaired)
-      CHECK(beside(soil, node) > a);
+    for (const Index node : soil.model.pairs.unpaired) CHECK(beside(soil, node) > a);
     CHECK((ground_of(soil).force - force).norm() < 1e-12 * force.norm());
     CHECK((ground_of(footing).force - force).norm() < 1e-12 * force.norm());
   }
@@ -78,8 +77,7 @@ TEST_CASE("an edge inside of a cell of the soil loses no force", "[footing]") {
       while (ground.position(behind) < half) ++behind;
       const Index rest = ground.force.size() - behind - 1;
       CHECK(ground.force.tail(rest).cwiseAbs().maxCoeff() == 0);
-      for (const Index node : run.model.pairs.unpaired)
-        CHECK(beside(run, node) > half);
+      for (const Index node : run.model.pairs.unpaired) CHECK(beside(run, node) > half);
     }
   }
 }
