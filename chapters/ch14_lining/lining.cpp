@@ -179,24 +179,27 @@ void other_gaps(Results& results) {
 // [turn]
 void turned_meshes(const ProgramOptions& run, Results& results) {
   Table table(
-      {"cells", "operator", "source", "first gaps [cm]", "u(a) [cm]", "largest pressure [MPa]"});
-  for (const Index cells : {9, 36})
+      {"element", "cells", "operator", "source", "first gaps [cm]", "u(a) [cm]", "pressure [MPa]"});
+  const auto range = [](const Eigen::VectorXd& x, const char* format) {
+    return number(x.minCoeff(), format) + " to " + number(x.maxCoeff(), format);
+  };
+  Rings rings;
+  rings.turn = 0.5;
+  for (const auto& [element, cells] :
+       {std::pair{"q4_incompatible", 9}, {"q4_incompatible", 36}, {"q8", 9}})
     for (const char* gap_operator : {"node_to_segment", "gauss_points", "mortar"})
       for (const char* source : {"lining", "rock"}) {
-        Rings rings;
+        rings.element = element;
         rings.cells_angle = cells;
-        rings.turn = 0.5;
         rings.gap_operator = gap_operator;
         Scene scene = scene_of(rings);
-        if (source == std::string("rock"))
-          std::swap(scene.contacts[0].source, std::get<Side>(scene.contacts[0].target));
+        ContactSpec& contact = scene.contacts[0];
+        if (contact.source.body != source)
+          std::swap(contact.source, std::get<Side>(contact.target));
         const SolvedScene now = solved(scene, "the turned lining");
-        const Eigen::VectorXd& gap = now.model.pairs.initial_gap;
-        const Eigen::VectorXd u = inner_rim(now);
-        table.row({number(double(cells)), gap_operator, source,
-                   number(gap.minCoeff(), "%.3f to ") + number(gap.maxCoeff(), "%.3f"),
-                   number(u.minCoeff(), "%.4f to ") + number(u.maxCoeff(), "%.4f"),
-                   number(now.solution.pressure.maxCoeff(), "%.0f")});
+        table.row({element, number(cells), gap_operator, source,
+                   range(now.model.pairs.initial_gap, "%.3f"), range(inner_rim(now), "%.4f"),
+                   range(now.solution.pressure, "%.0f")});
       }
   // [turn]
   write_file(run.out / "turned.md", table.markdown());
