@@ -52,16 +52,13 @@ void check_names(const Scene& scene) {
          "': give every mesh a name of its own");
 }
 
-/// Pairs of one contact, and the line of the plan that tells of it.
+/// Pairs of one contact, and a note if some nodes have none.
 Pairs pair_up(const Scene& scene, const ContactSpec& contact, bool sliding, Plan& plan) {
   const Surface source = surface(scene, contact.source);
   const Body& body = scene.bodies[body_index(scene, contact.source)];
   const Index n_nodes = count_nodes(scene);
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target)) {
-    Pairs pairs = node_to_obstacle(source, *obstacle, n_nodes, body.material.thickness, sliding);
-    plan.on.push_back(text(describe(scene, contact), ": ", pairs.weight.size(),
-                           " candidate pairs, no mesh and no search for the obstacle"));
-    return pairs;
+    return node_to_obstacle(source, *obstacle, n_nodes, body.material.thickness, sliding);
   }
   const Side& side = std::get<Side>(contact.target);
   const Body& other = scene.bodies[body_index(scene, side)];
@@ -76,8 +73,6 @@ Pairs pair_up(const Scene& scene, const ContactSpec& contact, bool sliding, Plan
   options.points = contact.points;
   options.quadrature = contact.quadrature;
   Pairs pairs = gap_operator.pair(source, surface(scene, side), options);
-  plan.on.push_back(text(describe(scene, contact), ": ", pairs.weight.size(),
-                         " candidate pairs by ", gap_operator.name));
   if (!pairs.unpaired.empty())
     plan.notes.push_back(text(describe(scene, contact), ": ", pairs.unpaired.size(),
                               " source nodes face no target and are left out, the first is node ",
@@ -126,6 +121,10 @@ void plan_contact(const Scene& scene, Plan& plan) {
   for (const ContactSpec& contact : scene.contacts) {
     Gaps gaps = reduce(pair_up(scene, contact, sliding, plan), surface(scene, contact.source),
                        unknowns, describe(scene, contact));
+    plan.on.push_back(text(describe(scene, contact), ": ", gaps.weight.size(), " candidate pairs",
+                           std::holds_alternative<Obstacle>(contact.target)
+                               ? ", no mesh and no search for the obstacle"
+                               : " by " + contact.gap_operator));
     if (sliding) add_friction(scene, contact, gaps.weight, plan);
     plan.gaps = stacked(plan.gaps, gaps);
   }
