@@ -8,10 +8,10 @@
 
 using Eigen::Index;
 using namespace signorini;
-using signorini_test::hertz;
 using signorini_test::HertzProblem;
 using signorini_test::HertzReading;
 using signorini_test::read_hertz;
+using signorini_test::scene_of;
 using signorini_test::touching_node;
 
 namespace {
@@ -24,7 +24,7 @@ HertzProblem not_matching() {
 
 /// Root mean square of the error of the pressures with x < 0.7 b, in percent of the largest.
 double pressure_error(const HertzProblem& problem) {
-  const HertzReading out = read_hertz(problem, solved(hertz(problem), "Hertz"));
+  const HertzReading out = read_hertz(problem, solved(scene_of(problem), "Hertz"));
   const LineContact theory = problem.theory();
   double sum = 0;
   std::size_t k = 0;
@@ -41,7 +41,7 @@ TEST_CASE("Hertz: 1399 nodes give pressure to 0.1 % and half-width to 0.2 % in 1
     HertzProblem problem;
     problem.solver = solver;
     CAPTURE(solver);
-    const SolvedScene run = solved(hertz(problem), "Hertz");
+    const SolvedScene run = solved(scene_of(problem), "Hertz");
     const HertzReading out = read_hertz(problem, run);
     CHECK(std::abs(out.q_error) <= 0.1);
     CHECK(std::abs(out.b_error) <= 0.2);
@@ -61,7 +61,7 @@ TEST_CASE("Hertz: quadratic cells reach the same accuracy", "[hertz]") {
   problem.mesh.disc_layers = problem.mesh.plate_layers = 9;
   problem.mesh.layer_grading = 1;
   CHECK(problem.mesh.n_nodes() <= 1412);
-  const HertzReading out = read_hertz(problem, solved(hertz(problem), "Hertz"));
+  const HertzReading out = read_hertz(problem, solved(scene_of(problem), "Hertz"));
   CHECK(std::abs(out.q_error) <= 0.1);
   CHECK(std::abs(out.b_error) <= 0.2);
 }
@@ -73,7 +73,7 @@ TEST_CASE("Hertz: contact carries the load on both bodies, whoever is the source
       HertzProblem problem = base;
       problem.plate_is_source = plate_is_source;
       CAPTURE(plate_is_source, problem.mesh.plate_cells);
-      const SolvedScene run = solved(hertz(problem), "Hertz");
+      const SolvedScene run = solved(scene_of(problem), "Hertz");
       const NodeArray disc = contact_forces(run.model, run.solution, 0);
       const NodeArray plate = contact_forces(run.model, run.solution, 1);
       CHECK(disc.col(1).sum() == Approx(20.88).epsilon(1e-12));
@@ -83,7 +83,7 @@ TEST_CASE("Hertz: contact carries the load on both bodies, whoever is the source
 }
 
 TEST_CASE("Hertz: the nodes that touch first move together to 1e-12 mm", "[hertz]") {
-  const SolvedScene run = solved(hertz({}), "Hertz");
+  const SolvedScene run = solved(scene_of({}), "Hertz");
   const Index disc = touching_node(run.model.bodies[0].mesh);
   const Index plate = touching_node(run.model.bodies[1].mesh);
   REQUIRE(run.model.bodies[0].mesh.nodes.row(disc).isZero());
@@ -95,14 +95,14 @@ TEST_CASE("Hertz: the nodes that touch first move together to 1e-12 mm", "[hertz
 
 // The same pairs close after the same number of iterations; forces agree to what rounding leaves.
 TEST_CASE("Hertz: lengths and forces in units of 1e-6 to 1e6 change nothing", "[hertz]") {
-  const SolvedScene base = solved(hertz({}), "Hertz");
+  const SolvedScene base = solved(scene_of({}), "Hertz");
   for (const double length : {1e-6, 1.0, 1e6})
     for (const double force : {1e-6, 1e6}) {
       HertzProblem problem;
       problem.length = length;
       problem.force = force;
       CAPTURE(length, force);
-      const SolvedScene run = solved(hertz(problem), "Hertz");
+      const SolvedScene run = solved(scene_of(problem), "Hertz");
       CHECK(run.solution.contact.active == base.solution.contact.active);
       CHECK(run.solution.contact.report.iterations == base.solution.contact.report.iterations);
       const double difference =
@@ -122,9 +122,9 @@ TEST_CASE("Hertz: the normal may be either body's if they are equal, and else co
     problem.mesh.core *=
         hertz_half_width(problem.theory()) / hertz_half_width(HertzProblem().theory());
     CAPTURE(disc, plate);
-    const double flat = read_hertz(problem, solved(hertz(problem), "Hertz")).b_error;
+    const double flat = read_hertz(problem, solved(scene_of(problem), "Hertz")).b_error;
     problem.plate_is_source = true;
-    const double round = read_hertz(problem, solved(hertz(problem), "Hertz")).b_error;
+    const double round = read_hertz(problem, solved(scene_of(problem), "Hertz")).b_error;
     const double drift =
         0.3 * 1.35 * (1 / disc - 1 / plate) * hertz_peak_pressure(problem.theory());
     const double expected = -100 * 4 / (3 * std::acos(-1.0)) * drift;
@@ -155,7 +155,7 @@ TEST_CASE("Hertz: the largest shear below the surface is M'Ewen's for a narrow c
     HertzProblem problem;
     problem.load *= part;
     problem.mesh.core *= std::sqrt(part);
-    const SolvedScene run = solved(hertz(problem), "Hertz");
+    const SolvedScene run = solved(scene_of(problem), "Hertz");
     for (std::size_t body = 0; body < 2; ++body) {
       CAPTURE(part, body);
       const BodyModel& model = run.model.bodies[body];

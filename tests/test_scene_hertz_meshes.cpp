@@ -7,10 +7,10 @@
 
 using Eigen::Index;
 using namespace signorini;
-using signorini_test::hertz;
 using signorini_test::HertzProblem;
 using signorini_test::HertzReading;
 using signorini_test::read_hertz;
+using signorini_test::scene_of;
 
 TEST_CASE("Hertz: 72 meshes of 1200 to 1412 nodes stay within 0.4 % in pressure, 0.6 % in width",
           "[hertz][LinEtAl-43]") {
@@ -26,7 +26,7 @@ TEST_CASE("Hertz: 72 meshes of 1200 to 1412 nodes stay within 0.4 % in pressure,
           problem.mesh.plate_layers = layers + 1;
           problem.mesh.layer_grading = grading;
           CAPTURE(core, plate_cells, layers, grading);
-          const HertzReading out = read_hertz(problem, solved(hertz(problem), "Hertz"));
+          const HertzReading out = read_hertz(problem, solved(scene_of(problem), "Hertz"));
           q.push_back(std::abs(out.q_error));
           b.push_back(std::abs(out.b_error));
           CHECK(q.back() <= 0.4);
@@ -46,7 +46,7 @@ TEST_CASE("Hertz: 20 000 nodes give pressure to 0.02 % and half-width to 0.05 %"
   problem.mesh.disc_rows = problem.mesh.plate_rows = 48;
   problem.mesh.disc_layers = problem.mesh.plate_layers = 60;
   CHECK(problem.mesh.n_nodes() <= 20000);
-  const SolvedScene run = solved(hertz(problem), "Hertz");
+  const SolvedScene run = solved(scene_of(problem), "Hertz");
   const HertzReading out = read_hertz(problem, run);
   CHECK(std::abs(out.q_error) <= 0.02);
   CHECK(std::abs(out.b_error) <= 0.05);

@@ -1,16 +1,16 @@
 /// \file
-/// Hertz's cylinder on a plate as a scene: Lin et al., section 3.1.
+/// Variants of the scene of hertz.hpp, and what is read off a solved one.
 #pragma once
 #include <algorithm>
 #include <string>
-#include <utility>
+#include <variant>
 #include <vector>
 
 #include "signorini/closed_form/hertz.hpp"
 #include "signorini/closed_form/hertz_fit.hpp"
 #include "signorini/closed_form/moduli.hpp"
-#include "signorini/mesh/hertz_meshes.hpp"
 #include "signorini/scene/solved.hpp"
+#include "support/hertz.hpp"
 
 namespace signorini_test {
 
@@ -19,7 +19,7 @@ struct HertzProblem {
   signorini::HertzMeshSpec mesh = {};
   double disc_modulus = 4000;
   double plate_modulus = 4000;
-  double load = 41.76;
+  double load = hertz_load;
   std::string element = "q4_incompatible";
   std::string gap_operator = "mortar";
   std::string solver = "primal_dual_active_set";
@@ -36,29 +36,24 @@ struct HertzProblem {
   }
 };
 
-inline signorini::Scene hertz(const HertzProblem& problem) {
-  using namespace signorini;
-  const double L = problem.length, F = problem.force;
-  HertzMeshSpec spec = problem.mesh;
+inline signorini::Scene scene_of(const HertzProblem& problem) {
+  const double L = problem.length, stress = problem.force / (L * L);
+  signorini::HertzMeshSpec spec = problem.mesh;
   spec.radius *= L;
   spec.plate *= L;
   spec.core *= L;
-  const HertzMeshes meshes = make_hertz_meshes(spec);
-  Scene scene;
-  scene.bodies.resize(2);
-  scene.bodies[0].mesh = meshes.disc;
-  scene.bodies[1].mesh = meshes.plate;
-  for (Body& body : scene.bodies) {
-    body.element = problem.element;
-    body.material = {problem.disc_modulus * F / (L * L), 0.35, PlaneState::Strain, L};
-    body.supports = {symmetric("axis")};
+  signorini::Scene scene = hertz(spec, problem.element.c_str());
+  const double modulus[] = {problem.disc_modulus, problem.plate_modulus};
+  for (std::size_t body = 0; body < 2; ++body)
+    scene.bodies[body].material = {modulus[body] * stress, 0.35, signorini::PlaneState::Strain, L};
+  scene.bodies[0].loads.edges[0].pressure = problem.load / 2 / problem.mesh.radius * stress;
+  signorini::ContactSpec& contact = scene.contacts[0];
+  if (problem.plate_is_source) {
+    const signorini::Side disc = contact.source;
+    contact.source = std::get<signorini::Side>(contact.target);
+    contact.target = disc;
   }
-  scene.bodies[0].loads.edges = {{"middle", problem.load / 100 * F / (L * L), {}}};
-  scene.bodies[1].material.youngs_modulus = problem.plate_modulus * F / (L * L);
-  scene.bodies[1].supports.push_back(fixed("base"));
-  Side source{"rim", "disc"}, target{"surface", "plate"};
-  if (problem.plate_is_source) std::swap(source, target);
-  scene.contacts = {{source, target, problem.gap_operator}};
+  contact.gap_operator = problem.gap_operator;
   scene.solver = problem.solver;
   return scene;
 }

@@ -53,7 +53,7 @@ TEST_CASE("ex11.1 held out: forces of an ellipse on uneven nodes, off the middle
 TEST_CASE("ex11.1 held out: the contact of this chapter", "[ex11.1]") {
   const signorini_test::HertzProblem problem;
   const signorini_test::HertzReading half = signorini_test::read_hertz(
-      problem, signorini::solved(signorini_test::hertz(problem), "Hertz"));
+      problem, signorini::solved(signorini_test::scene_of(problem), "Hertz"));
   const auto n = static_cast<Index>(half.x.size());
   VectorXd x(2 * n - 1), force(2 * n - 1);
   for (Index k = 0; k < n; ++k) {
