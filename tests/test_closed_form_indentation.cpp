@@ -9,15 +9,16 @@ using quadrature::pi;
 
 namespace {
 
-const Indenter all[] = {{Shape::Parabola, 3, 0.7},
-                        {Shape::Quartic, 3, 0.7},
-                        {Shape::Wedge, 3, 0.1},
-                        {Shape::RoundedPunch, 3, 0.7, 0.9}};
+const Indenter all[] = {{IndenterShape::Parabola, 3, 0.7},
+                        {IndenterShape::Quartic, 3, 0.7},
+                        {IndenterShape::Wedge, 3, 0.1},
+                        {IndenterShape::RoundedPunch, 3, 0.7, 0.9}};
 constexpr double a = 1.5;
 
 /// Where the pressure is not smooth.
 std::vector<double> corners(const Indenter& indenter) {
-  if (indenter.shape == Shape::RoundedPunch) return {-a, -indenter.flat, 0, indenter.flat, a};
+  if (indenter.shape == IndenterShape::RoundedPunch)
+    return {-a, -indenter.flat, 0, indenter.flat, a};
   return {-a, 0, a};
 }
 
@@ -59,7 +60,7 @@ TEST_CASE("indentation: the half-width is the inverse of the load", "[indentatio
 
 TEST_CASE("indentation: limits and reference numbers of the rounded punch", "[indentation]") {
   // flat 0.6 of the contact
-  const Indenter punch{Shape::RoundedPunch, 1, 1, 0.6};
+  const Indenter punch{IndenterShape::RoundedPunch, 1, 1, 0.6};
   const double P = indentation_load(punch, 1);
   CHECK(P == Approx(0.2236476).epsilon(1e-6).margin(0));
   CHECK(indentation_pressure(punch, 1, 0) / P == Approx(0.3816171).epsilon(1e-6).margin(0));
@@ -68,11 +69,11 @@ TEST_CASE("indentation: limits and reference numbers of the rounded punch", "[in
   CHECK(indentation_pressure(punch, 1, 0.6 - 1e-9) == Approx(there).epsilon(1e-6));
   CHECK(indentation_pressure(punch, 1, 0.6 + 1e-9) == Approx(there).epsilon(1e-6));
   // without a flat part it is the parabola, with a narrow rim the flat punch
-  const Indenter round{Shape::RoundedPunch, 3, 0.7, 1e-9};
+  const Indenter round{IndenterShape::RoundedPunch, 3, 0.7, 1e-9};
   CHECK(indentation_load(round, a) == Approx(indentation_load(all[0], a)).epsilon(1e-8));
   CHECK(indentation_pressure(round, a, 0.4) ==
         Approx(indentation_pressure(all[0], a, 0.4)).epsilon(1e-7));
-  const Indenter flat{Shape::RoundedPunch, 1, 1e-3, 1 - 1e-6};
+  const Indenter flat{IndenterShape::RoundedPunch, 1, 1e-3, 1 - 1e-6};
   CHECK(indentation_pressure(flat, 1, 0.5) ==
         Approx(indentation_load(flat, 1) / (pi * std::sqrt(0.75))).epsilon(1e-5));
 }
@@ -80,7 +81,7 @@ TEST_CASE("indentation: limits and reference numbers of the rounded punch", "[in
 TEST_CASE("indentation: refuses what has no contact", "[indentation]") {
   CHECK_THROWS_WITH(indentation_load(all[3], 0.9), ContainsSubstring("larger than 0.9"));
   CHECK_THROWS_WITH(indentation_half_width(all[0], 0), ContainsSubstring("load must be positive"));
-  CHECK_THROWS_WITH(indenter_gap({Shape::RoundedPunch, 1, 1}, 0),
+  CHECK_THROWS_WITH(indenter_gap({IndenterShape::RoundedPunch, 1, 1}, 0),
                     ContainsSubstring("flat must be positive"));
-  CHECK_THROWS_AS(indentation_pressure({Shape::Wedge, 1, 0}, 1, 0), std::invalid_argument);
+  CHECK_THROWS_AS(indentation_pressure({IndenterShape::Wedge, 1, 0}, 1, 0), std::invalid_argument);
 }

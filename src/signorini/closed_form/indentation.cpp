@@ -12,14 +12,14 @@ const double pi = std::acos(-1.0);
 
 void check(const Indenter& indenter) {
   require(indenter.modulus > 0 && indenter.size > 0 &&
-              (indenter.shape != Shape::RoundedPunch || indenter.flat > 0),
+              (indenter.shape != IndenterShape::RoundedPunch || indenter.flat > 0),
           "indenter: modulus, size and, of a rounded punch, flat must be positive, got ",
           indenter.modulus, ", ", indenter.size, ", ", indenter.flat);
 }
 
 void check(const Indenter& indenter, double half_width) {
   check(indenter);
-  const double least = indenter.shape == Shape::RoundedPunch ? indenter.flat : 0;
+  const double least = indenter.shape == IndenterShape::RoundedPunch ? indenter.flat : 0;
   require(half_width > least, "indenter: the half-width must be larger than ", least, ", got ",
           half_width);
 }
@@ -47,13 +47,13 @@ double indenter_gap(const Indenter& indenter, double x) {
   check(indenter);
   const double beyond = std::max(0.0, std::abs(x) - indenter.flat);
   switch (indenter.shape) {
-    case Shape::Parabola:
+    case IndenterShape::Parabola:
       return x * x / (2 * indenter.size);
-    case Shape::Quartic:
+    case IndenterShape::Quartic:
       return indenter.size * x * x * x * x;
-    case Shape::Wedge:
+    case IndenterShape::Wedge:
       return indenter.size * std::abs(x);
-    case Shape::RoundedPunch:
+    case IndenterShape::RoundedPunch:
       return beyond * beyond / (2 * indenter.size);
   }
   return 0;
@@ -64,13 +64,13 @@ double indentation_load(const Indenter& indenter, double half_width) {
   const double E = indenter.modulus;
   const double a = half_width;
   switch (indenter.shape) {
-    case Shape::Parabola:
+    case IndenterShape::Parabola:
       return pi * E * a * a / (4 * indenter.size);
-    case Shape::Quartic:
+    case IndenterShape::Quartic:
       return 3 * pi / 4 * E * indenter.size * a * a * a * a;
-    case Shape::Wedge:
+    case IndenterShape::Wedge:
       return E * indenter.size * a;
-    case Shape::RoundedPunch: {
+    case IndenterShape::RoundedPunch: {
       const double phi0 = std::asin(indenter.flat / a);
       return E * a * a / (4 * indenter.size) * (pi - 2 * phi0 - std::sin(2 * phi0));
     }
@@ -81,7 +81,7 @@ double indentation_load(const Indenter& indenter, double half_width) {
 double indentation_half_width(const Indenter& indenter, double load) {
   check(indenter);
   require(load > 0, "indenter: the load must be positive, got ", load);
-  double low = indenter.shape == Shape::RoundedPunch ? indenter.flat : 0;
+  double low = indenter.shape == IndenterShape::RoundedPunch ? indenter.flat : 0;
   double high = low > 0 ? 2 * low : 1;
   while (indentation_load(indenter, high) < load) high *= 2;
   while (true) {
@@ -98,13 +98,13 @@ double indentation_pressure(const Indenter& indenter, double half_width, double 
   if (std::abs(x) >= a) return 0;
   const double root = std::sqrt((a - x) * (a + x));
   switch (indenter.shape) {
-    case Shape::Parabola:
+    case IndenterShape::Parabola:
       return E / (2 * indenter.size) * root;
-    case Shape::Quartic:
+    case IndenterShape::Quartic:
       return E * indenter.size * (2 * x * x + a * a) * root;
-    case Shape::Wedge:
+    case IndenterShape::Wedge:
       return E * indenter.size / pi * std::acosh(a / std::abs(x));
-    case Shape::RoundedPunch:
+    case IndenterShape::RoundedPunch:
       return E * a / (2 * pi * indenter.size) *
              rounded_bracket(std::asin(std::abs(x) / a), std::asin(indenter.flat / a));
   }

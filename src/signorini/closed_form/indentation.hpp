@@ -10,7 +10,7 @@
 namespace signorini {
 
 /// Shape of the gap h(x) before the load; `size` and `flat` are those of Indenter.
-enum class Shape {
+enum class IndenterShape {
   Parabola,     ///< x^2 / (2 R), size R [length]: a cylinder
   Quartic,      ///< A x^4, size A [1/length^3]
   Wedge,        ///< t |x|, size t [-], small: both flanks at the slope t
@@ -19,9 +19,9 @@ enum class Shape {
 
 /// A body above a half-plane.
 struct Indenter {
-  Shape shape;
+  IndenterShape shape;
   double modulus;   ///< E* as contact_modulus() [force/length^2], > 0
-  double size;      ///< see Shape, > 0
+  double size;      ///< see IndenterShape, > 0
   double flat = 0;  ///< half of the flat part of a rounded punch [length], > 0; else not used
 };
 

@@ -1,0 +1,98 @@
+/// \file
+/// The example of section 3.1 as a scene, with everything that this chapter varies.
+#pragma once
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "signorini/closed_form/hertz.hpp"
+#include "signorini/closed_form/moduli.hpp"
+#include "signorini/mesh/hertz_meshes.hpp"
+#include "signorini/scene/scene.hpp"
+
+namespace signorini {
+
+/// What may differ from the example.
+// [data]
+struct HertzCase {
+  HertzMeshSpec mesh = {};     // R = 50 mm (paper); plate of 95 x 95 mm (ours)
+  double disc_modulus = 4000;  // E of the disc, paper [MPa]
+  double plate_modulus = 4000;
+  double ratio = 0.35;  // nu of both, paper
+  double load = 41.76;  // P, paper [N/mm]
+  std::string element = "q4_incompatible";
+  std::string gap_operator = "mortar";
+  int points = 0;  // Gauss points of an operator that wants them
+  std::string solver = "primal_dual_active_set";
+  bool plate_is_source = false;
+
+  // Hertz's two bodies.
+  [[nodiscard]] LineContact theory() const {
+    return {mesh.radius,
+            contact_modulus(plane_strain_modulus(disc_modulus, ratio),
+                            plane_strain_modulus(plate_modulus, ratio)),
+            load};
+  }
+};
+// [data]
+
+// [scene]
+inline Scene hertz_scene(const HertzCase& now) {
+  HertzMeshes meshes = make_hertz_meshes(now.mesh);
+  Scene scene;
+  scene.bodies.resize(2);
+  Body& disc = scene.bodies[0];
+  disc.mesh = meshes.disc;
+  disc.element = now.element;
+  disc.material = {now.disc_modulus, now.ratio, PlaneState::Strain, 1};
+  disc.supports = {symmetric("axis")};  // nothing holds it in y
+  disc.loads.edges = {{"middle", now.load / (2 * now.mesh.radius), {}}};
+  Body& plate = scene.bodies[1];
+  plate.mesh = meshes.plate;
+  plate.element = now.element;
+  plate.material = {now.plate_modulus, now.ratio, PlaneState::Strain, 1};
+  plate.supports = {symmetric("axis"), fixed("base")};
+  Side source{"rim", disc.mesh.name}, target{"surface", plate.mesh.name};
+  if (now.plate_is_source) std::swap(source, target);
+  ContactSpec contact{source, target, now.gap_operator};
+  contact.points = now.points;
+  scene.contacts = {contact};
+  scene.solver = now.solver;
+  return scene;
+}
+// [scene]
+
+/// The example on a finer mesh. \param cells  of both cores along the contact \param rows  of both
+/// cores in depth \param layers  around them \return the case
+inline HertzCase finer(Eigen::Index cells, Eigen::Index rows, Eigen::Index layers) {
+  HertzCase now;
+  now.mesh.disc_cells = now.mesh.plate_cells = cells;
+  now.mesh.disc_rows = now.mesh.plate_rows = rows;
+  now.mesh.disc_layers = now.mesh.plate_layers = layers;
+  return now;
+}
+
+/// \return the example with another number of cells in the core of the plate
+inline HertzCase not_matching() {
+  HertzCase now;
+  now.mesh.plate_cells = 13;
+  return now;
+}
+
+/// \return 1 % of the load on a mesh for a contact of a tenth of the width: the bodies are larger
+inline HertzCase narrow() {
+  HertzCase now = finer(32, 24, 30);
+  now.load /= 100;
+  now.mesh.core /= 10;
+  return now;
+}
+
+/// What normals along the radii of the disc do to the half-width, formula (c) of the chapter.
+/// \param now  the case \return in percent of b
+inline double radial_normals(const HertzCase& now) {
+  const double drift =
+      (1 - 2 * now.ratio) * (1 + now.ratio) * (1 / now.plate_modulus - 1 / now.disc_modulus);
+  return 100 * 4 / (3 * std::acos(-1.0)) * drift * hertz_peak_pressure(now.theory());
+}
+
+}  // namespace signorini
