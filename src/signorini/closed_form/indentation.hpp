@@ -19,10 +19,10 @@ enum class IndenterShape {
 
 /// A body above a half-plane.
 struct Indenter {
-  IndenterShape shape;
-  double modulus;   ///< E* as contact_modulus() [force/length^2], > 0
-  double size;      ///< see IndenterShape, > 0
-  double flat = 0;  ///< half of the flat part of a rounded punch [length], > 0; else not used
+  IndenterShape shape;  ///< of its lower side
+  double modulus;       ///< E* as contact_modulus() [force/length^2], > 0
+  double size;          ///< see IndenterShape, > 0
+  double flat = 0;      ///< half of the flat part of a rounded punch [length], > 0; else not used
 };
 
 /// Gap before the load.

@@ -20,8 +20,8 @@ struct RingPressure {
 
 /// Stress in a ring [force/length^2], tension > 0.
 struct RingStress {
-  double radial;
-  double hoop;
+  double radial;  ///< along the radius
+  double hoop;    ///< across it
 };
 
 /// Displacement of a ring a < r < b, after Lame [\ref TimoshenkoGoodier1970]:
@@ -53,8 +53,8 @@ enum class Meeting {
 
 /// A ring in a ring.
 struct NestedRings {
-  Ring inner;
-  Ring outer;
+  Ring inner;                             ///< whose outer rim may touch
+  Ring outer;                             ///< around it
   double pressure_inside = 0;             ///< on the inner rim of the inner ring [force/length^2]
   double pressure_outside = 0;            ///< on the outer rim of the outer ring [force/length^2]
   Meeting meeting = Meeting::EqualForce;  ///< what is equal on both sides

@@ -27,28 +27,33 @@ namespace signorini {
 
 /// A place of one side that the point may be paired with.
 struct TargetSearch::Candidate {
-  Eigen::Index side;
-  double xi;
-  double distance;
-  int vertex;  // -1 or 1: the end of the side at which the point faces the vertex; 0: none
+  Eigen::Index side;  ///< its number in the list of the boundary
+  double xi;          ///< place on it, -1 to 1 [-]
+  double distance;    ///< from the point [length]
+  int vertex;         ///< -1 or 1: the end of the side at which the point faces the vertex; 0: none
 };
 
 /// One search: what is asked, and what was found so far.
 struct TargetSearch::Query {
+  /// Begins a search.
+  /// \param point          to be paired [length]
+  /// \param source_normal  out of the source there, of any length of about 1 [-]
+  /// \param size           of the target, for what rounding makes of distances [length]
   Query(const Eigen::Vector2d& point, const Eigen::Vector2d& source_normal, double size)
       : x(point),
         normal(source_normal),
         rounding(64 * std::numeric_limits<double>::epsilon() *
                  std::max(size, point.cwiseAbs().maxCoeff())) {}
 
-  Eigen::Vector2d x;
-  Eigen::Vector2d normal;
-  double rounding;  // of distances
-  double nearest = std::numeric_limits<double>::infinity();
-  std::vector<Candidate> candidates;  // within rounding of the nearest
-  bool buried = false;
-  Eigen::Index visits = 0;
+  Eigen::Vector2d x;                                         ///< the point [length]
+  Eigen::Vector2d normal;                                    ///< out of the source [-]
+  double rounding;                                           ///< of distances [length]
+  double nearest = std::numeric_limits<double>::infinity();  ///< smallest distance so far [length]
+  std::vector<Candidate> candidates;                         ///< within rounding of the nearest
+  bool buried = false;      ///< whether the point lies in the target
+  Eigen::Index visits = 0;  ///< boxes that were opened
 
+  /// Takes note of a place. \param candidate  dropped unless it is among the nearest
   void add(const Candidate& candidate) {
     if (candidate.distance < nearest - rounding) candidates.clear();
     if (candidate.distance <= nearest + rounding) candidates.push_back(candidate);
