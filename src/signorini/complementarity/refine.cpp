@@ -25,8 +25,13 @@ class Closing {
           const std::vector<Index>& active, const RigidModes& modes)
       : pairs_(active), modes_(modes.shape) {
     if (!floats()) {
-      factor_.compute(compliance(active, active));
-      if (factor_.info() == Eigen::Success) return;
+      const MatrixXd closed = compliance(active, active);
+      factor_.compute(closed);
+      const double tiny = 2 * epsilon * static_cast<double>(active.size() + 1);
+      if (factor_.info() == Eigen::Success &&
+          (factor_.matrixLLT().diagonal().array().square() > tiny * closed.diagonal().array())
+              .all())
+        return;
     }
     const ContactProblem contact{compliance, programme.initial_gap};
     scaled_ = equilibrate(floats() ? floating_problem(programme, contact, modes)
