@@ -118,3 +118,22 @@ TEST_CASE("without closed pairs refinement solves K u = p", "[refine]") {
   CHECK(result.confirmed);
   CHECK((result.solution.displacement - open.u).cwiseAbs().maxCoeff() < 1e-14);
 }
+
+// Which of two equal pairs bears the force is open; their sum, the gaps and u are not.
+TEST_CASE("a set of pairs that repeat each other is refined as well", "[refine]") {
+  const Chain exact = chain(24);
+  const Index pairs = exact.force.size();
+  Chain twice = exact;
+  const Eigen::MatrixXd A = exact.programme.A;
+  twice.programme.A = (Eigen::MatrixXd(2 * pairs, A.cols()) << A, A).finished().sparseView();
+  twice.programme.initial_gap = exact.programme.initial_gap.replicate(2, 1);
+  twice.force = exact.force.replicate(2, 1);
+  for (const Index pair : exact.active) twice.active.push_back(pairs + pair);
+  const Refinement result = refined(twice, 0, twice.active);
+  REQUIRE(result.gap.size() == 2 * pairs);
+  CHECK(result.confirmed);
+  CHECK((result.solution.displacement - exact.u).cwiseAbs().maxCoeff() < 1e-14);
+  const Eigen::VectorXd& force = result.solution.force;
+  CHECK((force.head(pairs) + force.tail(pairs) - exact.force).cwiseAbs().maxCoeff() < 1e-14);
+  CHECK(certify(twice.programme, result.solution).worst() < 1e-15);
+}

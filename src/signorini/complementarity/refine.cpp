@@ -14,47 +14,55 @@ namespace signorini {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What closes the gaps of W, factored once: G_WW, and with rigid modes its bordered system.
+/// What closes the gaps of W, factored once: G_WW, or where that is singular or bodies float the bordered
+/// system of as many pairs of W as are independent. These close the others of W as well.
 class Closing {
  public:
   Closing(const QuadraticProgramme& programme, const Eigen::MatrixXd& compliance,
           const std::vector<Index>& active, const RigidModes& modes)
-      : active_(active), modes_(modes.shape) {
-    if (modes_.cols() == 0) {
-      factor_.compute(compliance(active, active));
-      regular_ = factor_.info() == Eigen::Success;
-      return;
+      : pairs_(active), modes_(modes.shape) {
+    if (!floats()) {
+      const MatrixXd closed = compliance(active, active);
+      factor_.compute(closed);
+      const double tiny = 2 * epsilon * static_cast<double>(active.size() + 1);
+      if (factor_.info() == Eigen::Success &&
+          (factor_.matrixLLT().diagonal().array().square() > tiny * closed.diagonal().array())
+              .all())
+        return;
     }
-    scaled_ = equilibrate(floating_problem(programme, {compliance, programme.initial_gap}, modes));
+    const ContactProblem contact{compliance, programme.initial_gap};
+    scaled_ = equilibrate(floats() ? floating_problem(programme, contact, modes)
+                                   : FloatingProblem{contact, MatrixXd(compliance.rows(), 0), {}});
     system_.emplace(scaled_, active);
-    regular_ = system_->pairs().size() == active.size();
+    pairs_ = system_->pairs();
   }
 
-  [[nodiscard]] bool regular() const { return regular_; }
+  /// \return independent pairs of W, all of W if it has no others
+  [[nodiscard]] const std::vector<Index>& pairs() const { return pairs_; }
   [[nodiscard]] bool floats() const { return modes_.cols() > 0; }
-  [[nodiscard]] const Eigen::MatrixXd& modes() const { return modes_; }
+  [[nodiscard]] const MatrixXd& modes() const { return modes_; }
 
-  /// Changes of the forces of W and of the amplitudes.
+  /// Changes of the forces of pairs() and of the amplitudes.
   /// \param gap         of all pairs
   /// \param unbalanced  p - K u - A^T lambda
   [[nodiscard]] std::pair<VectorXd, VectorXd> solve(const VectorXd& gap,
                                                     const VectorXd& unbalanced) const {
-    if (!floats())
-      return {active_.empty() ? VectorXd() : factor_.solve(-VectorXd(gap(active_))), {}};
-    const VectorXd scale = scaled_.contact.scale(active_);
-    const auto [force, amplitude] =
-        system_->solve(-scale.cwiseProduct(gap(active_)),
-                       scaled_.amplitude_scale.cwiseProduct(-modes_.transpose() * unbalanced));
+    if (!system_) return {pairs_.empty() ? VectorXd() : factor_.solve(-VectorXd(gap(pairs_))), {}};
+    const VectorXd scale = scaled_.contact.scale(pairs_);
+    const VectorXd resultant =
+        floats() ? scaled_.amplitude_scale.cwiseProduct(-modes_.transpose() * unbalanced)
+                 : VectorXd();
+    const auto [force, amplitude] = system_->solve(-scale.cwiseProduct(gap(pairs_)), resultant);
     return {scale.cwiseProduct(force), scaled_.amplitude_scale.cwiseProduct(amplitude)};
   }
 
  private:
-  const std::vector<Index>& active_;
-  const Eigen::MatrixXd& modes_;
-  bool regular_ = false;
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  std::vector<Index> pairs_;
+  const MatrixXd& modes_;
+  Eigen::LLT<MatrixXd> factor_;
   ScaledFloating scaled_;
   std::optional<BorderedSystem> system_;
 };
@@ -99,7 +107,7 @@ PrimalDual started(PrimalDual start, const RigidModes& modes) {
 /// What one sweep adds.
 struct Correction {
   VectorXd displacement;
-  VectorXd force;  ///< of W
+  VectorXd force;  ///< of the pairs that Closing chose
 };
 
 /// Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
@@ -108,7 +116,7 @@ constexpr Index rigid_sweeps = 2;
 
 Correction sweep(const QuadraticProgramme& programme,
                  const std::function<VectorXd(const VectorXd&)>& solve_stiffness,
-                 const Closing& closing, const std::vector<Index>& active, Refinement& result) {
+                 const Closing& closing, Refinement& result) {
   PrimalDual& solution = result.solution;
   Correction change;
   const VectorXd unbalanced = equilibrium_residual(programme, solution);
@@ -118,8 +126,8 @@ Correction sweep(const QuadraticProgramme& programme,
   result.gap = gaps(programme, solution);
   VectorXd amplitude;
   std::tie(change.force, amplitude) = closing.solve(result.gap, unbalanced);
-  for (std::size_t k = 0; k < active.size(); ++k)
-    solution.force(active[k]) += change.force(static_cast<Index>(k));
+  for (std::size_t k = 0; k < closing.pairs().size(); ++k)
+    solution.force(closing.pairs()[k]) += change.force(static_cast<Index>(k));
   if (!closing.floats()) return change;
   VectorXd moved = closing.modes() * amplitude;
   result.amplitude += amplitude;
@@ -162,8 +170,8 @@ Refinement refine(const QuadraticProgramme& programme,
   double last_u = std::numeric_limits<double>::infinity();
   double last_force = last_u;
   bool settled = false;
-  while (closing.regular()) {
-    const Correction change = sweep(programme, solve_stiffness, closing, active, result);
+  while (true) {
+    const Correction change = sweep(programme, solve_stiffness, closing, result);
     if (result.sweeps < first) continue;
     // The corrections just made, relative to what they correct. The next sweep shows by how much one
     // sweep shrinks the error of u; once lambda has settled, the next correction will be that much smaller.

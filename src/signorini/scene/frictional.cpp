@@ -34,6 +34,15 @@ void correct(FrictionProblem& problem, const VectorXd& moved, const FrictionStat
   problem.free_slip = free.tail(pairs);
 }
 
+/// Puts what is left along the rigid motions in the place of the load: K u, which should do no work there, does
+/// what rounding makes of it, and forces that balance the load alone would leave that at one node per motion.
+void correct(FrictionProblem& problem, const QuadraticProgramme& programme, PrimalDual strained,
+             const Eigen::MatrixXd& shapes) {
+  if (shapes.cols() == 0) return;
+  strained.force.setZero();
+  problem.resultant = -shapes.transpose() * equilibrium_residual(programme, strained);
+}
+
 /// The largest force that is missing at a node, over the largest load or contact force.
 double missing_force(const Model& model, const PrimalDual& solution) {
   const VectorXd contact = model.programme.A.transpose() * solution.force;
@@ -105,6 +114,7 @@ Solution solve_frictional(const Model& model, const Condensed& condensed, const 
     state.gap = moved.head(pairs);
     state.slip = moved.tail(pairs);
     correct(problem, moved, state);
+    correct(problem, model.programme, start, shapes);
     solution.refined = std::move(now);
     const double step = largest(change);
     const bool settled =

@@ -40,8 +40,9 @@ void plan_body(const Body& body, Plan& plan) {
   for (const EdgeLoad& load : body.loads.edges)
     plan.on.push_back("load on '" + load.boundary + "' of '" + name + "'");
   if (body.element == "q4" && !stress && body.material.poisson_ratio > 0.4)
-    plan.notes.push_back(text("q4 locks for Poisson's ratio ", body.material.poisson_ratio,
-                              " in plane strain and bears too much load: use q4_bbar or q8"));
+    plan.notes.push_back(
+        text("q4 locks for Poisson's ratio ", body.material.poisson_ratio,
+             " in plane strain and bears too much load: use q4_bbar or q4_incompatible"));
 }
 
 void check_names(const Scene& scene) {
@@ -92,19 +93,28 @@ VectorXd extended(const VectorXd& head, const VectorXd& tail) {
   return both;
 }
 
-void add_friction(const Scene& scene, const ContactSpec& contact, const VectorXd& weight,
-                  Plan& plan) {
+/// 0 for pairs that supports keep from sliding, else 1: friction between two supports could be anything, so
+/// it is none and all of it counts as theirs.
+VectorXd can_slide(const Gaps& gaps) {
+  VectorXd slides(gaps.weight.size());
+  for (Index pair = 0; pair < slides.size(); ++pair)
+    slides(pair) = gaps.initial_slip(pair) != 0 || gaps.T.row(pair).norm() > 0 ? 1 : 0;
+  return slides;
+}
+
+void add_friction(const Scene& scene, const ContactSpec& contact, const Gaps& gaps, Plan& plan) {
   const Friction law = contact.friction.value_or(Friction{});
   for (const auto& [name, value] :
        {std::pair("friction coefficient", law.coefficient), std::pair("cohesion", law.cohesion)})
     pose(std::isfinite(value) && value >= 0, describe(scene, contact), ": the ", name,
          " must be a number >= 0, got ", value);
   PairFriction& all = *plan.friction;
-  all.coefficient = extended(all.coefficient, VectorXd::Constant(weight.size(), law.coefficient));
-  all.cohesion = extended(all.cohesion, law.cohesion * weight);
+  const VectorXd slides = can_slide(gaps);
+  all.coefficient = extended(all.coefficient, law.coefficient * slides);
+  all.cohesion = extended(all.cohesion, law.cohesion * gaps.weight.cwiseProduct(slides));
   if (rubs(contact))
     plan.on.push_back(text("friction of the ", describe(scene, contact), ": coefficient ",
-                           law.coefficient, ", cohesion ", law.cohesion, ", ", weight.size(),
+                           law.coefficient, ", cohesion ", law.cohesion, ", ", gaps.weight.size(),
                            " slips"));
 }
 
@@ -125,7 +135,7 @@ void plan_contact(const Scene& scene, Plan& plan) {
                            std::holds_alternative<Obstacle>(contact.target)
                                ? ", no mesh and no search for the obstacle"
                                : " by " + contact.gap_operator));
-    if (sliding) add_friction(scene, contact, gaps.weight, plan);
+    if (sliding) add_friction(scene, contact, gaps, plan);
     plan.gaps = stacked(plan.gaps, gaps);
   }
   if (sliding) static_cast<void>(find_friction_solver(scene.friction_solver));

@@ -156,6 +156,7 @@ Condensed condense(const Model& model, Ledger& ledger) {
   condensed.problem.compliance = condensed.factor.compliance(programme.A);
   condensed.problem.free_gap =
       gaps(programme, {condensed.free_displacement, {}, Eigen::VectorXd::Zero(programme.A.rows())});
+  condensed.rigid.resize(programme.A.rows(), 0);
   if (floats) {
     FloatingProblem floating =
         floating_problem(programme, condensed.problem, {mode_shapes(model.modes)});

@@ -31,7 +31,10 @@ NodeArray support_forces(const Scene& scene, const Model& model, const Solution&
                          std::size_t body) {
   const NodeArray contact = contact_forces(model, solution, body);
   const BodyModel& own = model.bodies[body];
-  return internal_forces(own.mesh, own.element, own.material, solution.displacements[body]) -
+  // A rigid motion strains nothing, but its rounding would.
+  const NodeArray all = expand(model.unknowns, strained(solution.refined));
+  const NodeArray strains = all.middleRows(own.first_node, own.mesh.n_nodes());
+  return internal_forces(own.mesh, own.element, own.material, strains) -
          nodal_loads(own.mesh, own.element, own.material, scene.bodies[body].loads) - contact;
 }
 
