@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/complementarity/friction.hpp"
 #include "signorini/contact/gauss_points.hpp"
 #include "signorini/elasticity/element.hpp"
 #include "support/interfaces.hpp"
@@ -96,6 +97,41 @@ TEST_CASE("more points than nodes say nothing new: 8 sides against 8 have rank 9
     CHECK(pairs.opening.rows() == 8 * points);
     CHECK(MatrixXd(pairs.opening).colPivHouseholderQr().rank() == 9);
   }
+}
+
+// Two nodes on springs of compliance 1 overlap by 1 and are pulled apart by 0.2 each. Points at the ends
+// can hold them, since they may carry all the pressure; a point in the middle cannot.
+TEST_CASE("with friction, three points on a side have solutions that move the nodes differently",
+          "[gap_operators][LinEtAl-42]") {
+  const TwoBodies bodies = two_blocks({0.5, 3.5, 1}, {0, 4, 1}, 0, Form::Flat, MeshOrder::Linear);
+  const Pairs pairs = with_points(bodies, 3);
+  MatrixXd N(3, 2), S(3, 2);  // of the nodes of the source
+  for (Index row = 0; row < 3; ++row)
+    for (Index node = 0; node < 2; ++node) {
+      N(row, node) = up(pairs.opening, row, node);
+      S(row, node) = along(pairs.sliding, row, node);
+    }
+  FrictionProblem problem;
+  problem.compliance = MatrixXd::Zero(6, 6);
+  problem.compliance.topLeftCorner(3, 3) = N * N.transpose();
+  problem.compliance.bottomRightCorner(3, 3) = S * S.transpose();
+  problem.free_gap = N * Eigen::Vector2d(-1, -1);
+  problem.free_slip = S * Eigen::Vector2d(-0.2, 0.2);
+  problem.coefficient = Eigen::Vector3d(0.3, 0.3, 0.3);
+  problem.cohesion = Eigen::Vector3d::Zero();
+  const double held = 0.2 / std::sqrt(0.6);
+  FrictionState ends, middle;
+  ends.force = Eigen::Vector3d(1, 0, 1);
+  ends.friction = Eigen::Vector3d(held, 0, -held);
+  middle.force = Eigen::Vector3d(0, 2, 0);
+  middle.friction = Eigen::Vector3d::Zero();
+  for (FrictionState* state : {&ends, &middle}) {
+    state->gap = problem.free_gap + N * (N.transpose() * state->force);
+    state->slip = problem.free_slip + S * (S.transpose() * state->friction);
+    CHECK(certify(problem, *state).worst() < 1e-14);
+  }
+  CHECK(ends.slip.norm() < 1e-15);
+  CHECK(middle.slip(0) == Approx(-0.2 * std::sqrt(0.6)).epsilon(1e-14));
 }
 
 TEST_CASE("a side that hangs over in part keeps the points that face the target",

@@ -190,8 +190,8 @@ void friction(const ProgramOptions& run, Results& results) {
   if (!certify(on.problem, on.stick).holds() || !certify(on.problem, on.slide).holds())
     throw NotSolved("three points with friction");
   results.add("stick_slip", on.stick.slip.cwiseAbs().maxCoeff(), "-", Repeats::No);
-  results.add("stick_friction", on.stick.friction(2), "-");
-  results.add("slide_slip", on.slide.slip(0), "-");
+  results.add("stick_friction", on.stick.friction(0), "-");
+  results.add("slide_slip", on.slide.slip(2), "-");
   const FrictionState alone = find_friction_solver("friction_active_set").solve(on.nodes, {});
   results.add("nodes_unique", alone.uniqueness == Uniqueness::Proved ? 1 : 0, "-");
   Table table({"forces of", "their sum", "sum of friction", "largest pressure", "largest shear"});

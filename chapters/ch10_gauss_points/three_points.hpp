@@ -22,7 +22,7 @@ inline ThreePoints three_points() {
   B << (1 + xi) / 2, 0.5, (1 - xi) / 2, (1 - xi) / 2, 0.5, (1 + xi) / 2;
   on.nodes.compliance = Eigen::MatrixXd::Identity(4, 4);
   on.nodes.free_gap = Eigen::Vector2d(-1, -1);
-  on.nodes.free_slip = Eigen::Vector2d(free_slip, -free_slip);  // the edge is stretched
+  on.nodes.free_slip = Eigen::Vector2d(-free_slip, free_slip);  // pulled apart
   on.nodes.coefficient = Eigen::Vector2d(0.3, 0.3);
   on.nodes.cohesion = Eigen::Vector2d(0, 0);
   on.problem = on.nodes;
@@ -34,7 +34,7 @@ inline ThreePoints three_points() {
   on.problem.coefficient = Eigen::Vector3d(0.3, 0.3, 0.3);
   on.problem.cohesion = Eigen::Vector3d(0, 0, 0);
   on.stick.force = Eigen::Vector3d(1, 0, 1);
-  on.stick.friction = Eigen::Vector3d(-free_slip / xi, 0, free_slip / xi);
+  on.stick.friction = Eigen::Vector3d(free_slip / xi, 0, -free_slip / xi);
   on.slide.force = Eigen::Vector3d(0, 2, 0);
   on.slide.friction = Eigen::Vector3d(0, 0, 0);
   for (FrictionState* state : {&on.stick, &on.slide}) {
