@@ -67,7 +67,7 @@ for my $file (sort(glob('src/signorini/*/*.hpp'), glob('src/signorini/*/*.cpp'),
     }
 }
 
-for my $file (sort(glob('tests/*.cpp'), glob('tests/*/*.cpp'), glob('chapters/ch*/exercises/*/test*.cpp'))) {
+for my $file (sort(glob('tests/*.cpp'), glob('tests/*/*.cpp'), glob('chapters/ch*/exercises/*/test.cpp'))) {
     my $text = slurp($file);
     while ($text =~ /TEST_CASE\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+),\s*((?:"[^"]*"\s*)+)\)/g) {
         my ($claim, $tags) = ($1, $2);
