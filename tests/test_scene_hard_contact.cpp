@@ -135,3 +135,19 @@ TEST_CASE("deep overlap is solved or refused, by the depth of the cells", "[cont
     CHECK(run.solution.contact.force.sum() == Approx(stiffness * overlap).epsilon(1e-9));
   }
 }
+
+// No pair needs a force, so no pair says where the body is; it is put where nothing overlaps.
+TEST_CASE("a body without load is pushed out of overlap by nothing", "[contact][hard]") {
+  for (const char* solver :
+       {"primal_dual_active_set", "quasi_active_set", "goldfarb_idnani", "lemke"}) {
+    CAPTURE(solver);
+    Scene scene = two_blocks(named_block("lower", {-2, -2}, {4, 2}, 11, 4),
+                             named_block("upper", {-1, -0.01}, {2, 1}, 8, 4));
+    scene.bodies[1].supports = {prescribed_at("top", {-1, 0.99}, Axis::X)};
+    scene.solver = solver;
+    const SolvedScene run = solved(scene, "the block");
+    CHECK(run.solution.contact.force.cwiseAbs().maxCoeff() <= 1e-15);
+    CHECK(run.solution.contact.gap.minCoeff() >= -1e-16);
+    CHECK(run.solution.displacements[1].col(1).minCoeff() == Approx(0.01).margin(1e-4));
+  }
+}

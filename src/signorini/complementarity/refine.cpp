@@ -146,11 +146,13 @@ Correction sweep(const QuadraticProgramme& programme,
 
 void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
   for (Index i = 0; i < change.size(); ++i) {
-    const double addend = solution.displacement_low(i) + change(i);
-    const double sum = solution.displacement(i) + addend;
-    const double part = sum - solution.displacement(i);
-    solution.displacement_low(i) = (solution.displacement(i) - (sum - part)) + (addend - part);
-    solution.displacement(i) = sum;
+    double& high = solution.displacement(i);
+    double& low = solution.displacement_low(i);
+    const double sum = high + change(i);
+    const double part = sum - high;
+    const double rest = ((high - (sum - part)) + (change(i) - part)) + low;
+    high = sum + rest;
+    low = rest - (high - sum);
   }
 }
 

@@ -29,6 +29,16 @@ FloatingState solve_condensed(const FloatingProblem& problem, const Solver& solv
   return state;
 }
 
+/// Moves bodies rigidly. Closed pairs that are too few to hold them say nothing about where they are.
+void place(PrimalDual& solution, const Eigen::VectorXd& rigid) {
+  const Index n = rigid.size();
+  if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
+  if (solution.rigid.size() == 0) solution.rigid.setZero(n);
+  const Eigen::VectorXd last = solution.rigid;
+  solution.rigid += rigid;
+  add_displacement(solution, solution.rigid - last);
+}
+
 /// The first state of the condensed problem and its refinement; repeated while refinement refutes it.
 Refinement solve_and_refine(const Model& model, const Condensed& condensed, const Solver& solver,
                             Ledger& ledger, FloatingState& state) {
@@ -39,6 +49,7 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
   FloatingProblem problem{condensed.problem, condensed.rigid, condensed.resultant};
   PrimalDual start{condensed.free_displacement, {}, {}};
   Refinement refined;
+  Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(modes.shape.cols());
   std::set<std::vector<Index>> refuted;
   while (true) {
     {
@@ -50,8 +61,11 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
     if (state.contact.report.status != Status::Solved) return refined;
     const Ledger::Phase phase(ledger, "refinement");
     start.force = state.contact.force;
+    if (amplitude.size() > 0) place(start, modes.shape * (state.amplitude - amplitude));
     refined = refine(model.programme, solve_stiffness, problem.contact.compliance, start,
                      state.contact.active, modes);
+    if (amplitude.size() > 0) refined.amplitude += state.amplitude;
+    amplitude = refined.amplitude;
     ledger.count("sweeps", refined.sweeps);
     if (refined.confirmed) return refined;
     // Rounding cannot decide between sets that come back; the certificate will say whether it matters.
