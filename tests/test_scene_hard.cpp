@@ -114,3 +114,18 @@ TEST_CASE("a side that is listed twice is refused", "[input]") {
   scene.bodies[0].mesh.boundaries["bottom"].push_back({0, 0});
   CHECK_THROWS_WITH(plan(scene), ContainsSubstring("lists side 0 of cell 0 twice"));
 }
+
+TEST_CASE("a slender plate pressed flat keeps its gaps closed to rounding", "[hard][certificate]") {
+  for (const double thickness : {0.03, 0.02, 0.01}) {
+    Scene scene = beam(1, thickness, 23, 2, "q4_incompatible");
+    scene.contacts[0].target = half_plane({0, 0}, {0, 1});
+    scene.bodies[0].material.state = PlaneState::Strain;
+    scene.bodies[0].loads.edges = {{"top", 0, [](const Eigen::Vector2d& x) {
+                                      const double far = x.x() - 0.4;
+                                      return Eigen::Vector2d(0, -std::exp(-50 * far * far));
+                                    }}};
+    const Solution solution = solve(scene);
+    REQUIRE(solution.contact.report.status == Status::Solved);
+    CHECK(solution.certificate.holds(1e-14));
+  }
+}

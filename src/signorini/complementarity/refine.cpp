@@ -142,6 +142,27 @@ Correction sweep(const QuadraticProgramme& programme,
   return change;
 }
 
+/// Moves u as the forces would that close the gaps still left, which the rounding of lambda has swallowed:
+/// the nodes then miss forces of that rounding, and the gaps of a slender body nothing.
+void close_what_rounding_left(const QuadraticProgramme& programme,
+                              const std::function<VectorXd(const VectorXd&)>& solve_stiffness,
+                              const Closing& closing, double rounding, Refinement& result) {
+  if (closing.pairs().empty() || largest(VectorXd(result.gap(closing.pairs()))) <=
+                                     rounding * largest(result.solution.displacement))
+    return;
+  const auto [force, amplitude] = closing.solve(result.gap, VectorXd::Zero(programme.load.size()));
+  VectorXd all = VectorXd::Zero(programme.initial_gap.size());
+  for (std::size_t k = 0; k < closing.pairs().size(); ++k)
+    all(closing.pairs()[k]) = force(static_cast<Index>(k));
+  add_displacement(result.solution, -solve_stiffness(programme.A.transpose() * all));
+  ++result.sweeps;
+  if (closing.floats()) {
+    result.amplitude += amplitude;
+    add_displacement(result.solution, closing.modes() * amplitude);
+  }
+  result.gap = gaps(programme, result.solution);
+}
+
 }  // namespace
 
 void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
@@ -186,6 +207,7 @@ Refinement refine(const QuadraticProgramme& programme,
     last_u = moved_u;
     last_force = moved_force;
   }
+  if (settled) close_what_rounding_left(programme, solve_stiffness, closing, rounding, result);
   result.confirmed = settled && solution.displacement.allFinite() && solution.force.allFinite() &&
                      signs_hold(programme, result, active, rounding) &&
                      balanced(programme, solution, modes, rounding);
