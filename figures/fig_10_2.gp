@@ -19,6 +19,6 @@ do for [k = 1:3] {
   plot data.'/'.file[k].'.csv' using 'x':'p' with impulses lc rgb RED lw 1.2 notitle, \
        data.'/'.file[k].'.csv' using 'x':'p' with points ls 2 title (k == 1 ? 'Gauss points' : ''), \
        sqrt(1 - x * x) with lines ls 7 title (k == 1 ? 'closed form' : ''), \
-       data.'/fig_10_2_nodal.csv' using 'x':'p' with points ls 1 pt 6 ps 0.9 title (k == 1 ? 'forces of nodes' : '')
+       data.'/fig_10_2_nodal.csv' using 'x':'p' with points ls 1 pt 6 ps 0.9 title (k == 1 ? 'pressures of nodes' : '')
 }
 unset multiplot

@@ -49,7 +49,7 @@ EOD
 # the elastic body: slip = s + friction
 file = data.'/fig_8_2.csv'
 plot file using 'slip':'friction':(-0.45):(-0.45) with vectors nohead lw 1 dt (2,3) lc rgb GREY, \
-     file using 'slip':'friction':(0.45):(0.45) with vectors nohead lw 1 dt (2,3) lc rgb GREY, \
+     file using 'slip':'friction':(0.24):(0.24) with vectors nohead lw 1 dt (2,3) lc rgb GREY, \
      $law using 1:2 with lines ls 7 lw 3, \
      file using 'slip':'friction' with points pt 7 ps 1.1 lc rgb RED
 unset multiplot

@@ -35,6 +35,7 @@ void face(Results& results) {
   const bool sticks = on.tangential.norm() < bound;                        // (9), else (10)
   // [face]
   results.add("normal_stress", on.normal, "MPa");
+  results.add("pressure", -on.normal, "MPa");
   results.add("shear_stress", on.tangential.norm(), "MPa");
   results.add("bound", bound, "MPa");
   results.add("sticks", sticks ? 1 : 0, "-");
@@ -42,7 +43,7 @@ void face(Results& results) {
 
 // 2. Complementarity functions: zero where they should be, slopes, level lines.
 void compare_functions(const ProgramOptions& run) {
-  Table table({"", "both 1", "-1 and 1", "both -1", "of doubled arguments", "slope at (2, 0)",
+  Table table({"", "both 1", "-1 and 1", "both -1", "from (−1, −1) to (−2, −2)", "slope at (2, 0)",
                "slope at (0, 0)"});
   const auto pair = [](const ComplementaritySlope& s) {
     return text("(", number(s.a + 0.0, "%.3g"), ", ", number(s.b + 0.0, "%.3g"), ")");

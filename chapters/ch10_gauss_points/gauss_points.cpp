@@ -1,6 +1,8 @@
 // Chapter 10 - Gauss-point surface contact (Lin et al., sec. 2.4, eqs. 32-42).
 // Run:  make ch10     Reads: nothing     Writes: ch10.results, element.md, rank.md, possible.md,
 //       hertz.md, quadrature.md, compliance.md, friction.md, fig_10_2*.csv, fig_10_3*.csv, fig_10_1*.csv
+#include <ctime>
+
 #include "interfaces.hpp"
 #include "nodal.hpp"
 #include "one_point.hpp"
@@ -62,7 +64,7 @@ void two_blocks(const ProgramOptions& run, Results& results) {
       double alone = 0;  // one point carries a node: f = h = (h/2) weight N p
       for (const GaussPoint& gauss : gauss_line(points))
         alone = std::max(alone, 4 / (gauss.weight * (1 + std::abs(gauss.xi))));
-      highest.push_back(points == 1 ? "1.000" : number(alone, "%.3f"));
+      highest.push_back(points == 1 ? "" : number(alone, "%.3f"));
     }
     const SolvedScene disc = solved(hertz(16, {"gauss_points", points}), "disc");
     const ClosedPoints closed = closed_points(disc);
@@ -138,18 +140,27 @@ void disc(const ProgramOptions& run, Results& results) {
                                                  .csv(tolerance));
 }
 
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }  // of the processor
+
 // 5. Forces of nodes, Gauss points as quadrature of their gaps.
 void quadrature(const ProgramOptions& run, Results& results) {
   Table table({"points", "projections, 8/11", "blocks: worst error %", "disc: rms error %"});
   Table figure({"points", "patch", "disc"});
+  std::vector<double> counts, patch, took;
   for (const int points : {2, 3, 4, 5, 6, 8, 10, 13, 16}) {
+    const double begin = seconds();
     const Eigen::Vector2d error = nodal_errors({"mortar", points});
+    took.push_back(seconds() - begin);
+    counts.push_back(points);
+    patch.push_back(error(0));
     table.row({text(points, " an edge"), std::to_string(8 * points), percent(error(0)),
                percent(error(1))});
     figure.row({static_cast<double>(points), 100 * error(0), 100 * error(1)});
     results.add(text("patch_", points), 100 * error(0), "%");
     results.add(text("disc_", points), 100 * error(1), "%");
   }
+  results.add("patch_power", -power(counts, patch), "-");
+  results.add("time_16_over_2", took.back() / took.front(), "-", Repeats::No);
   const Eigen::Vector2d error = nodal_errors({"mortar", 0, Quadrature::Segments});
   results.add("patch_segments", error(0), "-", Repeats::No);
   results.add("disc_segments", 100 * error(1), "%");

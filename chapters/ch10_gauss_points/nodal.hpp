@@ -1,5 +1,7 @@
 // Forces of nodes: Gauss points only integrate their gaps.
 #pragma once
+#include <Eigen/QR>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -24,6 +26,15 @@ inline Eigen::Vector2d nodal_errors(
   return error;
 }
 // [quadrature]
+
+/// The k for which y = c x^k fits best, by least squares of the logarithms.
+inline double power(const std::vector<double>& x, const std::vector<double>& y) {
+  const Eigen::Index n = static_cast<Eigen::Index>(x.size());
+  Eigen::MatrixXd lines = Eigen::MatrixXd::Ones(n, 2);
+  lines.col(1) = Eigen::VectorXd::Map(x.data(), n).array().log();
+  const Eigen::VectorXd logs = Eigen::VectorXd::Map(y.data(), n).array().log();
+  return lines.colPivHouseholderQr().solve(logs)(1);
+}
 
 /// Pieces into which the nodes of the lower block cut the edges of the upper one.
 inline std::size_t count_segments(Eigen::Index source_edges, Eigen::Index target_edges) {
