@@ -11,7 +11,7 @@ set yrange [-4.5:2]
 set rmargin 14
 set palette maxcolors 10
 set cbrange [-20:0]
-set cblabel 'σ_{yy} [kPa]' offset 1,0
+set cblabel 'σ_y [kPa]' offset 1,0
 set cbtics 4
 plot data.'/fig_13_2.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
      '' using 'x':'y' with lines lc rgb '#80ffffff' lw 0.3 dt 1, \

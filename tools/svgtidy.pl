@@ -1,7 +1,7 @@
 #!/usr/bin/env perl
 # svgtidy.pl FILE.svg ...: removes what gnuplot's SVG does not need: empty groups, the line with gnuplot's
-# version, trailing blanks and the second decimal; and gives the text a second and third choice of font,
-# for machines without DejaVu.
+# version, blanks, the second decimal and a polygon's last point, which is its first; gives the text a second
+# and third choice of font, for machines without DejaVu; and says where blanks between two styles stay.
 use strict;
 use warnings;
 
@@ -16,6 +16,8 @@ for my $file (@ARGV) {
     $svg =~ s/\n\s+/\n/g;
     $svg =~ s{font-family="DejaVu Sans"}{font-family="DejaVu Sans,Verdana,Helvetica,Arial,sans-serif"}g;
     $svg =~ s/rgb\( *(\d+), *(\d+), *(\d+)\)/sprintf '#%02x%02x%02x', $1, $2, $3/ge;
+    $svg =~ s{<polygon fill =('[^']*') points ='(\S+)( [^']*) \2'/>}{<polygon fill=$1 points='$2$3'/>}g;
+    $svg =~ s{<text>(?=<tspan[^>]*>[^<]*</tspan><tspan)}{<text xml:space="preserve">}g;
     open my $out, '>', $file or die "$file: $!\n";
     print $out $svg;
     close $out or die "$file: $!\n";

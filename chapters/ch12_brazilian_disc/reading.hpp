@@ -11,7 +11,7 @@
 namespace ch12 {
 
 /// \param depth  on the loaded diameter, from the lower contact [mm]
-/// \return stress across it between plates, exact [N/mm^2]
+/// \return stress across it between plates, exact [MPa]
 inline double exact_across(double depth) {
   return plate_loaded_disc_stress(plate, R, 0, depth - R)[0];
 }
@@ -19,7 +19,7 @@ inline double exact_across(double depth) {
 /// Stress of the disc on the loaded diameter, from the lower contact up to the upper one.
 struct Diameter {
   Eigen::VectorXd depth;  ///< y, from the lower contact [mm]
-  StressArray stress;     ///< of the nodes there [N/mm^2]
+  StressArray stress;     ///< of the nodes there [MPa]
 };
 
 /// \param run  solved \return stress at the nodes on the axis of the disc
@@ -41,7 +41,7 @@ inline double sign_change(const Diameter& axis) {
   return axis.depth(k - 1) - (axis.depth(k) - axis.depth(k - 1)) * before / (after - before);
 }
 
-/// \param run  solved \return stress at the node in the middle of the disc [N/mm^2]
+/// \param run  solved \return stress at the node in the middle of the disc [MPa]
 inline Eigen::Vector3d middle(const SolvedScene& run) {
   const Diameter axis = diameter_of(run);
   Index at = 0;
@@ -95,7 +95,7 @@ inline double force_across(const SolvedScene& run, double height) {
 
 /// Pressures of one contact, from the axis outwards.
 struct Contact {
-  std::vector<double> x, pressure, force;  ///< of its pairs [mm], [N/mm^2], [N/mm]
+  std::vector<double> x, pressure, force;  ///< of its pairs [mm], [MPa], [N/mm]
 };
 
 /// \param run    solved

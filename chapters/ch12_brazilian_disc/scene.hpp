@@ -20,13 +20,13 @@ using Eigen::Index;
 constexpr double R = 50;     // radius of the disc [mm]
 constexpr double P = 41.76;  // load, of both halves together [N/mm]
 constexpr double size = 95;  // width of a half plate, and its height [mm]
-const Material material{4000, 0.35, PlaneState::Strain, 1};  // of all bodies [N/mm^2], [mm]
+const Material material{4000, 0.35, PlaneState::Strain, 1};  // of all bodies [MPa], [mm]
 
 const double modulus = plane_strain_modulus(material.youngs_modulus, material.poisson_ratio);
 const LineContact plate{R, contact_modulus(modulus, modulus), P};
 const double b = hertz_half_width(plate);           // of the contacts [mm]
 const SqueezedDisc lines{R, P};                     // line loads in place of the plates
-const double strength = brazilian_strength(lines);  // equation (44) [N/mm^2]
+const double strength = brazilian_strength(lines);  // equation (44) [MPa]
 // [data]
 
 /// How finely the three bodies are divided.

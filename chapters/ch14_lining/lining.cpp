@@ -39,19 +39,24 @@ void closed_forms(const ProgramOptions& run, Results& results) {
     row.push_back(number(nested_pressure(exact).inner.outside, "%.1f"));
     table.row(row);
   }
-  int same = 0, all = 0;  // walls from a twentieth to half of the inner radius
+  int same = 0, all = 0;                    // walls from a twentieth to half of the inner radius
+  double least = paper.pressure, most = 0;  // contact pressures of the same
   for (int a = 20; a <= 120; ++a)
     for (int b = a + (a + 19) / 20; b <= a + a / 2; ++b)
       for (int d = b + (a + 19) / 20; d <= b + a / 2; ++d, ++all) {
         Rings rings;
         rings.radii = {double(a), double(b), b + 0.15, double(d)};
         const double u = inner_rim(closed_form(rings));
-        if (std::abs(percent(u, u_abaqus)) < percent(u_abaqus, u_paper)) ++same;
+        if (std::abs(percent(u, u_abaqus)) >= percent(u_abaqus, u_paper)) continue;
+        const double p = nested_pressure(closed_form(rings)).inner.outside;
+        least = std::min(least, p), most = std::max(most, p), ++same;
       }
   // [radii]
   write_file(run.out / "radii.md", table.markdown());
   results.add("radii_same", same, "-");
   results.add("radii_all", all, "-");
+  results.add("radii_p_least", least, "MPa");
+  results.add("radii_p_most", most, "MPa");
   const NestedRings forces = closed_form(paper);
   const NestedRings books = closed_form(paper, Meeting::EqualPressure);
   results.add("closing_pressure", closing_pressure(forces), "MPa");
@@ -59,6 +64,8 @@ void closed_forms(const ProgramOptions& run, Results& results) {
   results.add("p_exact_books", nested_pressure(books).inner.outside, "MPa");
   results.add("p_exact_rock", nested_pressure(forces).outer.inside, "MPa");
   results.add("u_exact", inner_rim(forces), "cm");
+  results.add("u_over_paper", percent(inner_rim(forces), u_paper), "%");
+  results.add("u_over_abaqus", percent(inner_rim(forces), u_abaqus), "%");
   results.add("hoop_lining", ring_stress(forces.inner, nested_pressure(forces).inner, 60).hoop,
               "MPa");
   results.add("hoop_rock", ring_stress(forces.outer, nested_pressure(forces).outer, 68.15).hoop,

@@ -21,6 +21,7 @@ struct Ellipse {
 /// less h^3 (s_i + s_{i+1}) / 12 for every edge of length h, with s = f / (half of the edges at the
 /// node). Peak pressure: of the least-squares line through the squares of the pressures against
 /// (x - c)^2, over the nodes with a force and |x - c| < 0.9 b; pressure = s / thickness.
+/// If all of them are equally far from c, the root of the mean of the squared pressures.
 /// \param position   `n` rising [length]
 /// \param force      `n` >= 0, zero at open nodes [force]
 /// \param thickness  across the plane [length], positive
