@@ -8,6 +8,7 @@
 
 #include "catch_compat.hpp"
 #include "reference/published.hpp"
+#include "support/hertz_reading.hpp"
 #include "support/two_bodies.hpp"
 
 using Eigen::Index;
@@ -144,15 +145,14 @@ TEST_CASE("MOOSE's Hertz contact of quadratic elements", "[reference][hertz]") {
   CHECK(force == Approx(moose).epsilon(1e-3));
   const LineContact ours{3, plane_strain_modulus(1e6, 0.3), 2 * force};
   CHECK(disc_approach(ours, ours.modulus, 3) == Approx(0.002).epsilon(1e-3));
-  const HertzErrors errors = errors_of(run, ours, Trace::Quadratic);
-  CHECK(std::abs(errors.peak) <= 5e-4);
-  CHECK(std::abs(errors.width) <= 1.5e-3);
+  const HertzReading out = read_hertz(run, ours, Trace::Quadratic);
+  CHECK(std::abs(out.peak_error) <= 5e-4);
+  CHECK(std::abs(out.width_error) <= 1.5e-3);
 
   const LineContact theirs{3, ours.modulus, 2 * moose};
   CHECK(hertz_peak_pressure(theirs) == Approx(8968.29).epsilon(1e-6));
   CHECK(hertz_half_width(theirs) == Approx(0.048967).epsilon(1e-5));
-  const HertzFit fit =
-      fit_hertz(list(run.model.pairs.position.col(0)), list(run.solution.pressure));
+  const HertzFit fit = fit_hertz(out.x, out.pressure);
   Index node = 0;
   for (const std::vector<double>& row : moose_table("_cont_press_0010.csv")) {
     const double x = row.at(0), pressure = row.at(4);  // corner, midpoint, corner, ...
