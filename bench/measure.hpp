@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "signorini/mesh/block.hpp"
-#include "signorini/mesh/hertz_meshes.hpp"
 #include "signorini/scene/scene.hpp"
+#include "tests/support/hertz.hpp"
 
 namespace signorini::bench {
 
@@ -59,19 +59,7 @@ inline Scene hertz(Eigen::Index cells, Eigen::Index rows, Eigen::Index layers) {
   spec.disc_cells = spec.plate_cells = cells;
   spec.disc_rows = spec.plate_rows = rows;
   spec.disc_layers = spec.plate_layers = layers;
-  HertzMeshes meshes = make_hertz_meshes(spec);
-  Scene scene;
-  scene.bodies.resize(2);
-  scene.bodies[0].mesh = std::move(meshes.disc);
-  scene.bodies[0].loads.edges = {{"middle", 41.76 / 2 / spec.radius, {}}};
-  scene.bodies[1].mesh = std::move(meshes.plate);
-  for (Body& body : scene.bodies) {
-    body.material = {4000, 0.35, PlaneState::Strain, 1};
-    body.supports = {symmetric("axis")};
-  }
-  scene.bodies[1].supports.push_back(fixed("base"));
-  scene.contacts = {{{"rim", "disc"}, Side{"surface", "plate"}}};
-  return scene;
+  return signorini_test::hertz(spec);
 }
 
 }  // namespace signorini::bench

@@ -1,4 +1,4 @@
-// Problems of other people: tests/data/siconos_fc2d, see SOURCES.md there.
+// Problems of other people: tests/data/siconos_fc2d, see tests/data/SOURCES.md.
 #include <cmath>
 #include <stdexcept>
 #include <string>

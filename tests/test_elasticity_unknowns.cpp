@@ -145,6 +145,23 @@ TEST_CASE("a body held at one point turns about it", "[unknowns][free_motions]")
   }
 }
 
+TEST_CASE("what a body does is said alike in every unit of length", "[unknowns][free_motions]") {
+  for (const double unit : {1e-6, 1.0, 1e6}) {
+    const Mesh scaled = mapped(plate(), [unit](const Vector2d& x) { return unit * x; });
+    Unknowns unknowns = number_unknowns(scaled, {});
+    unknowns.number.row(0).setConstant(-1);
+    const std::vector<std::string> motions = free_motions(scaled, unknowns);
+    INFO(unit);
+    REQUIRE(motions.size() == 1);
+    CHECK_THAT(motions[0], Catch::Matchers::EndsWith("can turn freely about (0, 0)"));
+  }
+  const Mesh tiny = mapped(plate(), [](const Vector2d& x) { return 1e-6 * x; });
+  const std::vector<std::string> slides =
+      free_motions(tiny, number_unknowns(tiny, {symmetric("bottom")}));
+  REQUIRE(slides.size() == 1);
+  CHECK_THAT(slides[0], Catch::Matchers::EndsWith("can move freely in direction x"));
+}
+
 TEST_CASE("a body that is held cannot move", "[unknowns][free_motions]") {
   const auto held = [](const std::vector<Support>& supports) {
     return free_motions(plate(), number_unknowns(plate(), supports)).empty();

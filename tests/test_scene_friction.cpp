@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "reference/published.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/scene/solved.hpp"
@@ -57,7 +58,25 @@ Scene dragged_block(double q, double s, Friction law) {
 
 }  // namespace
 
-TEST_CASE("a block pressed on a rough plane slides and sticks as published", "[friction]") {
+// The means of several programs are met to 0.3 %, but for the last place, where they fall 2.7 % short. Code_Aster's
+// own triangles on a penalty slide 0.4 to 1.1 % further: a penalty gives way before it slides.
+TEST_CASE("a block pressed on a rough plane slides as far as published", "[friction][reference]") {
+  for (const char* element : {"q4", "q4_incompatible"}) {
+    const SolvedScene run = solved(rough_block(element, 1), "the block");
+    const Index at[5] = {0, 1, 4, 6, 9};
+    for (int k = 0; k < 5; ++k) {
+      CAPTURE(element, k);
+      const double slip = run.solution.displacements[0](at[k], 0);
+      const double off = std::abs(slip / reference::rough_block_slip[k] - 1);
+      CHECK(off <= (k < 4 ? 0.003 : reference::rough_block_tolerance));
+      CHECK(slip < reference::rough_block_slip_aster[k]);
+      CHECK(slip > 0.988 * reference::rough_block_slip_aster[k]);
+    }
+  }
+}
+
+TEST_CASE("a block pressed on a rough plane: its mesh's own displacements, forces and states",
+          "[friction]") {
   struct Case {
     const char* element;
     double displacement[5];  // of the lower side at 0, 1.25, 5, 7.5, 11.25 mm, in 1e-5 m

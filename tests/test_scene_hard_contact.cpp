@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "support/hertz_reading.hpp"
 #include "support/message.hpp"
 #include "support/two_bodies.hpp"
 
@@ -15,15 +16,15 @@ TEST_CASE("one body a million million times stiffer than the other",
   for (const double ratio : {1e3, 1e6, 1e9, 1e12})
     for (const bool disc : {true, false}) {
       CAPTURE(ratio, disc);
-      DiscOnPlate given;
+      HertzProblem given;
       (disc ? given.disc_modulus : given.plate_modulus) *= ratio;
       given.load /= 2;  // so that the contact is as wide as with two elastic bodies
       const SolvedScene run = solved(scene_of(given), "the disc");
       CHECK(run.solution.certificate.worst() <= 1e-14);
       CHECK(run.solution.contact.report.iterations <= 16);
-      const HertzErrors errors = errors_of(run, theory_of(given));
-      CHECK(std::abs(errors.peak) <= 6e-4);
-      CHECK(std::abs(errors.width) <= 2e-3);
+      const HertzReading out = read_hertz(given, run);
+      CHECK(std::abs(out.peak_error) <= 6e-4);
+      CHECK(std::abs(out.width_error) <= 2e-3);
       CHECK(run.solution.contact.force.sum() == Approx(given.load / 2).epsilon(1e-12));
     }
 }
@@ -34,13 +35,13 @@ TEST_CASE("nearly incompressible bodies in contact", "[contact][hard][LinEtAl-43
   for (const double ratio : {0.3, 0.49, 0.499, 0.4999, 0.49999})
     for (const char* element : {"q4_bbar", "q4_incompatible"}) {
       CAPTURE(ratio, element);
-      DiscOnPlate given;
+      HertzProblem given;
       given.element = element;
       given.poisson_ratio = ratio;
       const SolvedScene run = solved(scene_of(given), "the disc");
-      const HertzErrors errors = errors_of(run, theory_of(given));
-      CHECK(std::abs(errors.peak) <= (given.element == "q4_bbar" ? 1.2e-4 : 4e-4));
-      CHECK(std::abs(errors.width) <= 2.5e-3);
+      const HertzReading out = read_hertz(given, run);
+      CHECK(std::abs(out.peak_error) <= (given.element == "q4_bbar" ? 1.2e-4 : 4e-4));
+      CHECK(std::abs(out.width_error) <= 2.5e-3);
       CHECK(run.solution.contact.report.iterations <= 10);
       CHECK(run.solution.contact.force.sum() ==
             Approx(given.load / 2).epsilon(1e-14 / (1 - 2 * ratio) + 1e-12));
@@ -51,20 +52,20 @@ TEST_CASE("nearly incompressible bodies in contact", "[contact][hard][LinEtAl-43
 // points keeps the mean but lets the pressure of neighbours oscillate.
 TEST_CASE("plain elements fail near incompressibility, and the plan says so of q4",
           "[contact][hard]") {
-  DiscOnPlate given;
+  HertzProblem given;
   given.element = "q4";
   given.poisson_ratio = 0.499;
   const Scene scene = scene_of(given);
   CHECK_THAT(plan(scene).notes.front(), ContainsSubstring("locks"));
-  CHECK(errors_of(solved(scene, "q4"), theory_of(given)).peak == Approx(0.161).epsilon(0.02));
+  CHECK(read_hertz(given, solved(scene, "q4")).peak_error == Approx(0.161).epsilon(0.02));
   given.element = "q8";
   given.mesh.disc_cells = given.mesh.plate_cells = 9;
   given.mesh.disc_rows = given.mesh.plate_rows = 7;
   given.mesh.disc_layers = given.mesh.plate_layers = 9;
   given.mesh.layer_grading = 1;
   const SolvedScene run = solved(scene_of(given), "q8");
-  CHECK(std::abs(errors_of(run, theory_of(given), Trace::Quadratic).peak) <= 2e-3);
-  CHECK(run.solution.pressure.maxCoeff() / hertz_peak_pressure(theory_of(given)) >= 1.03);
+  CHECK(std::abs(read_hertz(given, run).peak_error) <= 2e-3);
+  CHECK(run.solution.pressure.maxCoeff() / hertz_peak_pressure(given.theory()) >= 1.03);
 }
 
 // 25 combinations; a factor that is no power of two changes the rounding, so 1e-12 and not 0.
@@ -75,7 +76,7 @@ TEST_CASE("units change neither forces nor iterations", "[contact][hard]") {
     for (const double length : {1.0, 1e-6, 1e-3, 1e3, 1e6})
       for (const double force : {1.0, 1e-6, 1e-3, 1e3, 1e6}) {
         CAPTURE(solver, length, force);
-        DiscOnPlate given;
+        HertzProblem given;
         given.length = length;
         given.force = force;
         Scene scene = scene_of(given);
@@ -97,7 +98,7 @@ TEST_CASE("where a body that only contact holds begins does not matter", "[conta
   const double side = support_forces(resting, base.model, base.solution, 0).cwiseAbs().maxCoeff();
   for (const double lift : {1e-6, 1e-3, 0.1, 1.0, 10.0, 1000.0, -1e-6, -1e-4, -1e-3, -0.01, -0.1}) {
     CAPTURE(lift);
-    DiscOnPlate given;
+    HertzProblem given;
     given.lift = lift;
     const Scene scene = scene_of(given);
     const SolvedScene run = solved(scene, "the disc");
@@ -118,7 +119,7 @@ TEST_CASE("where a body that only contact holds begins does not matter", "[conta
 // Ten millimetres are more than a cell of the disc is deep: then nothing tells a point inside from one far
 // outside on the other side, and the library asks. With deeper cells it is solved.
 TEST_CASE("deep overlap is solved or refused, by the depth of the cells", "[contact][hard]") {
-  DiscOnPlate given;
+  HertzProblem given;
   given.lift = -10;
   CHECK_THAT(problem_message([&] { static_cast<void>(plan(scene_of(given))); }),
              ContainsSubstring("deeper than the cell"));

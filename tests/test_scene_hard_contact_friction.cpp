@@ -3,6 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/complementarity/friction_solvers.hpp"
+#include "support/hertz.hpp"
 #include "support/two_bodies.hpp"
 
 using Eigen::Index;
@@ -13,7 +14,7 @@ namespace {
 
 /// A disc ten times stiffer than its plate, which draws the plate's surface together.
 Scene stiffer_disc(double coefficient, double ratio = 10, Index cells = 10, double lift = 0) {
-  DiscOnPlate given;
+  HertzProblem given;
   given.disc_modulus *= ratio;
   given.lift = lift;
   given.mesh.disc_cells = given.mesh.plate_cells = cells;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "support/hertz_example.hpp"
+#include "support/hertz_reading.hpp"
 
 using Eigen::Index;
 using namespace signorini;
@@ -27,16 +27,16 @@ TEST_CASE("Hertz: 72 meshes of 1200 to 1412 nodes stay within 0.4 % in pressure,
           problem.mesh.layer_grading = grading;
           CAPTURE(core, plate_cells, layers, grading);
           const HertzReading out = read_hertz(problem, solved(scene_of(problem), "Hertz"));
-          q.push_back(std::abs(out.q_error));
-          b.push_back(std::abs(out.b_error));
-          CHECK(q.back() <= 0.4);
-          CHECK(b.back() <= 0.6);
+          q.push_back(std::abs(out.peak_error));
+          b.push_back(std::abs(out.width_error));
+          CHECK(q.back() <= 4e-3);
+          CHECK(b.back() <= 6e-3);
         }
   REQUIRE(q.size() == 72);
   std::nth_element(q.begin(), q.begin() + 36, q.end());
   std::nth_element(b.begin(), b.begin() + 36, b.end());
-  CHECK(q[36] <= 0.11);  // medians
-  CHECK(b[36] <= 0.16);
+  CHECK(q[36] <= 1.1e-3);  // medians
+  CHECK(b[36] <= 1.6e-3);
 }
 
 TEST_CASE("Hertz: 20 000 nodes give pressure to 0.02 % and half-width to 0.05 %",
@@ -48,7 +48,7 @@ TEST_CASE("Hertz: 20 000 nodes give pressure to 0.02 % and half-width to 0.05 %"
   CHECK(problem.mesh.n_nodes() <= 20000);
   const SolvedScene run = solved(scene_of(problem), "Hertz");
   const HertzReading out = read_hertz(problem, run);
-  CHECK(std::abs(out.q_error) <= 0.02);
-  CHECK(std::abs(out.b_error) <= 0.05);
+  CHECK(std::abs(out.peak_error) <= 2e-4);
+  CHECK(std::abs(out.width_error) <= 5e-4);
   CHECK(run.solution.certificate.holds());
 }

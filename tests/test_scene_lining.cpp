@@ -179,7 +179,7 @@ TEST_CASE("a softer lining under as much less load moves the same", "[lining][un
         1e-11 * whole.solution.displacements[0].norm());
 }
 
-// A method that stops early says so; the conformance suite judges how often it may.
+// A method may stop early only if its entry in the table of solvers says so of several pairs.
 TEST_CASE("every solver finds the forces of the lining", "[lining]") {
   Ledger ledger;
   const Model model = build(scene_of({}), ledger);
@@ -189,7 +189,10 @@ TEST_CASE("every solver finds the forces of the lining", "[lining]") {
   for (const Solver& solver : solvers()) {
     CAPTURE(solver.name);
     const ContactState state = solver.solve(condensed.problem, {});
-    if (state.report.status != Status::Solved) continue;
+    if (state.report.status != Status::Solved) {
+      CHECK(may_fail(solver, Trait::Several));
+      continue;
+    }
     ++solved_by;
     CHECK((state.force - expected).norm() < 1e-9 * expected.norm());
   }

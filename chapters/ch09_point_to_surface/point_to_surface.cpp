@@ -181,7 +181,7 @@ void compare(const ProgramOptions& run, Results& results) {
     const double end = seconds();
     // [compare]
     SaddlePointOptions printed;
-    printed.scaled = false;
+    printed.form = SaddlePointForm::AsPrinted;
     const SaddlePointSolution three = saddle_point_newton(one.model.programme, printed);
     const Way way = condensed_newton(one.condensed.problem);
     const Eigen::VectorXd& force = one.solution.contact.force;
@@ -220,11 +220,12 @@ void units(const ProgramOptions& run, Results& results) {
     Ledger ledger;
     const Model model = build(round_block(20, u), ledger);
     std::vector<std::string> row = {u.name};
-    for (const auto& [tolerance, scaled] :
-         {std::pair(1e-6, false), std::pair(1e-12, false), std::pair(1e-12, true)}) {
+    constexpr auto as_printed = SaddlePointForm::AsPrinted;
+    for (const auto& [tolerance, form] :
+         {std::pair(1e-6, as_printed), {1e-12, as_printed}, {1e-12, SaddlePointForm::OneUnit}}) {
       SaddlePointOptions options;
       options.tolerance = tolerance;
-      options.scaled = scaled;
+      options.form = form;
       const SaddlePointSolution end = saddle_point_newton(model.programme, options);
       const double error =
           (end.solution.force / u.force - exact).cwiseAbs().maxCoeff() / exact.maxCoeff();

@@ -128,12 +128,15 @@ TEST_CASE("every gap operator: both bodies moved alike open and slide nothing",
     u.bottomRows(u.rows() - n).setZero();
     const VectorXd opened = pairs.opening * flat(u);
     const VectorXd slid = pairs.sliding * flat(u);
+    // A pair of several points has one normal. On a curved side theirs turn away from it to either side, which
+    // leaves the square of that angle: 0.004 here.
+    const bool curved = (pairs.normal.rowwise() - pairs.normal.row(0)).norm() > 1e-3;
+    const double tolerance = member.name == "mortar" && curved ? 0.005 : 10 * rounding;
     for (Index row = 0; row < opened.size(); ++row) {
       const Vector2d normal = pairs.normal.row(row).transpose();
       CHECK(normal.norm() == Approx(1).epsilon(rounding));
-      // A pair of several points has one normal, which may differ from theirs by what they turn.
-      CHECK(opened(row) == Approx(0.6 * normal.x() - 1.1 * normal.y()).margin(0.05));
-      CHECK(slid(row) == Approx(0.6 * normal.y() + 1.1 * normal.x()).margin(0.05));
+      CHECK(std::abs(opened(row) - (0.6 * normal.x() - 1.1 * normal.y())) <= tolerance);
+      CHECK(std::abs(slid(row) - (0.6 * normal.y() + 1.1 * normal.x())) <= tolerance);
     }
   });
 }

@@ -47,9 +47,9 @@ double reach_of(const QuadraticProgramme& programme, const Units& units) {
   return reach > 0 && std::isfinite(reach) ? reach : pairs;
 }
 
-Units units_of(const QuadraticProgramme& programme, bool scaled) {
+Units units_of(const QuadraticProgramme& programme, SaddlePointForm form) {
   Units units{VectorXd::Ones(programme.load.size()), VectorXd::Ones(programme.initial_gap.size())};
-  if (!scaled) return units;
+  if (form == SaddlePointForm::AsPrinted) return units;
   const VectorXd diagonal = programme.stiffness.diagonal();
   for (Index j = 0; j < units.row.size(); ++j)
     if (diagonal(j) > 0) units.row(j) = 1 / std::sqrt(diagonal(j));
@@ -153,51 +153,65 @@ Iteration summary(const Units& units, const Point& point, const std::vector<bool
   return entry;
 }
 
+/// The forces to start from.
+VectorXd start(const QuadraticProgramme& programme, const SaddlePointOptions& options) {
+  const Index pairs = programme.initial_gap.size();
+  if (options.start_force.size() == 0) return VectorXd::Zero(pairs);
+  require(options.start_force.size() == pairs && options.start_force.allFinite(),
+          "saddle_point_newton: need ", pairs, " finite forces to start from, got ",
+          options.start_force.size());
+  return options.start_force;
+}
+
+/// One step of the method.
+/// \return false if J is singular or |F| falls no more; the point is where it was
+bool step_on(const QuadraticProgramme& programme, const Units& units,
+             Eigen::SparseLU<Eigen::SparseMatrix<double>>& factor, bool whole, Point& point) {
+  const Eigen::SparseMatrix<double> J = jacobian(programme, units, point);
+  factor.compute(J);
+  if (factor.info() != Eigen::Success) return false;
+  const VectorXd step = factor.solve(-point.residual);
+  // A factor of a singular J gives a step that does not even solve for half of F.
+  if (!step.allFinite() || (J * step + point.residual).norm() > 0.5 * point.size) return false;
+  if (!whole) return search(programme, units, step, point);
+  point = moved(programme, units, point, step, 1);
+  return true;
+}
+
 }  // namespace
 
 SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
                                         const SaddlePointOptions& options) {
   const Index n = programme.load.size();
-  const Index pairs = programme.initial_gap.size();
-  const Units units = units_of(programme, options.scaled);
-  Point point{{VectorXd::Zero(n), VectorXd::Zero(n), VectorXd::Zero(pairs)}, {}, {}};
-  if (options.start_force.size() > 0) {
-    require(options.start_force.size() == pairs && options.start_force.allFinite(),
-            "saddle_point_newton: need ", pairs, " finite forces to start from, got ",
-            options.start_force.size());
-    point.solution.force = options.start_force;
-  }
+  const bool printed = options.form == SaddlePointForm::AsPrinted;
+  const Units units = units_of(programme, options.form);
+  Point point{{VectorXd::Zero(n), VectorXd::Zero(n), start(programme, options)}, {}, {}};
   evaluate(programme, units, point);
   const double first = point.size;
-  std::vector<bool> closed(static_cast<std::size_t>(pairs));
+  std::vector<bool> closed(static_cast<std::size_t>(point.gap.size()));
   Report report;
+  report.status = Status::Breakdown;
   Eigen::SparseLU<Eigen::SparseMatrix<double>> factor;
   const auto done = [&] {
-    return options.scaled ? certify(programme, point.solution).holds(options.tolerance)
-                          : point.size <= options.tolerance * first;
+    return printed ? point.size <= options.tolerance * first
+                   : certify(programme, point.solution).holds(options.tolerance);
   };
-  while (true) {
-    report.status = certify(programme, point.solution).holds() ? Status::Solved : Status::Breakdown;
-    if (done()) break;
+  while (!done()) {
     if (report.iterations >= options.iteration_limit) {
       report.status = Status::IterationLimit;
-      break;
+      return {std::move(point.solution), std::move(report)};
     }
-    const Eigen::SparseMatrix<double> J = jacobian(programme, units, point);
-    factor.compute(J);
     ++report.iterations;
     ++report.factorisations;
-    if (factor.info() != Eigen::Success) break;
-    const VectorXd step = factor.solve(-point.residual);
-    // A factor of a singular J gives a step that does not even solve for half of F.
-    if (!step.allFinite() || (J * step + point.residual).norm() > 0.5 * point.size) break;
-    if (!options.scaled || report.iterations == 1)  // then equilibrium, which is linear, holds
-      point = moved(programme, units, point, step, 1);
-    else if (!search(programme, units, step, point))
+    // Equilibrium is linear: from the first step on, which is whole, it holds.
+    if (!step_on(programme, units, factor, printed || report.iterations == 1, point)) {
+      if (!printed) return {std::move(point.solution), std::move(report)};
       break;
+    }
     const std::vector<bool> last = closed;
     report.history.push_back(summary(units, point, last, closed, first));
   }
+  if (!printed || certify(programme, point.solution).holds()) report.status = Status::Solved;
   return {std::move(point.solution), std::move(report)};
 }
 

@@ -92,15 +92,18 @@ std::vector<Eigen::Vector3d> free_motions(const ConnectedBody& body, const Mesh&
   return motions;
 }
 
-/// Says in words what the rigid motion (a, b, c) does: translation (a, b) and rotation c about `centre`.
-std::string motion_in_words(const Eigen::Vector3d& motion, const Eigen::Vector2d& centre) {
-  constexpr double visible = 1e-6;
+/// Says in words what the rigid motion (a, b, c) of a body does: translation (a, b) and rotation c about
+/// its centre. Parts are compared as displacements, whose largest is 1: rotation times size.
+std::string motion_in_words(const Eigen::Vector3d& motion, const ConnectedBody& body) {
+  constexpr double visible = 1e-6;  // one more digit than is printed
   const bool x = std::abs(motion(0)) > visible;
   const bool y = std::abs(motion(1)) > visible;
-  if (std::abs(motion(2)) > visible) {
-    const double pivot_x = centre.x() - motion(1) / motion(2);
-    const double pivot_y = centre.y() + motion(0) / motion(2);
-    return text("turn freely about (", pivot_x, ", ", pivot_y, ')');
+  if (std::abs(motion(2)) * body.size > visible) {
+    const auto printed = [&body](double coordinate) {
+      return std::abs(coordinate) > visible * body.size ? coordinate : 0.0;
+    };
+    return text("turn freely about (", printed(body.centre.x() - motion(1) / motion(2)), ", ",
+                printed(body.centre.y() + motion(0) / motion(2)), ')');
   }
   if (x && y) return text("move freely in direction (", motion(0), ", ", motion(1), ')');
   return x ? "move freely in direction x" : "move freely in direction y";
@@ -115,7 +118,7 @@ std::vector<RigidMode> rigid_modes(const Mesh& mesh, const Unknowns& unknowns) {
       RigidMode mode;
       mode.sentence =
           text("body '", mesh.name, "' (", body.cells, " cells around (", body.centre.x(), ", ",
-               body.centre.y(), ")) can ", motion_in_words(motion, body.centre));
+               body.centre.y(), ")) can ", motion_in_words(motion, body));
       mode.shape.setZero(unknowns.count);
       for (const Index node : body.nodes) {
         const Eigen::Vector2d arm = mesh.nodes.row(node).transpose() - body.centre;
@@ -135,7 +138,7 @@ std::vector<std::string> free_motions(const Mesh& mesh, const Unknowns& unknowns
   for (const ConnectedBody& body : connected_bodies(mesh)) {
     std::string motions;
     for (const Eigen::Vector3d& motion : free_motions(body, mesh, unknowns))
-      motions += (motions.empty() ? "" : " and ") + motion_in_words(motion, body.centre);
+      motions += (motions.empty() ? "" : " and ") + motion_in_words(motion, body);
     if (!motions.empty())
       found.push_back(text("body '", mesh.name, "' (", body.cells, " cells around (",
                            body.centre.x(), ", ", body.centre.y(), ")) can ", motions));

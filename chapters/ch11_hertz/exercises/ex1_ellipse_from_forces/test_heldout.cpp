@@ -4,7 +4,7 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/closed_form/hertz_fit.hpp"
-#include "support/hertz_example.hpp"
+#include "support/hertz_reading.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;
