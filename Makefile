@@ -55,7 +55,7 @@ browser: book             ## open every page in a browser and check it
 bench:                    ## what accuracy costs: work and seconds, measured
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target price
-	@$B/bin/price
+	@$B/bin/price --full
 peers:                    ## the same problems by other people's solvers, as far as installed
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target peers

@@ -21,7 +21,9 @@ if(SICONOS_CONFIG AND SICONOS_NUMERICS AND SICONOS_LIBRARY)
   target_compile_definitions(peers PRIVATE SIGNORINI_SICONOS)
 endif()
 
-if(SIGNORINI_BUILD_TESTS)  # our solvers on small programmes: it ends with 0 only if all are certified
-  add_test(NAME bench/peers COMMAND peers --out ${PROJECT_BINARY_DIR}/tests/bench)
-  set_tests_properties(bench/peers PROPERTIES LABELS bench)
+if(SIGNORINI_BUILD_TESTS)  # on small problems: they end with 0 only if all is certified and equal to what it must equal
+  foreach(program price peers)
+    add_test(NAME bench/${program} COMMAND ${program} --out ${PROJECT_BINARY_DIR}/tests/bench/${program})
+    set_tests_properties(bench/${program} PROPERTIES LABELS bench)
+  endforeach()
 endif()
