@@ -3,19 +3,17 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "signorini/complementarity/complementarity_functions.hpp"
 #include "signorini/complementarity/goldfarb_idnani.hpp"
+#include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// What Armijo's rule asks of a step, as in fischer_burmeister().
 constexpr double enough = 1e-4;
