@@ -27,9 +27,9 @@ struct FrictionLaw {
 
 /// Contact with friction as equations Phi(x) = 0.
 ///
-/// The unknowns x are forces `2 n_c`, amplitudes `k`, and what a law adds. The first equations
-/// belong to the pairs, those from `2 n_c` on are R^T f = r, then come those of the law. Forces
-/// are measured by the gaps that such forces on all pairs make, as in fischer_burmeister().
+/// The unknowns x are forces `2 n_c`, amplitudes `k`, and what a law adds. The first equations belong to
+/// the pairs, those from `2 n_c` on are R^T f = r, then come those of the law. Forces are measured by the
+/// gaps that such forces on all pairs make, as in fischer_burmeister().
 class FrictionEquations {
  public:
   /// \param problem  scaled by equilibrate(); must outlive this
@@ -41,8 +41,7 @@ class FrictionEquations {
   /// Decides which pairs carry cohesion, those whose force exceeds their gap, and sets the added unknowns.
   /// \param x  all unknowns
   void start(Eigen::VectorXd& x);
-  /// Decides which pairs carry cohesion: those whose force exceeds their gap.
-  /// \param x  all unknowns
+  /// Decides which pairs carry cohesion: those whose force exceeds their gap. \param x  all unknowns
   void choose_closed(const Eigen::VectorXd& x);
   /// Evaluates the equations.
   /// \param x         all unknowns
