@@ -4,6 +4,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/complementarity/refine.hpp"
+#include "signorini/complementarity/rigid_modes.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -17,7 +18,7 @@ namespace {
 /// A programme with what its caller has to know about its floating bodies.
 struct Floating {
   QuadraticProgramme programme;
-  RigidModes modes;
+  MatrixXd modes;               ///< null vectors of K
   std::vector<Index> grounded;  ///< one unknown per mode
 };
 
@@ -56,7 +57,7 @@ Floating beam(double w) {
   body.programme.load = Vector3d(0, -w, 0);
   body.programme.A = (MatrixXd(2, 3) << -1, 0, 0, 0, 0, -1).finished().sparseView();
   body.programme.initial_gap = Vector2d(1, 2);
-  body.modes.shape = (MatrixXd(3, 2) << 1, -1, 1, 0, 1, 1).finished();
+  body.modes = (MatrixXd(3, 2) << 1, -1, 1, 0, 1, 1).finished();
   body.grounded = {0, 2};
   return body;
 }
@@ -109,10 +110,10 @@ Floating lattices(double stiff, double lift) {
     body.programme.load(2 * node(1, rows - 1, c) + 1 - held) = -0.02 - 0.002 * double(c);
   }
   body.programme.A = A.sparseView();
-  body.modes.shape = MatrixXd::Zero(n, 3);
+  body.modes = MatrixXd::Zero(n, 3);
   for (Index i = node(1, 0, 0); i < X.rows(); ++i) {
-    body.modes.shape.row(2 * i - held) << 1, 0, 4 + lift - X(i, 1);
-    body.modes.shape.row(2 * i + 1 - held) << 0, 1, X(i, 0) - 2;
+    body.modes.row(2 * i - held) << 1, 0, 4 + lift - X(i, 1);
+    body.modes.row(2 * i + 1 - held) << 0, 1, X(i, 0) - 2;
   }
   body.grounded = {2 * node(1, 0, 0) - held, 2 * node(1, 0, 0) + 1 - held,
                    2 * node(1, 0, columns - 1) + 1 - held};
@@ -186,7 +187,7 @@ TEST_CASE("a slide along an inclined plane is free, whatever its rounding", "[ri
     programme.load = -3 * normal;
     programme.A = MatrixXd(-normal.transpose()).sparseView();
     programme.initial_gap = VectorXd::Ones(1);
-    const RigidModes modes{(MatrixXd(2, 2) << normal, Vector2d(normal(1), -normal(0))).finished()};
+    const MatrixXd modes = (MatrixXd(2, 2) << normal, Vector2d(normal(1), -normal(0))).finished();
     const FloatingProblem problem =
         floating_problem(programme, {MatrixXd::Ones(1, 1), VectorXd::Ones(1)}, modes);
     CAPTURE(degrees);

@@ -88,23 +88,6 @@ TEST_CASE("a query looks at a number of boxes like the logarithm of the number o
   }
 }
 
-TEST_CASE("the sides near a box are those whose boxes meet it", "[target_search]") {
-  Random random(6);
-  const Mesh mesh = ring(50);
-  const TargetSearch search(mesh, "outer");
-  for (int k = 0; k < 100; ++k) {
-    const Vector2d low(random.uniform(-2.5, 2), random.uniform(-2.5, 2));
-    const Vector2d high = low + Vector2d(random.uniform(0, 1), random.uniform(0, 1));
-    std::vector<Index> expected;
-    for (Index s = 0; s < search.n_sides(); ++s) {
-      const Eigen::Matrix2d box = search.side(s).box();
-      if ((box.col(0) - high).maxCoeff() <= 0 && (low - box.col(1)).maxCoeff() <= 0)
-        expected.push_back(s);
-    }
-    CHECK(search.near(low, high) == expected);
-  }
-}
-
 TEST_CASE("along the normal of the source the first facing side is met", "[target_search]") {
   const Mesh mesh = ring(12);
   const TargetSearch search(mesh, "outer");

@@ -1,7 +1,6 @@
 #include <limits>
 
 #include "catch_compat.hpp"
-#include "signorini/elasticity/rigid_modes.hpp"
 #include "signorini/elasticity/unknowns.hpp"
 #include "signorini/mesh/block.hpp"
 #include "support/message.hpp"
@@ -106,85 +105,6 @@ TEST_CASE("a displacement that is not finite is named with its boundary and node
   CHECK_THAT(complaint(plate(), {prescribed("bottom", Axis::X, pole)}),
              ContainsSubstring("'bottom'") && ContainsSubstring("node 0") &&
                  ContainsSubstring("not finite"));
-}
-
-TEST_CASE("a free body moves in both directions and turns", "[unknowns][free_motions]") {
-  const std::vector<std::string> motions = free_motions(plate(), number_unknowns(plate(), {}));
-  REQUIRE(motions.size() == 1);
-  CHECK_THAT(motions[0], ContainsSubstring("body 'plate'") && ContainsSubstring("direction x") &&
-                             ContainsSubstring("direction y") && ContainsSubstring("turn freely"));
-}
-
-TEST_CASE("a body on rollers moves along them and in no other way", "[unknowns][free_motions]") {
-  const auto only = [](const char* boundary) {
-    const std::vector<std::string> found =
-        free_motions(plate(), number_unknowns(plate(), {symmetric(boundary)}));
-    return found.size() == 1 ? found[0] : "";
-  };
-  CHECK_THAT(only("bottom"), ContainsSubstring("can move freely in direction x") &&
-                                 !ContainsSubstring("direction y") && !ContainsSubstring("turn"));
-  CHECK_THAT(only("left"), ContainsSubstring("can move freely in direction y") &&
-                               !ContainsSubstring("direction x") && !ContainsSubstring("turn"));
-}
-
-TEST_CASE("a body held at one point turns about it", "[unknowns][free_motions]") {
-  Unknowns unknowns = number_unknowns(plate(), {});
-  SECTION("a hinge at node 6") {
-    unknowns.number.row(6).setConstant(-1);
-    const std::vector<std::string> motions = free_motions(plate(), unknowns);
-    REQUIRE(motions.size() == 1);
-    CHECK_THAT(motions[0], ContainsSubstring("can turn freely about (2, 1)"));
-  }
-  SECTION("x held at (0, 0) and y at (3, 2): the centre is where the two normals meet") {
-    unknowns.number(0, 0) = -1;
-    unknowns.number(11, 1) = -1;
-    const std::vector<std::string> motions = free_motions(plate(), unknowns);
-    REQUIRE(motions.size() == 1);
-    CHECK_THAT(motions[0], ContainsSubstring("can turn freely about (3, ") &&
-                               !ContainsSubstring("move freely"));
-  }
-}
-
-TEST_CASE("what a body does is said alike in every unit of length", "[unknowns][free_motions]") {
-  for (const double unit : {1e-6, 1.0, 1e6}) {
-    const Mesh scaled = mapped(plate(), [unit](const Vector2d& x) { return unit * x; });
-    Unknowns unknowns = number_unknowns(scaled, {});
-    unknowns.number.row(0).setConstant(-1);
-    const std::vector<std::string> motions = free_motions(scaled, unknowns);
-    INFO(unit);
-    REQUIRE(motions.size() == 1);
-    CHECK_THAT(motions[0], Catch::Matchers::EndsWith("can turn freely about (0, 0)"));
-  }
-  const Mesh tiny = mapped(plate(), [](const Vector2d& x) { return 1e-6 * x; });
-  const std::vector<std::string> slides =
-      free_motions(tiny, number_unknowns(tiny, {symmetric("bottom")}));
-  REQUIRE(slides.size() == 1);
-  CHECK_THAT(slides[0], Catch::Matchers::EndsWith("can move freely in direction x"));
-}
-
-TEST_CASE("a body that is held cannot move", "[unknowns][free_motions]") {
-  const auto held = [](const std::vector<Support>& supports) {
-    return free_motions(plate(), number_unknowns(plate(), supports)).empty();
-  };
-  CHECK(held({fixed("left")}));
-  CHECK(held({symmetric("left"), symmetric("bottom")}));
-  CHECK_FALSE(held({symmetric("left"), symmetric("right")}));
-}
-
-TEST_CASE("of two bodies in one mesh the free one is named", "[unknowns][free_motions]") {
-  Mesh both = plate();
-  const Mesh second =
-      mapped(plate(), [](const Vector2d& x) { return Vector2d(x.x() + 10, x.y()); });
-  const Index n = both.n_nodes();
-  both.nodes.conservativeResize(2 * n, 2);
-  both.nodes.bottomRows(n) = second.nodes;
-  both.cells.conservativeResize(12, 4);
-  both.cells.bottomRows(6) = second.cells.array() + n;
-  const std::vector<std::string> motions =
-      free_motions(both, number_unknowns(both, {fixed("left")}));
-  REQUIRE(motions.size() == 1);
-  CHECK_THAT(motions[0], ContainsSubstring("6 cells around (11.5, 1)"));
-  CHECK(free_motions(both, number_unknowns(both, {})).size() == 2);
 }
 
 TEST_CASE("a single node can be held, and must exist", "[unknowns]") {

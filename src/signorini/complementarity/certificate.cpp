@@ -7,7 +7,6 @@
 #include <ostream>
 #include <sstream>
 
-#include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
@@ -120,6 +119,22 @@ bool pushes_on_nothing(const QuadraticProgramme& programme, const Eigen::VectorX
   return false;
 }
 
+/// |u^T K u - p^T u + lambda^T g| over the sum of the energies, or `least` if that is larger.
+double duality_gap(const QuadraticProgramme& programme, const PrimalDual& solution,
+                   const Eigen::VectorXd& residual, const Eigen::VectorXd& gap, double least) {
+  ExactSum energy;  // as lambda^T gap - u^T (p - K u - A^T lambda)
+  double energies = 0;
+  for (Index pair = 0; pair < gap.size(); ++pair) {
+    energy.add_product(solution.force(pair), gap(pair));
+    energies += std::abs(solution.force(pair) * programme.initial_gap(pair));
+  }
+  for (Index i = 0; i < residual.size(); ++i) {
+    energy.add_product(-residual(i), solution.displacement(i));
+    energies += std::abs(programme.load(i) * solution.displacement(i));
+  }
+  return ratio(std::abs(energy.value()), std::max(energies, least));
+}
+
 }  // namespace
 
 Certificate uncertified() {
@@ -128,12 +143,12 @@ Certificate uncertified() {
 }
 
 double Certificate::worst() const {
-  double largest = 0;
+  double most = 0;
   for (const double figure : {penetration, tension, complementarity, equilibrium, duality_gap}) {
     if (std::isnan(figure)) return std::numeric_limits<double>::infinity();
-    largest = std::max(largest, figure);
+    most = std::max(most, figure);
   }
-  return largest;
+  return most;
 }
 
 Eigen::VectorXd strained(const PrimalDual& solution) {
@@ -186,14 +201,11 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
     return uncertified();
   const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
   const Eigen::VectorXd gap = gaps(programme, solution);
-  const Index pairs = gap.size();
   const Scales scale = scales_of(programme, solution);
   const Eigen::VectorXd norm = row_norms(programme.A);
 
   Certificate certificate;
-  ExactSum gap_energy;
-  double energies = 0;
-  for (Index pair = 0; pair < pairs; ++pair) {
+  for (Index pair = 0; pair < gap.size(); ++pair) {
     const bool equation = pair < equations;
     const double length = equation ? -std::abs(gap(pair)) / norm(pair) : gap(pair) / norm(pair);
     const double force =
@@ -203,65 +215,10 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
     certificate.tension = std::max(certificate.tension, ratio(std::max(0.0, -force), scale.force));
     certificate.complementarity = std::max(
         certificate.complementarity, ratio(std::abs(length * force), scale.length * scale.force));
-    // u^T K u - p^T u + lambda^T g = lambda^T gap - u^T (p - K u - A^T lambda)
-    gap_energy.add_product(solution.force(pair), gap(pair));
-    energies += std::abs(solution.force(pair) * programme.initial_gap(pair));
   }
-  for (Index i = 0; i < residual.size(); ++i) {
-    gap_energy.add_product(-residual(i), solution.displacement(i));
-    energies += std::abs(programme.load(i) * solution.displacement(i));
-  }
-  certificate.equilibrium =
-      residual.size() == 0 ? 0 : ratio(residual.cwiseAbs().maxCoeff(), scale.force);
+  certificate.equilibrium = ratio(largest(residual), scale.force);
   certificate.duality_gap =
-      ratio(std::abs(gap_energy.value()), std::max(energies, scale.length * scale.force));
-  return certificate;
-}
-
-Certificate certify(const ContactProblem& problem, const ContactState& state) {
-  const Index n = problem.free_gap.size();
-  require(problem.compliance.rows() == n && problem.compliance.cols() == n &&
-              state.force.size() == n && state.gap.size() == n,
-          "certify: need a square compliance, ", n, " forces and ", n, " gaps, got ",
-          problem.compliance.rows(), " x ", problem.compliance.cols(), ", ", state.force.size(),
-          " and ", state.gap.size());
-  Certificate certificate;
-  if (n == 0) return certificate;
-  if (!problem.compliance.allFinite() || !problem.free_gap.allFinite() ||
-      !state.force.allFinite() || !state.gap.allFinite())
-    return uncertified();
-  // Pairs are compared after scaling: gap / sqrt(G_ii) and force * sqrt(G_ii) have one unit.
-  const Eigen::VectorXd scale = pair_scales(problem.compliance).cwiseInverse();
-  // The length counts overlaps and what forces do in sum, not the gaps of pairs that are far apart.
-  double length = 0;
-  double force = 0;
-  ExactSum gap_energy;
-  double energies = 0;
-  Eigen::VectorXd gap(n);
-  for (Index i = 0; i < n; ++i) {
-    ExactSum moved;
-    for (Index j = 0; j < n; ++j) moved.add_product(problem.compliance(i, j), state.force(j));
-    length =
-        std::max({length, -problem.free_gap(i) / scale(i), std::abs(moved.value()) / scale(i)});
-    force = std::max(force, std::abs(state.force(i)) * scale(i));
-    moved.add(problem.free_gap(i));
-    gap(i) = moved.value();
-    gap_energy.add_product(state.force(i), gap(i));
-    energies += std::abs(state.force(i) * problem.free_gap(i));
-  }
-  for (Index i = 0; i < n; ++i) {
-    const double open = gap(i) / scale(i);
-    const double push = state.force(i) * scale(i);
-    certificate.penetration =
-        std::max(certificate.penetration, ratio(std::max(0.0, -open), length));
-    certificate.tension = std::max(certificate.tension, ratio(std::max(0.0, -push), force));
-    certificate.complementarity =
-        std::max(certificate.complementarity, ratio(std::abs(open * push), length * force));
-    certificate.equilibrium = std::max(
-        certificate.equilibrium,
-        ratio(std::abs(gap(i) - state.gap(i)) / scale(i), std::max(length, std::abs(open))));
-  }
-  certificate.duality_gap = ratio(std::abs(gap_energy.value()), std::max(energies, length * force));
+      duality_gap(programme, solution, residual, gap, scale.length * scale.force);
   return certificate;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "signorini/complementarity/balanced_pairs.hpp"
+#include "signorini/complementarity/report_sum.hpp"
 #include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
@@ -87,13 +88,6 @@ std::vector<Index> by_force(const ContactState& state) {
   return pairs;
 }
 
-void add_to(Report& report, Report& pass) {
-  report.status = pass.status;
-  report.iterations += pass.iterations;
-  report.factorisations += pass.factorisations;
-  report.history.insert(report.history.end(), pass.history.begin(), pass.history.end());
-}
-
 /// The problem in which springs hold the modes.
 ContactProblem on_springs(const ScaledFloating& problem, const VectorXd& amplitude, double rho) {
   ContactProblem held{problem.contact.compliance, problem.contact.free_gap};
@@ -114,7 +108,7 @@ FloatingState solve_on_springs(const FloatingProblem& problem, const ScaledFloat
   while (passes < most_passes) {
     now = solver.solve(on_springs(scaled, amplitude, rho), options);
     ++passes;
-    add_to(report, now.report);
+    append(report, now.report);
     const VectorXd missing = scaled.rigid.transpose() * now.force - scaled.resultant;
     const VectorXd spring = scaled.inverse.transpose() * missing;
     amplitude += rho * (scaled.inverse * spring);

@@ -13,14 +13,14 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Gaps of a state, and for each pair the largest of the three parts that they are made of.
-struct Gaps {
+struct Recomputed {
   VectorXd gap;
   VectorXd part;
 };
 
-Gaps recomputed(const FloatingProblem& problem, const FloatingState& state) {
+Recomputed recomputed(const FloatingProblem& problem, const FloatingState& state) {
   const Index n = problem.contact.free_gap.size();
-  Gaps result{VectorXd(n), VectorXd(n)};
+  Recomputed result{VectorXd(n), VectorXd(n)};
   for (Index i = 0; i < n; ++i) {
     double largest_term = 0;  // terms count one by one: their sum may cancel
     ExactSum rigid;
@@ -41,22 +41,21 @@ Gaps recomputed(const FloatingProblem& problem, const FloatingState& state) {
   return result;
 }
 
-/// Largest entry of R^T lambda - r, each over the largest of its terms.
-double imbalance(const FloatingProblem& problem, const VectorXd& force) {
+}  // namespace
+
+double imbalance(const Eigen::MatrixXd& rigid, const VectorXd& resultant, const VectorXd& force) {
   double worst = 0;
-  for (Index j = 0; j < problem.resultant.size(); ++j) {
-    ExactSum sum(-problem.resultant(j));
-    double term = std::abs(problem.resultant(j));
+  for (Index j = 0; j < resultant.size(); ++j) {
+    ExactSum sum(-resultant(j));
+    double term = std::abs(resultant(j));
     for (Index i = 0; i < force.size(); ++i) {
-      sum.add_product(problem.rigid(i, j), force(i));
-      term = std::max(term, std::abs(problem.rigid(i, j) * force(i)));
+      sum.add_product(rigid(i, j), force(i));
+      term = std::max(term, std::abs(rigid(i, j) * force(i)));
     }
     worst = std::max(worst, ratio(std::abs(sum.value()), term));
   }
   return worst;
 }
-
-}  // namespace
 
 Certificate certify(const FloatingProblem& problem, const FloatingState& state) {
   check_problem(problem.contact);
@@ -71,7 +70,7 @@ Certificate certify(const FloatingProblem& problem, const FloatingState& state) 
   if (!force.allFinite() || !state.contact.gap.allFinite() || !state.amplitude.allFinite() ||
       !problem.rigid.allFinite() || !problem.resultant.allFinite())
     return uncertified();
-  const Gaps now = recomputed(problem, state);
+  const Recomputed now = recomputed(problem, state);
   const VectorXd scale = problem.contact.compliance.diagonal().unaryExpr(
       [](double g) { return g > 0 ? std::sqrt(g) : 1.0; });
   double length = 0;
@@ -81,7 +80,7 @@ Certificate certify(const FloatingProblem& problem, const FloatingState& state) 
     push = std::max(push, std::abs(force(i)) * scale(i));
   }
   Certificate certificate;
-  certificate.equilibrium = imbalance(problem, force);
+  certificate.equilibrium = imbalance(problem.rigid, problem.resultant, force);
   ExactSum
       energy;  // lambda^T d + lambda^T G lambda + r^T a: what lambda^T gap is if R^T lambda = r
   double energies = length * push;

@@ -8,6 +8,7 @@
 
 #include "signorini/complementarity/bordered_system.hpp"
 #include "signorini/complementarity/refine.hpp"
+#include "signorini/complementarity/rigid_modes.hpp"
 #include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/errors.hpp"
 
@@ -113,10 +114,10 @@ FloatingCondensed condense(const DenseProgramme& programme, const MatrixXd& null
       "vectors say, or K is indefinite");
   condensed.free_displacement = condensed.factor.solve(programme.load);
   const MatrixXd half = condensed.factor.matrixL().solve(programme.A.transpose());
-  condensed.problem.contact =
-      multiplied_out({half, programme.initial_gap - programme.A * condensed.free_displacement});
-  condensed.problem.rigid = -programme.A * null_vectors;
-  condensed.problem.resultant = -null_vectors.transpose() * programme.load;
+  condensed.problem = floating_problem(
+      sparse(programme),
+      multiplied_out({half, programme.initial_gap - programme.A * condensed.free_displacement}),
+      null_vectors);
   return condensed;
 }
 

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "signorini/complementarity/floating.hpp"
 #include "signorini/complementarity/friction.hpp"
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 
@@ -12,20 +14,18 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-double ratio(double part, double whole) { return part == 0 ? 0 : part / whole; }
-
 void raise(double& figure, double value) { figure = std::max(figure, value); }
 
 /// Gaps and slips of a state, in units of sqrt(F_ii), and the largest term of each.
-struct Motion {
+struct Recomputed {
   VectorXd moved;
   VectorXd part;
 };
 
-Motion recomputed(const FrictionProblem& problem, const VectorXd& force, const VectorXd& amplitude,
-                  const VectorXd& unit) {
+Recomputed recomputed(const FrictionProblem& problem, const VectorXd& force,
+                      const VectorXd& amplitude, const VectorXd& unit) {
   const Index n = problem.free_gap.size();
-  Motion result{VectorXd(2 * n), VectorXd(2 * n)};
+  Recomputed result{VectorXd(2 * n), VectorXd(2 * n)};
   for (Index i = 0; i < 2 * n; ++i) {
     const double free = i < n ? problem.free_gap(i) : problem.free_slip(i - n);
     // An open gap is no measure: it may be as large as it likes.
@@ -44,21 +44,6 @@ Motion recomputed(const FrictionProblem& problem, const VectorXd& force, const V
     result.part(i) = std::max(term, std::abs(rigid.value())) / unit(i);
   }
   return result;
-}
-
-/// Largest entry of R^T f - r, each over the largest of its terms.
-double imbalance(const FrictionProblem& problem, const VectorXd& force) {
-  double worst = 0;
-  for (Index j = 0; j < problem.resultant.size(); ++j) {
-    ExactSum sum(-problem.resultant(j));
-    double term = std::abs(problem.resultant(j));
-    for (Index i = 0; i < force.size(); ++i) {
-      sum.add_product(problem.rigid(i, j), force(i));
-      term = std::max(term, std::abs(problem.rigid(i, j) * force(i)));
-    }
-    raise(worst, ratio(std::abs(sum.value()), term));
-  }
-  return worst;
 }
 
 /// What a pair violates if it has a certain bound.
@@ -101,13 +86,13 @@ FrictionCertificate certify(const FrictionProblem& problem, const FrictionState&
     return {infinity, infinity, infinity, infinity, infinity, infinity};
   const VectorXd unit =
       problem.compliance.diagonal().unaryExpr([](double f) { return f > 0 ? std::sqrt(f) : 1.0; });
-  const Motion now = recomputed(problem, force, state.amplitude, unit);
+  const Recomputed now = recomputed(problem, force, state.amplitude, unit);
   const VectorXd pushed = force.cwiseProduct(unit);
   const double length = n == 0 ? 0 : now.part.maxCoeff();
   const double push = n == 0 ? 0 : pushed.cwiseAbs().maxCoeff();
 
   FrictionCertificate certificate;
-  certificate.equilibrium = imbalance(problem, force);
+  certificate.equilibrium = imbalance(problem.rigid, problem.resultant, force);
   for (Index i = 0; i < 2 * n; ++i)
     raise(certificate.equilibrium, ratio(std::abs(now.moved(i) - claimed(i) / unit(i)),
                                          std::max(length, std::abs(now.moved(i)))));

@@ -4,9 +4,9 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/exact_vector.hpp"
 
 namespace signorini {
@@ -15,8 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// The sign of tau at the bound.
 double sign(Motion motion) {

@@ -3,19 +3,17 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "signorini/complementarity/complementarity_functions.hpp"
 #include "signorini/complementarity/goldfarb_idnani.hpp"
+#include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// What Armijo's rule asks of a step, as in fischer_burmeister().
 constexpr double enough = 1e-4;
@@ -124,8 +122,9 @@ Iteration friction_iteration(const ScaledFriction& problem, const FrictionPoint&
   return {n - static_cast<Index>(open), changes, penetration, tension, 0, residual};
 }
 
-FrictionEquations::FrictionEquations(const ScaledFriction& problem)
+FrictionEquations::FrictionEquations(const ScaledFriction& problem, const FrictionLaw& law)
     : problem_(problem),
+      law_(law),
       reach_(friction_reach(problem)),
       compliance_(problem.compliance / reach_),
       movement_(problem.free.size()),
@@ -137,6 +136,11 @@ void FrictionEquations::choose_closed(const VectorXd& x) {
   movement_.noalias() += problem_.rigid * x.segment(2 * pairs(), modes());
   for (Index i = 0; i < pairs(); ++i)
     cohesion_(i) = x(i) > movement_(i) ? reach_ * problem_.cohesion(i) : 0;
+}
+
+void FrictionEquations::start(VectorXd& x) {
+  choose_closed(x);
+  if (law_.start != nullptr) law_.start(*this, x);
 }
 
 double FrictionEquations::bound(const VectorXd& x, Index i) const {
@@ -156,10 +160,10 @@ void FrictionEquations::evaluate(const VectorXd& x, VectorXd& residual) {
   auto balance = residual.segment(2 * n, modes());
   balance = -reach_ * problem_.resultant;
   balance.noalias() += problem_.rigid.transpose() * x.head(2 * n);
-  tangential(x, residual);
+  law_.evaluate(*this, x, residual);
 }
 
-void FrictionEquations::differentiate(const VectorXd& x, Eigen::MatrixXd& J) {
+void FrictionEquations::differentiate(const VectorXd& x, Eigen::MatrixXd& J) const {
   const Index n = pairs();
   J.setZero();
   J.topLeftCorner(2 * n, 2 * n) = compliance_;
@@ -170,7 +174,7 @@ void FrictionEquations::differentiate(const VectorXd& x, Eigen::MatrixXd& J) {
     J.row(i) *= slope.a;
     J(i, i) += slope.b;
   }
-  tangential_slopes(x, J);
+  law_.differentiate(*this, x, J);
 }
 
 FrictionPoint friction_start(const ScaledFriction& problem) {
@@ -191,15 +195,15 @@ FrictionPoint friction_start(const ScaledFriction& problem) {
   return point;
 }
 
-void descend(const ScaledFriction& problem, FrictionEquations& equations, Index limit,
+void descend(const ScaledFriction& problem, const FrictionLaw& law, Index limit,
              FrictionPoint& point) {
   const Index n = problem.coefficient.size();
   const Index k = problem.resultant.size();
+  FrictionEquations equations(problem, law);
   const double reach = equations.reach();
-  VectorXd x(2 * n + k + equations.added());
+  VectorXd x(equations.size());
   x.head(2 * n) = reach * point.closure.force;
   x.segment(2 * n, k) = point.closure.amplitude;
-  equations.choose_closed(x);
   equations.start(x);
   Newton newton(equations, x);
   const auto look = [&] {

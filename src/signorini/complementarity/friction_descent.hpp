@@ -9,23 +9,38 @@
 
 namespace signorini {
 
-/// A way to write contact with friction as equations Phi(x) = 0.
+class FrictionEquations;
+
+/// How a formulation writes the law of friction: the tangential equations, and those of the unknowns that it
+/// adds to forces and amplitudes.
+struct FrictionLaw {
+  Eigen::Index added;  ///< unknowns and equations per pair, behind those of FrictionEquations
+  /// Sets the added unknowns where the others are given; null if there are none.
+  void (*start)(const FrictionEquations& equations, Eigen::VectorXd& x);
+  /// Evaluates the tangential equations and the added ones, at equations.movement().
+  void (*evaluate)(const FrictionEquations& equations, const Eigen::VectorXd& x,
+                   Eigen::VectorXd& residual);
+  /// Evaluates their derivatives. Row n_c + i of J still holds d slip_i / d x.
+  void (*differentiate)(const FrictionEquations& equations, const Eigen::VectorXd& x,
+                        Eigen::MatrixXd& J);
+};
+
+/// Contact with friction as equations Phi(x) = 0.
 ///
-/// The unknowns x are forces `2 n_c`, amplitudes `k`, and what a formulation adds. The first equations
-/// belong to the pairs, those from `2 n_c` on are R^T f = r, then come those of the formulation. Forces
-/// are measured by the gaps that such forces on all pairs make, as in fischer_burmeister().
+/// The unknowns x are forces `2 n_c`, amplitudes `k`, and what a law adds. The first equations belong to
+/// the pairs, those from `2 n_c` on are R^T f = r, then come those of the law. Forces are measured by the
+/// gaps that such forces on all pairs make, as in fischer_burmeister().
 class FrictionEquations {
  public:
-  /// \param problem  scaled by equilibrate()
-  explicit FrictionEquations(const ScaledFriction& problem);
-  FrictionEquations(const FrictionEquations&) = delete;
-  FrictionEquations& operator=(const FrictionEquations&) = delete;
-  virtual ~FrictionEquations() = default;
+  /// \param problem  scaled by equilibrate(); must outlive this
+  /// \param law      must outlive this
+  FrictionEquations(const ScaledFriction& problem, const FrictionLaw& law);
 
-  /// \return how many unknowns this formulation adds
-  [[nodiscard]] virtual Eigen::Index added() const = 0;
-  /// Sets the added unknowns where the others are given. \param x  all unknowns
-  virtual void start(Eigen::VectorXd& x) = 0;
+  /// \return the number of unknowns
+  [[nodiscard]] Eigen::Index size() const { return (2 + law_.added) * pairs() + modes(); }
+  /// Decides which pairs carry cohesion, those whose force exceeds their gap, and sets the added unknowns.
+  /// \param x  all unknowns
+  void start(Eigen::VectorXd& x);
   /// Decides which pairs carry cohesion: those whose force exceeds their gap. \param x  all unknowns
   void choose_closed(const Eigen::VectorXd& x);
   /// Evaluates the equations.
@@ -35,22 +50,11 @@ class FrictionEquations {
   /// Evaluates their derivatives, where evaluate() was called last.
   /// \param x  all unknowns
   /// \param J  d Phi / d x
-  void differentiate(const Eigen::VectorXd& x, Eigen::MatrixXd& J);
+  void differentiate(const Eigen::VectorXd& x, Eigen::MatrixXd& J) const;
   /// \return gaps and slips `2 n_c` where evaluate() was called last
   [[nodiscard]] const Eigen::VectorXd& movement() const { return movement_; }
   /// \return what one unit of scaled force counts in x
   [[nodiscard]] double reach() const { return reach_; }
-
- protected:
-  /// The tangential equations and the added ones, at movement().
-  /// \param x         all unknowns
-  /// \param residual  Phi
-  virtual void tangential(const Eigen::VectorXd& x, Eigen::VectorXd& residual) = 0;
-  /// Their derivatives. Row n_c + i of J still holds d slip_i / d x.
-  /// \param x  all unknowns
-  /// \param J  d Phi / d x
-  virtual void tangential_slopes(const Eigen::VectorXd& x, Eigen::MatrixXd& J) = 0;
-
   /// \param x  all unknowns
   /// \param i  a pair
   /// \return the bound b of its friction force
@@ -66,6 +70,7 @@ class FrictionEquations {
 
  private:
   const ScaledFriction& problem_;
+  const FrictionLaw& law_;
   double reach_;
   Eigen::MatrixXd compliance_;  ///< F / reach
   Eigen::VectorXd movement_;
@@ -100,10 +105,10 @@ struct FrictionPoint {
 /// whenever an iterate says something new of what the pairs do, close_friction() solves the equations of
 /// these motions, and of those which that solution asks for, and looks whether all signs are right.
 /// \param problem    scaled
-/// \param equations  of the formulation
+/// \param law        of the formulation
 /// \param limit      on the iterations in `point.report`
 /// \param[in,out] point  where to start, and where it ended
-void descend(const ScaledFriction& problem, FrictionEquations& equations, Eigen::Index limit,
+void descend(const ScaledFriction& problem, const FrictionLaw& law, Eigen::Index limit,
              FrictionPoint& point);
 
 /// The point from which all methods start: forces without friction, or for bodies with rigid modes the

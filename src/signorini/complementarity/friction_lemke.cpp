@@ -8,6 +8,7 @@
 #include "signorini/complementarity/friction_active_set.hpp"
 #include "signorini/complementarity/friction_proofs.hpp"
 #include "signorini/complementarity/lemke.hpp"
+#include "signorini/complementarity/report_sum.hpp"
 
 namespace signorini {
 namespace {
@@ -51,8 +52,7 @@ ContactState arrived(const ContactProblem& lcp, const SolverOptions& options, Re
   for (Index attempt = 0; attempt < 4 && state.report.status != Status::Solved; ++attempt) {
     const VectorXd covering = VectorXd::LinSpaced(m, 1, static_cast<double>(1 + attempt));
     state = attempt == 0 ? lemke(lcp, options) : lemke(lcp, covering, options);
-    report.iterations += state.report.iterations;
-    report.factorisations += state.report.factorisations;
+    append(report, state.report);
   }
   return state;
 }
@@ -88,7 +88,6 @@ void follow_lemke(const ScaledFriction& problem, const SolverOptions& options,
   while (std::find(seen.begin(), seen.end(), cohesion) == seen.end()) {
     seen.push_back(cohesion);
     const ContactState state = arrived(complementarity(problem, cohesion), options, point.report);
-    point.report.status = state.report.status;
     point.reason =
         std::string("Lemke's method ended with '") + to_string(state.report.status) + "'";
     if (!state.force.allFinite()) return;

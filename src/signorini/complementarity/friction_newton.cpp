@@ -14,43 +14,37 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// phi(tau + b, phi(b - tau, -slip)) = 0
-class NestedEquations : public FrictionEquations {
- public:
-  using FrictionEquations::FrictionEquations;
-  [[nodiscard]] Index added() const override { return 0; }
-  void start(VectorXd& /*x*/) override {}
+// The law: phi(tau + b, phi(b - tau, -slip)) = 0.
+void evaluate(const FrictionEquations& equations, const VectorXd& x, VectorXd& residual) {
+  const Index n = equations.pairs();
+  for (Index i = 0; i < n; ++i) {
+    const double b = equations.bound(x, i);
+    const double inner = fischer_burmeister(b - x(n + i), -equations.movement()(n + i));
+    residual(n + i) = fischer_burmeister(x(n + i) + b, inner);
+  }
+}
 
- protected:
-  void tangential(const VectorXd& x, VectorXd& residual) override {
-    const Index n = pairs();
-    for (Index i = 0; i < n; ++i) {
-      const double b = bound(x, i);
-      const double inner = fischer_burmeister(b - x(n + i), -movement()(n + i));
-      residual(n + i) = fischer_burmeister(x(n + i) + b, inner);
-    }
+void differentiate(const FrictionEquations& equations, const VectorXd& x, Eigen::MatrixXd& J) {
+  const Index n = equations.pairs();
+  for (Index i = 0; i < n; ++i) {
+    const double b = equations.bound(x, i);
+    const double tau = x(n + i);
+    const double slip = equations.movement()(n + i);
+    const ComplementaritySlope in = fischer_burmeister_slope(b - tau, -slip);
+    const ComplementaritySlope out =
+        fischer_burmeister_slope(tau + b, fischer_burmeister(b - tau, -slip));
+    J.row(n + i) *= -out.b * in.b;
+    J(n + i, n + i) += out.a - out.b * in.a;
+    J(n + i, i) += (out.a + out.b * in.a) * equations.bound_slope(x, i);
   }
-  void tangential_slopes(const VectorXd& x, Eigen::MatrixXd& J) override {
-    const Index n = pairs();
-    for (Index i = 0; i < n; ++i) {
-      const double b = bound(x, i);
-      const double tau = x(n + i);
-      const double slip = movement()(n + i);
-      const ComplementaritySlope in = fischer_burmeister_slope(b - tau, -slip);
-      const ComplementaritySlope out =
-          fischer_burmeister_slope(tau + b, fischer_burmeister(b - tau, -slip));
-      J.row(n + i) *= -out.b * in.b;
-      J(n + i, n + i) += out.a - out.b * in.a;
-      J(n + i, i) += (out.a + out.b * in.a) * bound_slope(x, i);
-    }
-  }
-};
+}
+
+constexpr FrictionLaw nested = {0, nullptr, evaluate, differentiate};
 
 }  // namespace
 
 void follow_newton(const ScaledFriction& problem, Eigen::Index limit, FrictionPoint& point) {
-  NestedEquations equations(problem);
-  descend(problem, equations, limit, point);
+  descend(problem, nested, limit, point);
 }
 
 FrictionState friction_newton(const FrictionProblem& problem, const SolverOptions& options) {

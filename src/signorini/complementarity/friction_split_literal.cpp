@@ -7,6 +7,7 @@
 #include "signorini/complementarity/complementarity_functions.hpp"
 #include "signorini/complementarity/friction_descent.hpp"
 #include "signorini/complementarity/friction_split.hpp"
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -112,38 +113,41 @@ FrictionState state_of(const FrictionProblem& problem, const Iterate& now) {
   return state;
 }
 
-}  // namespace
-
-FrictionState friction_split_literal(const FrictionProblem& problem, const SolverOptions& options) {
-  check_problem(problem);
+/// No displacement and no force; or for bodies with rigid modes the forces of friction_start(), since from
+/// no force at all no pair would hold the modes.
+Iterate first_iterate(const FrictionProblem& problem) {
   const Index n = problem.free_gap.size();
   const Index size = 4 * n + problem.resultant.size();
-  const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 50;
   Iterate now{VectorXd::Zero(size), VectorXd(2 * n), VectorXd(size)};
-  if (problem.resultant.size() > 0) {  // from no force at all, no pair would hold the rigid modes
+  if (problem.resultant.size() > 0) {
     const ScaledFriction scaled = equilibrate(problem);
     now.x.head(2 * n) = scaled.scale.cwiseProduct(friction_start(scaled).closure.force);
   }
   evaluate(problem, now);
+  return now;
+}
+
+/// Newton's method until the residual, once below the tolerance, falls no more: its steps are cheap there.
+/// \return why it ended, if not there
+std::string iterate(const FrictionProblem& problem, const SolverOptions& options, Iterate& now,
+                    Report& report) {
+  const Index n = problem.free_gap.size();
+  const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 50;
   const double first = now.residual.norm();
-  MatrixXd J(size, size);
+  MatrixXd J(now.x.size(), now.x.size());
   Eigen::PartialPivLU<MatrixXd> factor;
-  Report report;
   report.status = Status::IterationLimit;
-  std::string reason = "Newton's method did not come to rest";
   double last = std::numeric_limits<double>::infinity();
-  // Below the tolerance, on until the residual falls no more: steps of Newton's method are cheap there.
-  while (report.iterations < limit && now.residual.norm() > 0 &&
+  while (now.residual.norm() > 0 &&
          (now.residual.norm() > options.tolerance * first || now.residual.norm() < last)) {
+    if (report.iterations >= limit) break;
     last = now.residual.norm();
     jacobian(problem, now, J);
     factor.compute(J);
     ++report.factorisations;
-    if (!(factor.rcond() > std::numeric_limits<double>::epsilon())) {
-      if (now.residual.norm() <= options.tolerance * first) break;
+    if (!(factor.rcond() > epsilon)) {
       report.status = Status::Breakdown;
-      reason = singular(problem, now);
-      break;
+      return singular(problem, now);
     }
     now.x -= factor.solve(now.residual);
     ++report.iterations;
@@ -153,6 +157,17 @@ FrictionState friction_split_literal(const FrictionProblem& problem, const Solve
     entry.residual = first == 0 ? 0 : now.residual.norm() / first;
     report.history.push_back(entry);
   }
+  return "Newton's method did not come to rest";
+}
+
+}  // namespace
+
+FrictionState friction_split_literal(const FrictionProblem& problem, const SolverOptions& options) {
+  check_problem(problem);
+  Iterate now = first_iterate(problem);
+  const double first = now.residual.norm();
+  Report report;
+  std::string reason = iterate(problem, options, now, report);
   FrictionState state = state_of(problem, now);
   if (now.residual.norm() <= options.tolerance * first) {
     const bool contact = certify(problem, state).holds();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "signorini/complementarity/bordered_system.hpp"
+#include "signorini/complementarity/rigid_modes.hpp"
 #include "signorini/complementarity/rounding.hpp"
 
 namespace signorini {
@@ -22,8 +23,8 @@ using Eigen::VectorXd;
 class Closing {
  public:
   Closing(const QuadraticProgramme& programme, const Eigen::MatrixXd& compliance,
-          const std::vector<Index>& active, const RigidModes& modes)
-      : pairs_(active), modes_(modes.shape) {
+          const std::vector<Index>& active, const MatrixXd& modes)
+      : pairs_(active), modes_(modes) {
     if (!floats()) {
       const MatrixXd closed = compliance(active, active);
       factor_.compute(closed);
@@ -70,12 +71,12 @@ class Closing {
 /// Whether no force is left along a rigid mode but what rounding makes of the terms; in K u, of as many as
 /// K has in a row.
 bool balanced(const QuadraticProgramme& programme, const PrimalDual& solution,
-              const RigidModes& modes, double rounding) {
-  if (modes.shape.cols() == 0) return true;
+              const MatrixXd& modes, double rounding) {
+  if (modes.cols() == 0) return true;
   const double row = static_cast<double>(programme.stiffness.nonZeros()) /
                      static_cast<double>(programme.stiffness.rows());
-  const VectorXd left = modes.shape.transpose() * equilibrium_residual(programme, solution);
-  const VectorXd size = modes.shape.cwiseAbs().transpose() *
+  const VectorXd left = modes.transpose() * equilibrium_residual(programme, solution);
+  const VectorXd size = modes.cwiseAbs().transpose() *
                         VectorXd(programme.load.cwiseAbs() +
                                  programme.stiffness.cwiseAbs() * strained(solution).cwiseAbs() +
                                  programme.A.cwiseAbs().transpose() * solution.force.cwiseAbs());
@@ -97,10 +98,10 @@ bool signs_hold(const QuadraticProgramme& programme, const Refinement& result,
   return true;
 }
 
-PrimalDual started(PrimalDual start, const RigidModes& modes) {
+PrimalDual started(PrimalDual start, const MatrixXd& modes) {
   const Index n = start.displacement.size();
   if (start.displacement_low.size() == 0) start.displacement_low.setZero(n);
-  if (modes.shape.cols() > 0 && start.rigid.size() == 0) start.rigid.setZero(n);
+  if (modes.cols() > 0 && start.rigid.size() == 0) start.rigid.setZero(n);
   return start;
 }
 
@@ -180,11 +181,11 @@ void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
 Refinement refine(const QuadraticProgramme& programme,
                   const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
                   const Eigen::MatrixXd& compliance, PrimalDual start,
-                  const std::vector<Index>& active, const RigidModes& modes) {
+                  const std::vector<Index>& active, const MatrixXd& modes) {
   const Closing closing(programme, compliance, active, modes);
   Refinement result;
   result.solution = started(std::move(start), modes);
-  result.amplitude.setZero(modes.shape.cols());
+  result.amplitude.setZero(modes.cols());
   const PrimalDual& solution = result.solution;
 
   const double rounding = epsilon * static_cast<double>(active.size() + 1);

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "signorini/complementarity/certificate.hpp"
-#include "signorini/complementarity/rigid_modes.hpp"
+#include "signorini/complementarity/floating.hpp"
 
 namespace signorini {
 
@@ -47,14 +47,14 @@ struct Refinement {
 /// \param start            a solution to start from, forces 0 outside of W; its displacement may
 ///                         still be that without contact
 /// \param active           W, in increasing order; its block of G must be regular
-/// \param modes            N, or nothing if K is regular
+/// \param null_vectors     N, or nothing if K is regular
 /// \return the refined solution; another set is needed unless it is `confirmed`. It is not if pairs of W
 ///   repeat each other, or if the load has a part along a mode that W does not hold
-/// \throws std::invalid_argument if the sizes of `programme`, `start` and `modes` do not fit
+/// \throws std::invalid_argument if the sizes of `programme`, `start` and N do not fit
 [[nodiscard]] Refinement refine(
     const QuadraticProgramme& programme,
     const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
     const Eigen::MatrixXd& compliance, PrimalDual start, const std::vector<Eigen::Index>& active,
-    const RigidModes& modes = {});
+    const Eigen::MatrixXd& null_vectors = {});
 
 }  // namespace signorini

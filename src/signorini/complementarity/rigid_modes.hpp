@@ -1,18 +1,25 @@
 /// \file
 /// Rigid modes of a sparse programme: from K, p, A and g to the floating problem.
 #pragma once
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
 #include "signorini/complementarity/floating.hpp"
 #include "signorini/complementarity/problem.hpp"
 
 namespace signorini {
 
-/// How the bodies of a programme can move without being strained.
+/// What rigid modes open the gaps by.
 ///
-/// A rotation should turn its body about a point inside: about a far one it is mostly a shift, and what
-/// remains of the two when they cancel is rounded as they are.
-struct RigidModes {
-  Eigen::MatrixXd shape;  ///< N `n x n_r`, independent columns with K N = 0; none if it is empty
-};
+/// A mode that opens no gap, like a slide along a plane, must get zeros and not their rounding, or this
+/// would be taken for a hold: an entry counts as zero if the rounding of its terms can make it. Factors
+/// are taken to be right to some sixty roundings, as normals and modes are that a few steps computed.
+/// \param A             `n_c x n`, gap = g - A u
+/// \param null_vectors  N `n x n_r`, rigid modes
+/// \return R = -A N `n_c x n_r`, the one test of this library of whether a mode moves a pair
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
+                                         const Eigen::MatrixXd& null_vectors);
 
 /// The floating problem of a programme whose bodies contact alone holds.
 ///
@@ -22,15 +29,17 @@ struct RigidModes {
 ///
 /// \f[ d = g - A K_g^{-1} p,\quad G = A K_g^{-1} A^T,\quad R = -A N,\quad r = -N^T p. \f]
 ///
-/// A mode that opens no gap, like a slide along a plane, must get the column 0 and not its rounding, or
-/// this would be taken for a hold: an entry of R or r counts as zero if the rounding of its terms can
-/// make it.
-/// \param programme  p and A; K and g have gone into `grounded`
-/// \param grounded   G and d with K_g in the place of K
-/// \param modes      N
+/// R is that of rigid_gaps(), and an entry of r too counts as zero if the rounding of its terms can make it.
+///
+/// A rotation should turn its body about a point inside: about a far one it is mostly a shift, and what
+/// remains of the two when they cancel is rounded as they are.
+/// \param programme     p and A; K and g have gone into `grounded`
+/// \param grounded      G and d with K_g in the place of K
+/// \param null_vectors  N `n x n_r`, independent columns with K N = 0; none if it is empty
 /// \return G, d, R and r
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] FloatingProblem floating_problem(const QuadraticProgramme& programme,
-                                               ContactProblem grounded, const RigidModes& modes);
+                                               ContactProblem grounded,
+                                               const Eigen::MatrixXd& null_vectors);
 
 }  // namespace signorini

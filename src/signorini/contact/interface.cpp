@@ -9,17 +9,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-std::vector<SideCurve> curves(const Surface& surface) {
-  std::vector<SideCurve> sides;
-  for (const CellSide& side : boundary(surface.mesh, surface.boundary))
-    sides.emplace_back(surface.mesh, side);
-  return sides;
-}
-
 /// The integral of the normal: across the line from its beginning to its end.
 Vector2d mean_normal(const Surface& surface) {
   Vector2d along = Vector2d::Zero();
-  for (const SideCurve& side : curves(surface)) along += side.point(1) - side.point(-1);
+  for (const SideCurve& side : side_curves(surface.mesh, surface.boundary))
+    along += side.point(1) - side.point(-1);
   return {along.y(), -along.x()};
 }
 
@@ -35,7 +29,7 @@ void check_columns(const Surface& surface, const GapOptions& options) {
 Interface::Interface(const Surface& source, const Surface& target, const GapOptions& options)
     : source_(source),
       target_(target),
-      sides_(curves(source)),
+      sides_(side_curves(source.mesh, source.boundary)),
       search_(target.mesh, target.boundary) {
   check_columns(source, options);
   check_columns(target, options);
@@ -45,15 +39,11 @@ Interface::Interface(const Surface& source, const Surface& target, const GapOpti
 
 Projection Interface::closest(const Vector2d& x, const Vector2d& normal) const {
   const Projection place = search_.closest(x, normal);
-  if (place.buried) refuse_buried(x);
+  pose(!place.buried, names(), ": the point (", x.x(), ", ", x.y(), ") of '", source_.mesh.name,
+       "' lies inside '", target_.mesh.name,
+       "', deeper than the cell whose side it faces. Move the bodies apart, or check which "
+       "boundaries are meant");
   return place;
-}
-
-void Interface::refuse_buried(const Vector2d& x) const {
-  throw ProblemError(text(names(), ": the point (", x.x(), ", ", x.y(), ") of '", source_.mesh.name,
-                          "' lies inside '", target_.mesh.name,
-                          "', deeper than the cell whose side it faces. Move the bodies apart, or "
-                          "check which boundaries are meant"));
 }
 
 void Interface::check_paired(std::size_t n_pairs) const {

@@ -38,10 +38,6 @@ class Interface {
   /// \return the place it faces, if any
   /// \throws ProblemError if x lies inside the target body, deeper than the cell it faces
   [[nodiscard]] Projection closest(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
-  /// Complains that a point overlaps too far, for operators that search by other ways.
-  /// \param x  the point, of the source [length]
-  /// \throws ProblemError always
-  [[noreturn]] void refuse_buried(const Eigen::Vector2d& x) const;
   /// Complains if there is nothing to pair.
   /// \param n_pairs  how many were found
   /// \throws ProblemError if there are none: the boundaries face the same way or miss each other

@@ -92,24 +92,4 @@ Index SideTree::build(std::vector<SideBox>& leaves, std::size_t begin, std::size
   return root();
 }
 
-std::vector<Index> SideTree::near(const Vector2d& lowest, const Vector2d& highest) const {
-  std::vector<Index> found;
-  std::vector<Index> open{root()};
-  while (!open.empty()) {
-    const SideBox& here = box(open.back());
-    open.pop_back();
-    if ((here.lowest.array() > highest.array()).any() ||
-        (here.highest.array() < lowest.array()).any())
-      continue;
-    if (here.is_leaf()) {
-      found.push_back(here.first);
-      continue;
-    }
-    open.push_back(here.first);
-    open.push_back(here.second);
-  }
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 }  // namespace signorini

@@ -52,12 +52,6 @@ class SideTree {
   [[nodiscard]] const SideBox& box(Eigen::Index number) const {
     return boxes_[static_cast<std::size_t>(number)];
   }
-  /// All sides whose box meets a box.
-  /// \param lowest   corner of the box [length]
-  /// \param highest  opposite corner [length]
-  /// \return their numbers, increasing
-  [[nodiscard]] std::vector<Eigen::Index> near(const Eigen::Vector2d& lowest,
-                                               const Eigen::Vector2d& highest) const;
 
  private:
   Eigen::Index build(std::vector<SideBox>& leaves, std::size_t begin, std::size_t end);

@@ -6,27 +6,16 @@
 #include <utility>
 
 #include "signorini/contact/target_query.hpp"
-#include "signorini/core/errors.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
 
-std::vector<SideCurve> curves(const Mesh& mesh, const std::string& name) {
-  std::vector<SideCurve> sides;
-  for (const CellSide& side : boundary(mesh, name)) sides.emplace_back(mesh, side);
-  pose(!sides.empty(), "mesh '", mesh.name, "': the boundary '", name, "' has no sides");
-  return sides;
-}
-
-}  // namespace
-
 TargetSearch::TargetSearch(const Mesh& mesh, const std::string& name)
     : mesh_(&mesh),
       boundary_(name),
-      sides_(curves(mesh, name)),
+      sides_(side_curves(mesh, name)),
       before_(sides_.size(), -1),
       after_(sides_.size(), -1),
       size_(mesh.nodes.cwiseAbs().maxCoeff()),

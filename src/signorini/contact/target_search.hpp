@@ -68,14 +68,6 @@ class TargetSearch {
   /// \param normal  of the source there, out of its body, unit vector [-]
   /// \return the place; its normal is that of the side, its gap the distance along that normal
   [[nodiscard]] Projection along(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
-  /// All sides whose box meets a box.
-  /// \param lowest   corner of the box [length]
-  /// \param highest  opposite corner [length]
-  /// \return their numbers, increasing
-  [[nodiscard]] std::vector<Eigen::Index> near(const Eigen::Vector2d& lowest,
-                                               const Eigen::Vector2d& highest) const {
-    return tree_.near(lowest, highest);
-  }
   /// How far the cell behind a side reaches into the body.
   /// \param number  of the side
   /// \return greatest distance of the other corners from the line through its ends [length]

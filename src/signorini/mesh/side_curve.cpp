@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "signorini/core/errors.hpp"
+
 namespace signorini {
 namespace {
 
@@ -51,8 +53,7 @@ double rising_root(const Cubic& f, double low, double high) {
 
 SideShape side_shape(std::size_t n_nodes, double xi) {
   if (n_nodes == 2) return {{(1 - xi) / 2, (1 + xi) / 2, 0}, {-0.5, 0.5, 0}};
-  return {{xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2},
-          {xi - 0.5, -2 * xi, xi + 0.5}};
+  return {{xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2}, {xi - 0.5, -2 * xi, xi + 0.5}};
 }
 
 SideCurve::SideCurve(const Mesh& mesh, const CellSide& side) : nodes_(mesh.side_nodes(side)) {
@@ -129,6 +130,13 @@ std::vector<double> SideCurve::crossings(const Vector2d& x, const Vector2d& dire
   const Vector2d across(direction.y(), -direction.x());
   return roots((middle_ - x).dot(across), slope_.dot(across) / 2, bend_.dot(across), -1 - beyond,
                1 + beyond);
+}
+
+std::vector<SideCurve> side_curves(const Mesh& mesh, const std::string& boundary) {
+  std::vector<SideCurve> sides;
+  for (const CellSide& side : signorini::boundary(mesh, boundary)) sides.emplace_back(mesh, side);
+  pose(!sides.empty(), "mesh '", mesh.name, "': the boundary '", boundary, "' has no sides");
+  return sides;
 }
 
 }  // namespace signorini

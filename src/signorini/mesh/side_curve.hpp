@@ -2,6 +2,7 @@
 /// The line along which two nodes, or three, of a cell side lie: shape functions, normals, projections.
 #pragma once
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "signorini/mesh/mesh.hpp"
@@ -68,5 +69,11 @@ class SideCurve {
   Eigen::Vector2d first_, last_;
   Eigen::Vector2d middle_, slope_, bend_;  // x = middle + slope xi + bend xi^2
 };
+
+/// \param mesh      any
+/// \param boundary  the name of one of its boundaries
+/// \return its sides as curves, in walking order
+/// \throws ProblemError if there is no such boundary, or it has no sides
+[[nodiscard]] std::vector<SideCurve> side_curves(const Mesh& mesh, const std::string& boundary);
 
 }  // namespace signorini

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "signorini/complementarity/rigid_modes.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -55,7 +56,7 @@ std::string describe(const Scene& scene, const ContactSpec& contact) {
   return text("contact of ", name(contact.source), " with ", name(std::get<Side>(contact.target)));
 }
 
-Eigen::MatrixXd mode_shapes(const std::vector<RigidMode>& modes) {
+Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes) {
   Eigen::MatrixXd shapes(modes.empty() ? 0 : modes.front().shape.size(),
                          static_cast<Index>(modes.size()));
   for (Index k = 0; k < shapes.cols(); ++k)
@@ -64,15 +65,11 @@ Eigen::MatrixXd mode_shapes(const std::vector<RigidMode>& modes) {
 }
 
 std::vector<std::string> motions_without_contact(
-    const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const std::vector<RigidMode>& modes) {
+    const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const std::vector<FreeMotion>& modes) {
   std::vector<std::string> sentences;
   if (modes.empty()) return sentences;
-  const Eigen::MatrixXd shapes = mode_shapes(modes);
-  Eigen::MatrixXd moved = A * shapes;
-  // What rounding can make of a row: a motion along a plane opens no gap.
-  const Eigen::MatrixXd terms = A.cwiseAbs() * shapes.cwiseAbs();
+  Eigen::MatrixXd moved = rigid_gaps(A, mode_shapes(modes));
   const double rounding = 64 * std::numeric_limits<double>::epsilon();
-  moved = (moved.array().abs() <= rounding * terms.array()).select(0.0, moved);
   const Eigen::RowVectorXd size = moved.colwise().lpNorm<Eigen::Infinity>();
   for (Index k = 0; k < moved.cols(); ++k)
     if (size(k) > 0) moved.col(k) /= size(k);
@@ -87,7 +84,7 @@ std::vector<std::string> motions_without_contact(
   return sentences;
 }
 
-std::vector<Index> grounding(const std::vector<RigidMode>& modes) {
+std::vector<Index> grounding(const std::vector<FreeMotion>& modes) {
   std::vector<Index> unknowns;
   if (modes.empty()) return unknowns;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(mode_shapes(modes).transpose());

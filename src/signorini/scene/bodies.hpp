@@ -42,17 +42,17 @@ namespace signorini {
 /// \param modes  `n_r` rigid motions of `n` unknowns
 /// \return sentences of the modes that take part in such a motion, empty if every motion moves some gap
 [[nodiscard]] std::vector<std::string> motions_without_contact(
-    const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const std::vector<RigidMode>& modes);
+    const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const std::vector<FreeMotion>& modes);
 
 /// One unknown per rigid mode to attach a spring to, so that the springs alone hold the bodies.
 /// \param modes  `n_r` independent rigid motions of `n` unknowns
 /// \return `n_r` numbers of unknowns
-[[nodiscard]] std::vector<Eigen::Index> grounding(const std::vector<RigidMode>& modes);
+[[nodiscard]] std::vector<Eigen::Index> grounding(const std::vector<FreeMotion>& modes);
 
 /// The shapes of rigid modes side by side.
 /// \param modes  `n_r`
 /// \return `n x n_r`; empty if there are none
-[[nodiscard]] Eigen::MatrixXd mode_shapes(const std::vector<RigidMode>& modes);
+[[nodiscard]] Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes);
 
 /// K with one spring per rigid mode, which alone hold the bodies. In balance they carry nothing, so their
 /// size is free: that of the diagonal there.

@@ -150,7 +150,7 @@ void plan_contact(const Scene& scene, Plan& plan) {
 void plan_modes(const Scene& scene, Plan& plan) {
   const std::vector<Index> first = first_unknowns(plan.unknowns);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    for (RigidMode& mode : rigid_modes(scene.bodies[b].mesh, plan.unknowns[b])) {
+    for (FreeMotion& mode : free_motions(scene.bodies[b].mesh, plan.unknowns[b])) {
       const Eigen::VectorXd own = std::move(mode.shape);
       mode.shape.setZero(plan.gaps.A.cols());
       mode.shape.segment(first[b], own.size()) = own;

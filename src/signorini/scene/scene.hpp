@@ -18,7 +18,7 @@
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/contact_last_factor.hpp"
 #include "signorini/elasticity/elements.hpp"
-#include "signorini/elasticity/rigid_modes.hpp"
+#include "signorini/elasticity/free_motions.hpp"
 
 namespace signorini {
 
@@ -76,7 +76,7 @@ struct Plan {
   std::vector<std::string> notes;    ///< what a user should know, such as an element that will lock
   std::vector<MeshQuality> quality;  ///< of the worst cells, per body
   std::vector<Unknowns> unknowns;    ///< per body, numbered from 0 in each
-  std::vector<RigidMode> modes;      ///< `n_r` rigid motions that only contact can stop
+  std::vector<FreeMotion> modes;     ///< `n_r` rigid motions that only contact can stop
   Gaps gaps;                         ///< `n_c` candidate pairs of all contacts, none without
   std::optional<PairFriction> friction;  ///< of all pairs if any contact has friction
 };
@@ -99,7 +99,7 @@ struct Model {
   /// slips, follow those of the gaps.
   QuadraticProgramme programme;
   Pairs pairs;  ///< `n_c` that can close, with given displacements in `initial_gap`
-  std::vector<RigidMode> modes;          ///< `n_r` null vectors of K
+  std::vector<FreeMotion> modes;         ///< `n_r` null vectors of K
   std::optional<PairFriction> friction;  ///< of all pairs, or none
 };
 

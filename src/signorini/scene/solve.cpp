@@ -45,7 +45,7 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
   const auto solve_stiffness = [&](const Eigen::VectorXd& load) {
     return condensed.factor.solve(load);
   };
-  const RigidModes modes{mode_shapes(model.modes)};
+  const Eigen::MatrixXd modes = mode_shapes(model.modes);
   FloatingProblem problem{condensed.problem, condensed.rigid, condensed.resultant};
   PrimalDual start{condensed.free_displacement, {}, {}};
   Refinement refined;
@@ -173,7 +173,7 @@ Condensed condense(const Model& model, Ledger& ledger) {
   condensed.rigid.resize(programme.A.rows(), 0);
   if (floats) {
     FloatingProblem floating =
-        floating_problem(programme, condensed.problem, {mode_shapes(model.modes)});
+        floating_problem(programme, condensed.problem, mode_shapes(model.modes));
     condensed.rigid = std::move(floating.rigid);
     condensed.resultant = std::move(floating.resultant);
   }

@@ -1,4 +1,4 @@
-#include "signorini/elasticity/rigid_modes.hpp"
+#include "signorini/elasticity/free_motions.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -68,8 +68,8 @@ std::vector<ConnectedBody> connected_bodies(const Mesh& mesh) {
 }
 
 /// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)) and no held component.
-std::vector<Eigen::Vector3d> free_motions(const ConnectedBody& body, const Mesh& mesh,
-                                          const Unknowns& unknowns) {
+std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Mesh& mesh,
+                                        const Unknowns& unknowns) {
   Eigen::Matrix3d forbidden = Eigen::Matrix3d::Zero();
   for (const Index node : body.nodes) {
     const Eigen::Vector2d arm = (mesh.nodes.row(node).transpose() - body.centre) / body.size;
@@ -111,38 +111,25 @@ std::string motion_in_words(const Eigen::Vector3d& motion, const ConnectedBody& 
 
 }  // namespace
 
-std::vector<RigidMode> rigid_modes(const Mesh& mesh, const Unknowns& unknowns) {
-  std::vector<RigidMode> found;
+std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns) {
+  std::vector<FreeMotion> found;
   for (const ConnectedBody& body : connected_bodies(mesh))
-    for (const Eigen::Vector3d& motion : free_motions(body, mesh, unknowns)) {
-      RigidMode mode;
-      mode.sentence =
+    for (const Eigen::Vector3d& motion : motions_of(body, mesh, unknowns)) {
+      FreeMotion free;
+      free.sentence =
           text("body '", mesh.name, "' (", body.cells, " cells around (", body.centre.x(), ", ",
                body.centre.y(), ")) can ", motion_in_words(motion, body));
-      mode.shape.setZero(unknowns.count);
+      free.shape.setZero(unknowns.count);
       for (const Index node : body.nodes) {
         const Eigen::Vector2d arm = mesh.nodes.row(node).transpose() - body.centre;
         const Eigen::Vector2d moves(motion(0) - motion(2) * arm.y(),
                                     motion(1) + motion(2) * arm.x());
         for (int axis = 0; axis < 2; ++axis)
           if (const Index unknown = unknowns.number(node, axis); unknown >= 0)
-            mode.shape(unknown) = moves(axis);
+            free.shape(unknown) = moves(axis);
       }
-      found.push_back(std::move(mode));
+      found.push_back(std::move(free));
     }
-  return found;
-}
-
-std::vector<std::string> free_motions(const Mesh& mesh, const Unknowns& unknowns) {
-  std::vector<std::string> found;
-  for (const ConnectedBody& body : connected_bodies(mesh)) {
-    std::string motions;
-    for (const Eigen::Vector3d& motion : free_motions(body, mesh, unknowns))
-      motions += (motions.empty() ? "" : " and ") + motion_in_words(motion, body);
-    if (!motions.empty())
-      found.push_back(text("body '", mesh.name, "' (", body.cells, " cells around (",
-                           body.centre.x(), ", ", body.centre.y(), ")) can ", motions));
-  }
   return found;
 }
 

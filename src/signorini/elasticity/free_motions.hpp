@@ -10,7 +10,7 @@
 namespace signorini {
 
 /// A rigid motion that supports leave to a body: its displacement is zero strain and no held component.
-struct RigidMode {
+struct FreeMotion {
   std::string sentence;   ///< "body 'x' (8 cells around (2, 0.5)) can move freely in direction x"
   Eigen::VectorXd shape;  ///< `n` displacement of each unknown, at most about 1 [-]
 };
@@ -18,14 +18,7 @@ struct RigidMode {
 /// Finds the rigid motions that the supports leave to each connected body of the mesh.
 /// \param mesh      one body or several
 /// \param unknowns  `n` of it
-/// \return one mode per independent motion, up to three per body; empty if there is none
-[[nodiscard]] std::vector<RigidMode> rigid_modes(const Mesh& mesh, const Unknowns& unknowns);
-
-/// Finds the rigid motions that the supports leave to each connected body of the mesh.
-/// \param mesh      one body or several
-/// \param unknowns  of it
-/// \return one sentence per body that can move ("body 'x' (8 cells around (2, 0.5)) can move freely
-///   in direction x"), empty if there is none
-[[nodiscard]] std::vector<std::string> free_motions(const Mesh& mesh, const Unknowns& unknowns);
+/// \return independent motions, up to three per body; empty if there is none
+[[nodiscard]] std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns);
 
 }  // namespace signorini
