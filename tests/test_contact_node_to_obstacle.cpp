@@ -2,7 +2,9 @@
 #include <limits>
 
 #include "catch_compat.hpp"
+#include "signorini/contact/gaps.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
+#include "signorini/core/errors.hpp"
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/mesh/block.hpp"
 #include "support/message.hpp"
@@ -24,9 +26,16 @@ Mesh plate(MeshOrder order = MeshOrder::Linear) {
   return make_block(spec);
 }
 
+/// The pairs of 'bottom' or another boundary that can still move.
 Gaps gaps_of(const Mesh& mesh, const Obstacle& obstacle, const std::vector<Support>& supports,
-             double thickness = 1) {
-  return node_to_obstacle(mesh, "bottom", obstacle, number_unknowns(mesh, supports), thickness);
+             double thickness = 1, const char* boundary = "bottom") {
+  const Surface source{mesh, boundary};
+  GapOptions options;
+  options.n_nodes = mesh.n_nodes();
+  options.thickness = thickness;
+  return reduce(node_to_obstacle(source, obstacle, options), source,
+                number_unknowns(mesh, supports),
+                text("contact of '", boundary, "' with a rigid ", obstacle.name));
 }
 
 std::string complaint(const Mesh& mesh, const Obstacle& obstacle,
@@ -38,31 +47,32 @@ std::string complaint(const Mesh& mesh, const Obstacle& obstacle,
 
 TEST_CASE("every free node of the boundary makes a pair, in walking order", "[gaps]") {
   const Gaps gaps = gaps_of(plate(), half_plane({0, -0.5}, {0, 1}), {});
-  REQUIRE(gaps.node == std::vector<Index>{0, 1, 2, 3, 4});
+  REQUIRE(gaps.pairs.node == std::vector<Index>{0, 1, 2, 3, 4});
   for (Index pair = 0; pair < 5; ++pair) {
-    CHECK(gaps.position.row(pair) == Eigen::RowVector2d(static_cast<double>(pair), 0));
-    CHECK(gaps.normal.row(pair) == Eigen::RowVector2d(0, 1));
-    CHECK(gaps.initial_gap(pair) == 0.5);
+    CHECK(gaps.pairs.position.row(pair) == Eigen::RowVector2d(static_cast<double>(pair), 0));
+    CHECK(gaps.pairs.normal.row(pair) == Eigen::RowVector2d(0, 1));
+    CHECK(gaps.pairs.initial_gap(pair) == 0.5);
   }
 }
 
 TEST_CASE("a row of A is minus the normal in the unknowns of its node", "[gaps][XuanLi2002-13]") {
   const Mesh mesh = plate();
   const Unknowns unknowns = number_unknowns(mesh, {fixed("right")});
-  const Gaps gaps = node_to_obstacle(mesh, "bottom", disc({1, -5}, 4), unknowns, 1);
+  const Gaps gaps = gaps_of(mesh, disc({1, -5}, 4), {fixed("right")});
   REQUIRE(gaps.A.rows() == 4);
   REQUIRE(gaps.A.cols() == unknowns.count);
   for (Index pair = 0; pair < gaps.A.rows(); ++pair) {
-    const Index node = gaps.node[static_cast<std::size_t>(pair)];
+    const Index node = gaps.pairs.node[static_cast<std::size_t>(pair)];
     Eigen::VectorXd row = Eigen::VectorXd::Zero(unknowns.count);
     for (int axis = 0; axis < 2; ++axis)
-      row(unknowns.number(node, axis)) = -gaps.normal(pair, axis);
+      row(unknowns.number(node, axis)) = -gaps.pairs.normal(pair, axis);
     CHECK((Eigen::VectorXd(gaps.A.row(pair).transpose()) - row).norm() == 0);
-    CHECK(gaps.normal(pair, 1) > 0.7);  // out of the disc, up to the body
+    CHECK(gaps.pairs.normal(pair, 1) > 0.7);  // out of the disc, up to the body
   }
 }
 
-TEST_CASE("the linear gap is the first-order change of the true one", "[gaps][derivative][LinEtAl-1]") {
+TEST_CASE("the linear gap is the first-order change of the true one",
+          "[gaps][derivative][LinEtAl-1]") {
   const Mesh mesh = plate();
   const Unknowns unknowns = number_unknowns(mesh, {});
   // Nodes lie on the profile, where its normal is exact; a circle's normal is exact everywhere.
@@ -77,7 +87,7 @@ TEST_CASE("the linear gap is the first-order change of the true one", "[gaps][de
   for (const Obstacle& obstacle :
        {half_plane({0, -1}, {1, 4}), disc({1, -5}, 4), hole({2, 9}, 12), valley}) {
     CAPTURE(obstacle.name);
-    const Gaps gaps = node_to_obstacle(mesh, "bottom", obstacle, unknowns, 1);
+    const Gaps gaps = gaps_of(mesh, obstacle, {});
     NodeArray direction(mesh.n_nodes(), 2);
     for (Index k = 0; k < direction.size(); ++k) direction.data()[k] = random.uniform(-1, 1);
     Eigen::VectorXd u(unknowns.count);
@@ -85,7 +95,7 @@ TEST_CASE("the linear gap is the first-order change of the true one", "[gaps][de
     const Eigen::VectorXd rate = -(gaps.A * u);
     const double h = 1e-5;
     for (Index pair = 0; pair < rate.size(); ++pair) {
-      const Index node = gaps.node[static_cast<std::size_t>(pair)];
+      const Index node = gaps.pairs.node[static_cast<std::size_t>(pair)];
       const Vector2d x = mesh.nodes.row(node).transpose();
       const Vector2d along = direction.row(node).transpose();
       const double difference =
@@ -100,24 +110,24 @@ TEST_CASE("the weights are the shares of the boundary", "[gaps]") {
   const Gaps linear = gaps_of(plate(), ground, {}, 0.5);
   Eigen::VectorXd share(5);
   share << 0.25, 0.5, 0.5, 0.5, 0.25;
-  CHECK((linear.weight - share).norm() < 1e-14);
+  CHECK((linear.pairs.weight - share).norm() < 1e-14);
   const Gaps quadratic = gaps_of(plate(MeshOrder::Quadratic), ground, {});
-  REQUIRE(quadratic.weight.size() == 9);
-  CHECK(quadratic.weight(0) == Approx(1.0 / 6.0).epsilon(1e-14));
-  CHECK(quadratic.weight(1) == Approx(4.0 / 6.0).epsilon(1e-14));
-  CHECK(quadratic.weight(2) == Approx(2.0 / 6.0).epsilon(1e-14));
+  REQUIRE(quadratic.pairs.weight.size() == 9);
+  CHECK(quadratic.pairs.weight(0) == Approx(1.0 / 6.0).epsilon(1e-14));
+  CHECK(quadratic.pairs.weight(1) == Approx(4.0 / 6.0).epsilon(1e-14));
+  CHECK(quadratic.pairs.weight(2) == Approx(2.0 / 6.0).epsilon(1e-14));
 }
 
 TEST_CASE("a held corner node is left out and the others keep their weights", "[gaps]") {
   const Gaps gaps = gaps_of(plate(), half_plane({0, -0.5}, {0, 1}), {fixed("left")});
-  CHECK(gaps.node == std::vector<Index>{1, 2, 3, 4});
-  CHECK(gaps.weight.sum() == Approx(3.5).epsilon(1e-14));
-  CHECK(gaps.weight(0) == Approx(1).epsilon(1e-14));
+  CHECK(gaps.pairs.node == std::vector<Index>{1, 2, 3, 4});
+  CHECK(gaps.pairs.weight.sum() == Approx(3.5).epsilon(1e-14));
+  CHECK(gaps.pairs.weight(0) == Approx(1).epsilon(1e-14));
 }
 
 TEST_CASE("a node held along the obstacle only still makes a pair", "[gaps]") {
   const Gaps gaps = gaps_of(plate(), half_plane({0, -0.5}, {0, 1}), {symmetric("left")});
-  CHECK(gaps.node.size() == 5);
+  CHECK(gaps.pairs.node.size() == 5);
 }
 
 TEST_CASE("a given displacement moves the gap", "[gaps]") {
@@ -126,8 +136,8 @@ TEST_CASE("a given displacement moves the gap", "[gaps]") {
   const Obstacle slope = half_plane({0, -1}, {0.6, 0.8});
   const Gaps moved = gaps_of(mesh, slope, {prescribed("left", Axis::X, 0.5)});
   const Gaps still = gaps_of(mesh, slope, {});
-  CHECK(moved.initial_gap(0) == Approx(still.initial_gap(0) + 0.3).epsilon(1e-14));
-  CHECK(moved.initial_gap.tail(4) == still.initial_gap.tail(4));
+  CHECK(moved.pairs.initial_gap(0) == Approx(still.pairs.initial_gap(0) + 0.3).epsilon(1e-14));
+  CHECK(moved.pairs.initial_gap.tail(4) == still.pairs.initial_gap.tail(4));
   CHECK(moved.A.row(0).nonZeros() == 1);
 }
 
@@ -140,7 +150,7 @@ TEST_CASE("contact on a boundary that supports hold is refused by name", "[gaps]
 
 TEST_CASE("a held node inside the obstacle is refused with its overlap", "[gaps]") {
   CHECK_THAT(complaint(plate(), half_plane({0, 0.25}, {0, 1}), {fixed("left")}),
-             ContainsSubstring("'half plane'") && ContainsSubstring("node 0 of 'bottom'") &&
+             ContainsSubstring("contact of 'bottom' with a rigid half plane: the pair at (0, 0)") &&
                  ContainsSubstring("overlaps by 0.25"));
   CHECK_THAT(
       complaint(plate(), half_plane({0, -0.25}, {0, 1}), {prescribed("left", Axis::Y, -0.5)}),
@@ -149,10 +159,8 @@ TEST_CASE("a held node inside the obstacle is refused with its overlap", "[gaps]
 }
 
 TEST_CASE("an unknown boundary, a gap or a profile that is not finite are named", "[gaps]") {
-  const Unknowns unknowns = number_unknowns(plate(), {});
   CHECK_THAT(problem_message([&] {
-               static_cast<void>(
-                   node_to_obstacle(plate(), "belly", half_plane({0, 0}, {0, 1}), unknowns, 1));
+               static_cast<void>(gaps_of(plate(), half_plane({0, 0}, {0, 1}), {}, 1, "belly"));
              }),
              ContainsSubstring("no boundary 'belly'"));
   CHECK_THAT(

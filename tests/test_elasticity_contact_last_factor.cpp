@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/contact/gaps.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/elasticity/contact_last_factor.hpp"
 #include "signorini/elasticity/elements.hpp"
@@ -34,7 +35,10 @@ Body over(const Obstacle& obstacle, const Element& element, Vector2d size, Index
   Unknowns unknowns = number_unknowns(mesh, {fixed("left")});
   const Material steel{21000, 0.29, PlaneState::Stress, 1};
   Eigen::SparseMatrix<double> K = assemble(mesh, element, steel, unknowns, {}).stiffness;
-  Rows A = node_to_obstacle(mesh, "bottom", obstacle, unknowns, 1).A;
+  const Surface source{mesh, "bottom"};
+  GapOptions options;
+  options.n_nodes = mesh.n_nodes();
+  Rows A = reduce(node_to_obstacle(source, obstacle, options), source, unknowns, "contact").A;
   return {std::move(mesh), std::move(unknowns), std::move(K), std::move(A)};
 }
 

@@ -10,9 +10,8 @@ using namespace signorini;
 namespace {
 
 /// Three pairs with slanted normals, the first two closed.
-Gaps three_gaps() {
-  Gaps gaps;
-  gaps.A.resize(3, 6);
+Pairs three_gaps() {
+  Pairs gaps;
   gaps.initial_gap.setZero(3);
   gaps.weight = Eigen::Vector3d(0.5, 1, 0.5);
   gaps.position.resize(3, 2);
@@ -51,6 +50,19 @@ TEST_CASE("the resultants are the sums of the pairs, with sign", "[pressure_tabl
   Solution shifted = three_forces();
   shifted.contact.force(1) = 5;
   CHECK(resultants(three_gaps(), shifted).moment == Approx(-6 + 10).epsilon(1e-14));
+}
+
+TEST_CASE("friction counts in the resultants, and notes stand in front of the table",
+          "[pressure_table][friction]") {
+  Solution solution = three_forces();
+  solution.friction = FrictionOutcome{};
+  solution.friction->state.friction = Eigen::Vector3d(-5, 2, 0);
+  // Tangents (0.8, -0.6) and (1, 0): friction adds (-4, 3) at (0, 1) and (2, 0) at (2, 0).
+  const Resultants sum = resultants(three_gaps(), solution);
+  CHECK((sum.force - Eigen::Vector2d(6 - 4 + 2, 11 + 3)).norm() <= 1e-14);
+  CHECK(sum.moment == Approx(4).epsilon(1e-14));
+  solution.notes = {"this is one of several"};
+  CHECK(lines_of(pressure_csv(three_gaps(), solution))[0] == "# note this is one of several");
 }
 
 TEST_CASE("the table has its columns and one line per pair in order", "[pressure_table]") {

@@ -62,11 +62,12 @@ Errors errors_of(const char* element, Index n) {
     errors.displacement += (solution.displacements[0].row(node).transpose() - exact).squaredNorm();
   }
   errors.displacement = std::sqrt(errors.displacement / static_cast<double>(body.mesh.n_nodes()));
-  const Gaps gaps = plan(scene).gaps;
+  const Pairs pairs = plan(scene).gaps.pairs;
   const double h = 1 / static_cast<double>(n);
   for (Index pair = 0; pair < solution.pressure.size(); ++pair) {
-    const double x = gaps.position(pair, 0);
-    errors.pressure += gaps.weight(pair) * std::pow(solution.pressure(pair) - exact_pressure(x), 2);
+    const double x = pairs.position(pair, 0);
+    errors.pressure +=
+        pairs.weight(pair) * std::pow(solution.pressure(pair) - exact_pressure(x), 2);
     const bool closed =
         std::binary_search(solution.contact.active.begin(), solution.contact.active.end(), pair);
     if ((closed && x > edge + 3 * h) || (!closed && x < edge - 3 * h)) ++errors.wrong_pairs;

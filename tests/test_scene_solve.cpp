@@ -68,13 +68,13 @@ TEST_CASE("one factorisation of the stiffness serves the whole solution", "[ledg
 TEST_CASE("the gap in a solution is that of the displaced nodes", "[solve][XuanLi2002-13]") {
   const Scene scene = cantilever("q4_incompatible", 50, 5);
   const Solution solution = solve(scene);
-  const Gaps gaps = plan(scene).gaps;
+  const Pairs pairs = plan(scene).gaps.pairs;
   for (Index pair = 0; pair < solution.contact.gap.size(); ++pair) {
-    const Index node = gaps.node[static_cast<std::size_t>(pair)];
+    const Index node = pairs.node[static_cast<std::size_t>(pair)];
     CHECK(solution.contact.gap(pair) ==
           Approx(1 + solution.displacements[0](node, 1)).epsilon(0).margin(1e-14));
     CHECK(solution.pressure(pair) ==
-          Approx(solution.contact.force(pair) / gaps.weight(pair)).epsilon(1e-15).margin(0));
+          Approx(solution.contact.force(pair) / pairs.weight(pair)).epsilon(1e-15).margin(0));
   }
 }
 

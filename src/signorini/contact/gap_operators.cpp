@@ -9,11 +9,12 @@ namespace signorini {
 
 const std::vector<GapOperator>& gap_operators() {
   static const std::vector<GapOperator> all = {
-      {"node_to_segment", "every node of the source against the side it faces", false,
+      {"node_to_segment", "every node of the source against the side it faces", false, false, false,
        node_to_segment},
-      {"gauss_points", "every Gauss point of the source against the side it faces", false,
-       gauss_points},
-      {"mortar", "gaps weighted over the edges around every node of the source", true, mortar},
+      {"gauss_points", "every Gauss point of the source against the side it faces", false, true,
+       false, gauss_points},
+      {"mortar", "gaps weighted over the edges around every node of the source", true, true, true,
+       mortar},
   };
   return all;
 }

@@ -23,7 +23,7 @@ struct GapOptions {
   double thickness = 1;      ///< across the plane [length]
   bool sliding = false;      ///< whether the matrix S is wanted
   int points = 0;            ///< Gauss points per edge or segment; 0: the operator's own choice
-  Quadrature quadrature = Quadrature::Segments;  ///< only where an operator integrates
+  Quadrature quadrature = Quadrature::Segments;  ///< only if it `takes_quadrature`
 };
 
 /// One member of the family.
@@ -32,6 +32,8 @@ struct GapOperator {
   const char* summary;  ///< one line for lists
   /// Whether a uniform pressure is transferred exactly between any two meshes of a straight interface.
   bool passes_patch_test;
+  bool takes_points;      ///< whether `points` matters
+  bool takes_quadrature;  ///< whether `quadrature` matters
   /// Pairs the source (slave) with the target (master).
   ///
   /// Points of the source that face no target are left out; the nodes that lose all their weight by it

@@ -61,7 +61,8 @@ NodalRows kept_rows(const NodalRows& rows, const std::vector<Index>& kept) {
 template <typename Array>
 Array below_dense(const Array& upper, const Array& lower) {
   Array both(upper.rows() + lower.rows(), lower.cols());
-  both << upper, lower;
+  both.topRows(upper.rows()) = upper;
+  both.bottomRows(lower.rows()) = lower;
   return both;
 }
 
@@ -77,57 +78,78 @@ void check_not_supported(const Surface& source, const std::set<Index>& held) {
   }
 }
 
+/// The pairs that can open or close, of which the others hold no contact force.
+std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openings,
+                           const Surface& source, const std::string& what) {
+  const double size = pairs.position.size() > 0 ? pairs.position.cwiseAbs().maxCoeff() : 0;
+  std::vector<Index> kept;
+  std::set<Index> held;
+  for (Index pair = 0; pair < pairs.initial_gap.size(); ++pair) {
+    const FreeRow& opening = openings[static_cast<std::size_t>(pair)];
+    if (!opening.entries.empty()) {
+      kept.push_back(pair);
+      continue;
+    }
+    const double gap = pairs.initial_gap(pair) + opening.held;
+    pose(gap >= -16 * epsilon * size, what, ": the pair at (", pairs.position(pair, 0), ", ",
+         pairs.position(pair, 1), ") is held by supports and overlaps by ", -gap,
+         ". Move one of the two sides or release the node");
+    held.insert(pairs.node[static_cast<std::size_t>(pair)]);
+  }
+  held.erase(-1);
+  check_not_supported(source, held);
+  return kept;
+}
+
+/// Some of the pairs, with the nodes counted among those of all bodies.
+Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface& source) {
+  Pairs some;
+  some.opening = kept_rows(pairs.opening, kept);
+  if (pairs.sliding.rows() > 0) some.sliding = kept_rows(pairs.sliding, kept);
+  some.initial_gap = pairs.initial_gap(kept);
+  some.weight = pairs.weight(kept);
+  some.position = pairs.position(kept, Eigen::all);
+  some.normal = pairs.normal(kept, Eigen::all);
+  for (const Index pair : kept) {
+    const Index node = pairs.node[static_cast<std::size_t>(pair)];
+    some.node.push_back(node < 0 ? node : source.first_node + node);
+  }
+  for (const Index node : pairs.unpaired) some.unpaired.push_back(source.first_node + node);
+  return some;
+}
+
+std::vector<Index> joined_lists(std::vector<Index> upper, const std::vector<Index>& lower) {
+  upper.insert(upper.end(), lower.begin(), lower.end());
+  return upper;
+}
+
 }  // namespace
 
 Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
             const std::string& what) {
-  const Index candidates = pairs.initial_gap.size();
-  const bool slides = pairs.sliding.rows() == candidates;
-  const double size = pairs.position.size() > 0 ? pairs.position.cwiseAbs().maxCoeff() : 0;
+  std::vector<FreeRow> openings;
+  for (Index pair = 0; pair < pairs.initial_gap.size(); ++pair)
+    openings.push_back(free_row(pairs.opening, pair, unknowns));
+  const std::vector<Index> kept = movable(pairs, openings, source, what);
+  const Index n_pairs = static_cast<Index>(kept.size());
+  const bool slides = pairs.sliding.rows() > 0;
   Gaps gaps;
-  std::vector<Index> kept;
-  std::set<Index> held;
-  std::vector<double> gap;
-  std::vector<double> slip;
+  gaps.pairs = selected(pairs, kept, source);
+  gaps.initial_slip.resize(slides ? n_pairs : 0);
   Triplets normal;
   Triplets tangential;
-  for (Index pair = 0; pair < candidates; ++pair) {
-    const FreeRow opening = free_row(pairs.opening, pair, unknowns);
-    const double initial = pairs.initial_gap(pair) + opening.held;
-    if (opening.entries.empty()) {
-      pose(initial >= -16 * epsilon * size, what, ": the pair at (", pairs.position(pair, 0), ", ",
-           pairs.position(pair, 1), ") is held by supports and overlaps by ", -initial,
-           ". Move one of the two sides or release the node");
-      held.insert(pairs.node[static_cast<std::size_t>(pair)]);
-      continue;
-    }
-    const Index row = static_cast<Index>(kept.size());
+  for (Index row = 0; row < n_pairs; ++row) {
+    const Index pair = kept[static_cast<std::size_t>(row)];
+    const FreeRow& opening = openings[static_cast<std::size_t>(pair)];
     append(normal, row, opening, -1);
-    if (slides) {
-      const FreeRow sliding = free_row(pairs.sliding, pair, unknowns);
-      append(tangential, row, sliding, 1);
-      slip.push_back(sliding.held);
-    }
-    gap.push_back(initial);
-    kept.push_back(pair);
+    gaps.pairs.initial_gap(row) += opening.held;
+    if (!slides) continue;
+    const FreeRow sliding = free_row(pairs.sliding, pair, unknowns);
+    append(tangential, row, sliding, 1);
+    gaps.initial_slip(row) = sliding.held;
   }
-  held.erase(-1);
-  check_not_supported(source, held);
-  const Index n_pairs = static_cast<Index>(kept.size());
   gaps.A = matrix(n_pairs, unknowns.count, normal);
   gaps.T = matrix(slides ? n_pairs : 0, unknowns.count, tangential);
-  gaps.initial_gap = Eigen::Map<Eigen::VectorXd>(gap.data(), n_pairs);
-  gaps.initial_slip = Eigen::Map<Eigen::VectorXd>(slip.data(), slides ? n_pairs : 0);
-  gaps.opening = kept_rows(pairs.opening, kept);
-  if (slides) gaps.sliding = kept_rows(pairs.sliding, kept);
-  gaps.weight = pairs.weight(kept);
-  gaps.position = pairs.position(kept, Eigen::all);
-  gaps.normal = pairs.normal(kept, Eigen::all);
-  for (const Index pair : kept) {
-    const Index node = pairs.node[static_cast<std::size_t>(pair)];
-    gaps.node.push_back(node < 0 ? node : source.first_node + node);
-  }
-  for (const Index node : pairs.unpaired) gaps.unpaired.push_back(source.first_node + node);
   return gaps;
 }
 
@@ -140,26 +162,20 @@ NodalRows below(const NodalRows& upper, const NodalRows& lower) {
     for (NodalRows::InnerIterator it(lower, row); it; ++it)
       entries.emplace_back(static_cast<int>(upper.rows() + row), static_cast<int>(it.col()),
                            it.value());
-  return matrix(upper.rows() + lower.rows(), lower.cols(), entries);
+  return matrix(upper.rows() + lower.rows(), std::max(upper.cols(), lower.cols()), entries);
 }
 
 Gaps stacked(const Gaps& upper, const Gaps& lower) {
-  if (upper.initial_gap.size() == 0) return lower;
-  Gaps both;
-  both.A = below(upper.A, lower.A);
-  both.T = below(upper.T, lower.T);
-  both.opening = below(upper.opening, lower.opening);
-  both.sliding = below(upper.sliding, lower.sliding);
-  both.initial_gap = below_dense(upper.initial_gap, lower.initial_gap);
-  both.initial_slip = below_dense(upper.initial_slip, lower.initial_slip);
-  both.weight = below_dense(upper.weight, lower.weight);
-  both.position = below_dense(upper.position, lower.position);
-  both.normal = below_dense(upper.normal, lower.normal);
-  both.node = upper.node;
-  both.node.insert(both.node.end(), lower.node.begin(), lower.node.end());
-  both.unpaired = upper.unpaired;
-  both.unpaired.insert(both.unpaired.end(), lower.unpaired.begin(), lower.unpaired.end());
-  return both;
+  const Pairs& above = upper.pairs;
+  const Pairs& under = lower.pairs;
+  return {
+      {below(above.opening, under.opening), below(above.sliding, under.sliding),
+       below_dense(above.initial_gap, under.initial_gap), below_dense(above.weight, under.weight),
+       below_dense(above.position, under.position), below_dense(above.normal, under.normal),
+       joined_lists(above.node, under.node), joined_lists(above.unpaired, under.unpaired)},
+      below(upper.A, lower.A),
+      below(upper.T, lower.T),
+      below_dense(upper.initial_slip, lower.initial_slip)};
 }
 
 }  // namespace signorini

@@ -12,9 +12,10 @@ namespace signorini {
 /// Linear gaps gap = initial_gap - A u and slips slip = initial_slip + T u of `n` unknowns, of pairs that
 /// can still move. \PaperEq{XuanLi2002, 13}
 ///
-/// `initial_gap` includes what given displacements open; `opening` and `sliding` keep the columns of
-/// held components, for the forces that supports feel. `node` and `unpaired` count the nodes of all bodies.
-struct Gaps : Pairs {
+/// In `pairs`, `initial_gap` includes what given displacements open; `opening` and `sliding` keep the columns
+/// of held components, for the forces that supports feel; `node` and `unpaired` count the nodes of all bodies.
+struct Gaps {
+  Pairs pairs;                                     ///< `n_c` that can still move
   Eigen::SparseMatrix<double, Eigen::RowMajor> A;  ///< `n_c x n` [-]: minus N, free components
   Eigen::SparseMatrix<double, Eigen::RowMajor> T;  ///< `n_c x n` [-]; no entries without friction
   Eigen::VectorXd initial_slip;                    ///< `n_c` [length]
@@ -37,13 +38,13 @@ struct Gaps : Pairs {
 /// Puts the rows of two matrices below each other.
 /// \param upper  `m_1 x n`
 /// \param lower  `m_2 x n`
-/// \return `m_1 + m_2` rows; those of `lower` alone if `upper` is empty
+/// \return `m_1 + m_2` rows; a matrix without rows may also have fewer columns
 [[nodiscard]] NodalRows below(const NodalRows& upper, const NodalRows& lower);
 
 /// Puts the pairs of several contacts below each other.
-/// \param upper  `n_1` pairs of `n` unknowns, or empty
-/// \param lower  `n_2` pairs of as many unknowns
-/// \return `n_1 + n_2` pairs
+/// \param upper  `n_1` pairs of `n` unknowns; also none
+/// \param lower  `n_2` pairs of as many unknowns; also none
+/// \return `n_1 + n_2` pairs, and the unpaired nodes of both
 [[nodiscard]] Gaps stacked(const Gaps& upper, const Gaps& lower);
 
 }  // namespace signorini

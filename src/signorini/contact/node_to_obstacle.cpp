@@ -9,21 +9,20 @@ namespace signorini {
 
 using Eigen::Index;
 
-Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, Index n_nodes,
-                       double thickness, bool sliding) {
+Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const GapOptions& options) {
   pose(static_cast<bool>(obstacle.look), "obstacle '", obstacle.name,
        "': cannot be looked at; make it with half_plane, disc, hole or profile");
   Pairs pairs;
   pairs.node = boundary_nodes(source.mesh, source.boundary);
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
-  pairs.weight = boundary_weights(source.mesh, source.boundary, thickness);
+  pairs.weight = boundary_weights(source.mesh, source.boundary, options.thickness);
   const Index n_pairs = pairs.weight.size();
   pairs.initial_gap.resize(n_pairs);
   pairs.normal.resize(n_pairs, 2);
-  pairs.opening.resize(n_pairs, 2 * n_nodes);
+  pairs.opening.resize(n_pairs, 2 * options.n_nodes);
   pairs.opening.reserve(Eigen::VectorXi::Constant(n_pairs, 2));
-  if (sliding) {
-    pairs.sliding.resize(n_pairs, 2 * n_nodes);
+  if (options.sliding) {
+    pairs.sliding.resize(n_pairs, 2 * options.n_nodes);
     pairs.sliding.reserve(Eigen::VectorXi::Constant(n_pairs, 2));
   }
   for (Index pair = 0; pair < n_pairs; ++pair) {
@@ -38,20 +37,13 @@ Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, Index n_
     const Index column = 2 * (source.first_node + node);
     pairs.opening.insert(pair, column) = seen.normal.x();
     pairs.opening.insert(pair, column + 1) = seen.normal.y();
-    if (!sliding) continue;
+    if (!options.sliding) continue;
     pairs.sliding.insert(pair, column) = seen.normal.y();
     pairs.sliding.insert(pair, column + 1) = -seen.normal.x();
   }
   pairs.opening.makeCompressed();
   pairs.sliding.makeCompressed();
   return pairs;
-}
-
-Gaps node_to_obstacle(const Mesh& mesh, const std::string& boundary, const Obstacle& obstacle,
-                      const Unknowns& unknowns, double thickness) {
-  const Surface source{mesh, boundary};
-  return reduce(node_to_obstacle(source, obstacle, mesh.n_nodes(), thickness), source, unknowns,
-                text("contact of '", boundary, "' with a rigid ", obstacle.name));
 }
 
 }  // namespace signorini

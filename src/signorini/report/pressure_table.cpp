@@ -23,7 +23,10 @@ Resultants resultants(const Pairs& pairs, const Solution& solution) {
   check_solved(solution);
   Resultants sum{Eigen::Vector2d::Zero(), 0, 0, 0};
   for (Index pair = 0; pair < solution.contact.force.size(); ++pair) {
-    const Eigen::Vector2d force = solution.contact.force(pair) * pairs.normal.row(pair).transpose();
+    const Eigen::Vector2d normal = pairs.normal.row(pair).transpose();
+    Eigen::Vector2d force = solution.contact.force(pair) * normal;
+    if (solution.friction)
+      force += solution.friction->state.friction(pair) * Eigen::Vector2d(normal.y(), -normal.x());
     sum.force += force;
     sum.moment += pairs.position(pair, 0) * force.y() - pairs.position(pair, 1) * force.x();
     sum.peak_pressure = std::max(sum.peak_pressure, solution.pressure(pair));
@@ -40,6 +43,7 @@ std::string pressure_csv(const Pairs& pairs, const Solution& solution,
     status[static_cast<std::size_t>(pair)] = "closed";
   std::ostringstream out;
   if (!tolerance.empty()) out << "# tolerance " << tolerance << '\n';
+  for (const std::string& note : solution.notes) out << "# note " << note << '\n';
   const Resultants sum = resultants(pairs, solution);
   out << std::setprecision(10) << "# force of the obstacle (" << sum.force.x() << ", "
       << sum.force.y() << "), moment about the origin " << sum.moment << ", closed boundary "

@@ -15,7 +15,7 @@ struct Resultants {
   double peak_pressure;   ///< largest of a pair [force/length^2], compression > 0
 };
 
-/// Sums the contact forces of a solution, applied where the pairs are before loading.
+/// Sums the contact forces of a solution, friction included, applied where the pairs are before loading.
 /// \param pairs     of the model, `n_c` pairs
 /// \param solution  of the model
 /// \return the sums, all 0 without contact
@@ -25,7 +25,7 @@ struct Resultants {
 /// The table as comma separated text: x, y, gap, pressure, force, status, one line per pair.
 ///
 /// `status` is `closed` or `open`. Lines come in the order of the boundary, with 10 digits; the
-/// first line names the columns. Comments in front of it give the resultants.
+/// first line names the columns. Comments in front of it give the notes of the solution and the resultants.
 /// \param pairs      of the model, `n_c` pairs
 /// \param solution   of the model
 /// \param tolerance  if not empty, goes in front as the comment `# tolerance <tolerance>`

@@ -7,6 +7,7 @@
 
 #include "signorini/complementarity/friction_solvers.hpp"
 #include "signorini/complementarity/refine.hpp"
+#include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
 
@@ -16,18 +17,17 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Normal forces, then friction forces: what belongs to the rows of the programme.
-VectorXd forces_of(const FrictionState& state) {
-  VectorXd force(state.force.size() + state.friction.size());
-  force << state.force, state.friction;
-  return force;
+VectorXd stacked(const VectorXd& gaps, const VectorXd& slips) {
+  VectorXd all(gaps.size() + slips.size());
+  all << gaps, slips;
+  return all;
 }
 
 double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
 /// Puts the gaps and slips that displacements give in the place of those that the condensed data gave.
 void correct(FrictionProblem& problem, const VectorXd& moved, const FrictionState& state) {
-  VectorXd free = moved - problem.compliance * forces_of(state);
+  VectorXd free = moved - problem.compliance * stacked(state.force, state.friction);
   if (problem.rigid.cols() > 0) free -= problem.rigid * state.amplitude;
   const Index pairs = state.force.size();
   problem.free_gap = free.head(pairs);
@@ -44,11 +44,100 @@ void correct(FrictionProblem& problem, const QuadraticProgramme& programme, Prim
 }
 
 /// The largest force that is missing at a node, over the largest load or contact force.
-double missing_force(const Model& model, const PrimalDual& solution) {
-  const VectorXd contact = model.programme.A.transpose() * solution.force;
-  const double scale = std::max(largest(model.programme.load), largest(contact));
-  const double missing = largest(equilibrium_residual(model.programme, solution));
+double missing_force(const QuadraticProgramme& programme, const PrimalDual& solution) {
+  const VectorXd contact = programme.A.transpose() * solution.force;
+  const double scale = std::max(largest(programme.load), largest(contact));
+  const double missing = largest(equilibrium_residual(programme, solution));
   return missing == 0 ? 0 : missing / scale;
+}
+
+/// Forces and displacements that belong together, and the problem that the forces solve.
+struct Settled {
+  FrictionProblem problem;  ///< with gaps and slips as the displacements give them
+  FrictionState state;
+  Report total;        ///< of all passes
+  PrimalDual refined;  ///< with the forces of all rows: gaps, then slips
+};
+
+/// One more pass of the solver.
+void solve_again(const FrictionSolver& method, Settled& now) {
+  now.state = method.solve(now.problem, {});
+  const Report& report = now.state.report;
+  now.total.iterations += report.iterations;
+  now.total.factorisations += report.factorisations;
+  now.total.history.insert(now.total.history.end(), report.history.begin(), report.history.end());
+  now.total.status = report.status;
+}
+
+/// Displacements of the forces, and what they correct. \param strained  what strains the bodies so far, refined
+/// here \return the largest change of a displacement
+double refine(const QuadraticProgramme& programme, const ContactLastFactor& factor,
+              const Eigen::MatrixXd& shapes, PrimalDual& strained, Settled& now) {
+  strained.force = stacked(now.state.force, now.state.friction);
+  // The residual without the rigid part: K does not feel it, and its rounding must not count.
+  VectorXd change = factor.solve(equilibrium_residual(programme, strained));
+  add_displacement(strained, change);
+  now.refined = strained;
+  if (shapes.cols() > 0) {
+    now.refined.rigid = shapes * now.state.amplitude;
+    add_displacement(now.refined, now.refined.rigid);
+  }
+  const VectorXd moved = gaps(programme, now.refined);
+  const Index pairs = now.state.gap.size();
+  now.state.gap = moved.head(pairs);
+  now.state.slip = moved.tail(pairs);
+  correct(now.problem, moved, now.state);
+  correct(now.problem, programme, strained, shapes);
+  return largest(change);
+}
+
+/// Solves and refines in turn until displacements settle.
+Settled settle(const Model& model, const Condensed& condensed, const FrictionSolver& method,
+               const QuadraticProgramme& programme, Ledger& ledger) {
+  Settled now{*condensed.friction, {}, {}, {}};
+  const Eigen::MatrixXd shapes = mode_shapes(model.modes);
+  PrimalDual strained{condensed.free_displacement, VectorXd::Zero(model.unknowns.count), {}};
+  double last = std::numeric_limits<double>::infinity();
+  while (true) {
+    {
+      const Ledger::Phase phase(ledger, "contact");
+      solve_again(method, now);
+    }
+    if (now.state.report.status != Status::Solved) return now;
+    const Ledger::Phase phase(ledger, "refinement");
+    ledger.count("sweeps", 1);
+    const double step = refine(programme, condensed.factor, shapes, strained, now);
+    const double rounding = std::numeric_limits<double>::epsilon() * largest(strained.displacement);
+    if (step <= rounding || !(step < 0.5 * last)) return now;
+    last = step;
+  }
+}
+
+/// What the solution has beside the outcome of the solver.
+void recover(const Model& model, const QuadraticProgramme& programme, Settled& now,
+             Solution& solution) {
+  FrictionOutcome& friction = *solution.friction;
+  solution.displacements = displacements_of_bodies(model, now.refined.displacement);
+  solution.contact.force = friction.state.force;
+  solution.contact.gap = friction.state.gap;
+  for (Index pair = 0; pair < friction.state.force.size(); ++pair)
+    if (friction.state.status[static_cast<std::size_t>(pair)] != PairStatus::Open)
+      solution.contact.active.push_back(pair);
+  solution.amplitude = friction.state.amplitude;
+  solution.pressure = friction.state.force.cwiseQuotient(model.pairs.weight);
+  friction.certificate = certify(now.problem, friction.state);
+  friction.certificate.equilibrium =
+      std::max(friction.certificate.equilibrium, missing_force(programme, now.refined));
+  if (!friction.certificate.holds()) {
+    solution.contact.report.status = Status::Breakdown;
+    friction.state.report.status = Status::Breakdown;
+    friction.state.reason = "the forces and displacements found do not fit the original data";
+  }
+  if (friction.state.uniqueness == Uniqueness::Doubtful)
+    solution.notes.emplace_back(
+        "friction: there may be other solutions of the same loads, this is one of them");
+  now.refined.force = friction.state.force;
+  solution.refined = std::move(now.refined);
 }
 
 }  // namespace
@@ -70,78 +159,38 @@ std::string escape_in_words(const Model& model, const VectorXd& escape) {
   return words;
 }
 
+QuadraticProgramme with_slips(const Model& model) {
+  QuadraticProgramme all = model.programme;
+  all.A = below(model.programme.A, -model.friction->T);
+  all.initial_gap = stacked(model.programme.initial_gap, model.friction->initial_slip);
+  return all;
+}
+
+void set_friction_apart(const FrictionModel& friction, Condensed& condensed) {
+  const Index pairs = friction.initial_slip.size();
+  const ContactProblem& all = condensed.problem;
+  condensed.friction =
+      FrictionProblem{all.compliance,           all.free_gap.head(pairs), all.free_gap.tail(pairs),
+                      friction.law.coefficient, friction.law.cohesion,    condensed.rigid,
+                      condensed.resultant};
+  condensed.problem = {condensed.friction->compliance.topLeftCorner(pairs, pairs),
+                       condensed.friction->free_gap};
+  condensed.rigid = condensed.friction->rigid.topRows(pairs);
+}
+
 Solution solve_frictional(const Model& model, const Condensed& condensed, const std::string& solver,
                           Ledger& ledger) {
-  const FrictionSolver& method = find_friction_solver(solver);
-  const Index pairs = model.pairs.initial_gap.size();
-  FrictionProblem problem{condensed.problem.compliance,
-                          condensed.problem.free_gap.head(pairs),
-                          condensed.problem.free_gap.tail(pairs),
-                          model.friction->coefficient,
-                          model.friction->cohesion,
-                          condensed.rigid,
-                          condensed.resultant};
-  const Eigen::MatrixXd shapes = mode_shapes(model.modes);
-  PrimalDual start{condensed.free_displacement, VectorXd::Zero(model.unknowns.count), {}};
+  const QuadraticProgramme programme = with_slips(model);
+  Settled now = settle(model, condensed, find_friction_solver(solver), programme, ledger);
   Solution solution;
-  FrictionState state;
-  Report total;
-  double last = std::numeric_limits<double>::infinity();
-  while (true) {
-    {
-      const Ledger::Phase phase(ledger, "contact");
-      state = method.solve(problem, {});
-      total.iterations += state.report.iterations;
-      total.factorisations += state.report.factorisations;
-      total.history.insert(total.history.end(), state.report.history.begin(),
-                           state.report.history.end());
-      total.status = state.report.status;
-    }
-    if (state.report.status != Status::Solved) break;
-    const Ledger::Phase phase(ledger, "refinement");
-    // The residual without the rigid part: K does not feel it, and its rounding must not count.
-    PrimalDual now = start;
-    now.force = forces_of(state);
-    VectorXd change = condensed.factor.solve(equilibrium_residual(model.programme, now));
-    add_displacement(now, change);
-    start = now;
-    ledger.count("sweeps", 1);
-    if (shapes.cols() > 0) {
-      now.rigid = shapes * state.amplitude;
-      add_displacement(now, now.rigid);
-    }
-    const VectorXd moved = gaps(model.programme, now);
-    state.gap = moved.head(pairs);
-    state.slip = moved.tail(pairs);
-    correct(problem, moved, state);
-    correct(problem, model.programme, start, shapes);
-    solution.refined = std::move(now);
-    const double step = largest(change);
-    const bool settled =
-        step <= std::numeric_limits<double>::epsilon() * largest(start.displacement);
-    if (settled || !(step < 0.5 * last)) break;
-    last = step;
-  }
-  solution.contact.report = std::move(total);
+  solution.contact.report = std::move(now.total);
+  constexpr double none = std::numeric_limits<double>::infinity();
+  solution.friction = FrictionOutcome{std::move(now.state), {none, none, none, none, none, none}};
   if (solution.contact.report.status == Status::Solved) {
     const Ledger::Phase phase(ledger, "recovery");
-    solution.displacements = displacements_of_bodies(model, solution.refined.displacement);
-    solution.contact.force = state.force;
-    solution.contact.gap = state.gap;
-    for (Index pair = 0; pair < pairs; ++pair)
-      if (state.status[static_cast<std::size_t>(pair)] != PairStatus::Open)
-        solution.contact.active.push_back(pair);
-    solution.amplitude = state.amplitude;
-    solution.pressure = state.force.cwiseQuotient(model.pairs.weight);
-    FrictionCertificate certificate = certify(problem, state);
-    certificate.equilibrium =
-        std::max(certificate.equilibrium, missing_force(model, solution.refined));
-    solution.certificate = {certificate.penetration, certificate.tension,
-                            certificate.complementarity, certificate.equilibrium, 0};
-    if (!certificate.holds()) solution.contact.report.status = Status::Breakdown;
-    solution.friction = FrictionOutcome{std::move(state), certificate};
+    recover(model, programme, now, solution);
   } else {
-    solution.escape = escape_in_words(model, state.escape);
+    solution.escape = escape_in_words(model, solution.friction->state.escape);
   }
   return solution;
 }

@@ -3,9 +3,19 @@
 #pragma once
 #include <string>
 
-#include "signorini/scene/scene.hpp"
+#include "signorini/scene/solution.hpp"
 
 namespace signorini {
+
+/// The programme with the slips that friction resists.
+/// \param model  from build(), with friction
+/// \return K, p, A, g with `n_c` rows of slips, -T and the initial slips, after those of the gaps
+[[nodiscard]] QuadraticProgramme with_slips(const Model& model);
+
+/// Takes the slips out of a condensed problem that was made of gaps and slips.
+/// \param friction           T and the law of `n_c` pairs
+/// \param[in,out] condensed  with `2 n_c` rows; then those of the gaps, and all in `condensed.friction`
+void set_friction_apart(const FrictionModel& friction, Condensed& condensed);
 
 /// Solves the condensed problem with friction and recovers displacements.
 ///
@@ -15,8 +25,7 @@ namespace signorini {
 /// \param condensed  from condense() of it
 /// \param solver     name in friction_solvers()
 /// \param[in,out] ledger  receives the phases `contact`, `refinement` and `recovery`
-/// \return as solve() of the scene, with `friction`; its `certificate` has no duality gap, because friction
-///   is no minimum of an energy
+/// \return as solve(), with `friction` whether it is solved or not, and a note if others may exist
 /// \throws ProblemError for an unknown name
 [[nodiscard]] Solution solve_frictional(const Model& model, const Condensed& condensed,
                                         const std::string& solver, Ledger& ledger);

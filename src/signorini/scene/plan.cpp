@@ -53,27 +53,44 @@ void check_names(const Scene& scene) {
          "': give every mesh a name of its own");
 }
 
+/// Looks up all names, needed or not, and notes choices of a contact that nothing asks for.
+void check_choices(const Scene& scene, Plan& plan) {
+  static_cast<void>(find_solver(scene.solver));
+  static_cast<void>(find_friction_solver(scene.friction_solver));
+  const ContactSpec usual;
+  for (const ContactSpec& contact : scene.contacts) {
+    const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
+    const bool rigid = std::holds_alternative<Obstacle>(contact.target);
+    std::string idle = rigid && contact.gap_operator != usual.gap_operator ? ", gap_operator" : "";
+    if (contact.points != usual.points && (rigid || !gap_operator.takes_points)) idle += ", points";
+    if (contact.quadrature != usual.quadrature && (rigid || !gap_operator.takes_quadrature))
+      idle += ", quadrature";
+    if (!idle.empty())
+      plan.notes.push_back(text(describe(scene, contact), ": without meaning for ",
+                                rigid ? "a rigid obstacle" : contact.gap_operator, ": ",
+                                idle.substr(2)));
+  }
+}
+
 /// Pairs of one contact, and a note if some nodes have none.
 Pairs pair_up(const Scene& scene, const ContactSpec& contact, bool sliding, Plan& plan) {
   const Surface source = surface(scene, contact.source);
   const Body& body = scene.bodies[body_index(scene, contact.source)];
-  const Index n_nodes = count_nodes(scene);
+  GapOptions options;
+  options.n_nodes = count_nodes(scene);
+  options.thickness = body.material.thickness;
+  options.sliding = sliding;
+  options.points = contact.points;
+  options.quadrature = contact.quadrature;
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target)) {
-    return node_to_obstacle(source, *obstacle, n_nodes, body.material.thickness, sliding);
+    return node_to_obstacle(source, *obstacle, options);
   }
   const Side& side = std::get<Side>(contact.target);
   const Body& other = scene.bodies[body_index(scene, side)];
   pose(body.material.thickness == other.material.thickness, describe(scene, contact),
        ": the bodies are ", body.material.thickness, " and ", other.material.thickness,
        " thick, but contact in the plane needs one thickness");
-  const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
-  GapOptions options;
-  options.n_nodes = n_nodes;
-  options.thickness = body.material.thickness;
-  options.sliding = sliding;
-  options.points = contact.points;
-  options.quadrature = contact.quadrature;
-  Pairs pairs = gap_operator.pair(source, surface(scene, side), options);
+  Pairs pairs = find_gap_operator(contact.gap_operator).pair(source, surface(scene, side), options);
   if (!pairs.unpaired.empty())
     plan.notes.push_back(text(describe(scene, contact), ": ", pairs.unpaired.size(),
                               " source nodes face no target and are left out, the first is node ",
@@ -96,7 +113,7 @@ VectorXd extended(const VectorXd& head, const VectorXd& tail) {
 /// 0 for pairs that supports keep from sliding, else 1: friction between two supports could be anything, so
 /// it is none and all of it counts as theirs.
 VectorXd can_slide(const Gaps& gaps) {
-  VectorXd slides(gaps.weight.size());
+  VectorXd slides(gaps.initial_slip.size());
   for (Index pair = 0; pair < slides.size(); ++pair)
     slides(pair) = gaps.initial_slip(pair) != 0 || gaps.T.row(pair).norm() > 0 ? 1 : 0;
   return slides;
@@ -111,16 +128,17 @@ void add_friction(const Scene& scene, const ContactSpec& contact, const Gaps& ga
   PairFriction& all = *plan.friction;
   const VectorXd slides = can_slide(gaps);
   all.coefficient = extended(all.coefficient, law.coefficient * slides);
-  all.cohesion = extended(all.cohesion, law.cohesion * gaps.weight.cwiseProduct(slides));
+  all.cohesion = extended(all.cohesion, law.cohesion * gaps.pairs.weight.cwiseProduct(slides));
   if (rubs(contact))
     plan.on.push_back(text("friction of the ", describe(scene, contact), ": coefficient ",
-                           law.coefficient, ", cohesion ", law.cohesion, ", ", gaps.weight.size(),
-                           " slips"));
+                           law.coefficient, ", cohesion ", law.cohesion, ", ",
+                           gaps.pairs.weight.size(), " slips"));
 }
 
 void plan_contact(const Scene& scene, Plan& plan) {
   const Unknowns unknowns = joined(plan.unknowns);
   plan.gaps.A.resize(0, unknowns.count);
+  plan.solver = scene.solver;
   if (scene.contacts.empty()) {
     plan.off.emplace_back("contact");
     return;
@@ -131,17 +149,19 @@ void plan_contact(const Scene& scene, Plan& plan) {
   for (const ContactSpec& contact : scene.contacts) {
     Gaps gaps = reduce(pair_up(scene, contact, sliding, plan), surface(scene, contact.source),
                        unknowns, describe(scene, contact));
-    plan.on.push_back(text(describe(scene, contact), ": ", gaps.weight.size(), " candidate pairs",
+    plan.on.push_back(text(describe(scene, contact), ": ", gaps.pairs.weight.size(),
+                           " candidate pairs",
                            std::holds_alternative<Obstacle>(contact.target)
                                ? ", no mesh and no search for the obstacle"
                                : " by " + contact.gap_operator));
     if (sliding) add_friction(scene, contact, gaps, plan);
     plan.gaps = stacked(plan.gaps, gaps);
   }
-  if (sliding) static_cast<void>(find_friction_solver(scene.friction_solver));
-  plan.on.push_back("solver " + (sliding ? scene.friction_solver : scene.solver) +
+  if (sliding) plan.solver = scene.friction_solver;
+  plan.on.push_back("solver " + plan.solver +
                     " on the condensed problem, certified from K, p, A, g");
-  const double lowest = plan.gaps.initial_gap.size() > 0 ? plan.gaps.initial_gap.minCoeff() : 0;
+  const VectorXd& initial_gap = plan.gaps.pairs.initial_gap;
+  const double lowest = initial_gap.size() > 0 ? initial_gap.minCoeff() : 0;
   if (lowest < 0)
     plan.notes.push_back(text("the two sides overlap by ", -lowest, " before loading"));
 }
@@ -170,8 +190,8 @@ void plan_modes(const Scene& scene, Plan& plan) {
 Plan plan(const Scene& scene) {
   Plan plan;
   check_names(scene);
-  static_cast<void>(find_solver(scene.solver));
   for (const Body& body : scene.bodies) plan_body(body, plan);
+  check_choices(scene, plan);
   plan_contact(scene, plan);
   plan_modes(scene, plan);
   return plan;

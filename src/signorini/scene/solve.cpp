@@ -1,3 +1,4 @@
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -49,7 +50,7 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
   FloatingProblem problem{condensed.problem, condensed.rigid, condensed.resultant};
   PrimalDual start{condensed.free_displacement, {}, {}};
   Refinement refined;
-  Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(modes.shape.cols());
+  Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(modes.cols());
   std::set<std::vector<Index>> refuted;
   while (true) {
     {
@@ -61,7 +62,7 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
     if (state.contact.report.status != Status::Solved) return refined;
     const Ledger::Phase phase(ledger, "refinement");
     start.force = state.contact.force;
-    if (amplitude.size() > 0) place(start, modes.shape * (state.amplitude - amplitude));
+    if (amplitude.size() > 0) place(start, modes * (state.amplitude - amplitude));
     refined = refine(model.programme, solve_stiffness, problem.contact.compliance, start,
                      state.contact.active, modes);
     if (amplitude.size() > 0) refined.amplitude += state.amplitude;
@@ -76,33 +77,6 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
   }
 }
 
-/// K and p of all bodies, one block after another.
-LinearSystem assemble_all(const Scene& scene, const std::vector<BodyModel>& bodies, Index count) {
-  LinearSystem all;
-  all.stiffness.resize(count, count);
-  all.load.resize(count);
-  Eigen::VectorXi lengths(count);
-  std::vector<LinearSystem> systems;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const BodyModel& body = bodies[b];
-    systems.push_back(
-        assemble(body.mesh, body.element, body.material, body.unknowns, scene.bodies[b].loads));
-    all.load.segment(body.first_unknown, body.unknowns.count) = systems.back().load;
-    for (Index k = 0; k < body.unknowns.count; ++k)
-      lengths(body.first_unknown + k) =
-          static_cast<int>(systems.back().stiffness.innerVector(k).nonZeros());
-  }
-  if (bodies.size() == 1) return std::move(systems.front());
-  all.stiffness.reserve(lengths);
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    for (Index k = 0; k < bodies[b].unknowns.count; ++k)
-      for (Eigen::SparseMatrix<double>::InnerIterator it(systems[b].stiffness, k); it; ++it)
-        all.stiffness.insert(bodies[b].first_unknown + it.row(), bodies[b].first_unknown + k) =
-            it.value();
-  all.stiffness.makeCompressed();
-  return all;
-}
-
 std::string describe_unknown(const Model& model, Index unknown) {
   std::size_t b = model.bodies.size() - 1;
   while (model.bodies[b].first_unknown > unknown) --b;
@@ -111,61 +85,28 @@ std::string describe_unknown(const Model& model, Index unknown) {
               body.unknowns.describe(body.mesh, unknown - body.first_unknown));
 }
 
-}  // namespace
-
-Model build(const Scene& scene, Ledger& ledger) {
-  Plan now = [&] {
-    const Ledger::Phase phase(ledger, "plan");
-    return plan(scene);
+ContactLastFactor factor_last(const Model& model, const Eigen::SparseMatrix<double>& K,
+                              const std::vector<Index>& last, Ledger& ledger) {
+  const auto describe = [&model](Index unknown) { return describe_unknown(model, unknown); };
+  const Ledger::Phase phase(ledger, "factor");
+  const EliminationOrder order = [&] {
+    const Ledger::Phase ordering(ledger, "ordering");
+    return nested_dissection(K, unknown_positions(model), last);
   }();
-  const Ledger::Phase phase(ledger, "assembly");
-  Model model;
-  model.unknowns = joined(now.unknowns);
-  const std::vector<Index> first = first_unknowns(now.unknowns);
-  Index first_node = 0;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Body& body = scene.bodies[b];
-    model.bodies.push_back({body.mesh, find_element(body.element), body.material,
-                            std::move(now.unknowns[b]), first_node, first[b]});
-    first_node += body.mesh.n_nodes();
-  }
-  LinearSystem system = assemble_all(scene, model.bodies, model.unknowns.count);
-  ledger.count("unknowns", model.unknowns.count);
-  ledger.count("pairs", now.gaps.A.rows());
-  if (now.friction) {
-    now.gaps.A = below(now.gaps.A, -now.gaps.T);
-    model.programme.initial_gap.resize(2 * now.gaps.initial_gap.size());
-    model.programme.initial_gap << now.gaps.initial_gap, now.gaps.initial_slip;
-  } else {
-    model.programme.initial_gap = now.gaps.initial_gap;
-  }
-  model.friction = std::move(now.friction);
-  model.programme.stiffness.swap(system.stiffness);
-  model.programme.load.swap(system.load);
-  model.programme.A.swap(now.gaps.A);
-  model.pairs = std::move(now.gaps);
-  model.modes = std::move(now.modes);
-  return model;
+  return ContactLastFactor(K, order, static_cast<Index>(last.size()), ledger, describe);
 }
 
+}  // namespace
+
 Condensed condense(const Model& model, Ledger& ledger) {
-  const QuadraticProgramme& programme = model.programme;
+  const QuadraticProgramme sliding = model.friction ? with_slips(model) : QuadraticProgramme();
+  const QuadraticProgramme& programme = model.friction ? sliding : model.programme;
   const bool floats = !model.modes.empty();
   const Eigen::SparseMatrix<double> held =
       floats ? grounded_stiffness(model) : Eigen::SparseMatrix<double>();
   const Eigen::SparseMatrix<double>& K = floats ? held : programme.stiffness;
-  const auto describe = [&model](Index unknown) { return describe_unknown(model, unknown); };
-  ContactLastFactor factor = [&] {
-    const Ledger::Phase phase(ledger, "factor");
-    const std::vector<Index> last = contact_unknowns(programme.A);
-    const EliminationOrder order = [&] {
-      const Ledger::Phase ordering(ledger, "ordering");
-      return nested_dissection(K, unknown_positions(model), last);
-    }();
-    return ContactLastFactor(K, order, static_cast<Index>(last.size()), ledger, describe);
-  }();
+  Condensed condensed{factor_last(model, K, contact_unknowns(programme.A), ledger), {}, {}, {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
-  Condensed condensed{std::move(factor), {}, {}, {}, {}};
   condensed.free_displacement = condensed.factor.solve(programme.load);
   condensed.problem.compliance = condensed.factor.compliance(programme.A);
   condensed.problem.free_gap =
@@ -177,6 +118,7 @@ Condensed condense(const Model& model, Ledger& ledger) {
     condensed.rigid = std::move(floating.rigid);
     condensed.resultant = std::move(floating.resultant);
   }
+  if (model.friction) set_friction_apart(*model.friction, condensed);
   return condensed;
 }
 
@@ -208,27 +150,34 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   return solution;
 }
 
-const std::string& solver_name(const Scene& scene, const Model& model) {
-  return model.friction ? scene.friction_solver : scene.solver;
+Solution solve(const Model& model, const Condensed& condensed, Ledger ledger) {
+  return solve(model, condensed, model.solver, std::move(ledger));
 }
 
 void require_solved(const Solution& solution, const std::string& what) {
   const Report& report = solution.contact.report;
+  if (report.status == Status::Solved) return;
+  const std::string reason = solution.friction ? solution.friction->state.reason : "";
   if (!solution.escape.empty())
-    throw NotSolved(text(what,
-                         " was not solved: the load pulls a body away from all it could rest "
-                         "on: ",
-                         solution.escape, ". Turn the load round or add a support"));
-  if (report.status != Status::Solved)
-    throw NotSolved(text(what, " was not solved: ", to_string(report.status), " after ",
-                         report.iterations, " iterations; certificate: ", solution.certificate));
+    throw NotSolved(
+        text(what, " was not solved: ",
+             reason.empty() ? "the load pulls a body away from all it could rest on" : reason, ": ",
+             solution.escape, ". Turn the load round or add a support"));
+  std::string message = text(what, " was not solved: ", to_string(report.status), " after ",
+                             report.iterations, " iterations");
+  if (!reason.empty()) message += ": " + reason;
+  if (std::isfinite(solution.certificate.worst()))
+    message += text("; certificate: ", solution.certificate);
+  if (solution.friction && std::isfinite(solution.friction->certificate.worst()))
+    message += text("; worst figure of the certificate: ", solution.friction->certificate.worst());
+  throw NotSolved(message);
 }
 
 Solution solve(const Scene& scene) {
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);
-  return solve(model, condensed, solver_name(scene, model), std::move(ledger));
+  return solve(model, condensed, std::move(ledger));
 }
 
 }  // namespace signorini

@@ -12,7 +12,7 @@ SolvedScene solved(const Scene& scene, const std::string& what) {
   Ledger ledger;
   Model model = build(scene, ledger);             // K, p, A, g of the quadratic programme
   Condensed condensed = condense(model, ledger);  // G = A K^-1 A^T and d = g - A u0
-  Solution solution = solve(model, condensed, solver_name(scene, model), ledger);
+  Solution solution = solve(model, condensed, ledger);
   require_solved(solution, what);
   return {std::move(model), std::move(condensed), std::move(solution)};
 }

@@ -1,0 +1,120 @@
+/// \file
+/// The model of a scene, the condensed problem, and the solution.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "signorini/complementarity/certificate.hpp"
+#include "signorini/complementarity/floating.hpp"
+#include "signorini/complementarity/friction.hpp"
+#include "signorini/contact/pairs.hpp"
+#include "signorini/core/ledger.hpp"
+#include "signorini/elasticity/assembly.hpp"
+#include "signorini/elasticity/contact_last_factor.hpp"
+#include "signorini/elasticity/elements.hpp"
+#include "signorini/elasticity/free_motions.hpp"
+
+namespace signorini {
+
+/// The friction law pair by pair; 0 where a contact has none.
+struct PairFriction {
+  Eigen::VectorXd coefficient;  ///< mu `n_c` [-]
+  Eigen::VectorXd cohesion;     ///< c times the weight `n_c` [force]
+};
+
+/// How pairs slide, slip = initial_slip + T u, and the law that resists it.
+struct FrictionModel {
+  Eigen::SparseMatrix<double, Eigen::RowMajor> T;  ///< `n_c x n` [-]
+  Eigen::VectorXd initial_slip;                    ///< `n_c` of given displacements [length]
+  PairFriction law;                                ///< of all pairs
+};
+
+/// A body ready to be assembled, and where it stands among the others.
+struct BodyModel {
+  Mesh mesh;                   ///< of the scene
+  Element element;             ///< found by its name
+  Material material;           ///< of the scene
+  Unknowns unknowns;           ///< of this body, numbered from 0
+  Eigen::Index first_node;     ///< number of its first node among those of all bodies
+  Eigen::Index first_unknown;  ///< number of its first unknown
+};
+
+/// Matrices of the bodies and the gaps they may close.
+struct Model {
+  std::vector<BodyModel> bodies;          ///< as in the scene
+  Unknowns unknowns;                      ///< `n` of all bodies, one after another
+  QuadraticProgramme programme;           ///< K, p, A, g of the gaps, with friction or without
+  Pairs pairs;                            ///< `n_c` that can close; see Gaps
+  std::vector<FreeMotion> modes;           ///< `n_r` null vectors of K
+  std::optional<FrictionModel> friction;  ///< none if nothing rubs
+  std::string solver;  ///< of the family that the model needs, as the scene names it
+};
+
+/// The model with all unknowns but the contact forces eliminated.
+struct Condensed {
+  ContactLastFactor factor;           ///< of K, or of K and one spring per rigid mode
+  ContactProblem problem;             ///< G = A K^-1 A^T and d = g - A u0, without friction
+  Eigen::VectorXd free_displacement;  ///< u0 = K^-1 p `n` [length]
+  Eigen::MatrixXd rigid;      ///< R `n_c x n_r` what an amplitude opens, see FloatingProblem
+  Eigen::VectorXd resultant;  ///< r `n_r` what contact forces must add up to [force]
+  std::optional<FrictionProblem> friction = {};  ///< gaps and slips, if the model has friction
+};
+
+/// What friction did, or what stopped the solver.
+struct FrictionOutcome {
+  /// Forces, friction forces, gaps and slips, from the displacements; `reason` if it is not solved.
+  FrictionState state;
+  /// Of `state`, from the original K, p, A and T: its equilibrium is also that of every node. All infinite
+  /// unless the solver found a solution.
+  FrictionCertificate certificate;
+};
+
+/// Everything that is known at the end. Unless `contact.report.status` is Solved or Breakdown, it has
+/// the report, the ledger and the state of the solver only, and no certificate.
+struct Solution {
+  std::vector<NodeArray> displacements;  ///< `n_nodes x 2` of each body [length]
+  ContactState contact;                  ///< refined forces, gaps and status per pair
+  Eigen::VectorXd amplitude;             ///< `n_r` of the rigid modes [length]
+  Eigen::VectorXd pressure;              ///< `n_c` force / weight [force/length^2], compression > 0
+  PrimalDual refined;                    ///< unknowns in two parts, and normal forces
+  std::optional<FrictionOutcome> friction;  ///< if the model has friction, solved or not
+  /// Of `refined`, from the original K, p, A, g. Says nothing with friction, which is no minimum of an
+  /// energy: `friction->certificate` stands in its place.
+  Certificate certificate = uncertified();
+  std::string escape;              ///< if the load pulls a body away: how it moves off
+  std::vector<std::string> notes;  ///< what a user should know, such as that others may exist
+  Ledger ledger;                   ///< what it cost
+};
+
+/// Factors K with the contact unknowns last and reads the compliance off the trailing block.
+/// \param model   from build()
+/// \param ledger  receives the phases `factor` and `condensation`
+/// \return the small problem, and the factor to recover displacements with
+/// \throws ProblemError if K is singular to working precision, see ContactLastFactor
+[[nodiscard]] Condensed condense(const Model& model, Ledger& ledger);
+
+/// Solves the condensed problem and recovers displacements, all refined from the original data.
+///
+/// If the refined gaps show that rounding of the condensed data had misplaced a pair, the condensed
+/// problem is solved again with free gaps from the refined solution.
+/// \param model      from build()
+/// \param condensed  from condense() of it
+/// \param solver     name in solvers(), or with friction in friction_solvers()
+/// \param ledger     goes on in the solution, with the phases `contact`, `refinement`, `recovery`
+/// \return the solution; check its `contact.report.status` first, or call require_solved()
+/// \throws ProblemError for an unknown name; std::invalid_argument for more pairs than it accepts
+[[nodiscard]] Solution solve(const Model& model, const Condensed& condensed,
+                             const std::string& solver, Ledger ledger);
+
+/// The same with `model.solver`. \param model  from build() \param condensed  from condense() of it
+/// \param ledger  as above \return the solution
+[[nodiscard]] Solution solve(const Model& model, const Condensed& condensed, Ledger ledger);
+
+/// Stops a program that has no use for an unsolved problem.
+/// \param solution  what solve() returned
+/// \param what      what the message calls it
+/// \throws NotSolved with the status and what stopped the solver, unless it is Solved
+void require_solved(const Solution& solution, const std::string& what);
+
+}  // namespace signorini

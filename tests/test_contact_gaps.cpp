@@ -1,0 +1,56 @@
+// Pairs of several contacts, one below the other.
+#include "catch_compat.hpp"
+#include "signorini/contact/gaps.hpp"
+#include "signorini/contact/node_to_obstacle.hpp"
+#include "signorini/mesh/block.hpp"
+
+using Eigen::Index;
+using namespace signorini;
+
+namespace {
+
+Gaps five_gaps() {
+  BlockSpec spec;
+  spec.size = {4, 1};
+  spec.cells_x = 4;
+  spec.cells_y = 1;
+  const Mesh mesh = make_block(spec);
+  const Surface source{mesh, "bottom"};
+  GapOptions options;
+  options.n_nodes = mesh.n_nodes();
+  return reduce(node_to_obstacle(source, half_plane({0, -0.5}, {0, 1}), options), source,
+                number_unknowns(mesh, {}), "contact");
+}
+
+}  // namespace
+
+TEST_CASE(
+    "contacts below each other keep all pairs and all unpaired nodes, also of one without pairs",
+    "[gaps]") {
+  const Gaps full = five_gaps();
+  Gaps none = full;
+  none.pairs = {};
+  none.pairs.position.resize(0, 2);
+  none.pairs.normal.resize(0, 2);
+  none.A.resize(0, full.A.cols());
+  none.T.resize(0, full.A.cols());
+  none.pairs.unpaired = {3, 7};
+  Gaps other = full;
+  other.pairs.unpaired = {9};
+  for (const Gaps& both : {stacked(none, other), stacked(other, none)}) {
+    CHECK(both.pairs.unpaired.size() == 3);
+    CHECK(both.pairs.node == full.pairs.node);
+    CHECK(both.pairs.position == full.pairs.position);
+    CHECK(both.A.cols() == full.A.cols());
+    CHECK(both.pairs.opening.cols() == full.pairs.opening.cols());
+    CHECK((Eigen::MatrixXd(both.A) - Eigen::MatrixXd(full.A)).norm() == 0);
+    CHECK((Eigen::MatrixXd(both.pairs.opening) - Eigen::MatrixXd(full.pairs.opening)).norm() == 0);
+  }
+  CHECK(stacked(none, other).pairs.unpaired == std::vector<Index>{3, 7, 9});
+  const Gaps empty = stacked(none, none);
+  CHECK(empty.A.rows() == 0);
+  CHECK(empty.A.cols() == full.A.cols());
+  const Gaps twice = stacked(full, full);
+  CHECK(twice.pairs.initial_gap.size() == 10);
+  CHECK(twice.A.bottomRows(5).isApprox(full.A));
+}
