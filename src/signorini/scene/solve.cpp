@@ -49,7 +49,7 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
   FloatingProblem problem{condensed.problem, condensed.rigid, condensed.resultant};
   PrimalDual start{condensed.free_displacement, {}, {}};
   Refinement refined;
-  Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(modes.shape.cols());
+  Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(modes.cols());
   std::set<std::vector<Index>> refuted;
   while (true) {
     {
@@ -61,7 +61,7 @@ Refinement solve_and_refine(const Model& model, const Condensed& condensed, cons
     if (state.contact.report.status != Status::Solved) return refined;
     const Ledger::Phase phase(ledger, "refinement");
     start.force = state.contact.force;
-    if (amplitude.size() > 0) place(start, modes.shape * (state.amplitude - amplitude));
+    if (amplitude.size() > 0) place(start, modes * (state.amplitude - amplitude));
     refined = refine(model.programme, solve_stiffness, problem.contact.compliance, start,
                      state.contact.active, modes);
     if (amplitude.size() > 0) refined.amplitude += state.amplitude;
