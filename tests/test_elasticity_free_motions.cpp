@@ -105,7 +105,8 @@ TEST_CASE("of two bodies in one mesh the free one is named", "[free_motions]") {
   both.cells.conservativeResize(12, 4);
   both.cells.bottomRows(6) = second.cells.array() + n;
   const std::vector<std::string> motions = sentences(both, number_unknowns(both, {fixed("left")}));
-  REQUIRE(motions.size() == 1);
-  CHECK_THAT(motions[0], ContainsSubstring("6 cells around (11.5, 1)"));
+  REQUIRE(motions.size() == 3);
+  for (const std::string& motion : motions)
+    CHECK_THAT(motion, ContainsSubstring("6 cells around (11.5, 1)"));
   CHECK(free_motions(both, number_unknowns(both, {})).size() == 6);
 }
