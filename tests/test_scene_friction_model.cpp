@@ -1,14 +1,11 @@
 // What a model with friction keeps of the one without, and what is said when friction is not solved.
-#include <cmath>
-
 #include "catch_compat.hpp"
-#include "signorini/complementarity/friction_solvers.hpp"
 #include "signorini/complementarity/saddle_point_newton.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/solved.hpp"
 #include "support/cantilever.hpp"
+#include "support/hertz.hpp"
 #include "support/message.hpp"
-#include "support/two_bodies.hpp"
 
 using Eigen::Index;
 using namespace signorini;
@@ -68,7 +65,7 @@ TEST_CASE("programme and condensed problem of a model with friction are those wi
 TEST_CASE("bodies that float keep their frictionless balance beside that with friction",
           "[friction][model][floating]") {
   Ledger ledger;
-  Scene scene = scene_of(DiscOnPlate());
+  Scene scene = scene_of(HertzProblem());
   const Condensed smooth = condense(build(scene, ledger), ledger);
   scene.contacts[0].friction = Friction{0.3, 0};
   const Condensed rough = condense(build(scene, ledger), ledger);
@@ -133,7 +130,7 @@ TEST_CASE("names that nothing needs yet are refused too, and idle choices noted"
   REQUIRE(plan(scene).notes.size() == 1);
   CHECK_THAT(plan(scene).notes[0], ContainsSubstring("for a rigid obstacle: gap_operator, points"));
 
-  scene = scene_of(DiscOnPlate());
+  scene = scene_of(HertzProblem());
   ContactSpec& contact = scene.contacts[0];
   contact.points = 2;
   for (const auto& [name, idle] : {std::pair("mortar", ""), std::pair("gauss_points", "quadrature"),
