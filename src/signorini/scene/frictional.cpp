@@ -43,14 +43,6 @@ void correct(FrictionProblem& problem, const QuadraticProgramme& programme, Prim
   problem.resultant = -shapes.transpose() * equilibrium_residual(programme, strained);
 }
 
-/// The largest force that is missing at a node, over the largest load or contact force.
-double missing_force(const QuadraticProgramme& programme, const PrimalDual& solution) {
-  const VectorXd contact = programme.A.transpose() * solution.force;
-  const double scale = std::max(largest(programme.load), largest(contact));
-  const double missing = largest(equilibrium_residual(programme, solution));
-  return missing == 0 ? 0 : missing / scale;
-}
-
 /// Forces and displacements that belong together, and the problem that the forces solve.
 struct Settled {
   FrictionProblem problem;  ///< with gaps and slips as the displacements give them
@@ -113,31 +105,60 @@ Settled settle(const Model& model, const Condensed& condensed, const FrictionSol
   }
 }
 
+/// With the friction forces as loads the rest is contact without friction: refined and certified as such, from
+/// the original data. A slender body needs it, whose displacements depend on the last digits of the forces.
+Certificate refine_without_friction(const Model& model, const Condensed& condensed, Settled& now) {
+  QuadraticProgramme pushed = model.programme;
+  pushed.load += model.friction->T.transpose() * now.state.friction;
+  std::vector<Index> closed;
+  for (Index pair = 0; pair < now.state.force.size(); ++pair)
+    if (now.state.status[static_cast<std::size_t>(pair)] != PairStatus::Open)
+      closed.push_back(pair);
+  PrimalDual start = now.refined;
+  start.force = now.state.force;
+  const Eigen::MatrixXd shapes = mode_shapes(model.modes);
+  Refinement better = signorini::refine(
+      pushed, [&](const VectorXd& load) { return condensed.factor.solve(load); },
+      condensed.problem.compliance, std::move(start), closed, shapes);
+  if (shapes.cols() > 0) now.state.amplitude += better.amplitude;
+  now.state.force = better.solution.force;
+  now.state.gap = better.gap;
+  now.refined = std::move(better.solution);
+  return certify(pushed, now.refined);
+}
+
 /// What the solution has beside the outcome of the solver.
-void recover(const Model& model, const QuadraticProgramme& programme, Settled& now,
-             Solution& solution) {
-  FrictionOutcome& friction = *solution.friction;
+void recover(const Model& model, const Condensed& condensed, const QuadraticProgramme& programme,
+             Settled& now, Solution& solution) {
+  solution.certificate = refine_without_friction(model, condensed, now);
+  const Index pairs = now.state.force.size();
+  PrimalDual all = now.refined;
+  all.force = stacked(now.state.force, now.state.friction);
+  const VectorXd moved = gaps(programme, all);
+  now.state.slip = moved.tail(pairs);
+  correct(now.problem, moved, now.state);
   solution.displacements = displacements_of_bodies(model, now.refined.displacement);
-  solution.contact.force = friction.state.force;
-  solution.contact.gap = friction.state.gap;
-  for (Index pair = 0; pair < friction.state.force.size(); ++pair)
-    if (friction.state.status[static_cast<std::size_t>(pair)] != PairStatus::Open)
+  solution.contact.force = now.state.force;
+  solution.contact.gap = now.state.gap;
+  for (Index pair = 0; pair < pairs; ++pair)
+    if (now.state.status[static_cast<std::size_t>(pair)] != PairStatus::Open)
       solution.contact.active.push_back(pair);
-  solution.amplitude = friction.state.amplitude;
-  solution.pressure = friction.state.force.cwiseQuotient(model.pairs.weight);
-  friction.certificate = certify(now.problem, friction.state);
-  friction.certificate.equilibrium =
-      std::max(friction.certificate.equilibrium, missing_force(programme, now.refined));
-  if (!friction.certificate.holds()) {
+  solution.amplitude = now.state.amplitude;
+  solution.pressure = now.state.force.cwiseQuotient(model.pairs.weight);
+  FrictionCertificate certificate = certify(now.problem, now.state);
+  certificate.penetration = solution.certificate.penetration;
+  certificate.complementarity = solution.certificate.complementarity;
+  certificate.equilibrium = solution.certificate.equilibrium;
+  if (!certificate.holds() || !solution.certificate.holds()) {
     solution.contact.report.status = Status::Breakdown;
-    friction.state.report.status = Status::Breakdown;
-    friction.state.reason = "the forces and displacements found do not fit the original data";
+    now.state.report.status = Status::Breakdown;
+    now.state.reason = "the forces and displacements found do not fit the original data";
   }
-  if (friction.state.uniqueness == Uniqueness::Doubtful)
+  if (now.state.uniqueness == Uniqueness::Doubtful)
     solution.notes.emplace_back(
         "friction: there may be other solutions of the same loads, this is one of them");
-  now.refined.force = friction.state.force;
   solution.refined = std::move(now.refined);
+  solution.friction = FrictionOutcome{std::move(now.state), certificate};
 }
 
 }  // namespace
@@ -184,14 +205,14 @@ Solution solve_frictional(const Model& model, const Condensed& condensed, const 
   Settled now = settle(model, condensed, find_friction_solver(solver), programme, ledger);
   Solution solution;
   solution.contact.report = std::move(now.total);
-  constexpr double none = std::numeric_limits<double>::infinity();
-  solution.friction = FrictionOutcome{std::move(now.state), {none, none, none, none, none, none}};
   if (solution.contact.report.status == Status::Solved) {
     const Ledger::Phase phase(ledger, "recovery");
-    recover(model, programme, now, solution);
-  } else {
-    solution.escape = escape_in_words(model, solution.friction->state.escape);
+    recover(model, condensed, programme, now, solution);
+    return solution;
   }
+  solution.escape = escape_in_words(model, now.state.escape);
+  constexpr double none = std::numeric_limits<double>::infinity();
+  solution.friction = FrictionOutcome{std::move(now.state), {none, none, none, none, none, none}};
   return solution;
 }
 

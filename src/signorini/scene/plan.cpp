@@ -138,6 +138,8 @@ void add_friction(const Scene& scene, const ContactSpec& contact, const Gaps& ga
 void plan_contact(const Scene& scene, Plan& plan) {
   const Unknowns unknowns = joined(plan.unknowns);
   plan.gaps.A.resize(0, unknowns.count);
+  plan.gaps.pairs.opening.resize(0, 2 * count_nodes(scene));
+  plan.gaps.pairs.sliding.resize(0, 2 * count_nodes(scene));
   plan.solver = scene.solver;
   if (scene.contacts.empty()) {
     plan.off.emplace_back("contact");
@@ -166,6 +168,14 @@ void plan_contact(const Scene& scene, Plan& plan) {
     plan.notes.push_back(text("the two sides overlap by ", -lowest, " before loading"));
 }
 
+/// What contact can stop: gaps from closing, and with friction slips, but not those of smooth contacts.
+NodalRows felt_by_contact(const Plan& plan) {
+  if (!plan.friction) return plan.gaps.A;
+  const VectorXd law = plan.friction->coefficient + plan.friction->cohesion;
+  const VectorXd rough = (law.array() > 0).cast<double>();
+  return below(plan.gaps.A, NodalRows(rough.asDiagonal() * plan.gaps.T));
+}
+
 /// Rigid motions that no support forbids are unknowns if contact can stop them, and errors if not.
 void plan_modes(const Scene& scene, Plan& plan) {
   const std::vector<Index> first = first_unknowns(plan.unknowns);
@@ -177,8 +187,7 @@ void plan_modes(const Scene& scene, Plan& plan) {
       plan.on.push_back(mode.sentence + ": only contact holds it, one amplitude");
       plan.modes.push_back(std::move(mode));
     }
-  const std::vector<std::string> loose = motions_without_contact(
-      plan.friction ? below(plan.gaps.A, plan.gaps.T) : plan.gaps.A, plan.modes);
+  const std::vector<std::string> loose = motions_without_contact(felt_by_contact(plan), plan.modes);
   std::string all;
   for (const std::string& motion : loose) all += (all.empty() ? "" : "; ") + motion;
   pose(loose.empty(), all,

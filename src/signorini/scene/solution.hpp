@@ -46,7 +46,7 @@ struct Model {
   Unknowns unknowns;                      ///< `n` of all bodies, one after another
   QuadraticProgramme programme;           ///< K, p, A, g of the gaps, with friction or without
   Pairs pairs;                            ///< `n_c` that can close; see Gaps
-  std::vector<FreeMotion> modes;           ///< `n_r` null vectors of K
+  std::vector<FreeMotion> modes;          ///< `n_r` null vectors of K
   std::optional<FrictionModel> friction;  ///< none if nothing rubs
   std::string solver;  ///< of the family that the model needs, as the scene names it
 };
@@ -65,8 +65,8 @@ struct Condensed {
 struct FrictionOutcome {
   /// Forces, friction forces, gaps and slips, from the displacements; `reason` if it is not solved.
   FrictionState state;
-  /// Of `state`, from the original K, p, A and T: its equilibrium is also that of every node. All infinite
-  /// unless the solver found a solution.
+  /// Of `state`: penetration, complementarity and equilibrium as in `Solution::certificate`, the others from
+  /// the condensed problem. All infinite unless the solver found a solution.
   FrictionCertificate certificate;
 };
 
@@ -79,8 +79,7 @@ struct Solution {
   Eigen::VectorXd pressure;              ///< `n_c` force / weight [force/length^2], compression > 0
   PrimalDual refined;                    ///< unknowns in two parts, and normal forces
   std::optional<FrictionOutcome> friction;  ///< if the model has friction, solved or not
-  /// Of `refined`, from the original K, p, A, g. Says nothing with friction, which is no minimum of an
-  /// energy: `friction->certificate` stands in its place.
+  /// Of `refined`, from the original K, p, A, g; friction forces count as loads.
   Certificate certificate = uncertified();
   std::string escape;              ///< if the load pulls a body away: how it moves off
   std::vector<std::string> notes;  ///< what a user should know, such as that others may exist
