@@ -41,6 +41,18 @@ Recomputed recomputed(const FloatingProblem& problem, const FloatingState& state
   return result;
 }
 
+void check_sizes(const FloatingProblem& problem, const FloatingState& state) {
+  const Index n = problem.contact.free_gap.size();
+  const Index modes = problem.resultant.size();
+  require(problem.rigid.rows() == n && problem.rigid.cols() == modes, "certify: rigid must be ", n,
+          " x ", modes, ", got ", problem.rigid.rows(), " x ", problem.rigid.cols());
+  require(state.contact.force.size() == n && state.contact.gap.size() == n &&
+              state.amplitude.size() == modes,
+          "certify: need ", n, " forces and gaps and ", modes, " amplitudes, got ",
+          state.contact.force.size(), ", ", state.contact.gap.size(), " and ",
+          state.amplitude.size());
+}
+
 }  // namespace
 
 double imbalance(const Eigen::MatrixXd& rigid, const VectorXd& resultant, const VectorXd& force) {
@@ -62,11 +74,7 @@ Certificate certify(const FloatingProblem& problem, const FloatingState& state) 
   const Index n = problem.contact.free_gap.size();
   const Index modes = problem.resultant.size();
   const VectorXd& force = state.contact.force;
-  require(problem.rigid.rows() == n && problem.rigid.cols() == modes, "certify: rigid must be ", n,
-          " x ", modes, ", got ", problem.rigid.rows(), " x ", problem.rigid.cols());
-  require(force.size() == n && state.contact.gap.size() == n && state.amplitude.size() == modes,
-          "certify: need ", n, " forces and gaps and ", modes, " amplitudes, got ", force.size(),
-          ", ", state.contact.gap.size(), " and ", state.amplitude.size());
+  check_sizes(problem, state);
   if (!force.allFinite() || !state.contact.gap.allFinite() || !state.amplitude.allFinite() ||
       !problem.rigid.allFinite() || !problem.resultant.allFinite())
     return uncertified();
