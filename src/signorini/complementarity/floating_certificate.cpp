@@ -41,6 +41,38 @@ Recomputed recomputed(const FloatingProblem& problem, const FloatingState& state
   return result;
 }
 
+void check_sizes(const FloatingProblem& problem, const FloatingState& state) {
+  const Index n = problem.contact.free_gap.size();
+  const Index modes = problem.resultant.size();
+  require(problem.rigid.rows() == n && problem.rigid.cols() == modes, "certify: rigid must be ", n,
+          " x ", modes, ", got ", problem.rigid.rows(), " x ", problem.rigid.cols());
+  require(state.contact.force.size() == n && state.contact.gap.size() == n &&
+              state.amplitude.size() == modes,
+          "certify: need ", n, " forces and gaps and ", modes, " amplitudes, got ",
+          state.contact.force.size(), ", ", state.contact.gap.size(), " and ",
+          state.amplitude.size());
+}
+
+/// |lambda^T d + lambda^T G lambda + r^T a|, which lambda^T gap is if R^T lambda = r, over the largest
+/// energy or `least`.
+double duality_gap(const FloatingProblem& problem, const FloatingState& state, const VectorXd& gap,
+                   double least) {
+  const VectorXd& force = state.contact.force;
+  ExactSum energy;
+  double energies = least;
+  for (Index i = 0; i < force.size(); ++i) {
+    energies = std::max(energies, std::abs(force(i) * problem.contact.free_gap(i)));
+    energy.add_product(force(i), gap(i));
+    for (Index j = 0; j < state.amplitude.size(); ++j)
+      energy.add_product(-force(i) * problem.rigid(i, j), state.amplitude(j));
+  }
+  for (Index j = 0; j < state.amplitude.size(); ++j) {
+    energy.add_product(problem.resultant(j), state.amplitude(j));
+    energies = std::max(energies, std::abs(problem.resultant(j) * state.amplitude(j)));
+  }
+  return ratio(std::abs(energy.value()), energies);
+}
+
 }  // namespace
 
 double imbalance(const Eigen::MatrixXd& rigid, const VectorXd& resultant, const VectorXd& force) {
@@ -60,13 +92,8 @@ double imbalance(const Eigen::MatrixXd& rigid, const VectorXd& resultant, const 
 Certificate certify(const FloatingProblem& problem, const FloatingState& state) {
   check_problem(problem.contact);
   const Index n = problem.contact.free_gap.size();
-  const Index modes = problem.resultant.size();
   const VectorXd& force = state.contact.force;
-  require(problem.rigid.rows() == n && problem.rigid.cols() == modes, "certify: rigid must be ", n,
-          " x ", modes, ", got ", problem.rigid.rows(), " x ", problem.rigid.cols());
-  require(force.size() == n && state.contact.gap.size() == n && state.amplitude.size() == modes,
-          "certify: need ", n, " forces and gaps and ", modes, " amplitudes, got ", force.size(),
-          ", ", state.contact.gap.size(), " and ", state.amplitude.size());
+  check_sizes(problem, state);
   if (!force.allFinite() || !state.contact.gap.allFinite() || !state.amplitude.allFinite() ||
       !problem.rigid.allFinite() || !problem.resultant.allFinite())
     return uncertified();
@@ -81,9 +108,6 @@ Certificate certify(const FloatingProblem& problem, const FloatingState& state) 
   }
   Certificate certificate;
   certificate.equilibrium = imbalance(problem.rigid, problem.resultant, force);
-  ExactSum
-      energy;  // lambda^T d + lambda^T G lambda + r^T a: what lambda^T gap is if R^T lambda = r
-  double energies = length * push;
   for (Index i = 0; i < n; ++i) {
     const double open = now.gap(i) / scale(i);
     const double pressed = force(i) * scale(i);
@@ -93,16 +117,8 @@ Certificate certify(const FloatingProblem& problem, const FloatingState& state) 
     raise(certificate.complementarity, ratio(std::abs(open * pressed), length * push));
     raise(certificate.equilibrium, ratio(std::abs(now.gap(i) - state.contact.gap(i)) / scale(i),
                                          std::max(length, std::abs(open))));
-    energies = std::max(energies, std::abs(force(i) * problem.contact.free_gap(i)));
-    energy.add_product(force(i), now.gap(i));
-    for (Index j = 0; j < modes; ++j)
-      energy.add_product(-force(i) * problem.rigid(i, j), state.amplitude(j));
   }
-  for (Index j = 0; j < modes; ++j) {
-    energy.add_product(problem.resultant(j), state.amplitude(j));
-    energies = std::max(energies, std::abs(problem.resultant(j) * state.amplitude(j)));
-  }
-  certificate.duality_gap = ratio(std::abs(energy.value()), energies);
+  certificate.duality_gap = duality_gap(problem, state, now.gap, length * push);
   return certificate;
 }
 

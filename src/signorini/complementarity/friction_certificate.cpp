@@ -50,6 +50,7 @@ Recomputed recomputed(const FrictionProblem& problem, const VectorXd& force,
 struct Violation {
   double cone;
   double sliding;
+  [[nodiscard]] double worst() const { return std::max(cone, sliding); }
 };
 
 Violation against(double bound, double friction, double slip, double length, double push) {
@@ -64,6 +65,16 @@ VectorXd stacked(const VectorXd& top, const VectorXd& bottom) {
   return both;
 }
 
+void check_sizes(const FrictionProblem& problem, const FrictionState& state) {
+  const Index n = problem.free_gap.size();
+  require(state.force.size() == n && state.friction.size() == n && state.gap.size() == n &&
+              state.slip.size() == n && state.amplitude.size() == problem.resultant.size(),
+          "certify: need ", n, " forces, friction forces, gaps and slips and ",
+          problem.resultant.size(), " amplitudes, got ", state.force.size(), ", ",
+          state.friction.size(), ", ", state.gap.size(), ", ", state.slip.size(), " and ",
+          state.amplitude.size());
+}
+
 }  // namespace
 
 double FrictionCertificate::worst() const {
@@ -73,12 +84,7 @@ double FrictionCertificate::worst() const {
 FrictionCertificate certify(const FrictionProblem& problem, const FrictionState& state) {
   check_problem(problem);
   const Index n = problem.free_gap.size();
-  require(state.force.size() == n && state.friction.size() == n && state.gap.size() == n &&
-              state.slip.size() == n && state.amplitude.size() == problem.resultant.size(),
-          "certify: need ", n, " forces, friction forces, gaps and slips and ",
-          problem.resultant.size(), " amplitudes, got ", state.force.size(), ", ",
-          state.friction.size(), ", ", state.gap.size(), ", ", state.slip.size(), " and ",
-          state.amplitude.size());
+  check_sizes(problem, state);
   const VectorXd force = stacked(state.force, state.friction);
   const VectorXd claimed = stacked(state.gap, state.slip);
   const double infinity = std::numeric_limits<double>::infinity();
@@ -105,11 +111,10 @@ FrictionCertificate certify(const FrictionProblem& problem, const FrictionState&
     const double normal = problem.coefficient(i) * std::max(0.0, state.force(i)) * unit(n + i);
     Violation least = against(normal, pushed(n + i), slip, length, push);
     if (problem.cohesion(i) > 0) {
-      const double bound = normal + problem.cohesion(i) * unit(n + i);
-      Violation closed = against(bound, pushed(n + i), slip, length, push);
+      Violation closed =
+          against(normal + problem.cohesion(i) * unit(n + i), pushed(n + i), slip, length, push);
       closed.cone = std::max(closed.cone, ratio(std::max(0.0, open), length));
-      if (std::max(closed.cone, closed.sliding) < std::max(least.cone, least.sliding))
-        least = closed;
+      if (closed.worst() < least.worst()) least = closed;
     }
     raise(certificate.cone, least.cone);
     raise(certificate.sliding, least.sliding);
