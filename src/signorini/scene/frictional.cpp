@@ -7,6 +7,7 @@
 
 #include "signorini/complementarity/friction_solvers.hpp"
 #include "signorini/complementarity/refine.hpp"
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -22,8 +23,6 @@ VectorXd stacked(const VectorXd& gaps, const VectorXd& slips) {
   all << gaps, slips;
   return all;
 }
-
-double largest(const VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
 /// Puts the gaps and slips that displacements give in the place of those that the condensed data gave.
 void correct(FrictionProblem& problem, const VectorXd& moved, const FrictionState& state) {
@@ -99,7 +98,7 @@ Settled settle(const Model& model, const Condensed& condensed, const FrictionSol
     const Ledger::Phase phase(ledger, "refinement");
     ledger.count("sweeps", 1);
     const double step = refine(programme, condensed.factor, shapes, strained, now);
-    const double rounding = std::numeric_limits<double>::epsilon() * largest(strained.displacement);
+    const double rounding = epsilon * largest(strained.displacement);
     if (step <= rounding || !(step < 0.5 * last)) return now;
     last = step;
   }
