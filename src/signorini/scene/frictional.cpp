@@ -126,29 +126,51 @@ Certificate refine_without_friction(const Model& model, const Condensed& condens
   return certify(pushed, now.refined);
 }
 
+/// Refines and certifies; what the friction forces then miss goes into one more pass of the solver, as long as that
+/// helps.
+std::pair<Certificate, FrictionCertificate> certified(const Model& model,
+                                                      const Condensed& condensed,
+                                                      const FrictionSolver& method,
+                                                      const QuadraticProgramme& programme,
+                                                      Settled& now) {
+  for (double last = std::numeric_limits<double>::infinity();;) {
+    const Certificate certificate = refine_without_friction(model, condensed, now);
+    PrimalDual all = now.refined;
+    all.force = stacked(now.state.force, now.state.friction);
+    const VectorXd moved = gaps(programme, all);
+    now.state.slip = moved.tail(now.state.slip.size());
+    correct(now.problem, moved, now.state);
+    FrictionCertificate friction = certify(now.problem, now.state);
+    friction.penetration = certificate.penetration;
+    friction.complementarity = certificate.complementarity;
+    friction.equilibrium = certificate.equilibrium;
+    const double worst = std::max(certificate.worst(), friction.worst());
+    if (certificate.holds() && friction.holds()) return {certificate, friction};
+    if (!(worst < 0.5 * last)) return {certificate, friction};
+    last = worst;
+    const FrictionState before = now.state;
+    solve_again(method, now);
+    if (now.state.report.status != Status::Solved) {
+      now.state = before;
+      return {certificate, friction};
+    }
+  }
+}
+
 /// What the solution has beside the outcome of the solver.
-void recover(const Model& model, const Condensed& condensed, const QuadraticProgramme& programme,
+void recover(const Model& model, const std::pair<Certificate, FrictionCertificate>& certificates,
              Settled& now, Solution& solution) {
-  solution.certificate = refine_without_friction(model, condensed, now);
-  const Index pairs = now.state.force.size();
-  PrimalDual all = now.refined;
-  all.force = stacked(now.state.force, now.state.friction);
-  const VectorXd moved = gaps(programme, all);
-  now.state.slip = moved.tail(pairs);
-  correct(now.problem, moved, now.state);
+  const auto& [certificate, friction] = certificates;
+  solution.certificate = certificate;
   solution.displacements = displacements_of_bodies(model, now.refined.displacement);
   solution.contact.force = now.state.force;
   solution.contact.gap = now.state.gap;
-  for (Index pair = 0; pair < pairs; ++pair)
+  for (Index pair = 0; pair < now.state.force.size(); ++pair)
     if (now.state.status[static_cast<std::size_t>(pair)] != PairStatus::Open)
       solution.contact.active.push_back(pair);
   solution.amplitude = now.state.amplitude;
   solution.pressure = now.state.force.cwiseQuotient(model.pairs.weight);
-  FrictionCertificate certificate = certify(now.problem, now.state);
-  certificate.penetration = solution.certificate.penetration;
-  certificate.complementarity = solution.certificate.complementarity;
-  certificate.equilibrium = solution.certificate.equilibrium;
-  if (!certificate.holds() || !solution.certificate.holds()) {
+  if (!friction.holds() || !certificate.holds()) {
     solution.contact.report.status = Status::Breakdown;
     now.state.report.status = Status::Breakdown;
     now.state.reason = "the forces and displacements found do not fit the original data";
@@ -157,7 +179,7 @@ void recover(const Model& model, const Condensed& condensed, const QuadraticProg
     solution.notes.emplace_back(
         "friction: there may be other solutions of the same loads, this is one of them");
   solution.refined = std::move(now.refined);
-  solution.friction = FrictionOutcome{std::move(now.state), certificate};
+  solution.friction = FrictionOutcome{std::move(now.state), friction};
 }
 
 }  // namespace
@@ -201,12 +223,13 @@ void set_friction_apart(const FrictionModel& friction, Condensed& condensed) {
 Solution solve_frictional(const Model& model, const Condensed& condensed, const std::string& solver,
                           Ledger& ledger) {
   const QuadraticProgramme programme = with_slips(model);
-  Settled now = settle(model, condensed, find_friction_solver(solver), programme, ledger);
+  const FrictionSolver& method = find_friction_solver(solver);
+  Settled now = settle(model, condensed, method, programme, ledger);
   Solution solution;
   solution.contact.report = std::move(now.total);
   if (solution.contact.report.status == Status::Solved) {
     const Ledger::Phase phase(ledger, "recovery");
-    recover(model, condensed, programme, now, solution);
+    recover(model, certified(model, condensed, method, programme, now), now, solution);
     return solution;
   }
   solution.escape = escape_in_words(model, now.state.escape);
