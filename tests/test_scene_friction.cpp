@@ -171,3 +171,30 @@ TEST_CASE("a friction law that is none is refused", "[friction][input]") {
   CHECK_THROWS_WITH(plan(scene),
                     ContainsSubstring("magic") && ContainsSubstring("friction_active_set"));
 }
+
+TEST_CASE("slender plates with friction are certified from K, p, A and g",
+          "[friction][certificate]") {
+  for (const double thickness : {0.05, 0.02, 0.01}) {
+    CAPTURE(thickness);
+    BlockSpec spec;
+    spec.name = "plate";
+    spec.size = {1, thickness};
+    spec.cells_x = 60;
+    spec.cells_y = 2;
+    Scene scene;
+    Body& plate = scene.bodies[0];
+    plate.mesh = make_block(spec);
+    plate.material = {1000, 0.3, PlaneState::Strain, 1};
+    plate.supports = {fixed("left")};
+    plate.loads.edges = {{"top", 0.01, {}}};
+    scene.contacts = {{{"bottom"}, half_plane({0, -0.001}, {0, 1})}};
+    scene.contacts[0].friction = Friction{0.4, 0};
+    const SolvedScene run = solved(scene, "the plate");
+    CHECK(run.solution.certificate.holds());
+    CHECK(run.solution.friction->certificate.holds());
+    const NodeArray moved = run.solution.displacements[0];
+    for (const Index pair : run.solution.contact.active)
+      CHECK(std::abs(0.001 + moved(run.model.pairs.node[static_cast<std::size_t>(pair)], 1)) <=
+            1e-14 * moved.cwiseAbs().maxCoeff() + 1e-18);
+  }
+}

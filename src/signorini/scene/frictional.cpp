@@ -104,11 +104,16 @@ Settled settle(const Model& model, const Condensed& condensed, const FrictionSol
   }
 }
 
-/// With the friction forces as loads the rest is contact without friction: refined and certified as such, from
-/// the original data. A slender body needs it, whose displacements depend on the last digits of the forces.
-Certificate refine_without_friction(const Model& model, const Condensed& condensed, Settled& now) {
-  QuadraticProgramme pushed = model.programme;
-  pushed.load += model.friction->T.transpose() * now.state.friction;
+/// With the friction forces as loads the rest is contact without friction.
+QuadraticProgramme pushed(const Model& model, const VectorXd& friction) {
+  QuadraticProgramme programme = model.programme;
+  programme.load += model.friction->T.transpose() * friction;
+  return programme;
+}
+
+/// Refines normal forces and displacements from the original data, with the friction forces as they are. A
+/// slender body needs it, whose displacements depend on the last digits of the forces.
+void refine_without_friction(const Model& model, const Condensed& condensed, Settled& now) {
   std::vector<Index> closed;
   for (Index pair = 0; pair < now.state.force.size(); ++pair)
     if (now.state.status[static_cast<std::size_t>(pair)] != PairStatus::Open)
@@ -117,43 +122,47 @@ Certificate refine_without_friction(const Model& model, const Condensed& condens
   start.force = now.state.force;
   const Eigen::MatrixXd shapes = mode_shapes(model.modes);
   Refinement better = signorini::refine(
-      pushed, [&](const VectorXd& load) { return condensed.factor.solve(load); },
+      pushed(model, now.state.friction),
+      [&](const VectorXd& load) { return condensed.factor.solve(load); },
       condensed.problem.compliance, std::move(start), closed, shapes);
   if (shapes.cols() > 0) now.state.amplitude += better.amplitude;
   now.state.force = better.solution.force;
   now.state.gap = better.gap;
   now.refined = std::move(better.solution);
-  return certify(pushed, now.refined);
 }
 
-/// Refines and certifies; what the friction forces then miss goes into one more pass of the solver, as long as that
-/// helps.
+/// Puts the friction forces of sliding pairs at the bounds that refined normal forces set.
+void slide(Settled& now) {
+  FrictionState& state = now.state;
+  for (Index pair = 0; pair < state.force.size(); ++pair)
+    if (state.status[static_cast<std::size_t>(pair)] == PairStatus::Slip)
+      state.friction(pair) =
+          std::copysign(now.problem.coefficient(pair) * std::max(0.0, state.force(pair)) +
+                            now.problem.cohesion(pair),
+                        state.friction(pair));
+}
+
+/// Refines and certifies; friction forces follow the normal ones, again and again as long as that helps.
 std::pair<Certificate, FrictionCertificate> certified(const Model& model,
                                                       const Condensed& condensed,
-                                                      const FrictionSolver& method,
                                                       const QuadraticProgramme& programme,
                                                       Settled& now) {
   for (double last = std::numeric_limits<double>::infinity();;) {
-    const Certificate certificate = refine_without_friction(model, condensed, now);
+    refine_without_friction(model, condensed, now);
+    slide(now);
     PrimalDual all = now.refined;
     all.force = stacked(now.state.force, now.state.friction);
     const VectorXd moved = gaps(programme, all);
     now.state.slip = moved.tail(now.state.slip.size());
     correct(now.problem, moved, now.state);
+    const Certificate certificate = certify(pushed(model, now.state.friction), now.refined);
     FrictionCertificate friction = certify(now.problem, now.state);
     friction.penetration = certificate.penetration;
     friction.complementarity = certificate.complementarity;
     friction.equilibrium = certificate.equilibrium;
     const double worst = std::max(certificate.worst(), friction.worst());
-    if (certificate.holds() && friction.holds()) return {certificate, friction};
-    if (!(worst < 0.5 * last)) return {certificate, friction};
+    if (worst <= epsilon || !(worst < 0.5 * last)) return {certificate, friction};
     last = worst;
-    const FrictionState before = now.state;
-    solve_again(method, now);
-    if (now.state.report.status != Status::Solved) {
-      now.state = before;
-      return {certificate, friction};
-    }
   }
 }
 
@@ -229,7 +238,7 @@ Solution solve_frictional(const Model& model, const Condensed& condensed, const 
   solution.contact.report = std::move(now.total);
   if (solution.contact.report.status == Status::Solved) {
     const Ledger::Phase phase(ledger, "recovery");
-    recover(model, certified(model, condensed, method, programme, now), now, solution);
+    recover(model, certified(model, condensed, programme, now), now, solution);
     return solution;
   }
   solution.escape = escape_in_words(model, now.state.escape);
