@@ -122,11 +122,16 @@ std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns)
       free.shape.setZero(unknowns.count);
       for (const Index node : body.nodes) {
         const Eigen::Vector2d arm = mesh.nodes.row(node).transpose() - body.centre;
-        const Eigen::Vector2d moves(motion(0) - motion(2) * arm.y(),
-                                    motion(1) + motion(2) * arm.x());
-        for (int axis = 0; axis < 2; ++axis)
-          if (const Index unknown = unknowns.number(node, axis); unknown >= 0)
-            free.shape(unknown) = moves(axis);
+        const Eigen::Vector2d turns(-motion(2) * arm.y(), motion(2) * arm.x());
+        for (int axis = 0; axis < 2; ++axis) {
+          const Index unknown = unknowns.number(node, axis);
+          if (unknown < 0) continue;
+          const double moves = motion(axis) + turns(axis);
+          // A node straight above the pivot does not move sideways, whatever rounding makes of it.
+          const bool still =
+              std::abs(moves) <= 64 * epsilon * (std::abs(motion(axis)) + std::abs(turns(axis)));
+          free.shape(unknown) = still ? 0 : moves;
+        }
       }
       found.push_back(std::move(free));
     }
