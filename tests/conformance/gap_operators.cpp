@@ -2,6 +2,7 @@
 #include "signorini/contact/gap_operators.hpp"
 
 #include <functional>
+#include <string>
 
 #include "catch_compat.hpp"
 #include "support/interfaces.hpp"
@@ -131,7 +132,7 @@ TEST_CASE("every gap operator: both bodies moved alike open and slide nothing",
     // A pair of several points has one normal. On a curved side theirs turn away from it to either side, which
     // leaves the square of that angle: 0.004 here.
     const bool curved = (pairs.normal.rowwise() - pairs.normal.row(0)).norm() > 1e-3;
-    const double tolerance = member.name == "mortar" && curved ? 0.005 : 10 * rounding;
+    const double tolerance = std::string(member.name) == "mortar" && curved ? 0.005 : 10 * rounding;
     for (Index row = 0; row < opened.size(); ++row) {
       const Vector2d normal = pairs.normal.row(row).transpose();
       CHECK(normal.norm() == Approx(1).epsilon(rounding));
