@@ -35,18 +35,35 @@ void check_sizes(const QuadraticProgramme& programme, const PrimalDual& solution
           solution.displacement.size(), " and ", solution.force.size());
 }
 
-/// Adds one column of the symmetric K times u. K has both triangles, so a column serves as a row.
-void add_stiffness_row(const QuadraticProgramme& programme, const PrimalDual& solution, Index row,
-                       double sign, ExactSum& sum) {
+/// u without its rigid part, as the sum of two vectors.
+struct Strained {
+  Eigen::VectorXd high;
+  Eigen::VectorXd low;
+};
+
+Strained split(const PrimalDual& solution) {
+  const Index n = solution.displacement.size();
+  Strained u{solution.displacement,
+             has_low(solution) ? solution.displacement_low : Eigen::VectorXd::Zero(n)};
+  if (solution.rigid.size() == 0) return u;
+  for (Index i = 0; i < n; ++i) {
+    ExactSum difference(solution.displacement(i));
+    difference.add(-solution.rigid(i));
+    u.high(i) = difference.high();
+    u.low(i) += difference.low();
+  }
+  return u;
+}
+
+/// Subtracts one column of the symmetric K times u. K has both triangles, so a column serves as a row.
+void subtract_stiffness_row(const QuadraticProgramme& programme, const Strained& u, Index row,
+                            ExactSum& sum) {
   double small = 0;
   for (Eigen::SparseMatrix<double>::InnerIterator entry(programme.stiffness, row); entry; ++entry) {
-    ExactSum strained(solution.displacement(entry.row()));
-    if (solution.rigid.size() > 0) strained.add(-solution.rigid(entry.row()));
-    sum.add_product(sign * entry.value(), strained.high());
-    small += entry.value() * strained.low();
-    if (has_low(solution)) small += entry.value() * solution.displacement_low(entry.row());
+    sum.add_product(-entry.value(), u.high(entry.row()));
+    small += entry.value() * u.low(entry.row());
   }
-  sum.add(sign * small);
+  sum.add(-small);
 }
 
 /// Scales of one problem: a length and a force.
@@ -161,11 +178,12 @@ Eigen::VectorXd strained(const PrimalDual& solution) {
 Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,
                                      const PrimalDual& solution) {
   check_sizes(programme, solution);
+  const Strained u = split(solution);
   std::vector<ExactSum> sum;
   sum.reserve(static_cast<std::size_t>(programme.load.size()));
   for (Index i = 0; i < programme.load.size(); ++i) {
     sum.emplace_back(programme.load(i));
-    add_stiffness_row(programme, solution, i, -1, sum.back());
+    subtract_stiffness_row(programme, u, i, sum.back());
   }
   for (Index pair = 0; pair < programme.A.rows(); ++pair)
     for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)

@@ -196,12 +196,15 @@ Refinement refine(const QuadraticProgramme& programme,
   bool settled = false;
   while (true) {
     const Correction change = sweep(programme, solve_stiffness, closing, result);
-    if (result.sweeps < first) continue;
     // The corrections just made, relative to what they correct. The next sweep shows by how much one
     // sweep shrinks the error of u; once lambda has settled, the next correction will be that much smaller.
     const double moved_u = ratio(largest(change.displacement), largest(solution.displacement));
     const double moved_force = ratio(largest(change.force), largest(solution.force));
-    if (result.sweeps == first + 1) rate = std::min(1.0, ratio(moved_u, last_u));
+    if (result.sweeps == std::max<Index>(first, 2)) rate = std::min(1.0, ratio(moved_u, last_u));
+    if (result.sweeps < first) {
+      last_u = moved_u;
+      continue;
+    }
     settled = moved_u * rate <= rounding && moved_force <= rounding;
     const bool stalled = !(moved_u < 0.5 * last_u) && !(moved_force < 0.5 * last_force);
     if (settled || stalled) break;
