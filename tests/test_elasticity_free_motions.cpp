@@ -110,3 +110,22 @@ TEST_CASE("of two bodies in one mesh the free one is named", "[free_motions]") {
     CHECK_THAT(motion, ContainsSubstring("6 cells around (11.5, 1)"));
   CHECK(free_motions(both, number_unknowns(both, {})).size() == 6);
 }
+
+TEST_CASE("a node straight below the pivot does not move up or down", "[free_motions]") {
+  for (int k = 0; k < 200; ++k) {
+    CAPTURE(k);
+    const double x = 0.1 + 0.0137 * k;
+    BlockSpec spec;
+    spec.corner = {x, 1};
+    spec.size = {1, 0.5};
+    spec.cells_x = 4;
+    spec.cells_y = 2;
+    const Mesh mesh = make_block(spec);
+    const Unknowns unknowns = number_unknowns(mesh, {prescribed_at("top", {x + 1, 1.5}, Axis::X),
+                                                     prescribed_at("top", {x, 1.5}, Axis::Y)});
+    const std::vector<FreeMotion> motions = free_motions(mesh, unknowns);
+    REQUIRE(motions.size() == 1);
+    CHECK(motions[0].shape.cwiseAbs().maxCoeff() > 0.1);
+    CHECK(motions[0].shape(unknowns.number(0, 1)) == 0);
+  }
+}
