@@ -18,8 +18,8 @@ run: chapters             ## run every chapter, draw its figures into build/out,
 	@status=0; for c in $(PROGRAMS); do tools/chapter.sh run $B/bin/$$c $B/out/$$c || status=1; \
 	    FIGURES=draw tools/chapter.sh figures chapters/$${c}_* $B/out/$$c || status=1; done; \
 	    echo; perl tools/summary.pl $B/out || status=1; exit $$status
-chapters: configure
-	@cmake --build $B -j $(JOBS) --target chapters
+chapters: configure       # and the program, without which nothing can be installed
+	@cmake --build $B -j $(JOBS) --target chapters signorini_command
 test: all                 ## compile and run every test
 	@ctest --test-dir $B -j $(JOBS) --output-on-failure
 ch%: configure            ## run one chapter, draw its figures into build/out/ch06, print its headline

@@ -15,4 +15,9 @@ done
 for target in test ch06 ex6.1 book results; do
     make help | grep -q "make $target " || { echo "make help does not tell of $target"; bad=1; }
 done
+# cmake --install needs the library and the program `signorini`; what ./run.sh builds must do for that.
+run=$(make -n run MAKE=: 2>&1)
+for target in chapters signorini_command; do
+    printf '%s\n' "$run" | grep -q -e "--build .*--target.* $target\>" || { echo "make run does not build $target"; bad=1; }
+done
 exit $bad
