@@ -127,4 +127,25 @@ expect no "a starter that crashes" starter 'echo "due to a fatal error condition
 expect no "a starter that ends early" starter 'exit 3'
 expect no "a starter that does not exist" "$tools/starter.sh" ./nowhere
 
+# the answer to an exercise: its last line is a verdict, whatever the tests say
+program() { printf '#!/bin/sh\n%s\n' "$2" > "$1" && chmod +x "$1"; }
+judged() { # last line, status, what, tests, held-out tests or nothing
+    program seen "$4"
+    program heldout "${5:-}"
+    said=$("$tools/exercise.sh" judge ex3.1 attempt.cpp ./seen ${5:+./heldout} 2>&1)
+    status=$?
+    if [ "$status" -ne "$2" ] || [ "$(printf '%s\n' "$said" | tail -n 1)" != "$1" ]; then
+        echo "$3: status $status, said: $said"
+        failures=$((failures + 1))
+    fi
+}
+again="edit attempt.cpp, then make ex3.1 again"
+judged "ex3.1: right, also on the held-out tests" 0 "a right answer" 'echo passed' 'echo passed'
+[ "$said" = "ex3.1: right, also on the held-out tests" ] || { echo "a right answer takes more than a line: $said"; failures=$((failures + 1)); }
+judged "ex3.1: right" 0 "a right answer in a hand-out" 'echo passed'
+judged "ex3.1: not yet; $again" 1 "a wrong answer" 'echo "0 == 1"; exit 1' 'echo passed'
+case $said in "0 == 1"*) ;; *) echo "a wrong answer does not learn what failed: $said"; failures=$((failures + 1)) ;; esac
+judged "ex3.1: right on the tests that you see, not yet on the held-out ones; $again" 1 "a memorised answer" 'echo passed' 'exit 1'
+judged "ex3.1: not yet; $again" 1 "an answer that crashes" 'kill -SEGV $$' 'echo passed'
+
 [ "$failures" -eq 0 ] || { echo "$failures faults were judged wrongly"; exit 1; }
