@@ -11,7 +11,8 @@ failures=0
 text=chapters/ch03_demo/README.md
 
 cp "$1/figures/style.gp" figures/
-echo "# Exercise" > chapters/ch03_demo/exercises/ex1_demo/README.md
+exercise=chapters/ch03_demo/exercises/ex1_demo/README.md
+printf '# Exercise\n\n<details><summary>Hint 1</summary>\n\nThink.\n\n</details>\n' > $exercise
 : > chapters/ch03_demo/exercises/ex1_demo/solution.cpp
 printf '# headline force 2.5 by hand\nforce 2.5000001 N\npairs 12 -\nseconds 0.3 s varies\n' > fresh/ch03.results
 printf '# tolerance rel 1e-6 abs 1e-9\nx,p\n0,1.25\n1,2.5\n\n0,1\n1,2\n' > fresh/fig_3_1.csv
@@ -55,7 +56,7 @@ expect() { # yes or no, what, command
 }
 compare() { perl "$tools/compare.pl" "$@" chapters/ch03_demo fresh; }
 weave() { perl "$tools/weave.pl" "$@" README.md $text; }
-lint() { perl "$tools/lint-md.pl" README.md $text; }
+lint() { perl "$tools/lint-md.pl" README.md $text $exercise; }
 draw() { "$tools/figure.sh" figures/fig_3_1.gp "$1" "${2:-figures}"; }
 picture() { "$tools/figure.sh" --check figures/fig_3_1.gp; }
 have_gnuplot() { command -v gnuplot > /dev/null 2>&1; }
@@ -107,6 +108,10 @@ broken no "a formula that Markdown damages" lint 's/`x_1^\*`/x_1^*/' $text
 broken no "a dollar sign without partner" lint 's/\$p_0\$/$p_0/' $text
 broken no "a picture that is not there" lint 's/fig_3_1.svg/fig_3_2.svg/' $text
 broken no "an exercise nobody links to" lint '/^\[Exercise/d' $text
+broken no "a hint that is not folded" lint 's/Think/*Hint 2.* Think/' $exercise
+broken no "folded text that Markdown does not see" lint '4d' $exercise
+broken no "a hint that is not closed" lint '$d' $exercise
+broken no "a hint that is closed twice" lint '$p' $exercise
 broken no "a refused macro" lint 's/a = b/\\operatorname{a} = b/' $text
 broken no "a link to a solution" lint 's/^\[Exercise.*/&, [it](exercises\/ex1_demo\/solution.cpp)/' $text
 
