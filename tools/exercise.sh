@@ -41,7 +41,7 @@ check)
         END { exit bad }' || not_yet "$folder/attempt.cpp" "does not compile"
     heldout=$3/bin/$exercise.answer-heldout
     [ -f "$folder/test_heldout.cpp" ] || heldout=""
-    exec "tools/$(basename "$0")" judge "$exercise" "$folder/attempt.cpp" "$3/bin/$exercise.answer" $heldout
+    exec tools/exercise.sh judge "$exercise" "$folder/attempt.cpp" "$3/bin/$exercise.answer" $heldout
     ;;
 judge)
     seconds=120

@@ -30,7 +30,7 @@ complains() { # status, what it said, what was done
         echo "$(basename "$program") $3: status $1 instead of 2, or not one line with 'cannot write': $2"
         bad=1
     fi
-    [ -z "$(ls "$folder/lost" 2> /dev/null)" ] || { echo "$(basename "$program") $3: leaves files behind"; bad=1; }
+    [ -z "$(ls -A "$folder/lost" 2> /dev/null)" ] || { echo "$(basename "$program") $3: leaves files behind"; bad=1; }
 }
 if [ -c /dev/full ]; then
     said=$("$program" --help 2>&1 > /dev/full)
