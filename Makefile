@@ -7,8 +7,8 @@ PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword
 WOVEN := README.md $(wildcard chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
 TEXTS := $(WOVEN) $(wildcard chapters/*/exercises/*/README.md) docs/references.md
 CHAPTER_OF = $(wildcard chapters/$1_*)
-# A wrong answer is no accident of make: asked a question, make runs the lines with a + and says no by its
-# exit status alone.
+# Exercises: a wrong answer is no failure of make. With --question it runs only lines that begin with +, and tells
+# by its exit status, without a message, whether a command is left: the one that the verdict holds.
 ifeq ($(filter-out ex%,$(or $(MAKECMDGOALS),all)),)
 MAKEFLAGS += --question
 endif
