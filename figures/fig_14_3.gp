@@ -6,7 +6,7 @@ set size ratio -1
 unset key; unset grid; unset border; unset tics
 set xrange [-1:81]
 set yrange [-1:81]
-set style line 21 lc rgb GREY lw 0.6 dt 1       # before loading
+set style line 21 lc rgb '#a8a8a8' lw 0.6 dt 1  # before loading
 set style line 22 lc rgb '#7b7b78' lw 0.6 dt 1  # below the seams of the bands
 field(name) = data.'/fig_14_3_'.name.'.csv'
 set multiplot

@@ -2,6 +2,7 @@
 // Run:  make ch14     Reads: nothing     Writes: ch14.results, radii.md, elements.md, refined.md,
 //                              turned.md, fig_14_1*.csv to fig_14_5*.csv, ch14.vtu
 #include "figures.hpp"
+#include "pictures.hpp"
 #include "readings.hpp"
 #include "rings.hpp"
 #include "signorini/core/errors.hpp"
