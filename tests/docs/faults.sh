@@ -19,6 +19,7 @@ printf '# tolerance rel 1e-6 abs 1e-9\nx,p\n0,1.25\n1,2.5\n\n0,1\n1,2\n' > fresh
 printf '| n | p |\n|--:|--:|\n| 4 | 1.25 |\n' > fresh/table.md
 cat > figures/fig_3_1.gp << 'END'
 load 'style.gp'
+set xlabel 'position {/:Italic x} [m]'
 plot data.'/fig_3_1.csv' using 'x':'p' with lines ls 1 title 'p'
 END
 printf '// [block]\n  int n = 0;\n  // [block]\n' > chapters/ch03_demo/demo.cpp
@@ -119,6 +120,7 @@ if have_gnuplot; then
     broken yes "a clean picture" picture 's/a/a/' README.md
     broken no "a picture older than its data" picture 's/1.25/1.26/' figures/fig_3_1.csv
     broken no "a picture older than its script" picture 's/ls 1/ls 2/' figures/fig_3_1.gp
+    broken no "a label that loses its blanks" picture 's/ xml:space="preserve"//' figures/fig_3_1.svg
     broken no "a column that is not there" "draw new.svg" "s/'p' with/'q' with/" figures/fig_3_1.gp
     broken no "data that are not there" "draw new.svg" 's/fig_3_1.csv/fig_3_9.csv/' figures/fig_3_1.gp
     broken no "a mistake in a script" "draw new.svg" 's/plot/plod/' figures/fig_3_1.gp
