@@ -1,6 +1,7 @@
 // Chapter 2 - The surrogate dual (Xuan & Li 2002, sec. 2.1, eqs. 14-24).
 // Run:  make ch02     Reads: nothing     Writes: ch02.results, vertices.md, fig_2_1.csv,
-//                                                fig_2_1_path.csv, fig_2_1_best.csv, fig_2_2.csv
+//                                                fig_2_1_path.csv, fig_2_1_best.csv,
+//                                                fig_2_1_top.csv, fig_2_2.csv
 #include <algorithm>
 #include <cmath>
 
@@ -186,27 +187,80 @@ void landscape(const ProgramOptions& run, const Block& block, Results& results) 
   write_file(run.out / "vertices.md", vertices.markdown());
 }
 
-// 6. Errata: two pairs that do not feel each other, the first open by 2, the second overlapping by 1.
-// [errata]
-void errata(const ProgramOptions& run, const Block& block, Results& results) {
-  const ContactProblem pairs{Eigen::Matrix2d::Identity(), Vector2d(2, -1)};
-  Table table({"weight", "repaired", "printed"});
-  for (int step = 0; step <= 100; ++step) {
-    const Vector2d xi(1 - step / 100.0, step / 100.0);
-    const double eta = -pairs.free_gap.dot(xi) / xi.squaredNorm();  // (23) as printed
-    table.row({xi(1), surrogate_dual_value(pairs, xi), 0.5 * eta * eta * xi.squaredNorm()});
+// The part of figure 2.1 around the maximum, on a finer grid.
+void top_of_the_hill(const ProgramOptions& run, const Block& block) {
+  Table grid({"x", "y", "s"});
+  for (int row = 0; row <= 52; ++row) {
+    for (int column = 0; column <= 72; ++column) {
+      const Vector2d at(0.66 + column / 400.0, 0.13 + row / 400.0);
+      const double third = at.y() / std::sqrt(0.75);
+      const Vector3d xi(1 - at.x() - third / 2, at.x() - third / 2, third);
+      grid.row({at.x(), at.y(), surrogate_dual_value(block.problem(), xi)});
+    }
+    grid.blank_line();
   }
-  const Vector3d third = Vector3d::Constant(1 / 3.0);  // (24) with twice the best force
-  const double eta = 2 * total_contact_force(block.problem(), third);
-  const double gain = lagrangian(block.programme(), block.pushed_back(eta * third), eta * third);
-  results.add("gain_at_twice", gain - block.free_energy(), "N*mm", Repeats::No);
-  results.add("printed_at_twice", 0.5 * eta * eta * third.dot(block.problem().compliance * third),
-              "N*mm");
+  write_file(run.out / "fig_2_1_top.csv", grid.csv());
+}
+
+// 6. Two pairs that do not feel each other, the first open by 2, the second overlapping by 1, and
+// random problems: the constraint eta >= 0 of (24), dropped, kept, and as a positive part.
+// [constraint]
+struct Highest {
+  double dropped = 0;   // s with eta of either sign
+  double kept = 0;      // s where eta >= 0
+  double positive = 0;  // s with the positive part, everywhere
+  void look(const ContactProblem& problem, const VectorXd& xi) {
+    const double yield = xi.dot(problem.compliance * xi);
+    const double eta = -problem.free_gap.dot(xi) / yield;  // (23)
+    const double s = 0.5 * eta * eta * yield;              // (24)
+    dropped = std::max(dropped, s);
+    if (eta >= 0) kept = std::max(kept, s);
+    positive = std::max(positive, surrogate_dual_value(problem, xi));
+  }
+};
+// [constraint]
+
+ContactProblem random_three(Random& random) {
+  Eigen::Matrix3d B;
+  Vector3d gap;
+  for (double& entry : B.reshaped()) entry = random.uniform(-1, 1);
+  for (double& entry : gap) entry = random.uniform(-1, 1);
+  return {B * B.transpose() + 0.1 * Eigen::Matrix3d::Identity(), gap};
+}
+
+void constraint_on_weights(const ProgramOptions& run, Results& results) {
+  const ContactProblem pairs{Eigen::Matrix2d::Identity(), Vector2d(2, -1)};
+  Table table({"weight", "without_constraint", "positive_part"});
+  for (int step = 0; step <= 120; ++step) {
+    const Vector2d xi(1 - step / 120.0, step / 120.0);
+    Highest here;
+    here.look(pairs, xi);
+    table.row({xi(1), here.dropped, here.positive});
+  }
+  write_file(run.out / "fig_2_2.csv", table.csv());
+  Random random(3);
+  int fails = 0;  // (26)
+  int differs = 0;
+  for (int sample = 0; sample < 1000; ++sample) {
+    const ContactProblem problem = random_three(random);
+    Highest found;
+    for (int i = 0; i <= 40; ++i)
+      for (int j = 0; i + j <= 40; ++j)
+        found.look(problem, Vector3d(i / 40.0, j / 40.0, (40 - i - j) / 40.0));
+    if (std::abs(found.kept - found.positive) > 1e-12 * found.positive)
+      throw NotSolved("the positive part changes the maximum");
+    fails += problem.free_gap.maxCoeff() >= 0 ? 1 : 0;
+    differs += found.dropped > (1 + 1e-12) * found.kept ? 1 : 0;
+  }
+  results.add("random_problems", 1000, "-");
+  results.add("random_26_fails", fails, "-");
+  results.add("random_dropping_raises", differs, "-");
+}
+
+// 7. Grazing contact: a free gap of exactly zero.
+void grazing_contact(const Block& block, Results& results) {
   const ContactProblem grazing{block.problem().compliance, Vector3d(0, 0.2, 0.3)};
   results.add("grazing_force", total_contact_force(grazing, Vector3d(1, 0, 0)), "N");
-  // [errata]
-  results.add("best_at_third", surrogate_dual_value(block.problem(), third), "N*mm");
-  write_file(run.out / "fig_2_2.csv", table.csv());
 }
 
 Status chapter(const ProgramOptions& run) {
@@ -216,7 +270,9 @@ Status chapter(const ProgramOptions& run) {
   strong_duality(block, results);
   check_formulas(block, results);
   landscape(run, block, results);
-  errata(run, block, results);
+  top_of_the_hill(run, block);
+  constraint_on_weights(run, results);
+  grazing_contact(block, results);
   results.headline("best_s", results.value("energy") - results.value("free_energy"),
                    "energy of the solution above that without contact");
   results.print();
