@@ -54,6 +54,8 @@ TEST_CASE("the maximum over weights with eta >= 0 is that with the positive part
     CHECK(s.pressing == Approx(best).epsilon(1e-10).margin(1e-14));
     CHECK(s.pressing ==
           Approx(-0.5 * state.force.dot(problem.free_gap)).epsilon(1e-10).margin(1e-14));
+    for (Index i = 0; i < 5; ++i)  // the positive part makes no vertex better
+      CHECK(surrogate_dual_value(problem, VectorXd::Unit(5, i)) <= s.pressing * (1 + 1e-12));
     pulling_wins += s.pulling > s.pressing * (1 + 1e-9) ? 1 : 0;
   }
   CHECK(pulling_wins > 0);  // without the condition the maximum is often another one
