@@ -157,12 +157,12 @@ void gap_formulas(const ProgramOptions& run, Results& results) {
     const ObstacleContact seen = curve.look(point);
     const double printed = seen.gap * seen.normal.y();  // the root once more in the denominator
     table.row({static_cast<double>(degrees), seen.gap, printed});
+    // [gap]
     if (degrees == 45) {
       results.add("repaired_gap_45", seen.gap, "mm");
       results.add("printed_gap_45", printed, "mm");
     }
   }
-  // [gap]
   write_file(run.out / "fig_1_2.csv", table.csv());
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "constraint.hpp"
 #include "signorini/complementarity/weight_iteration.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/random.hpp"
@@ -202,61 +203,6 @@ void top_of_the_hill(const ProgramOptions& run, const Block& block) {
   write_file(run.out / "fig_2_1_top.csv", grid.csv());
 }
 
-// 6. Two pairs that do not feel each other, the first open by 2, the second overlapping by 1, and
-// random problems: the constraint eta >= 0 of (24), dropped, kept, and as a positive part.
-// [constraint]
-struct Highest {
-  double dropped = 0;   // s with eta of either sign
-  double kept = 0;      // s where eta >= 0
-  double positive = 0;  // s with the positive part, everywhere
-  void look(const ContactProblem& problem, const VectorXd& xi) {
-    const double yield = xi.dot(problem.compliance * xi);
-    const double eta = -problem.free_gap.dot(xi) / yield;  // (23)
-    const double s = 0.5 * eta * eta * yield;              // (24)
-    dropped = std::max(dropped, s);
-    if (eta >= 0) kept = std::max(kept, s);
-    positive = std::max(positive, surrogate_dual_value(problem, xi));
-  }
-};
-// [constraint]
-
-ContactProblem random_three(Random& random) {
-  Eigen::Matrix3d B;
-  Vector3d gap;
-  for (double& entry : B.reshaped()) entry = random.uniform(-1, 1);
-  for (double& entry : gap) entry = random.uniform(-1, 1);
-  return {B * B.transpose() + 0.1 * Eigen::Matrix3d::Identity(), gap};
-}
-
-void constraint_on_weights(const ProgramOptions& run, Results& results) {
-  const ContactProblem pairs{Eigen::Matrix2d::Identity(), Vector2d(2, -1)};
-  Table table({"weight", "without_constraint", "positive_part"});
-  for (int step = 0; step <= 120; ++step) {
-    const Vector2d xi(1 - step / 120.0, step / 120.0);
-    Highest here;
-    here.look(pairs, xi);
-    table.row({xi(1), here.dropped, here.positive});
-  }
-  write_file(run.out / "fig_2_2.csv", table.csv());
-  Random random(3);
-  int fails = 0;  // (26)
-  int differs = 0;
-  for (int sample = 0; sample < 1000; ++sample) {
-    const ContactProblem problem = random_three(random);
-    Highest found;
-    for (int i = 0; i <= 40; ++i)
-      for (int j = 0; i + j <= 40; ++j)
-        found.look(problem, Vector3d(i / 40.0, j / 40.0, (40 - i - j) / 40.0));
-    if (std::abs(found.kept - found.positive) > 1e-12 * found.positive)
-      throw NotSolved("the positive part changes the maximum");
-    fails += problem.free_gap.maxCoeff() >= 0 ? 1 : 0;
-    differs += found.dropped > (1 + 1e-12) * found.kept ? 1 : 0;
-  }
-  results.add("random_problems", 1000, "-");
-  results.add("random_26_fails", fails, "-");
-  results.add("random_dropping_raises", differs, "-");
-}
-
 // 7. Grazing contact: a free gap of exactly zero.
 void grazing_contact(const Block& block, Results& results) {
   const ContactProblem grazing{block.problem().compliance, Vector3d(0, 0.2, 0.3)};
@@ -271,7 +217,7 @@ Status chapter(const ProgramOptions& run) {
   check_formulas(block, results);
   landscape(run, block, results);
   top_of_the_hill(run, block);
-  constraint_on_weights(run, results);
+  ch02::constraint_on_weights(run.out, results);  // 6. The condition eta >= 0 of (24).
   grazing_contact(block, results);
   results.headline("best_s", results.value("energy") - results.value("free_energy"),
                    "energy of the solution above that without contact");
