@@ -22,13 +22,14 @@ set label 2 "i'" at -0.25,0.42 center font ',19' textcolor rgb BLACK front
 set label 3 'i' at n_x-0.05,n_y-0.45 center font ',19' textcolor rgb BLACK front
 set label 4 'n' at -3*t_x+n_x*0.75-0.35,-3*t_y+n_y*0.75 center font ',19' textcolor rgb BLACK front
 set label 5 't' at -1.9*t_x-0.1,-1.9*t_y+0.35 center font ',19' textcolor rgb BLACK front
-set label 6 'd' at 1.6*t_x+0.3*n_x+0.35,1.6*t_y+0.3*n_y+0.02 center font ',19' textcolor rgb RED front
+set label 6 'd' at 0.3*n_x-0.3*t_x,0.3*n_y-0.3*t_y center font ',19' textcolor rgb RED front
+set label 7 'slip' at 0.8*n_x+1.15*t_x,0.8*n_y+1.15*t_y center font ',15' rotate by 25 textcolor rgb BLACK front
 file = data.'/fig_1_3_arrows.csv'
 plot data.'/fig_1_3.csv' using 'x':'y' every :::0::0 with filledcurves closed fc rgb '#dcebf5', \
      '' using 'x':'y' every :::1::1 with filledcurves closed fc rgb LIGHT, \
      '' using 'x':'y' with lines ls 7, \
      data.'/fig_1_3_nodes.csv' using 'x':'y' with points pt 7 ps 0.9 lc rgb BLACK, \
      file using 'x':'y':'dx':'dy' every ::3::4 with vectors size screen 0.02,20 filled lw 2.5 dt 1 lc rgb BLUE, \
-     '' using 'x':'y':'dx':'dy' every ::0::0 with vectors size screen 0.018,20 filled lw 1.6 dt (4,3) lc rgb BLACK, \
+     '' using 'x':'y':'dx':'dy' every ::0::0 with vectors size screen 0.018,20 filled lw 1.6 dt 1 lc rgb BLACK, \
      '' using 'x':'y':'dx':'dy' every ::1::1 with vectors size screen 0.018,20 filled lw 2.5 dt 1 lc rgb RED, \
      '' using 'x':'y':'dx':'dy' every ::2::2 with vectors size screen 0.02,20 filled lw 2 dt 1 lc rgb BLACK

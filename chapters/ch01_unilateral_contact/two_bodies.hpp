@@ -87,8 +87,8 @@ inline void draw_two_bodies(const std::filesystem::path& out, const TwoBodies& b
     arrows.row({from.x(), from.y(), way.x(), way.y()});
   };
   const Vector2d moved = 1.6 * bodies.t() + 0.6 * bodies.n();  // of i' relative to i
-  arrow({0, 0}, 1.6 * bodies.t());                             // its part along t
-  arrow(1.6 * bodies.t(), 0.6 * bodies.n());                   // its part along n: d
+  arrow(0.6 * bodies.n(), 1.6 * bodies.t());                   // its part along t
+  arrow({0, 0}, 0.6 * bodies.n());                             // its part along n: d
   arrow({0, 0}, moved);
   arrow(-3 * bodies.t(), 1.0 * bodies.n());
   arrow(-3 * bodies.t(), 1.5 * bodies.t());
