@@ -139,6 +139,31 @@ TEST_CASE("one step or never: the loop ends after one step or goes to its limit"
   CHECK((one > 20 && never > 20));  // both happen
 }
 
+TEST_CASE("independent rows leave out those that depend on the ones before", "[literal]") {
+  ClosestPoint plane{Eigen::MatrixXd(4, 2), Vector2d(2, 3), Eigen::Vector4d(1, 0, 2, 9)};
+  plane.A << 1, 0, 2, 0, 0, 1, 1, 1;  // two walls at x = 1 and 0, one at y = 2, and one far away
+  const struct {
+    QuasiActiveRows choice;
+    std::vector<Index> quasi_active, closed;
+    Index steps;
+  } first_steps[] = {{QuasiActiveRows::AllViolated, {0, 1, 2}, {1, 2}, 1},
+                     {QuasiActiveRows::IndependentByIndex, {0, 2}, {0, 2}, 2},
+                     {QuasiActiveRows::IndependentByViolation, {1, 2}, {1, 2}, 1},
+                     {QuasiActiveRows::MostViolated, {1}, {1}, 2}};
+  for (const auto& [choice, quasi_active, closed, steps] : first_steps) {
+    const QuasiActiveRun run = run_quasi_active_set_literal(plane.problem(), {}, choice);
+    CAPTURE(static_cast<int>(choice));
+    REQUIRE(run.steps.size() == static_cast<std::size_t>(run.outer_steps));
+    CHECK((run.steps[0].violated == std::vector<Index>{0, 1, 2}));
+    CHECK(run.steps[0].quasi_active == quasi_active);
+    CHECK(run.steps[0].closed == closed);
+    CHECK(run.state.report.status == Status::Solved);
+    CHECK(plane.displacement(run.state) == Vector2d(0, 2));
+    CHECK(run.outer_steps == steps);
+    CHECK(run.optimal);
+  }
+}
+
 TEST_CASE("a compliance without negative entries needs one step", "[literal]") {
   // Forces then open every other gap: what did not overlap does not begin to.
   Random random(4);

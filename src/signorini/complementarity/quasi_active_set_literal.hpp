@@ -7,11 +7,31 @@
 
 namespace signorini {
 
+/// Which of the pairs that overlap make up the quasi-active set, \PaperEq{XuanLi2002, 37}.
+///
+/// The paper asks for rows of full rank and leaves open which. Overlaps are compared in the energy norm,
+/// \f$ -w_i / \sqrt{G_{ii}} \f$, so that the units of a row do not matter; of equal ones the first counts.
+enum class QuasiActiveRows {
+  AllViolated,             ///< all of them, independent or not
+  IndependentByIndex,      ///< in their order, without those that depend on the ones before
+  IndependentByViolation,  ///< the same, the largest overlap first
+  MostViolated             ///< the one with the largest overlap
+};
+
+/// One step of the outer loop; pairs in increasing order.
+struct QuasiActiveStep {
+  std::vector<Eigen::Index> violated;      ///< VIO(u^k)
+  std::vector<Eigen::Index> quasi_active;  ///< QAS(u^k), the rows of \PaperEq{XuanLi2002, 38}
+  std::vector<Eigen::Index> closed;        ///< pairs of QAS that the step presses
+};
+
 /// Which way a run took through the flow chart of the paper.
 struct QuasiActiveRun {
   ContactState state;                   ///< what the run returns
   Eigen::Index outer_steps = 0;         ///< how often the minimum was moved, k
+  std::vector<QuasiActiveStep> steps;   ///< `k`, what each of them did
   std::vector<Eigen::Index> tight;      ///< pairs without gap at u^k: the rows of the problem (33)
+  bool optimal = false;                 ///< whether u^k is the solution already, before (33)
   std::vector<Eigen::Index> left_over;  ///< pairs that its solution u^{k+1} violates
   double fraction = 1;                  ///< delta of (34), 1 if none is left over
 };
@@ -34,13 +54,15 @@ struct QuasiActiveRun {
 /// last step, are never negative and balance the load. So energy_gap() bounds what is lost.
 /// \param problem  G positive semidefinite, and d
 /// \param options  `iteration_limit` on k, 0 stands for 100 n_c + 1000; `tolerance` as above
+/// \param rows     which pairs make up the quasi-active set
 /// \return `Solved` if the end is the solution, then with its forces; `Feasible` if there is less
 ///   energy elsewhere; `IterationLimit`; `Infeasible` with its proof if the pairs of one set
 ///   contradict each other; `Breakdown` if a set cannot be solved to rounding. The history has an entry
 ///   for u^0, ..., u^k and for the end; `Iteration::changes` counts the pairs that overlap
 /// \throws std::invalid_argument as check_problem()
-[[nodiscard]] QuasiActiveRun run_quasi_active_set_literal(const ContactProblem& problem,
-                                                          const SolverOptions& options = {});
+[[nodiscard]] QuasiActiveRun run_quasi_active_set_literal(
+    const ContactProblem& problem, const SolverOptions& options = {},
+    QuasiActiveRows rows = QuasiActiveRows::AllViolated);
 
 /// The same without the way, for the table of solvers.
 /// \param problem  as above
