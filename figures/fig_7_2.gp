@@ -1,33 +1,42 @@
-# Figure 7.2 - the deformed plate and the pin, both readings.   In: fig_7_2_t.csv, fig_7_2_c.csv   Out: fig_7_2.svg
-width = 760; height = 300
+# Figure 7.2 - the deformed plate and the pin, both readings.   In: fig_7_2_*.csv   Out: fig_7_2.svg
+width = 480; height = 640
 load 'style.gp'
 set size ratio -1
 unset key; unset grid
-set xlabel '{/:Italic x} [cm]'
 set xrange [-11:12]
-set yrange [-0.5:11.5]
+set yrange [-0.8:10.8]
 set xtics 5
 set ytics 5
 set palette maxcolors 12
 set cbrange [-90:90]
 set multiplot
-set lmargin at screen 0.10
-set rmargin at screen 0.465
-set title '(T) the load pulls'
-set ylabel '{/:Italic y} [cm]'
-unset colorbox
-set object 1 circle at -0.2,0 size 4.8 arc [0:180] fc rgb LIGHT fs solid border lc rgb BLACK behind
-plot data.'/fig_7_2_t.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
-     '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1
-set lmargin at screen 0.51
-set rmargin at screen 0.875
-set title '(C) the load presses'
-unset ylabel
-set format y ''
-set colorbox user origin 0.885,0.25 size 0.02,0.5
-set cblabel 'σ_{xx} [kN/cm²]' offset 0.5,0
+set lmargin at screen 0.13
+set rmargin at screen 0.96
+set ylabel '{/:Italic y} [cm]' offset 1,0
+set arrow 1 from -11,0 to 12,0 nohead back lc rgb BLACK lw 1 dt (12,3,2,3)
+set colorbox horizontal user origin 0.13,0.09 size 0.83,0.025
+set cblabel 'stress {/:Italic σ_{xx}} [kN/cm²]' offset 0,0.4
 set cbtics 30
+
+set title '(T) the load pulls' offset 0,-0.6
+set tmargin at screen 0.95
+set bmargin at screen 0.61
+set object 1 circle at -0.2,0 size 4.8 arc [0:180] fc rgb LIGHT fs solid border lc rgb BLACK behind
+set label 1 'pin' at -0.2,2 center front
+plot data.'/fig_7_2_t.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
+     '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1, \
+     data.'/fig_7_2_t_zero.csv' using 'x':'y' with lines lc rgb 'white' lw 3 dt 1, \
+     '' using 'x':'y' with lines lc rgb BLACK lw 1.5 dt 1
+
+set title '(C) the load presses'
+set tmargin at screen 0.54
+set bmargin at screen 0.20
+set xlabel '{/:Italic x} [cm]' offset 0,0.4
+unset colorbox
 set object 1 circle at 0.2,0 size 4.8 arc [0:180] fc rgb LIGHT fs solid border lc rgb BLACK behind
+set label 1 'pin' at 0.2,2 center front
 plot data.'/fig_7_2_c.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
-     '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1
+     '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1, \
+     data.'/fig_7_2_c_zero.csv' using 'x':'y' with lines lc rgb 'white' lw 3 dt 1, \
+     '' using 'x':'y' with lines lc rgb BLACK lw 1.5 dt 1
 unset multiplot

@@ -1,6 +1,7 @@
 // Chapter 6 - A cantilever on a rigid foundation (Xuan & Li 2002, sec. 4, example 2).
 // Run:  make ch06     Reads: nothing     Writes: ch06.results, elements.md, history.md, units.md,
-//                                                fig_6_1.csv, fig_6_1_body.csv, fig_6_2.csv, fig_6_3.csv, ch06.vtu
+//                                                fig_6_1.csv, fig_6_1_body.csv, fig_6_2.csv, fig_6_3.csv, fig_6_3_zero.csv, fig_6_4.csv,
+//                                                ch06.vtu
 #include <algorithm>
 #include <tuple>
 
@@ -133,12 +134,12 @@ void contact_pressure(const ProgramOptions& run, Results& results) {
   write_file(run.out / "pressure.csv", pressure_csv(fine.model.pairs, fine.solution));
   write_vtu(run.out / "ch06.vtu", fine.model, fine.solution);
   const SolvedScene coarse = solve_cantilever(paper, "q4_incompatible", 100);
-  const StressArray stress =
-      cell_stress(coarse.model.bodies[0].mesh, coarse.model.bodies[0].element,
-                  coarse.model.bodies[0].material, coarse.solution.displacements[0]);
-  write_file(run.out / "fig_6_3.csv",
-             deformed_cells_csv(coarse.model.bodies[0].mesh, coarse.solution.displacements[0],
-                                stress.col(0)));
+  const BodyModel& body = coarse.model.bodies[0];
+  const NodeArray& u = coarse.solution.displacements[0];
+  const StressArray cells = cell_stress(body.mesh, body.element, body.material, u);
+  const StressArray nodes = nodal_stress(body.mesh, body.element, body.material, u);
+  write_file(run.out / "fig_6_3.csv", deformed_cells_csv(body.mesh, u, cells.col(0)));
+  write_file(run.out / "fig_6_3_zero.csv", deformed_zero_line_csv(body.mesh, u, nodes.col(0)));
   Index peak = 0;
   results.add("peak_pressure", fine.solution.pressure.maxCoeff(&peak), "kN/cm^2");
   results.add("peak_position", fine.model.pairs.position(peak, 0), "cm");

@@ -1,7 +1,7 @@
 // Chapter 7 - A rigid pin in an elastic plate (Xuan & Li 2002, sec. 4, example 3).
 // Run:  make ch07     Reads: nothing     Writes: ch07.results, nodes.md, even.md, pressures.md, gaps.md,
-//                                                disc.md, fig_7_1.csv, fig_7_1_paper.csv, fig_7_2_t.csv,
-//                                                fig_7_2_c.csv, fig_7_3.csv, ch07.vtu
+//                                                disc.md, fig_7_1.csv, fig_7_1_paper.csv, fig_7_2_*.csv,
+//                                                fig_7_3.csv, fig_7_4_*.csv, ch07.vtu
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -132,10 +132,15 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
   write_file(run.out / "solvers.md", family.markdown());
   for (const auto& [name, now] : {std::pair("t", &t), std::pair("c", &c)}) {
     const auto& [model, condensed, solution] = now->run;
-    const StressArray stress = cell_stress(model.bodies[0].mesh, model.bodies[0].element,
-                                           model.bodies[0].material, solution.displacements[0]);
-    write_file(run.out / text("fig_7_2_", name, ".csv"),
-               deformed_cells_csv(model.bodies[0].mesh, solution.displacements[0], stress.col(0)));
+    const BodyModel& body = model.bodies[0];
+    const NodeArray& u = solution.displacements[0];
+    const VectorXd stress = cell_stress(body.mesh, body.element, body.material, u).col(0);
+    write_file(run.out / text("fig_7_2_", name, ".csv"), deformed_cells_csv(body.mesh, u, stress));
+    write_file(run.out / text("fig_7_2_", name, "_zero.csv"),
+               deformed_zero_line_csv(
+                   body.mesh, u, nodal_stress(body.mesh, body.element, body.material, u).col(0)));
+    write_file(run.out / text("fig_7_4_", name, ".csv"),  // before loading
+               deformed_cells_csv(body.mesh, u, stress, 0));
     if (std::abs(now->resultant - 500) > 500e-10) throw NotSolved("the pin does not bear the load");
     results.add(text("resultant_", name), now->resultant, "kN/cm");
     results.add(text("right_", name), now->right, "cm");
