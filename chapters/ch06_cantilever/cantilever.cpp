@@ -1,9 +1,12 @@
 // Chapter 6 - A cantilever on a rigid foundation (Xuan & Li 2002, sec. 4, example 2).
 // Run:  make ch06     Reads: nothing     Writes: ch06.results, elements.md, history.md, units.md,
 //                                                fig_6_1.csv, fig_6_1_body.csv, fig_6_2.csv, fig_6_3.csv, fig_6_3_zero.csv, fig_6_4.csv,
-//                                                ch06.vtu
+//                                                fig_6_5_*.csv, ch06.vtu
 #include <algorithm>
+#include <iostream>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "signorini/closed_form/beam.hpp"
 #include "signorini/complementarity/linear_programme.hpp"
@@ -14,6 +17,7 @@
 #include "signorini/mesh/block.hpp"
 #include "signorini/report/field_csv.hpp"
 #include "signorini/report/pressure_table.hpp"
+#include "signorini/report/printed_method.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/solved.hpp"
@@ -180,7 +184,7 @@ void change_units(const ProgramOptions& run, Results& results) {
 
 // 8. The way of the paper's predecessor: a linear programme, at once and in increments of the load.
 // [increments]
-void as_linear_programme(Results& results) {
+void as_linear_programme(const ProgramOptions& /*run*/, Results& results) {
   const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 100);
   const ContactProblem& problem = beam.condensed.problem;
   const ContactState once = linear_programme(problem);
@@ -201,18 +205,50 @@ void as_linear_programme(Results& results) {
   results.add("active_sets", static_cast<double>(beam.solution.contact.report.iterations), "-");
 }
 
+// 9. The method of the paper as it is printed, on so few cells that each node can be drawn.
+void as_printed(const ProgramOptions& run, Results& results) {
+  const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 50);
+  const PrintedMethod printed = printed_method(beam.condensed.problem);
+  for (const Index cells : {50, 100, 200}) {
+    const SolvedScene now = solve_cantilever(paper, "q4_incompatible", cells);
+    if (!solved_in_one_step(now.condensed.problem, now.solution.contact))
+      throw NotSolved("the printed method does not end at the solution after one step");
+    if (now.condensed.problem.compliance.minCoeff() < 0)
+      throw NotSolved("a force that lifts a node of the beam presses another one down");
+  }
+  const BodyModel& body = beam.model.bodies[0];
+  const Eigen::VectorXd x = beam.model.pairs.position.col(0);
+  write_printed_method(run.out / "fig_6_5", printed, x);
+  write_file(run.out / "fig_6_4.csv",  // the mesh before loading
+             deformed_cells_csv(body.mesh, beam.solution.displacements[0],
+                                Eigen::VectorXd::Zero(body.mesh.n_cells()), 0));
+  add_counts(results, printed);
+  results.add("printed_first", x(printed.group.front()), "cm");
+  results.add("printed_deepest", -beam.condensed.problem.free_gap.minCoeff(), "cm");
+}
+
+// 10. What total_force_2d is the limit of.
+void finest_mesh(const ProgramOptions& /*run*/, Results& results) {
+  const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 800);
+  results.add("fine_800", total_force(beam), "kN", Repeats::No);
+}
+
 Status chapter(const ProgramOptions& run) {
   Results results("ch06");
-  load_history(run, results);
-  compare_elements(run, results);
-  contact_pressure(run, results);
-  change_units(run, results);
-  as_linear_programme(results);
-  if (run.full)  // what total_force_2d is the limit of; about a minute
-    for (const Index cells : {400, 800})
-      results.add(text("fine_", cells),
-                  total_force(solve_cantilever(paper, "q4_incompatible", cells)), "kN",
-                  Repeats::No);
+  std::vector<std::pair<const char*, void (*)(const ProgramOptions&, Results&)>> studies = {
+      {"load history", load_history},
+      {"four elements", compare_elements},
+      {"contact pressure", contact_pressure},
+      {"units", change_units},
+      {"linear programme", as_linear_programme},
+      {"the printed method", as_printed}};
+  if (run.full) studies.push_back({"800 x 80 cells, about a minute", finest_mesh});
+  for (std::size_t k = 0; k < studies.size(); ++k) {
+    if (run.full)
+      std::cerr << "ch06: study " << k + 1 << " of " << studies.size() << ", " << studies[k].first
+                << '\n';
+    studies[k].second(run, results);
+  }
   results.headline("total_contact_force", total_force_2d, "limit of finer meshes");
   results.print();
   results.write(run.out);

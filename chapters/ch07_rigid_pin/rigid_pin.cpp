@@ -1,7 +1,7 @@
 // Chapter 7 - A rigid pin in an elastic plate (Xuan & Li 2002, sec. 4, example 3).
 // Run:  make ch07     Reads: nothing     Writes: ch07.results, nodes.md, even.md, pressures.md, gaps.md,
 //                                                disc.md, fig_7_1.csv, fig_7_1_paper.csv, fig_7_2_*.csv,
-//                                                fig_7_3.csv, fig_7_4_*.csv, ch07.vtu
+//                                                fig_7_3.csv, fig_7_4_*.csv, fig_7_5_*.csv, ch07.vtu
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -15,6 +15,7 @@
 #include "signorini/mesh/annulus.hpp"
 #include "signorini/mesh/plate_with_hole.hpp"
 #include "signorini/report/field_csv.hpp"
+#include "signorini/report/printed_method.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/solved.hpp"
@@ -100,7 +101,21 @@ Bearing even(const Pin& pin, Index cells) {
   return bearing(pin, cells / 2, VectorXd::LinSpaced(cells + 1, 0, 180 * degree));
 }
 
-// 4. The paper's 225 cells and 12 candidates: 11 cells over the quadrant that bears, 4 over the other.
+// 4. The method of the paper as it is printed; `x` counts from the middle of the hole to the pole.
+void as_printed(const ProgramOptions& run, Results& results, const std::string& name,
+                const SolvedScene& pin, const VectorXd& x) {
+  const ContactProblem& problem = pin.condensed.problem;
+  if (!solved_in_one_step(problem, pin.solution.contact))
+    throw NotSolved("the printed method does not end at the solution after one step");
+  const PrintedMethod printed = printed_method(problem);
+  write_printed_method(run.out / ("fig_7_5_" + name), printed,
+                       (x / hole_radius).array().acos() / degree);
+  add_counts(results, printed, "_" + name);
+  results.add("least_compliance_" + name,
+              problem.compliance.minCoeff() / problem.compliance.maxCoeff(), "-");
+}
+
+// 5. The paper's 225 cells and 12 candidates: 11 cells over the quadrant that bears, 4 over the other.
 void paper_mesh(const ProgramOptions& run, Results& results) {
   const Bearing t = bearing(tension, 15, rays_by_quadrant({4, 11}));
   const Bearing c = bearing(compression, 15, rays_by_quadrant({11, 4}));
@@ -141,6 +156,8 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
                    body.mesh, u, nodal_stress(body.mesh, body.element, body.material, u).col(0)));
     write_file(run.out / text("fig_7_4_", name, ".csv"),  // before loading
                deformed_cells_csv(body.mesh, u, stress, 0));
+    as_printed(run, results, name, now->run,
+               (now->run.model.pairs.position.col(0) * (now == &t ? -1 : 1)));
     if (std::abs(now->resultant - 500) > 500e-10) throw NotSolved("the pin does not bear the load");
     results.add(text("resultant_", name), now->resultant, "kN/cm");
     results.add(text("right_", name), now->right, "cm");
@@ -149,7 +166,7 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
   results.add("mesh_nodes", static_cast<double>(t.run.model.bodies[0].mesh.n_nodes()), "-");
 }
 
-// 5. Even cells along the half hole: 15 to compare programs digit by digit, then finer ones.
+// 6. Even cells along the half hole: 15 to compare programs digit by digit, then finer ones.
 void even_meshes(const ProgramOptions& run, Results& results) {
   std::vector<Column> exact = {{"θ [deg]", VectorXd::LinSpaced(8, 0, 84), "%.0f"}};
   std::vector<Column> fine = {{"θ [deg]", VectorXd::LinSpaced(9, 0, 80), "%.0f"}};
@@ -178,7 +195,7 @@ void even_meshes(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_7_1.csv", table_of(curve).csv("rel 1e-6 abs 1e-8"));
 }
 
-// 6. How linear is it? The exact gap instead of the linear one; a twenty-fifth of load and clearance.
+// 7. How linear is it? The exact gap instead of the linear one; a twenty-fifth of load and clearance.
 void linearity(const ProgramOptions& run, Results& results) {
   Table table({"gap", "(T) peak [kN/cm²]", "(C) peak [kN/cm²]"});
   for (const bool linear : {true, false}) {
@@ -197,7 +214,7 @@ void linearity(const ProgramOptions& run, Results& results) {
   results.add("small_deviation", deviation, "-", Repeats::No);
 }
 
-// 7. A pin that is pushed by `shift` into the edge of a hole of radius 1 in a disc of radius 60 and
+// 8. A pin that is pushed by `shift` into the edge of a hole of radius 1 in a disc of radius 60 and
 //    modulus 1.
 struct InDisc {
   PinInPlate pin;            // with the force that the pushing takes
