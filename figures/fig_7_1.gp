@@ -1,5 +1,7 @@
 # Figure 7.1 - contact pressure around the hole.   In: fig_7_1.csv, fig_7_1_paper.csv   Out: fig_7_1.svg
+width = 480; height = 360
 load 'style.gp'
+set lmargin 8
 set xlabel 'angle from the pole {/:Italic θ} [deg]'
 set ylabel 'contact pressure {/:Italic q}_N [kN/cm²]'
 set xrange [0:90]
