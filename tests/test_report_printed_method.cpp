@@ -19,6 +19,14 @@ TEST_CASE("all violated rows of separate springs close in one step", "[printed_m
         "# tolerance rel 1e-6 abs 1e-9\nstep,at,quasi_active,closed\n0,10,1,1\n0,20,1,1\n");
 }
 
+TEST_CASE("a pair that overlaps but is lifted by its neighbour is in QAS and not closed",
+          "[printed_method]") {
+  const ContactProblem coupled{(Eigen::Matrix2d() << 2, 1, 1, 2).finished(),
+                               Eigen::Vector2d(-1, -3)};
+  CHECK(outer_steps(run_quasi_active_set_literal(coupled), at.head(2)).csv() ==
+        "# tolerance rel 1e-6 abs 1e-9\nstep,at,quasi_active,closed\n0,10,1,0\n0,20,1,1\n");
+}
+
 TEST_CASE("one row at a time needs a step per spring, the largest overlap first",
           "[printed_method]") {
   const QuasiActiveRun run =

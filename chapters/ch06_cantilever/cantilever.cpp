@@ -182,7 +182,7 @@ void change_units(const ProgramOptions& run, Results& results) {
   results.add("units_deviation", deviation, "-", Repeats::No);
 }
 
-// 8. The way of the paper's predecessor: a linear programme, at once and in increments of the load.
+// 8. A linear programme, at once and in increments of the load.
 // [increments]
 void as_linear_programme(const ProgramOptions& /*run*/, Results& results) {
   const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 100);
@@ -242,7 +242,7 @@ Status chapter(const ProgramOptions& run) {
       {"units", change_units},
       {"linear programme", as_linear_programme},
       {"the printed method", as_printed}};
-  if (run.full) studies.push_back({"800 x 80 cells, about a minute", finest_mesh});
+  if (run.full) studies.push_back({"800 x 80 cells", finest_mesh});
   for (std::size_t k = 0; k < studies.size(); ++k) {
     if (run.full)
       std::cerr << "ch06: study " << k + 1 << " of " << studies.size() << ", " << studies[k].first
