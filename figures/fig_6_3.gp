@@ -3,7 +3,7 @@ width = 480; height = 320
 load 'style.gp'
 set lmargin 8
 set rmargin 2
-set bmargin at screen 0.41
+set bmargin at screen 0.44
 unset key; unset grid
 set xlabel '{/:Italic x} [cm]' offset 0,0.3
 set ylabel '{/:Italic y} [cm]' offset 1,0
@@ -12,7 +12,7 @@ set yrange [-2.2:5.5]
 set ytics 2
 set palette maxcolors 12
 set cbrange [-300:300]
-set colorbox horizontal user origin 0.16,0.17 size 0.79,0.05
+set colorbox horizontal user origin 0.16,0.2 size 0.79,0.05
 set cblabel 'bending stress {/:Italic σ_{xx}} [kN/cm²]' offset 0,0.4
 set cbtics 100
 set object 1 rectangle from -0.5,-2.2 to 50.5,-1 fc rgb LIGHT fs solid noborder behind
