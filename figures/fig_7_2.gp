@@ -1,46 +1,14 @@
-# Figure 7.2 - the deformed plate and the pin, both readings.   In: fig_7_2_*.csv   Out: fig_7_2.svg
-width = 480; height = 680
+# Figure 7.2 - contact pressure around the hole.   In: fig_7_2.csv, fig_7_2_paper.csv   Out: fig_7_2.svg
+width = 480; height = 360
 load 'style.gp'
-set size ratio -1
-unset key; unset grid
-set xrange [-11:12]
-set yrange [-0.8:10.8]
-set xtics 5
-set ytics 5
-set palette maxcolors 12
-set cbrange [-90:90]
-set multiplot
-set lmargin at screen 0.13
-set rmargin at screen 0.96
-set ylabel '{/:Italic y} [cm]' offset 1,0
-set arrow 1 from -11,0 to 12,0 nohead back lc rgb BLACK lw 1 dt (12,3,2,3)
-set colorbox horizontal user origin 0.13,0.10 size 0.83,0.025
-set cblabel 'stress {/:Italic σ_{xx}} [kN/cm²]' offset 0,0.4
-set cbtics 30
-
-set title '(T) the load pulls' offset 0,-0.6
-set tmargin at screen 0.95
-set bmargin at screen 0.63
-set object 1 circle at -0.2,0 size 4.8 arc [0:180] fc rgb LIGHT fs solid border lc rgb BLACK behind
-set label 1 'pin' at -0.2,2 center front
-set label 2 '+' at 0,6.2 center front font ',22'
-set label 3 '−' at -6.3,1.4 center front font ',22' textcolor rgb 'white'
-plot data.'/fig_7_2_t.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
-     '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1, \
-     data.'/fig_7_2_t_zero.csv' using 'x':'y' with lines lc rgb 'white' lw 3 dt 1, \
-     '' using 'x':'y' with lines lc rgb BLACK lw 1.5 dt 1
-
-set title '(C) the load presses'
-set tmargin at screen 0.54
-set bmargin at screen 0.235
-set xlabel '{/:Italic x} [cm]' offset 0,0.5
-unset colorbox
-set object 1 circle at 0.2,0 size 4.8 arc [0:180] fc rgb LIGHT fs solid border lc rgb BLACK behind
-set label 1 'pin' at 0.2,2 center front
-set label 2 at -7,4.6
-set label 3 at 6.5,1.4
-plot data.'/fig_7_2_c.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
-     '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1, \
-     data.'/fig_7_2_c_zero.csv' using 'x':'y' with lines lc rgb 'white' lw 3 dt 1, \
-     '' using 'x':'y' with lines lc rgb BLACK lw 1.5 dt 1
-unset multiplot
+set lmargin 8
+set xlabel 'angle from the pole {/:Italic θ} [deg]'
+set ylabel 'contact pressure {/:Italic q}_N [kN/cm²]'
+set xrange [0:90]
+set yrange [0:80]
+set xtics 15
+set key bottom left
+plot data.'/fig_7_2.csv' using 'theta':'t' with lines ls 1 title '(T) pulled, 144 × 72', \
+     data.'/fig_7_2_paper.csv' using 'theta':'t' with points ls 1 ps 0.9 title '(T) 15 × 15', \
+     data.'/fig_7_2.csv' using 'theta':'c' with lines ls 2 title '(C) pressed, 144 × 72', \
+     data.'/fig_7_2_paper.csv' using 'theta':'c' with points ls 2 ps 0.9 title '(C) 15 × 15'

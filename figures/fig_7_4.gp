@@ -1,47 +1,61 @@
-# Figure 7.4 - the pin in the plate: sketch and mesh, both readings.   In: fig_7_4_*.csv   Out: fig_7_4.svg
-width = 480; height = 560
+# Figure 7.4 - the printed method on the pin, step by step.   In: fig_7_4_*.csv   Out: fig_7_4.svg
+width = 480; height = 640
 load 'style.gp'
-unset key; unset grid; unset border; unset xtics; unset ytics
-set margins 0, 0, 0, 0
-set size ratio -1
-set xrange [-15.5:18.5]
-set yrange [-2.3:16.9]
-set style arrow 1 heads filled size 0.6,18 ls 7  # dimensions
-set style arrow 2 nohead ls 7 lw 1               # their help lines
-set style arrow 3 head filled size 0.7,18 ls 7   # load
-set style arrow 4 nohead ls 7 lw 2 dt (5,4)      # chosen: our copy of the paper does not show it
-set arrow from -13,0 to 16,0 nohead lc rgb BLACK lw 1 dt (12,3,2,3)
-set label 'symmetric' at 14,-1 center
-set arrow from -10,0 to -10,10 as 4
-set arrow from -10,10 to 10,10 as 4
-set arrow from 10,10 to 10,0 as 4
-set object 3 circle at 0,0 size 5 arc [0:180] nowedge fs empty border lc rgb BLACK lw 2 dt (5,4) front
-set multiplot layout 2,1
+set multiplot
+set xrange [0:98]
+set xtics 30
+unset grid
+RING = "with points pt 6 ps 0.8 lw 1.2 lc rgb BLACK"
+DOT = "with points pt 7 ps 0.45 lc rgb BLUE"
+BAR = "with boxxyerror fc rgb RED fs solid noborder"
+unset key
+set label 21 'violated' at screen 0.16,0.965 left point pt 6 ps 0.8 lw 1.2 lc rgb BLACK offset 0.8,-0.35
+set label 22 'in QAS' at screen 0.40,0.965 left point pt 7 ps 0.45 lc rgb BLUE offset 0.8,-0.35
+set object 21 rectangle center screen 0.61,0.965 size screen 0.025,0.009 fc rgb RED fs solid noborder
+set label 23 'closed by the step' at screen 0.635,0.965 left
 do for [reading in 't c'] {
-  side = reading eq 't' ? -1 : 1
-  set label 1 (side < 0 ? '(T) the load pulls' : '(C) the load presses') at 0,15.6 center font ',15'
-  do for [k=0:5] {
-    if (side < 0) { set arrow 20+k from 10.3,2*k+0.01 to 13.3,2*k as 3 } else { set arrow 20+k from 13.3,2*k+0.01 to 10.3,2*k as 3 }
+  left = reading eq 't'
+  file = data.'/fig_7_4_'.reading
+  set lmargin at screen (left ? 0.13 : 0.58)
+  set rmargin at screen (left ? 0.53 : 0.98)
+  set format x ''
+  unset xlabel
+  unset ylabel
+  set ytics 1 format (left ? 'k = %g' : '')
+  set label 2 (left ? '(T) the load pulls' : '(C) the load presses') at graph 0.5,1.65 center font ',15'
+  set title 'QAS: all violated' offset 0,-0.7
+  set tmargin at screen 0.855
+  set bmargin at screen 0.76
+  set yrange [1.6:-0.6]
+  set label 1 'none violated' at 49,1 center
+  plot file.'_all.csv' using 'at':'step' @RING, \
+       '' using (column('at')):(column('quasi_active') > 0 ? column('step') : NaN) @DOT, \
+       '' using (column('at')):(column('closed') > 0 ? column('step')+0.4 : NaN):(2.6):(0.08) @BAR
+  do for [k=21:23] { unset label k }
+  unset object 21
+  unset label 2
+  set title 'QAS: the largest overlap'
+  set tmargin at screen 0.70
+  set bmargin at screen 0.46
+  set yrange [5.6:-0.6]
+  set label 1 'none violated' at 49,5 center
+  plot file.'_one.csv' using 'at':'step' @RING, \
+       '' using (column('at')):(column('quasi_active') > 0 ? column('step') : NaN) @DOT, \
+       '' using (column('at')):(column('closed') > 0 ? column('step')+0.42 : NaN):(2.6):(0.08) @BAR
+  unset label 1
+  set title 'weights inside'
+  set tmargin at screen 0.40
+  set bmargin at screen 0.09
+  set yrange [10.2:-0.7]
+  set ytics 2 format (left ? '%g' : '')
+  set format x '%g'
+  set xlabel 'angle {/:Italic θ} [deg]' offset 0,0.5
+  if (left) { set ylabel 'inner step' offset 1,0 }
+  if (!left) {
+    set label 24 'carries weight' at 6,8.3 left point pt 5 ps 0.7 lc rgb BLUE offset 0.8,-0.35
+    set label 25 'joins in this step' at 6,9.5 left point pt 4 ps 1.1 lw 1.2 lc rgb BLACK offset 0.8,-0.35
   }
-  set label 2 '25 kN/cm²' at 10.8,11.4 left
-  set object 1 circle at 0.2*side,0 size 4.8 arc [0:180] fc rgb LIGHT fs solid border lc rgb BLACK behind
-  set label 3 'rigid pin' at 0,3.2 center
-  set object 2 polygon from 5*side,0 to 4.1*side,0.5 to 4.1*side,-0.5 to 5*side,0 front fs empty border lc rgb BLACK lw 1.5
-  set label 4 'pole, held' at 5*side,-1.2 center
-  if (side < 0) {
-    set arrow 10 from -10,10.3 to -10,13 as 2
-    set arrow 11 from 10,10.3 to 10,13 as 2
-    set arrow 12 from -10,12.3 to 10,12.3 as 1
-    set label 10 '20 cm' at 0,13.3 center
-    set arrow 13 from -10.3,10 to -13,10 as 2
-    set arrow 14 from -12.3,0 to -12.3,10 as 1
-    set label 11 '10 cm' at -13.3,5 center rotate
-    set arrow 15 from 0,0 to 3.54,3.54 head filled size 0.6,18 ls 7
-    set label 12 '5 cm' at 1.9,1.2 left
-  } else {
-    do for [k=10:15] { unset arrow k }
-    do for [k=10:12] { unset label k }
-  }
-  plot data.'/fig_7_4_'.reading.'.csv' using 'x':'y' with lines lc rgb BLUE lw 0.7 dt 1
+  plot file.'_inner.csv' using 'at':'step' with points pt 5 ps 0.7 lc rgb BLUE, \
+       '' using (column('at')):(column('joins') > 0 ? column('step') : NaN) with points pt 4 ps 1.1 lw 1.2 lc rgb BLACK
 }
 unset multiplot

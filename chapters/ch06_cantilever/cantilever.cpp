@@ -1,7 +1,8 @@
 // Chapter 6 - A cantilever on a rigid foundation (Xuan & Li 2002, sec. 4, example 2).
 // Run:  make ch06     Reads: nothing     Writes: ch06.results, elements.md, history.md, units.md,
-//                                                fig_6_1.csv, fig_6_1_body.csv, fig_6_2.csv, fig_6_3.csv, fig_6_3_zero.csv, fig_6_4.csv,
-//                                                fig_6_5_*.csv, ch06.vtu
+//                                                pressure.csv, fig_6_1.csv, fig_6_2.csv, fig_6_2_body.csv,
+//                                                fig_6_3.csv, fig_6_4.csv, fig_6_4_zero.csv, fig_6_5_*.csv,
+//                                                ch06.vtu
 #include <algorithm>
 #include <iostream>
 #include <tuple>
@@ -89,8 +90,8 @@ void load_history(const ProgramOptions& run, Results& results) {
     if (step == 25) results.add("tip_force", force, "kN");
   }
   write_file(run.out / "history.md", table.markdown());
-  write_file(run.out / "fig_6_1.csv", beams.csv());
-  write_file(run.out / "fig_6_1_body.csv", body.csv());
+  write_file(run.out / "fig_6_2.csv", beams.csv());
+  write_file(run.out / "fig_6_2_body.csv", body.csv());
 }
 
 // 5. Four elements on four meshes: the total force, and how far it is from its limit.
@@ -119,7 +120,7 @@ void compare_elements(const ProgramOptions& run, Results& results) {
   results.add("equilibrium_in_doubles", in_doubles, "-", Repeats::No);
 }
 
-// 6. The contact pressure on 200 x 20 cells, for figure 6.2, and the deformed beam.
+// 6. The contact pressure on 200 x 20 cells, for figure 6.3, and the deformed beam.
 void contact_pressure(const ProgramOptions& run, Results& results) {
   const SolvedScene q4 = solve_cantilever(paper, "q4", 200);
   const SolvedScene fine = solve_cantilever(paper, "q4_incompatible", 200);
@@ -134,7 +135,7 @@ void contact_pressure(const ProgramOptions& run, Results& results) {
                                 {"q8", q8.solution.pressure},
                                 {"euler_bernoulli", x.unaryExpr(thin)},
                                 {"timoshenko", x.unaryExpr(thick)}});
-  write_file(run.out / "fig_6_2.csv", curve.csv("rel 1e-6 abs 1e-7"));
+  write_file(run.out / "fig_6_3.csv", curve.csv("rel 1e-6 abs 1e-7"));
   write_file(run.out / "pressure.csv", pressure_csv(fine.model.pairs, fine.solution));
   write_vtu(run.out / "ch06.vtu", fine.model, fine.solution);
   const SolvedScene coarse = solve_cantilever(paper, "q4_incompatible", 100);
@@ -142,8 +143,8 @@ void contact_pressure(const ProgramOptions& run, Results& results) {
   const NodeArray& u = coarse.solution.displacements[0];
   const StressArray cells = cell_stress(body.mesh, body.element, body.material, u);
   const StressArray nodes = nodal_stress(body.mesh, body.element, body.material, u);
-  write_file(run.out / "fig_6_3.csv", deformed_cells_csv(body.mesh, u, cells.col(0)));
-  write_file(run.out / "fig_6_3_zero.csv", deformed_zero_line_csv(body.mesh, u, nodes.col(0)));
+  write_file(run.out / "fig_6_4.csv", deformed_cells_csv(body.mesh, u, cells.col(0)));
+  write_file(run.out / "fig_6_4_zero.csv", deformed_zero_line_csv(body.mesh, u, nodes.col(0)));
   Index peak = 0;
   results.add("peak_pressure", fine.solution.pressure.maxCoeff(&peak), "kN/cm^2");
   results.add("peak_position", fine.model.pairs.position(peak, 0), "cm");
@@ -219,7 +220,7 @@ void as_printed(const ProgramOptions& run, Results& results) {
   const BodyModel& body = beam.model.bodies[0];
   const Eigen::VectorXd x = beam.model.pairs.position.col(0);
   write_printed_method(run.out / "fig_6_5", printed, x);
-  write_file(run.out / "fig_6_4.csv",  // the mesh before loading
+  write_file(run.out / "fig_6_1.csv",  // the mesh before loading
              deformed_cells_csv(body.mesh, beam.solution.displacements[0],
                                 Eigen::VectorXd::Zero(body.mesh.n_cells()), 0));
   add_counts(results, printed);

@@ -1,7 +1,8 @@
 // Chapter 7 - A rigid pin in an elastic plate (Xuan & Li 2002, sec. 4, example 3).
 // Run:  make ch07     Reads: nothing     Writes: ch07.results, nodes.md, even.md, pressures.md, gaps.md,
-//                                                disc.md, fig_7_1.csv, fig_7_1_paper.csv, fig_7_2_*.csv,
-//                                                fig_7_3.csv, fig_7_4_*.csv, fig_7_5_*.csv, ch07.vtu
+//                                                disc.md, solvers.md, fig_7_1_*.csv, fig_7_2.csv,
+//                                                fig_7_2_paper.csv, fig_7_3_*.csv, fig_7_4_*.csv,
+//                                                fig_7_5.csv, ch07.vtu
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -108,7 +109,7 @@ void as_printed(const ProgramOptions& run, Results& results, const std::string& 
   if (!solved_in_one_step(problem, pin.solution.contact))
     throw NotSolved("the printed method does not end at the solution after one step");
   const PrintedMethod printed = printed_method(problem);
-  write_printed_method(run.out / ("fig_7_5_" + name), printed,
+  write_printed_method(run.out / ("fig_7_4_" + name), printed,
                        (x / hole_radius).array().acos() / degree);
   add_counts(results, printed, "_" + name);
   results.add("least_compliance_" + name,
@@ -128,7 +129,7 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
   const Table curve =
       table_of({{"theta", t.theta(first)}, {"t", t.pressure(first)}, {"c", c.pressure(first)}});
   write_file(run.out / "nodes.md", nodes.markdown());
-  write_file(run.out / "fig_7_1_paper.csv", curve.csv("rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_7_2_paper.csv", curve.csv("rel 1e-6 abs 1e-8"));
   write_vtu(run.out / "ch07.vtu", t.run.model, t.run.solution);
   Table family({"solver", "iterations (T)", "iterations (C)"});
   // [family]
@@ -150,11 +151,11 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
     const BodyModel& body = model.bodies[0];
     const NodeArray& u = solution.displacements[0];
     const VectorXd stress = cell_stress(body.mesh, body.element, body.material, u).col(0);
-    write_file(run.out / text("fig_7_2_", name, ".csv"), deformed_cells_csv(body.mesh, u, stress));
-    write_file(run.out / text("fig_7_2_", name, "_zero.csv"),
+    write_file(run.out / text("fig_7_3_", name, ".csv"), deformed_cells_csv(body.mesh, u, stress));
+    write_file(run.out / text("fig_7_3_", name, "_zero.csv"),
                deformed_zero_line_csv(
                    body.mesh, u, nodal_stress(body.mesh, body.element, body.material, u).col(0)));
-    write_file(run.out / text("fig_7_4_", name, ".csv"),  // before loading
+    write_file(run.out / text("fig_7_1_", name, ".csv"),  // before loading
                deformed_cells_csv(body.mesh, u, stress, 0));
     as_printed(run, results, name, now->run,
                (now->run.model.pairs.position.col(0) * (now == &t ? -1 : 1)));
@@ -192,7 +193,7 @@ void even_meshes(const ProgramOptions& run, Results& results) {
   }
   write_file(run.out / "even.md", table_of(exact).markdown());
   write_file(run.out / "pressures.md", table_of(fine).markdown());
-  write_file(run.out / "fig_7_1.csv", table_of(curve).csv("rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_7_2.csv", table_of(curve).csv("rel 1e-6 abs 1e-8"));
 }
 
 // 7. How linear is it? The exact gap instead of the linear one; a twenty-fifth of load and clearance.
@@ -273,7 +274,7 @@ void infinite_plate(const ProgramOptions& run, Results& results) {
       results.headline("disc_pressure", closed, "closed form, infinite plate");
     }
   write_file(run.out / "disc.md", table.markdown());
-  write_file(run.out / "fig_7_3.csv", curve.csv("rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_7_5.csv", curve.csv("rel 1e-6 abs 1e-8"));
 }
 
 Status chapter(const ProgramOptions& run) {
