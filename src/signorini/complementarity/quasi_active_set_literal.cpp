@@ -156,7 +156,6 @@ bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap, C
       best.force(rows) = total_contact_force(part, weights) * weights;  // (39)
     }
   }
-  place(best);
   return true;
 }
 
@@ -182,6 +181,7 @@ bool LiteralMethod::last_step() {
   way_.tight = tight(now_);
   ClosedPairs next;  // (33), with the first objective
   if (!solve(way_.tight, scaled_.free_gap, next)) return false;
+  place(next);
   way_.optimal = close_to(next);
   way_.left_over = violated(next);
   for (const Index i : way_.left_over)  // (34)
@@ -208,6 +208,7 @@ void LiteralMethod::judge() {
     return;
   }
   report_ = so_far;
+  place(best);
   if (!violated(best).empty() || !close_to(best)) return;
   auto found = confirmed(scaled_, pressed(best.force));
   report_.status = found ? Status::Solved : Status::Breakdown;
