@@ -67,7 +67,7 @@ struct QuasiActiveRun {
     const ContactProblem& problem, const SolverOptions& options = {},
     QuasiActiveRows rows = QuasiActiveRows::AllViolated);
 
-/// The same without the way, for the table of solvers.
+/// The same with all pairs that overlap and without the way, for the table of solvers.
 /// \param problem  as above
 /// \param options  as above
 /// \return as above
