@@ -1,6 +1,6 @@
 // Chapter 4 - The quasi-active-set iteration (Xuan & Li 2002, secs. 2.3 and 3, eqs. 30-39).
-// Run:  make ch04     Reads: nothing     Writes: ch04.results, zigzag.md, last_step.md, bodies.md,
-//                                                sizes.md, fig_4_1.csv, fig_4_2.csv, fig_4_3.csv
+// Run:  make ch04     Reads: nothing     Writes: ch04.results, fig_4_1.csv, fig_4_2.csv, fig_4_3.csv, zigzag.md,
+//                 two_steps.md, last_step.md, bodies.md, ends.md, ends_by_size.md, sizes.md
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +13,7 @@
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "sizes.hpp"
 
 namespace {
 
@@ -29,6 +30,7 @@ void agree(const VectorXd& got, const VectorXd& expected, double accuracy, const
 void zigzag(const ProgramOptions& run, Results& results) {
   Table table({"k", "u", "violated row", "η"});
   Table path({"x", "y"});
+  exact::Rows way;
   exact::Vector u = corner.p;  // u^0
   for (Index k = 0; k <= 10; ++k) {
     path.row({u[0].value(), u[1].value()});
@@ -38,17 +40,20 @@ void zigzag(const ProgramOptions& run, Results& results) {
     if (k <= 6)
       table.row({std::to_string(k), text_of(u), std::to_string(violated.at(0) + 1), eta.text()});
     u = next.u;  // (36)
-    SolverOptions stop;
-    stop.iteration_limit = k + 1;
-    const DenseProgramme q = floating(corner);
-    agree(displacement(q, quasi_active_set_literal(condensed(q), stop)), floating(u), 1e-15,
-          "the zigzag");
+    way.push_back(u);
   }
   // [zigzag]
+  const DenseProgramme q = floating(corner);
+  for (Index k = 0; k <= 10; ++k) {
+    SolverOptions stop;
+    stop.iteration_limit = k + 1;
+    const VectorXd end = displacement(q, quasi_active_set_literal(condensed(q), stop));
+    agree(end, floating(way[static_cast<std::size_t>(k)]), 1e-15, "the zigzag");
+  }
   write_file(run.out / "zigzag.md", table.markdown());
   write_file(run.out / "fig_4_2.csv", path.csv());
-  const QuasiActiveRun way = run_quasi_active_set_literal(condensed(floating(corner)));
-  results.add("zigzag_steps", static_cast<double>(way.outer_steps), "-");
+  results.add("zigzag_steps",
+              static_cast<double>(run_quasi_active_set_literal(condensed(q)).outer_steps), "-");
 }
 
 // 2. The last step (33)-(35), which the paper calls optimal.
@@ -181,30 +186,7 @@ void flow_chart(const ProgramOptions& run, const QuasiActiveRun& block, const Qu
   results.add("walls_delta", walls.fraction, "-");
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 // 7. Random programmes: how the method ends, by the rows that make up QAS.
-using Tally = std::array<Ends, 4>;
-
-void add_rows(Table& table, const std::string& problems, const Tally& tally) {
-  const auto whole = [](double count) { return number(count, "%.0f"); };
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Ends& e = tally[i];
-    table.row({problems, readings[i].name, whole(e.one), whole(e.two), whole(e.more),
-               whole(e.optimal), whole(e.optimal + e.corrected), whole(e.limit),
-               whole(e.limit_optimal), whole(e.stopped)});
-  }
-}
-
-Table table_of_ends() {
-  return Table({"problems", "QAS", "one step", "two", "more", "of these optimal", "after (35)",
-                "limit", "of these optimal", "stopped"});
-}
-
 Tally whole_numbers(std::uint64_t runs, Results& results) {
   Tally tally;
   Random random(1);
@@ -223,42 +205,6 @@ Tally whole_numbers(std::uint64_t runs, Results& results) {
   results.add("optimal_before", 100 * all.optimal / all.two, "%");
   results.add("optimal_after", 100 * (all.optimal + all.corrected) / all.two, "%");
   return tally;
-}
-
-// The sizes of table 1.
-struct Share {
-  Tally ends;
-  double violated = 0, fresh = 0;  // mean number of pairs that overlap at u^0 and at u^1
-  double crowded = 0;              // runs in which the former outnumber the unknowns
-  double repaired = 0;
-  std::vector<double> steps, repaired_steps;
-  std::vector<double> gap, lost, lost_whole;  // over the energy that contact adds, or all energy
-};
-
-Share try_size(Index n, Index m, std::uint64_t runs) {
-  Share share;
-  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
-    const KnownProgramme known = rosen_suzuki(n, m, seed);
-    const ContactProblem problem = condensed(known.programme);
-    const auto ways = run_readings(problem);
-    for (std::size_t i = 0; i < 4; ++i) share.ends[i].count(ways[i]);
-    const QuasiActiveRun& way = ways[0];
-    const ContactState repaired = find_solver("quasi_active_set").solve(problem, {});
-    const Report& report = way.state.report;
-    share.repaired += repaired.report.status == Status::Solved ? 1 : 0;
-    share.violated += static_cast<double>(report.history[0].changes) / static_cast<double>(runs);
-    share.fresh += static_cast<double>(report.history[1].changes) / static_cast<double>(runs);
-    share.crowded += report.history[0].changes > n ? 1 : 0;
-    if (way.outer_steps > 1) share.steps.push_back(static_cast<double>(way.outer_steps));
-    share.repaired_steps.push_back(static_cast<double>(repaired.report.iterations));
-    const double added = -0.5 * repaired.force.dot(problem.free_gap + repaired.gap);
-    if (report.status == Status::Solved) continue;
-    const double excess = report.history.back().dual_energy + energy_gap(way.state) - added;
-    share.gap.push_back(energy_gap(way.state) / added);
-    share.lost.push_back(excess / added);
-    share.lost_whole.push_back(excess / std::abs(known.energy));
-  }
-  return share;
 }
 
 void random_programmes(const ProgramOptions& run, Results& results) {

@@ -3,9 +3,11 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "signorini/complementarity/quasi_active_set_literal.hpp"
 #include "signorini/core/random.hpp"
+#include "signorini/core/table.hpp"
 
 namespace signorini {
 
@@ -32,8 +34,8 @@ inline ContactProblem whole_numbers(Random& random) {
   return {A * A.transpose(), g - A * p};
 }
 
-/// Whether only the tolerance has ended the loop: its last step began with overlaps that a step which
-/// ends a loop at a point does not leave, below 1e-6 of those at u^0.
+/// Whether only the tolerance has ended the loop: before its last step the overlaps were nearly as small
+/// as the tolerance, 1e-12 of those at u^0. A loop that ends at a point comes from larger ones.
 inline bool went_to_limit(const QuasiActiveRun& run) {
   const auto& history = run.state.report.history;
   const auto last = static_cast<std::size_t>(run.outer_steps) - 1;
@@ -74,17 +76,34 @@ struct Ends {
 inline std::array<QuasiActiveRun, 4> run_readings(const ContactProblem& problem) {
   std::array<QuasiActiveRun, 4> runs;
   runs[1] = run_quasi_active_set_literal(problem, {}, readings[1].rows);
-  const auto& [state, k, steps, tight, optimal, left_over, fraction] = runs[1];
-  const bool ended =
-      state.report.status == Status::Solved || state.report.status == Status::Feasible;
-  const bool took_all = std::all_of(steps.begin(), steps.end(), [](const QuasiActiveStep& step) {
-    return step.quasi_active == step.violated;
-  });
+  const Status status = runs[1].state.report.status;
+  const bool ended = status == Status::Solved || status == Status::Feasible;
+  const bool took_all =
+      std::all_of(runs[1].steps.begin(), runs[1].steps.end(),
+                  [](const QuasiActiveStep& step) { return step.quasi_active == step.violated; });
   for (const std::size_t i : {0, 2, 3})  // where all violated rows are independent, three are one
     runs[i] = i < 3 && ended && took_all
                   ? runs[1]
                   : run_quasi_active_set_literal(problem, {}, readings[i].rows);
   return runs;
+}
+
+/// Of the four readings.
+using Tally = std::array<Ends, 4>;
+
+inline void add_rows(Table& table, const std::string& problems, const Tally& tally) {
+  const auto whole = [](double count) { return number(count, "%.0f"); };
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Ends& e = tally[i];
+    table.row({problems, readings[i].name, whole(e.one), whole(e.two), whole(e.more),
+               whole(e.optimal), whole(e.optimal + e.corrected), whole(e.limit),
+               whole(e.limit_optimal), whole(e.stopped)});
+  }
+}
+
+inline Table table_of_ends() {
+  return Table({"problems", "QAS", "one step", "two", "more", "of these optimal", "after (35)",
+                "limit", "of these optimal", "stopped"});
 }
 
 }  // namespace signorini
