@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/closed_basis.hpp"
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/surrogate_dual.hpp"
@@ -149,7 +150,10 @@ bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap, C
     } else {
       report_.status = Status::Breakdown;
     }
-    if (state.report.status != Status::Solved) return false;
+    // Where a pair touches without force, rounding can keep the weights from ending at the solution.
+    const bool right =
+        state.report.status == Status::IterationLimit && certify(part, state).worst() <= tolerance_;
+    if (state.report.status != Status::Solved && !right) return false;
     const double total = state.force.sum();
     if (total > 0) {
       const VectorXd weights = state.force / total;                     // (38)

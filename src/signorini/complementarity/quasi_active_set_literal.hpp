@@ -21,7 +21,7 @@ enum class QuasiActiveRows {
 /// One step of the outer loop; pairs in increasing order.
 struct QuasiActiveStep {
   std::vector<Eigen::Index> violated;      ///< VIO(u^k)
-  std::vector<Eigen::Index> quasi_active;  ///< QAS(u^k), the rows of \PaperEq{XuanLi2002, 38}
+  std::vector<Eigen::Index> quasi_active;  ///< QAS(u^k), a part of it
   std::vector<Eigen::Index> closed;        ///< pairs of QAS that the step presses
 };
 
