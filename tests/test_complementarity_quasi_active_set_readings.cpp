@@ -54,6 +54,7 @@ TEST_CASE("one step or never: with all violated rows a loop ends after one step 
   Index never = 0;
   const auto check = [&](const ContactProblem& problem) {
     const QuasiActiveRun run = run_quasi_active_set_literal(problem);
+    if (run.state.report.status == Status::Breakdown) CHECK(last_overlap(run) < 1e-9);
     if (run.state.report.status == Status::IterationLimit ||
         run.state.report.status == Status::Breakdown)
       return;
