@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/closed_basis.hpp"
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/surrogate_dual.hpp"
@@ -149,14 +150,16 @@ bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap, C
     } else {
       report_.status = Status::Breakdown;
     }
-    if (state.report.status != Status::Solved) return false;
+    // Where a pair touches without force, rounding can keep the weights from ending at the solution.
+    const bool right =
+        state.report.status == Status::IterationLimit && certify(part, state).worst() <= tolerance_;
+    if (state.report.status != Status::Solved && !right) return false;
     const double total = state.force.sum();
     if (total > 0) {
       const VectorXd weights = state.force / total;                     // (38)
       best.force(rows) = total_contact_force(part, weights) * weights;  // (39)
     }
   }
-  place(best);
   return true;
 }
 
@@ -182,6 +185,7 @@ bool LiteralMethod::last_step() {
   way_.tight = tight(now_);
   ClosedPairs next;  // (33), with the first objective
   if (!solve(way_.tight, scaled_.free_gap, next)) return false;
+  place(next);
   way_.optimal = close_to(next);
   way_.left_over = violated(next);
   for (const Index i : way_.left_over)  // (34)
@@ -208,6 +212,7 @@ void LiteralMethod::judge() {
     return;
   }
   report_ = so_far;
+  place(best);
   if (!violated(best).empty() || !close_to(best)) return;
   auto found = confirmed(scaled_, pressed(best.force));
   report_.status = found ? Status::Solved : Status::Breakdown;
