@@ -1,6 +1,7 @@
 /// \file
 /// The method of section 2.4 of the second paper as it stands there: displacements and the pressures of
-/// Gauss points together, by Newton's method.
+/// Gauss points together, by Newton's method. saddle_point_newton() is the library's, with forces as unknowns,
+/// in one unit and with shorter steps where whole ones fail.
 #pragma once
 #include <Eigen/QR>
 #include <Eigen/SparseLU>
@@ -33,7 +34,7 @@ struct PrintedRun {
   }
 };
 
-/// (31) with -a: K and the forces of unit pressures above, slopes of phi below.
+/// \PaperEq{LinEtAl, 31} with -a: K and the forces of unit pressures above, slopes of phi below.
 /// \param run      model and gaps
 /// \param forces   on the unknowns, of unit pressures
 /// \param how      the method
