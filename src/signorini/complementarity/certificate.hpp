@@ -113,7 +113,7 @@ struct FrictionViolation {
 /// gaps are recomputed; `equilibrium` is the largest difference of the claimed from the recomputed ones.
 /// \param problem  G and d as they were posed, or any M and q
 /// \param state    forces and gaps; its status is not looked at
-/// \return the five figures; all infinite if any number, given or claimed, is not finite
+/// \return the figures; all infinite if any number, given or claimed, is not finite
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Certificate certify(const ContactProblem& problem, const ContactState& state);
 

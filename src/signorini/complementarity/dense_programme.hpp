@@ -68,7 +68,7 @@ struct DenseSolution {
 /// signs of the gap count as penetration, and no force as tension.
 /// \param programme  K, p, A, g as they were posed
 /// \param solution   u and lambda, from any solver
-/// \return the five figures; all infinite if any number, given or claimed, is not finite
+/// \return the figures; all infinite if any number, given or claimed, is not finite
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Certificate certify(const DenseProgramme& programme, const PrimalDual& solution);
 

@@ -62,21 +62,13 @@ struct FloatingState {
 [[nodiscard]] FloatingState solve(const FloatingProblem& problem, const Solver& solver,
                                   const SolverOptions& options = {});
 
-/// How far forces are from balance, for certificates of problems with and without friction.
-/// \param rigid      R `m x n_r`
-/// \param resultant  r `n_r`
-/// \param force      f `m`
-/// \return the largest entry of R^T f - r, each over the largest of its terms [-]
-[[nodiscard]] double imbalance(const Eigen::MatrixXd& rigid, const Eigen::VectorXd& resultant,
-                               const Eigen::VectorXd& force);
-
 /// Certificate of (lambda, gap, a) against G, d, R and r.
 ///
 /// As certify() for a contact problem, with gap = d + G lambda + R a. `equilibrium` is also the largest
 /// entry of R^T lambda - r, each over the largest of its terms; the energies include r^T a.
 /// \param problem  as it was posed
 /// \param state    forces, gaps and amplitudes; its status is not looked at
-/// \return the five figures; all infinite if a number is not finite
+/// \return the figures; all infinite if a number is not finite
 /// \throws std::invalid_argument if sizes do not fit, or as check_problem()
 [[nodiscard]] Certificate certify(const FloatingProblem& problem, const FloatingState& state);
 

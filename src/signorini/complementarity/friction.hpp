@@ -68,10 +68,8 @@ void check_problem(const FrictionProblem& problem);
 
 /// The certificate of a claimed solution, recomputed from the data in twice the working precision.
 ///
-/// Row i counts in units of \f$ \sqrt{F_{ii}} \f$. Lengths are divided by the largest overlap, slip,
-/// or one of the terms they are sums of; forces by the largest normal or friction force. `equilibrium` is the
-/// largest difference of a gap or slip from the recomputed one, and the largest R^T f - r over its terms;
-/// there is no duality gap. Open or closed as in certify() for a programme with friction.
+/// As certify() for a contact problem, with slips beside gaps; `equilibrium` is also the largest R^T f - r over
+/// its terms, and there is no duality gap. Open or closed as in certify() for a programme with friction.
 /// \param problem  as it was posed
 /// \param state    forces, friction forces, gaps, slips and amplitudes; nothing else is looked at
 /// \return the figures; all infinite if a number is not finite
