@@ -2,7 +2,6 @@
 # In: fig_11_1_disc.csv, fig_11_1_plate.csv   Out: fig_11_1.svg
 width = 860; height = 520
 load 'style.gp'
-set termoption font 'DejaVu Sans,20'
 set size ratio -1
 unset key; unset grid; unset border; unset tics
 set multiplot

@@ -2,7 +2,6 @@
 # In: fig_11_2.csv, fig_11_2_nodes.csv, fig_11_2_nts.csv   Out: fig_11_2.svg
 height = 640
 load 'style.gp'
-set termoption font 'DejaVu Sans,15'
 set multiplot
 set lmargin 9
 set xrange [0:1.25]

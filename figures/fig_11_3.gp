@@ -1,7 +1,6 @@
 # Figure 11.3 - residuals of the printed method, and of this book's.   In: fig_11_3.csv, fig_11_3_chance.csv   Out: fig_11_3.svg
 height = 520
 load 'style.gp'
-set termoption font 'DejaVu Sans,15'
 eval LOGY
 set xlabel 'steps'
 set ylabel 'residual |F| [N, mm]'

@@ -1,7 +1,6 @@
 # Figure 11.4 - pressures at Gauss points and at nodes.   In: fig_11_4.csv   Out: fig_11_4.svg
 height = 440
 load 'style.gp'
-set termoption font 'DejaVu Sans,15'
 set xlabel 'distance from the axis {/:Italic x} [mm]'
 set ylabel 'pressure {/:Italic p}/{/:Italic q}_0'
 set xrange [0:1.25]

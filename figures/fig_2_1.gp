@@ -29,14 +29,14 @@ set size ratio -1 1,0.58
 set origin 0,0.42
 set xrange [-0.12:1.12]
 set yrange [-0.1:1.0]
-set label 1 '1: left' at -0.01,-0.05 center font ',15'
-set label 2 '2: middle' at 1.0,-0.05 center font ',15'
-set label 3 '3: right' at 0.5,0.91 center font ',15'
+set label 1 '1: left' at -0.01,-0.05 center
+set label 2 '2: middle' at 1.0,-0.05 center
+set label 3 '3: right' at 0.5,0.91 center
 set object 1 polygon from 0,0 to 1,0 to 0.5,0.8660254 to 0,0 fillstyle empty border lc rgb BLACK lw 1.5
 set object 2 rectangle from 0.66,0.13 to 0.84,0.26 fillstyle empty border lc rgb BLACK lw 1 dt 1
-set key at graph 1,0.99 font ',14'
-plot $lines using 1:2 with lines ls 8 dt 1 title 'lines of equal  {/:Italic s}', \
-     $lines using 1:2:(sprintf('%g',$3)) every 1000::12 with labels font ',13' textcolor rgb BLACK notitle, \
+set key at graph 1,0.99
+plot $lines using 1:2 with lines ls 8 dt 1 title 'lines of equal {/:Italic s}', \
+     $lines using 1:2:(sprintf('%g',$3)) every 1000::12 with labels textcolor rgb BLACK notitle, \
      $path using 1:2 with linespoints ls 2 title 'line search', \
      $path using 1:2 every ::0::0 with points pt 6 ps 1.6 lw 2 lc rgb BLACK title 'start: each a third', \
      $best using 1:2 with points pt 3 ps 1.8 lw 2 lc rgb BLUE title 'forces over their sum'
@@ -48,7 +48,7 @@ set xrange [0.66:0.84]
 set yrange [0.13:0.26]
 set border 15 back ls 100
 plot $near using 1:2 with lines ls 8 dt 1 notitle, \
-     $near using 1:2:(sprintf('%g',$3)) every 1000::50 with labels font ',14' textcolor rgb BLACK notitle, \
+     $near using 1:2:(sprintf('%g',$3)) every 1000::50 with labels textcolor rgb BLACK notitle, \
      $path using 1:2 with linespoints ls 2 ps 1 notitle, \
      $best using 1:2 with points pt 3 ps 2.2 lw 2 lc rgb BLUE notitle
 unset multiplot

@@ -9,16 +9,26 @@ use warnings;
 
 my $check = @ARGV && $ARGV[0] eq '--check' && shift;
 my $untidy = 0;
+
+sub tidy_tag {  # only what is between < and >: the text of labels stays as it is
+    my ($tag) = @_;
+    $tag =~ s/(\d\.\d)\d(?=[,\s'"])/$1/g;
+    $tag =~ s/[ \t]+(?='|\n)//g;
+    $tag =~ s/\n\s+/\n/g;
+    return $tag;
+}
+
 for my $file (@ARGV) {
     open my $in, '<', $file or die "$file: $!\n";
     my $svg = do { local $/; <$in> };
     close $in;
     my $before = $svg;
     $svg =~ s{<desc>.*?</desc>\n}{}s;
+    $svg =~ s{<title>.*?</title>}{}sg;
     1 while $svg =~ s{<g [^>]*>\s*</g>\n?}{}g;
-    $svg =~ s/(\d\.\d)\d(?=[,\s'"])/$1/g;
-    $svg =~ s/[ \t]+(?='|\n)//g;
-    $svg =~ s/\n\s+/\n/g;
+    $svg =~ s{(<[^>]*>)}{tidy_tag($1)}ge;
+    $svg =~ s/(?<=>)\s*\n\s*(?=<)/\n/g;
+    $svg =~ s{\s+\z}{\n};
     $svg =~ s{font-family="DejaVu Sans"}{font-family="DejaVu Sans,Verdana,Helvetica,Arial,sans-serif"}g;
     $svg =~ s/rgb\( *(\d+), *(\d+), *(\d+)\)/sprintf '#%02x%02x%02x', $1, $2, $3/ge;
     1 while $svg =~ s{<polygon fill =('[^']*') points ='(\S+)( [^']*) \2'/>}{<polygon fill=$1 points='$2$3'/>}g;
