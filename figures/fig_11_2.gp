@@ -11,7 +11,7 @@ set tmargin at screen 0.98
 set bmargin at screen 0.42
 set ylabel 'pressure {/:Italic p} [MPa]'
 set yrange [0:30]
-set key bottom left
+set key bottom left noopaque
 plot data.'/fig_11_2.csv' using 'x':'theory' with lines ls 7 title 'closed form (43)', \
      data.'/fig_11_2_nodes.csv' using 'x':'p' with points ls 1 title 'mortar, meshes match', \
      data.'/fig_11_2_nts.csv' using 'x':'p' with points ls 5 title 'node to segment, not matching', \

@@ -4,7 +4,7 @@ load 'style.gp'
 set xlabel 'distance from the axis {/:Italic x} [mm]'
 set ylabel 'pressure {/:Italic p}/{/:Italic q}_0'
 set xrange [0:1.25]
-set yrange [0:3.4]
+set yrange [0:4]
 set xtics 0.2
 set ytics 0.5
 set key top right

@@ -2,11 +2,11 @@
 height = 440
 load 'style.gp'
 eval LOGY
-set xlabel 'n unknowns above m rows' offset 0,-0.8
+set xlabel '{/:Italic n} unknowns above {/:Italic m} rows' offset 0,-0.8
 set bmargin 5
 set ylabel 'relative deviation of the energy'
 set xrange [-0.6:11.6]
-set yrange [1e-17:1e1]
+set yrange [1e-17:1e2]
 set ytics 1e-16, 1e2
 set key top left
 set grid noxtics

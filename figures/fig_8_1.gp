@@ -5,7 +5,7 @@ load 'style.gp'
 unset grid
 set contour base
 unset surface
-set cntrparam levels discrete -1,-0.7,-0.4,0.4,0.7,1,1.5,2,3,4
+set cntrparam levels discrete -1,-0.5,0.5,1,2,3,4
 set table $fb
 splot data.'/fig_8_1.csv' using 'a':'b':'phi' with lines
 unset table
@@ -36,8 +36,8 @@ set title 'minimum (minus it)'
 set label 1 'kinks' at -0.75,-1.05 left
 unset label 3
 set arrow 3 from -2,-2 to 2,2 nohead lw 2 dt (6,4) lc rgb RED front
-array level[7] = [-1, -0.7, -0.4, 0.4, 0.7, 1, 1.5]
-do for [i=1:7] {
+array level[5] = [-1, -0.5, 0.5, 1, 1.5]
+do for [i=1:5] {
   m = -level[i]
   set arrow 10+2*i from m,m to m,2 nohead ls 8 dt 1 lw 1.2
   set arrow 11+2*i from m,m to 2,m nohead ls 8 dt 1 lw 1.2
