@@ -96,7 +96,7 @@ sub link_to {
     return reference(place($rel, $1), $words) if $url =~ /^#(.*)/;
     my ($path, $name) = $url =~ /^([^#]*)(?:#(.*))?$/;
     $path = clean(dirname($rel) . "/$path");
-    if ($path =~ /\.md$/) {
+    if ($path =~ /\.md$/ && $path !~ m{/results/}) {
         my $to = place($path, $name);
         return reference($to, $words) if label($rel) !~ /^chapter/ || $to !~ /^exercise-\d+-\d+$/ || $nested{$to}++;
         return "\\subpage $to \"" . ($words =~ s/["`]//gr) . '"';    # an exercise belongs to its chapter

@@ -126,6 +126,20 @@ if have_gnuplot; then
     broken no "a mistake in a script" "draw new.svg" 's/plot/plod/' figures/fig_3_1.gp
 fi
 
+# the text of labels: what is cut from a picture is never cut from its words
+label="41.76 kN,  the paper's 'a' = 0.25, 1.05"
+cat > label.svg << END
+<path d='M12.34,56.78 L1.25,2.35 '/>
+<polygon fill = 'red' points = '1.00,1.00 2.00,1.00 2.00,2.00 1.00,1.00'/>
+<polygon fill = 'red' points = '2.00,1.00 3.00,1.00 3.00,2.50 3.00,2.50 2.00,1.00'/>
+<text><tspan>$label</tspan></text>
+END
+perl "$tools/svgtidy.pl" label.svg
+expect yes "the words of a label" grep -qF ">$label<" label.svg
+expect yes "the second decimal of a line" grep -qF "'M12.3,56.7 L1.2,2.3'" label.svg
+expect yes "two polygons of one colour" grep -qF "<path fill='red' d='M1.0,1.0l1,0 0,1zM2.0,1.0l1,0 0,1.5z'/>" label.svg
+expect yes "a tidy picture" perl "$tools/svgtidy.pl" --check label.svg
+
 # the starter of an exercise
 starter() { printf '#!/bin/sh\n%s\n' "$1" > program && chmod +x program && "$tools/starter.sh" ./program; }
 expect yes "a starter that fails a check" starter 'echo "assertions: 2 | 1 passed | 1 failed"; exit 1'
