@@ -1,9 +1,9 @@
 # Every chapters/chNN_topic/exercises/exK_topic is exercise N.K, proven from both ends:
 #   exN.K/solution, exN.K/solution-heldout   the reference solution passes both test files
 #   exN.K/starter                            attempt.cpp compiles with both and fails a check of the first
-# Your own answer is checked by `make exN.K`, which runs
+# Your own answer is checked by `make exN.K` (tools/exercise.sh).  For those who collect answers the same are tests:
 #   exN.K/answer, then exN.K/answer-heldout  the held-out tests open when the first ones pass
-# These two exist only for `ctest -C answer`, so that `make test` does not depend on half an answer.
+# They exist only for `ctest -C answer`, so that `make test` does not depend on half an answer.
 # Tests that include support/problem_classes.hpp, for answers that are solvers, are linked with it.
 # A hand-out has neither solutions nor held-out tests: there only exN.K/answer is left.
 set(exercises_from ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/exercises/ex*)

@@ -1,6 +1,6 @@
 # Figure 10.3 - error of nodal pressures against the number of Gauss points.   In: fig_10_3.csv, fig_10_3_segments.csv
 # Out: fig_10_3.svg
-width = 680
+width = 640
 height = 430
 load 'style.gp'
 eval LOGLOG

@@ -1,20 +1,33 @@
-# Figure 13.1 - pressure under the footing, and the forces of the nodes against (46).
-# In: fig_13_1.csv, fig_13_1_142.csv   Out: fig_13_1.svg
-width = 900; height = 400
+# Figure 13.1 - right half of footing and soil: sketch and mesh.   In: fig_13_1.csv, fig_13_1_footing.csv   Out: fig_13_1.svg
+width = 640; height = 360
 load 'style.gp'
-set multiplot layout 1,2
-set xrange [0:1.53]
-set xlabel 'position {/:Italic x} [m]'
-set ylabel 'force over length / {/:Italic q}'
-set yrange [0:6.3]
-set key top left
-plot data.'/fig_13_1.csv' using 'x':'pressure' with points ls 1 pt 6 ps 0.5 title '9948 nodes', \
-     data.'/fig_13_1_142.csv' using 'x':'pressure' with points ls 2 ps 0.9 title '142 nodes', \
-     (x < 1.5 ? 2/(pi*sqrt(1 - (x/1.5)**2)) : NaN) with lines ls 7 title '(46)'
-set ylabel 'force against its share of (46) [%]'
-set yrange [-10:20]
-set arrow 1 from 1.2,-10 to 1.2,20 nohead ls 8
-set label 1 '0.8 {/:Italic a}' at 1.18,17 right font ',11'
-plot data.'/fig_13_1.csv' using 'x':'deviation' with linespoints ls 1 pt 6 ps 0.5 title '9948 nodes', \
-     data.'/fig_13_1_142.csv' using 'x':'deviation' with linespoints ls 2 ps 0.9 title '142 nodes'
+set termoption font 'DejaVu Sans,17'
+set size ratio -1
+unset key; unset grid; unset border; unset tics
+set bmargin at screen 0.02
+set tmargin at screen 0.98
+set yrange [-16.4:4.2]
+set multiplot
+set lmargin at screen 0.01
+set rmargin at screen 0.48
+set xrange [-1.5:15.5]
+set object 1 rectangle from 0,0 to 1.5,2 fc rgb LIGHT fs solid noborder
+set object 2 rectangle from 0,0 to 1.5,2 fs empty border lc rgb BLACK lw 1.5 dt (6,4)
+set object 3 rectangle from 0,-15 to 15,0 fs empty border lc rgb BLACK lw 1.5 dt (6,4)
+set arrow from 0,0 to 1.5,0 nohead lc rgb BLACK lw 3 dt 1
+set arrow from 0,-15 to 0,2 nohead lc rgb GREY lw 1 dt (12,3,3,3)
+do for [k=0:3] { set arrow from 0.5*k,3.6 to 0.5*k,2.1 head size 0.35,20 filled lc rgb RED lw 1.5 dt 1 }
+do for [k=1:20] { set arrow from 0.75*k,-15 to 0.75*k-0.7,-15.9 nohead lc rgb BLACK lw 1 dt (4,3) }
+do for [y in '-13 -10 -7 -4 1'] { set object circle at -0.45,y size 0.4 fs empty border lc rgb BLACK lw 1.2 dt 1 }
+set label '{/:Italic q} = 15 kPa' at 2,3 textcolor rgb RED
+set label '2' at 1.8,1
+set label '{/:Italic a} = 1.5' at 0.2,-1.1
+set label '15' at 7.5,-14 center
+set label '15' at 13.4,-7.5
+plot NaN notitle
+unset object; unset arrow; unset label
+set lmargin at screen 0.51
+set rmargin at screen 0.98
+plot data.'/fig_13_1.csv' using 'x':'y' with lines lc rgb BLACK lw 0.6 dt 1, \
+     data.'/fig_13_1_footing.csv' using 'x':'y' with lines lc rgb BLUE lw 0.8 dt 1
 unset multiplot

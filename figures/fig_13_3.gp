@@ -1,33 +1,34 @@
-# Figure 13.3 - how far the soil must reach and how thick the footing must be.
-# In: fig_13_3.csv, fig_13_3_plate.csv, fig_13_3_thickness.csv   Out: fig_13_3.svg
-width = 900; height = 400
+# Figure 13.3 - vertical stress and displacements, on bodies whose displacements are 200 times as large.
+# In: fig_13_3*.csv   Out: fig_13_3.svg
+width = 640; height = 415
 load 'style.gp'
-set multiplot layout 1,2
-set lmargin 9
-set rmargin 8
-set logscale x 2
-set xrange [2.7:44]
-set xtics (3, 5, 10, 20, 40)
-set xlabel 'width and depth of the soil / {/:Italic a}'
-set ylabel '{/:Italic p}(0) more than (46) [%]'
-set yrange [-0.5:8]
-set y2range [0:8]
-set y2tics 1
-set y2label 'settlement [mm]' offset -1,0
-set key top right
-plot data.'/fig_13_3.csv' using 'size':'pressure' with points ls 1 title 'pressure', \
-     65/x**2 with lines ls 7 title '65 (a/H)²', \
-     '' using 'size':'settlement' axes x1y2 with linespoints ls 2 title 'settlement'
-unset y2tics; unset y2label; unset logscale
-set rmargin 4
-set key bottom left
-set logscale xy
-set xrange [0.06:2.2]
-set xtics (0.1, 0.2, 0.5, 1, 2)
-set yrange [0.02:100]
-set ytics ('0.1' 0.1, '1' 1, '10' 10, '100' 100)
-set xlabel 'thickness of the footing [m]'
-set ylabel '{/:Italic p}(0) more than under a rigid footing [%]'
-plot data.'/fig_13_3_thickness.csv' using 'thickness':'pressure' with linespoints ls 1 title 'elastic body', \
-     data.'/fig_13_3_plate.csv' using 'thickness':'pressure' with points ls 7 ps 1.2 title 'plate on a half-plane'
+set termoption font 'DejaVu Sans,17'
+set size ratio -1
+unset key; unset grid; unset border; unset tics
+set xrange [0:6.85]
+set yrange [-8.1:2.1]
+set multiplot
+set bmargin at screen 0.22
+set tmargin at screen 0.99
+names = 'σ_y u_x u_y'
+units = 'kPa mm mm'
+array levels[3]  # as in drawings.hpp
+levels[1] = '-24 -18 -15 -12 -10 -8 -6 -4 -2'
+levels[2] = '-0.3 -0.2 -0.1 -0.05 -0.01 0.01 0.05 0.1'
+levels[3] = '-3 -2.5 -2 -1.5 -1 -0.5'
+do for [k=1:3] {
+  field = word('. _x _y', k)
+  if (k == 1) { field = '' }
+  n = words(levels[k])
+  set palette maxcolors n + 1
+  set cbrange [-0.5:n + 0.5]
+  set cbtics scale 0 ('' 0)
+  set for [i=(k == 2 ? 3 : 1):n:(k == 2 ? 5 : 2)] cbtics add (word(levels[k], i) i - 0.5)
+  set cblabel word(names, k).' ['.word(units, k).']' offset 0,0.5
+  set lmargin at screen 0.01 + 0.335 * (k - 1)
+  set rmargin at screen 0.32 + 0.335 * (k - 1)
+  set colorbox horizontal user origin 0.01 + 0.335 * (k - 1),0.17 size 0.30,0.03
+  plot for [part in '.csv _footing.csv'] data.'/fig_13_3'.field.part using 'x':'y':'band' with polygons fs solid noborder fc palette, \
+       for [part in '.csv _footing.csv'] data.'/fig_13_3_mesh'.part using 'x':'y' with lines lc rgb GREY lw 0.4 dt 1
+}
 unset multiplot

@@ -1,21 +1,32 @@
-# Figure 14.3 - stresses through both walls.   In: fig_14_3.csv, fig_14_3_cells.csv   Out: fig_14_3.svg
-height = 560
+# Figure 14.3 - displacements and horizontal stress on the deformed rings; gap and displacements 20 times.
+# In: fig_14_3_RING.csv before loading, fig_14_3_FIELD_RING.csv   Out: fig_14_3.svg
+width = 640; height = 610
 load 'style.gp'
-set multiplot layout 2,1
-set xrange [59.5:76.7]
-set ylabel 'hoop stress [MPa]'
-set yrange [0:1200]
-set ytics 300
-set label 1 'lining' at 64,860 center font ',11'
-set label 2 'rock' at 72,470 center font ',11'
-plot data.'/fig_14_3.csv' using 'r':'hoop' with lines ls 7 title 'closed form', \
-     data.'/fig_14_3_cells.csv' using 'r':'hoop' with points ls 1 ps 0.9 title 'cells, 120 nodes'
-unset label
-set xlabel 'radius {/:Italic r} [cm]'
-set ylabel 'radial stress [MPa]'
-set yrange [-200:0]
-set ytics 50
-unset key
-plot data.'/fig_14_3.csv' using 'r':'radial' with lines ls 7, \
-     data.'/fig_14_3_cells.csv' using 'r':'radial' with points ls 1 ps 0.9
+set size ratio -1
+unset key; unset grid; unset border; unset tics
+set xrange [-1:81]
+set yrange [-1:81]
+set style line 21 lc rgb '#a8a8a8' lw 0.6 dt 1  # before loading
+set style line 22 lc rgb '#7b7b78' lw 0.6 dt 1  # below the seams of the bands
+field(name) = data.'/fig_14_3_'.name.'.csv'
+set multiplot
+do for [k=0:3] {
+  name = word("u ux uy sxx", k + 1)
+  left = 0.5*(k % 2); top = k < 2 ? 0.93 : 0.43
+  set lmargin at screen left + 0.005; set rmargin at screen left + 0.385
+  set tmargin at screen top; set bmargin at screen top - 0.41
+  set title word("|u| u_x u_y σ_x", k + 1).(k < 3 ? ' [cm]' : ' [MPa]')
+  set palette maxcolors (k < 3 ? 10 : 13)
+  if (k == 0) { set cbrange [0.1:0.3]; set cbtics 0.1, 0.04 }
+  if (k > 0 && k < 3) { set cbrange [0:0.3]; set cbtics 0.06 }
+  if (k == 3) { set cbrange [-200:1100]; set cbtics 200 }
+  set colorbox user origin left + 0.39, top - 0.38 size 0.022, 0.35
+  low = word("0.1 0 0 -200", k + 1) + 0; step = word("0.02 0.03 0.03 100", k + 1) + 0; n = k < 3 ? 10 : 13
+  middle(band) = low + (band < 1 ? 0.5 : band > n ? n - 0.5 : band - 0.5)*step
+  plot field(name.'_lining') using 'x':'y' with lines ls 22, \
+       field(name.'_rock') using 'x':'y' with lines ls 22, \
+       field(name.'_lining') using 'x':'y':(middle(column('band'))) with polygons fs solid noborder fc palette, \
+       field(name.'_rock') using 'x':'y':(middle(column('band'))) with polygons fs solid noborder fc palette, \
+       field('lining') using 'x':'y' with lines ls 21, field('rock') using 'x':'y' with lines ls 21
+}
 unset multiplot

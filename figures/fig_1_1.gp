@@ -1,26 +1,28 @@
-# Figure 1.1 - a block on a round obstacle.   In: fig_1_1.csv, fig_1_1_obstacle.csv   Out: fig_1_1.svg
-height = 560
+# Figure 1.1 - the block, its supports and the obstacle, with the mesh of 8 x 4 cells.
+# In: fig_1_1.csv, fig_1_1_nodes.csv, fig_1_1_obstacle.csv   Out: fig_1_1.svg
+height = 470
 load 'style.gp'
-set multiplot layout 2,1
-set xrange [-20:20]
-set lmargin 11
-set rmargin 11
-set ylabel 'height [mm]'
-set yrange [-3.6:0.6]
-set ytics 1
-set key bottom center
-plot data.'/fig_1_1_obstacle.csv' using 'x':'obstacle' with filledcurves y1=-3.6 lc rgb LIGHT title 'rigid obstacle', \
-     '' using 'base_x':'base_y' with lines ls 1 title 'base of the block', \
-     '' using 'x':'obstacle' with lines ls 7 lw 1 notitle
-set xlabel 'position {/:Italic x} [mm]'
-set ylabel 'contact pressure [N/mm²]'
-set y2label 'gap [mm]'
-set yrange [0:1.2]
-set y2range [0:3]
-set ytics nomirror 0.2
-set y2tics 0.5
-set border 11 back ls 100
-set key top center
-plot data.'/fig_1_1.csv' using 'x':'pressure' with lines ls 1 title 'pressure', \
-     '' using 'x':'gap' axes x1y2 with lines ls 2 title 'gap'
-unset multiplot
+unset grid
+unset border
+unset tics
+unset key
+set lmargin 1
+set rmargin 1
+set bmargin 0.5
+set tmargin 0.5
+set xrange [-31:31]
+set yrange [-12.5:32]
+set size ratio -1
+set object 1 rectangle from -20,20 to 20,22 fillstyle pattern 4 border lc rgb BLACK fillcolor rgb BLACK
+do for [i=0:2] { set arrow 1+i from -14+14*i,26.5 to -14+14*i,22.3 size screen 0.018,20 filled lc rgb RED lw 2.5 }
+set label 1 '1 mm' at 2,24.6 left font ',17' textcolor rgb BLACK front
+set arrow 5 from -20,29 to 20,29 heads size screen 0.015,20 lc rgb BLACK front
+set label 2 '40 mm' at 0,30.8 center font ',17' textcolor rgb BLACK front
+set arrow 6 from 23,0 to 23,20 heads size screen 0.015,20 lc rgb BLACK front
+set label 3 '20 mm' at 24,10 left font ',17' textcolor rgb BLACK front
+set label 4 'rigid, radius 60 mm' at 0,-9 center font ',17' textcolor rgb BLACK front
+set label 5 'glued' at -21,21 right font ',17' textcolor rgb BLACK front
+plot data.'/fig_1_1_obstacle.csv' using 'x':'y' with filledcurves y1=-12.5 lc rgb LIGHT, \
+     '' using 'x':'y' with lines ls 7, \
+     data.'/fig_1_1.csv' using 'x':'y' with lines ls 1 lw 1.4, \
+     data.'/fig_1_1_nodes.csv' using 'x':'y' with points pt 7 ps 1.1 lc rgb BLUE

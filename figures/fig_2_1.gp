@@ -1,20 +1,21 @@
-# Figure 2.1 - s over the triangle of weights.   In: fig_2_1.csv, fig_2_1_path.csv, fig_2_1_best.csv   Out: fig_2_1.svg
-height = 560
+# Figure 2.1 - s over the triangle of weights, and its top.
+# In: fig_2_1.csv, fig_2_1_path.csv, fig_2_1_best.csv, fig_2_1_top.csv   Out: fig_2_1.svg
+height = 960
 load 'style.gp'
 unset grid
 unset border
 unset tics
 set lmargin 2
 set rmargin 2
-set xrange [-0.12:1.12]
-set yrange [-0.1:1.0]
-set size ratio -1
 set contour base
-set cntrparam levels discrete 0.5,1,2,3,4,5,6,6.5,7
 set cntrparam points 5
 unset surface
+set cntrparam levels discrete 0.5,1,2,3,4,5,6,7
 set table $lines
 splot data.'/fig_2_1.csv' using 'x':'y':'s' with lines
+set cntrparam levels discrete 6.6,6.8,7,7.05,7.08
+set table $near
+splot data.'/fig_2_1_top.csv' using 'x':'y':'s' with lines
 unset contour
 set surface
 set table $path
@@ -23,13 +24,31 @@ set table $best
 plot data.'/fig_2_1_best.csv' using 'x':'y' with table
 unset table
 set datafile separator whitespace
-set label 1 '1: left' at -0.01,-0.05 center
-set label 2 '2: middle' at 1.0,-0.05 center
-set label 3 '3: right' at 0.5,0.91 center
+set multiplot
+set size ratio -1 1,0.58
+set origin 0,0.42
+set xrange [-0.12:1.12]
+set yrange [-0.1:1.0]
+set label 1 '1: left' at -0.01,-0.05 center font ',15'
+set label 2 '2: middle' at 1.0,-0.05 center font ',15'
+set label 3 '3: right' at 0.5,0.91 center font ',15'
 set object 1 polygon from 0,0 to 1,0 to 0.5,0.8660254 to 0,0 fillstyle empty border lc rgb BLACK lw 1.5
-set key at graph 1,0.97
+set object 2 rectangle from 0.66,0.13 to 0.84,0.26 fillstyle empty border lc rgb BLACK lw 1 dt 1
+set key at graph 1,0.99 font ',14'
 plot $lines using 1:2 with lines ls 8 dt 1 title 'lines of equal  {/:Italic s}', \
-     $lines using 1:2:(sprintf('%g',$3)) every 1000::12 with labels font ',10' textcolor rgb BLACK notitle, \
-     $path using 1:2 with linespoints ls 2 title 'line search, 20 steps', \
-     $path using 1:2 every ::0::0 with points pt 6 ps 1.4 lw 2 lc rgb BLACK title 'start: each a third', \
-     $best using 1:2 with points pt 3 ps 1.6 lw 2 lc rgb BLUE title 'forces over their sum'
+     $lines using 1:2:(sprintf('%g',$3)) every 1000::12 with labels font ',13' textcolor rgb BLACK notitle, \
+     $path using 1:2 with linespoints ls 2 title 'line search', \
+     $path using 1:2 every ::0::0 with points pt 6 ps 1.6 lw 2 lc rgb BLACK title 'start: each a third', \
+     $best using 1:2 with points pt 3 ps 1.8 lw 2 lc rgb BLUE title 'forces over their sum'
+unset label
+unset object
+set size ratio -1 1,0.42
+set origin 0,0
+set xrange [0.66:0.84]
+set yrange [0.13:0.26]
+set border 15 back ls 100
+plot $near using 1:2 with lines ls 8 dt 1 notitle, \
+     $near using 1:2:(sprintf('%g',$3)) every 1000::50 with labels font ',14' textcolor rgb BLACK notitle, \
+     $path using 1:2 with linespoints ls 2 ps 1 notitle, \
+     $best using 1:2 with points pt 3 ps 2.2 lw 2 lc rgb BLUE notitle
+unset multiplot

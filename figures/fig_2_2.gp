@@ -1,8 +1,13 @@
-# Figure 2.2 - s between two vertices, printed and repaired.   In: fig_2_2.csv   Out: fig_2_2.svg
+# Figure 2.2 - s between an open and an overlapping pair: what the constraint eta >= 0 shuts out.
+# In: fig_2_2.csv   Out: fig_2_2.svg
 load 'style.gp'
 set xlabel 'weight of the overlapping pair'
-set ylabel '{/:Italic s}'
+set ylabel '{/:Italic s}' offset 1,0 font ',16'
 set xrange [0:1]
 set yrange [0:2.2]
-plot data.'/fig_2_2.csv' using 'weight':'printed' with lines ls 2 title '(23) and (24) as printed', \
-     '' using 'weight':'repaired' with lines ls 1 title 'with the positive part'
+set key font ',15'
+set arrow 1 from 2./3,0 to 2./3,1.2 nohead ls 8
+set label 1 'η < 0: shut out' at 0.65,1.1 right font ',15'
+set label 2 'η ≥ 0' at 0.69,1.1 left font ',15'
+plot data.'/fig_2_2.csv' using 'weight':'without_constraint' with lines ls 2 title 'without the constraint', \
+     '' using 'weight':'positive_part' with lines ls 1 lw 3 title 'with the positive part'

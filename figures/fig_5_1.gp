@@ -10,7 +10,7 @@ set yrange [1e-17:1e1]
 set ytics 1e-16, 1e2
 set key top left
 set grid noxtics
-set label 1 'rounding of a double' at 11.5, 7e-17 right textcolor rgb BLACK
+set label 1 'rounding of a double' at 11.5, 3.5e-17 right font ',14' textcolor rgb BLACK
 file = data.'/fig_5_1.csv'
 plot 2.2e-16 with lines ls 8 notitle, \
      file using 'place':'paper':xtic(sprintf("%d\n%d", column('n'), column('m'))) with linespoints ls 7 title 'paper: |f_P/f_L − 1| as printed', \

@@ -1,6 +1,6 @@
 # Figure 8.2 - Coulomb's law with cohesion as two sliders in a row.   In: fig_8_2.csv   Out: fig_8_2.svg
-width = 780
-height = 370
+width = 640
+height = 330
 load 'style.gp'
 B = 0.7   # c + mu f_n of the program's pair: 0.2 + 0.5 * 1
 set border 0
@@ -36,10 +36,10 @@ $plus << EOD
 EOD
 plot $plus using 1:2 with lines ls 2 dt 1 lw 3
 set title 'both in a row: (19)'
-set label 1 'slip  {/:Italic u}⁺ −  {/:Italic u}⁻'
-set label 3 '{/:Italic B}  =  {/:Italic c}  +  {/:Italic μf_n}' at 0.06,B left
+set label 1 'slip {/:Italic u}⁺ − {/:Italic u}⁻'
+set label 3 '{/:Italic B} = {/:Italic c} + {/:Italic μf_n}' at 0.06,B left
 set label 4 '−{/:Italic B}' at -0.06,-B right textcolor rgb BLACK
-set label 5 'elastic body' at -0.42,1.13 right textcolor rgb BLACK font ',11'
+set label 5 'elastic body' at -1.15,1.13 left textcolor rgb BLACK
 $law << EOD
 -1.05,0.7
 0,0.7

@@ -21,8 +21,8 @@ set label 3 '3, on the source' at 3.15,1.42 textcolor rgb BLACK
 set label 4 "3′" at 2.4,1.4 textcolor rgb BLACK
 set label 5 'target' at 1.1,1.35 textcolor rgb BLACK
 set label 6 'force on 3' at 4.18,2.25 textcolor rgb BLACK
-set label 7 '{/:Italic N}_1  × reaction' at 3.15,-0.5 right textcolor rgb BLACK
-set label 8 '{/:Italic N}_2  × reaction' at -0.14,3.12 right textcolor rgb BLACK
+set label 7 '{/:Italic N}_1 × reaction' at 3.15,-0.5 right textcolor rgb BLACK
+set label 8 '{/:Italic N}_2 × reaction' at -0.14,3.12 right textcolor rgb BLACK
 set label 9 'reaction at 3′' at 1.25,0.22 textcolor rgb BLACK
 set label 10 '{/:Italic g}_0' at 2.9,1.17 textcolor rgb BLACK
 set arrow 11 from 1.0,2.25 to 1.36,2.73 lw 1.5 lc rgb BLACK size screen 0.012,20

@@ -1,21 +1,23 @@
 # Figure 9.2 - uniform pressure through node-to-segment contact.   In: fig_9_2.csv   Out: fig_9_2.svg
-width = 780
-height = 400
+width = 640
+height = 360
 load 'style.gp'
 file = data.'/fig_9_2.csv'
 set xrange [0:2]
 set xlabel 'along the interface'
 set yrange [-0.1:2.6]
 set ytics 0.5
-set lmargin 6
+set lmargin 8
+set ylabel 'pressure over load' offset 1,0
 set rmargin 2
 set multiplot layout 1,2
 set key top left
-set title 'pressure of the source, over the load'
+set title 'nodes of the source'
 plot 1 with lines ls 7 title 'exact', \
      file using 'x':'p' every :::0::0 with linespoints ls 1 title '8 edges over 11', \
      file using 'x':'p' every :::2::2 with linespoints ls 2 title '7 edges over 15'
-set title 'what reaches the target, over the load'
+unset ylabel
+set title 'nodes of the target'
 plot 1 with lines ls 7 notitle, \
      file using 'x':'p' every :::1::1 with linespoints ls 1 notitle, \
      file using 'x':'p' every :::3::3 with linespoints ls 2 notitle

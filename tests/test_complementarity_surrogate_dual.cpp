@@ -48,7 +48,7 @@ TEST_CASE("the total force of one pair is the contact force",
   }
 }
 
-// Erratum: without the positive part the first vertex has s = 2 and beats the second with s = 1/2.
+// If eta could be negative, the first vertex would have s = 2 and beat the second with s = 1/2.
 TEST_CASE("an open weighted gap bears no force",
           "[surrogate_dual][closed-form][XuanLi2002-17][XuanLi2002-18]") {
   const ContactProblem problem = two_pairs(0, {-2, 1});

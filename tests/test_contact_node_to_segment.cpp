@@ -173,3 +173,24 @@ TEST_CASE("columns for too few nodes and a thickness that is none are a caller's
   CHECK_THAT(argument_message([&] { static_cast<void>(pairs_of(member(), bodies, options)); }),
              ContainsSubstring("thickness"));
 }
+
+// d = (u' - u) sin(theta) - (v' - v) cos(theta), with theta = 0.7 and u, v of the place that faces i'.
+TEST_CASE("between two bodies a row of A is (sin, -cos) at i' and the opposite at the place of i",
+          "[gap_operators][closed-form][XuanLi2002-13]") {
+  const TwoBodies bodies =
+      two_blocks({0.3, 3.6, 3}, {0, 4, 2}, 0.25, Form::Inclined, MeshOrder::Linear);
+  const Pairs pairs = pairs_of(member(), bodies);
+  const NodalRows A = -pairs.opening;
+  const RowVector2d closing(std::sin(0.7), -std::cos(0.7));
+  const Index first = bodies.source.n_nodes();
+  const Index middle = first + node_at(bodies.target, turned({2, 0}, 0.7));
+  REQUIRE(A.rows() == 4);
+  for (Index pair = 0; pair < 4; ++pair) {
+    CHECK((entry(A, pair, pairs.node[static_cast<std::size_t>(pair)]) - closing).norm() < 1e-15);
+    RowVector2d target = RowVector2d::Zero();
+    for (Index k = first; k < first + bodies.target.n_nodes(); ++k) target += entry(A, pair, k);
+    CHECK((target + closing).norm() < 1e-15);
+    const double share = 1 - std::abs(0.3 + 1.1 * static_cast<double>(pair) - 2) / 2;
+    CHECK((entry(A, pair, middle) + share * closing).norm() < 1e-14);
+  }
+}

@@ -1,8 +1,37 @@
+#include <map>
+#include <sstream>
+
 #include "catch_compat.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/report/field_csv.hpp"
 
 using namespace signorini;
+
+namespace {
+
+// Area of each band, by the shoelace formula over the closed polygons.
+std::map<int, double> areas(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::map<int, double> sums;
+  std::string line;
+  std::getline(lines, line);
+  std::getline(lines, line);
+  CHECK(line == "x,y,band");
+  bool first = true;
+  double x_before = 0, y_before = 0;
+  while (std::getline(lines, line)) {
+    double x = 0, y = 0;
+    int band = 0;
+    const bool blank = std::sscanf(line.c_str(), "%lf,%lf,%d", &x, &y, &band) != 3;
+    if (!blank && !first) sums[band] += (x_before * y - x * y_before) / 2;
+    first = blank;
+    x_before = x;
+    y_before = y;
+  }
+  return sums;
+}
+
+}  // namespace
 
 TEST_CASE("a field is a closed polygon per cell where the body has moved to", "[field_csv]") {
   BlockSpec spec;
@@ -31,5 +60,41 @@ TEST_CASE("a field of the wrong size is refused", "[field_csv]") {
   CHECK_THROWS_AS(deformed_cells_csv(mesh, NodeArray::Zero(3, 2), Eigen::VectorXd::Zero(1)),
                   std::invalid_argument);
   CHECK_THROWS_AS(deformed_cells_csv(mesh, NodeArray::Zero(4, 2), Eigen::VectorXd::Zero(2)),
+                  std::invalid_argument);
+}
+
+// x + 2 y on [0, 2] x [0, 1] is below 1 on a triangle of area 1/4 and above 2.5 on another of 9/16.
+TEST_CASE("bands of a linear field have its areas, on any mesh and where the body has moved to",
+          "[field_csv]") {
+  BlockSpec spec;
+  spec.size = {2, 1};
+  spec.cells_x = GENERATE(1, 3, 8);
+  spec.cells_y = GENERATE(1, 2, 5);
+  const Mesh mesh = make_block(spec);
+  const Eigen::VectorXd value = mesh.nodes.col(0) + 2 * mesh.nodes.col(1);
+  const NodeArray stretched = mesh.nodes;
+  const auto area = areas(deformed_bands_csv(mesh, stretched, value, {1, 2.5}, 1));
+  CAPTURE(spec.cells_x, spec.cells_y);
+  REQUIRE(area.size() == 3);  // four times as large, printed with 5 digits
+  CHECK(area.at(0) == Approx(4 * 0.25).epsilon(1e-4));
+  CHECK(area.at(2) == Approx(4 * 0.5625).epsilon(1e-4));
+  CHECK(area.at(1) == Approx(4 * (2 - 0.25 - 0.5625)).epsilon(1e-4));
+}
+
+TEST_CASE("a cell between two levels stays whole, and rounding at a level cuts nothing",
+          "[field_csv]") {
+  const Mesh mesh = make_block({});
+  const Eigen::Vector4d value(1, 1 - 1e-15, 2, 2);
+  const std::string whole = "# tolerance rel 1e-4 abs 2e-05\nx,y,band\n0,0,1\n1,0,1\n1,1,1\n";
+  CHECK(deformed_bands_csv(mesh, NodeArray::Zero(4, 2), value, {1, 2}) ==
+        whole + "0,1,1\n0,0,1\n\n");
+}
+
+TEST_CASE("bands of wrong sizes or levels are refused", "[field_csv]") {
+  const Mesh mesh = make_block({});
+  const NodeArray u = NodeArray::Zero(4, 2);
+  CHECK_THROWS_AS(deformed_bands_csv(mesh, u, Eigen::VectorXd::Zero(1), {0}),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(deformed_bands_csv(mesh, u, Eigen::VectorXd::Zero(4), {1, 1}),
                   std::invalid_argument);
 }

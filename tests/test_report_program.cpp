@@ -2,6 +2,7 @@
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <streambuf>
 #include <vector>
 
 #include "catch_compat.hpp"
@@ -171,4 +172,66 @@ TEST_CASE("help is no error and makes no folder", "[program]") {
   CHECK(help.code == 0);
   CHECK_THAT(help.output, ContainsSubstring("A title") && ContainsSubstring("--full"));
   CHECK(folder.entries() == 0);
+}
+
+namespace {
+
+/// A terminal that takes `room` characters, and says so only when the rest is sent on.
+class Full : public std::streambuf {
+ public:
+  explicit Full(int room) : room_(room) {}
+
+ protected:
+  int_type overflow(int_type c) override {
+    --room_;
+    return traits_type::not_eof(c);
+  }
+  int sync() override { return room_ < 0 ? -1 : 0; }
+
+ private:
+  int room_;
+};
+
+/// How a program ends that prints 10 characters where there is room for `room`.
+Run run_printing(const std::filesystem::path& folder, int room,
+                 const std::vector<const char*>& arguments, Status status) {
+  Full full(room);
+  std::streambuf* const before = std::cout.rdbuf(&full);
+  const Caught errors(std::cerr);
+  std::vector<const char*> all = {"ch00"};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const int code = run_program("ch00", "A title", folder, static_cast<int>(all.size()), all.data(),
+                               [&](const ProgramOptions& options) {
+                                 std::ofstream(options.out / "data.csv") << "x\n";
+                                 std::cout << "0123456789";
+                                 return status;
+                               });
+  std::cout.clear();
+  std::cout.rdbuf(before);
+  return {code, "", errors.text()};
+}
+
+}  // namespace
+
+TEST_CASE("a program whose output is lost ends with 2, says so and publishes no file",
+          "[program]") {
+  const Folder folder;
+  const Run lost = run_printing(folder.path(), 9, {}, Status::Solved);
+  CHECK(lost.code == 2);
+  CHECK_THAT(lost.errors, ContainsSubstring("ch00: cannot write all that is to be printed"));
+  CHECK(folder.entries() == 0);
+  CHECK(run_printing(folder.path(), 9, {}, Status::Ray).code == 2);
+  CHECK(run_printing(folder.path(), 9, {"--help"}, Status::Solved).code == 2);
+  CHECK(folder.entries() == 0);
+  CHECK(run_printing(folder.path(), 10, {}, Status::Solved).code == 0);
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a file that cannot be put in its place ends with 2 and is named", "[program]") {
+  const Folder folder;
+  std::filesystem::create_directories(folder.path() / "data.csv" / "below");
+  const Run blocked = run_printing(folder.path(), 10, {}, Status::Solved);
+  CHECK(blocked.code == 2);
+  CHECK_THAT(blocked.errors, ContainsSubstring("ch00: cannot write") &&
+                                 ContainsSubstring("data.csv") && ContainsSubstring("--out"));
 }

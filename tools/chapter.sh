@@ -2,7 +2,6 @@
 # chapter.sh run PROGRAM OUT      runs a chapter's program into the emptied folder OUT, notes its seconds
 # chapter.sh figures CHAPTER OUT  draws the chapter's figures from the curves in OUT into OUT, and checks
 #                                 that the committed pictures were drawn from the committed curves
-# chapter.sh exercise ex6.1       says which file answers the exercise, or which exercises there are
 # PROGRAM is build/bin/chNN, CHAPTER is chapters/chNN_topic.  Exit status: that of the program, or 1.
 set -eu
 tools=$(cd "$(dirname "$0")" && pwd)
@@ -16,18 +15,6 @@ run)
     end=$(date +%s%N)
     echo "$((end - start))" > "$3/nanoseconds"
     ;;
-exercise)
-    cd "$tools/.."
-    known=""
-    for folder in chapters/ch*/exercises/ex*; do
-        chapter=$(basename "$(dirname "$(dirname "$folder")")" | sed 's/^ch0*\([0-9]*\)_.*/\1/')
-        name=ex$chapter.$(basename "$folder" | sed 's/^ex\([0-9]*\)_.*/\1/')
-        [ "$name" != "$2" ] || { echo "your answer: $folder/attempt.cpp, the task: $folder/README.md"; exit 0; }
-        known="$known $name"
-    done
-    echo "no exercise $2; there are:$known" >&2
-    exit 2
-    ;;
 figures)
     number=$(basename "$2" | sed 's/^ch0*\([0-9]*\)_.*/\1/')
     bad=0
@@ -39,7 +26,7 @@ figures)
     exit $bad
     ;;
 *)
-    sed -n '2,6s/^# *//p' "$0" >&2
+    sed -n '2,5s/^# *//p' "$0" >&2
     exit 2
     ;;
 esac

@@ -12,6 +12,7 @@
 #   [text](exercises/...)         ->  \subpage, so that the sidebar shows the exercise below its chapter
 #   [text](any other file)        ->  a link to a copy of it, files/PATH.txt
 #   ![caption](figure.svg)        ->  a figure with its caption; class "field" if its script uses a palette
+#   <details>, </details>         ->  the same as raw HTML: Doxygen closes its own at the end of a paragraph
 #   <!-- code file#name --> ...   ->  a line that links to the file, and the code
 #   \PaperEq{XuanLi2002, 23}      ->  an alias that links to the reference, and if a chapter explains this
 #                                     equation, to the equation
@@ -193,6 +194,7 @@ sub filter_text {
             my $field = (slurp("$root/" . ($path =~ s/\.svg$/.gp/r)) // '') =~ /^[^#]*\bpalette\b/m ? ' field' : '';
             print qq{<div class="image$field"><img src="$path" alt="$alt"/><div class="caption">} . prose($words, $n) . "</div></div>\n";
         }
+        elsif ($text =~ m{^(<details><summary>.*?</summary>|</details>)\s*$}) { print "\\htmlonly[block]$1\\endhtmlonly\n" }
         elsif ($text =~ /^<!-- (\/?)nav -->/) { $nav = !$1; print "\n" }
         elsif ($nav && $text =~ /\S/) { print '<div class="chapter-nav">' . (prose($text, $n) =~ s/\s+$//r) . "</div>\n" }
         else { print prose($text, $n) }

@@ -4,7 +4,7 @@
 #   chapter    <a id="eq-23"></a> in chapters/chNN_*/README.md
 #   functions  \PaperEq{XuanLi2002, 23} in a comment of src/ or of a chapter's code: what is declared below it
 #   tests      [XuanLi2002-23] among the tags of a TEST_CASE
-#   errata     rows of chapters/notation.md that begin with | [(23)](
+#   kinds      rows of chapters/notation.md that begin with | [(23)](...) | Left open |
 # --check writes nothing: it fails if the file is not what would be written.  Both fail if an equation leads nowhere.
 use strict;
 use warnings;
@@ -34,7 +34,7 @@ sub declared {    # the name that a line of C++ declares, or nothing
     return;
 }
 
-my (%function, %test, %chapter, %erratum);
+my (%function, %test, %chapter, %kind);
 my @complaints;
 
 for my $file (sort(glob('src/signorini/*/*.hpp'), glob('src/signorini/*/*.cpp'), glob('chapters/ch*/*.hpp'), glob('chapters/ch*/*.cpp'))) {
@@ -92,17 +92,17 @@ for my $paper (@papers) {
     }
 }
 for my $row (split /\n/, slurp('chapters/notation.md')) {
-    my ($equations, $number) = $row =~ /^\| (\[.*?\]\(ch(\d\d)_.*?\)[^|]*)\|/ or next;
+    my ($equations, $number, $kind) = $row =~ /^\| (\[.*?\]\(ch(\d\d)_.*?\)[^|]*)\| (Misprint|Left open|Our verdict) \|/ or next;
     my ($paper) = grep { $number >= $_->[3] && $number <= $_->[4] } @papers;
-    $erratum{"$paper->[0]-$_"} = 1 for $equations =~ /\((\d+)\)/g;
+    $kind{"$paper->[0]-$_"}{$kind} = 1 for $equations =~ /\((\d+)\)/g;
 }
 
 my $out = <<'END';
 # Equations
 
 Where every numbered equation of the papers is explained, evaluated and tested. Chapters link to the equation, functions to the
-file that documents them, tests to the claim they check. An erratum means that the equation is not used as printed: see
-[the list](notation.md#errata).
+file that documents them, tests to the claim they check. The last column links to
+[where we differ from the papers](notation.md#where-we-differ-from-the-papers).
 
 <!-- written by tools/equations.pl from the tags in chapters, code and tests -->
 END
@@ -115,7 +115,8 @@ for my $paper (@papers) {
         push @complaints, "equation ($n) of $key has no function: \\PaperEq{$key, $n}" unless $function{$id};
         push @complaints, "equation ($n) of $key has no test: [$id]" unless $test{$id};
         $out .= sprintf "| (%d) | %s | %s | %s | %s |\n", $n, $chapter{$id} // '', join(', ', @{$function{$id} // []}),
-            join('; ', @{$test{$id} // []}), $erratum{$id} ? '[erratum](notation.md#errata)' : '';
+            join('; ', @{$test{$id} // []}),
+            join(', ', map { "[\l$_](notation.md#where-we-differ-from-the-papers)" } sort keys %{$kind{$id} // {}});
     }
 }
 

@@ -1,6 +1,7 @@
 #!/bin/sh
 # figure.sh FIGURE.gp OUT.svg [DATA]  draws one figure from the csv files in DATA (default: beside FIGURE.gp)
 # figure.sh --check FIGURE.gp         fails unless FIGURE.svg was drawn by this script from the csv beside it
+#                                     and is as svgtidy.pl leaves it
 #
 # gnuplot ends with status 0 even if a file or a column is missing, so anything it says is an error.  The
 # picture carries a checksum of script, style and data; a picture is never compared with another picture.
@@ -17,8 +18,12 @@ stamp() { # script, folder of its data: fig_6_1.gp goes with fig_6_1.csv and fig
 if [ "$1" = --check ]; then
     picture=${2%.gp}.svg
     [ -f "$picture" ] || { echo "$picture: not drawn yet, run 'make figures'" >&2; exit 1; }
-    grep -q "<!-- drawn from $(stamp "$2" "$(dirname "$2")") -->" "$picture" && exit 0
-    echo "$picture: older than its script or its data, run 'make figures' and look at it" >&2
+    grep -q "<!-- drawn from $(stamp "$2" "$(dirname "$2")") -->" "$picture" || {
+        echo "$picture: older than its script or its data, run 'make figures' and look at it" >&2
+        exit 1
+    }
+    perl "$tools/svgtidy.pl" --check "$picture" && exit 0
+    echo "$picture: not tidied by this tools/svgtidy.pl, its labels may lose their blanks; run 'make figures'" >&2
     exit 1
 fi
 

@@ -3,6 +3,7 @@
 #  * formulas in $...$ that Markdown may damage: write $`...`$ instead
 #  * macros that browsers of repositories refuse, formulas in links and titles, dollar signs without partner
 #  * links and images that lead nowhere, or to what a hand-out does not have; exercises nobody links to
+#  * hints of exercises that are not folded, and folded text that is shown as it is typed
 #  * anchors that exist twice, equation numbers that do not fit their anchor: <a id="eq-23"></a> and \tag{23}
 use strict;
 use warnings;
@@ -69,6 +70,23 @@ sub check_links {
     }
 }
 
+sub check_folding {    # <details><summary>Title</summary>, blank, text, blank, </details>; hints only so
+    my ($file, @line) = @_;
+    my $open = 0;
+    for my $i (0 .. $#line) {
+        my ($text, $n) = ($line[$i], $i + 1);
+        complain($file, $n, 'fold the hint: <details><summary>Hint 1</summary>') if $file =~ m{/exercises/} && $text =~ /^\W*Hint\b/;
+        next if $text !~ m{^\s*</?(?:details|summary)\b};
+        my $begins = $text =~ m{^<details><summary>[^<]+</summary>$};
+        my $ends   = $text =~ m{^</details>$};
+        complain($file, $n, 'write <details><summary>Title</summary> or </details>, alone on the line') if !$begins && !$ends;
+        complain($file, $n, 'folded text begins and ends with an empty line') if ($line[$begins ? $i + 1 : $i - 1] // '') =~ /\S/;
+        complain($file, $n, $begins ? 'folded text inside folded text' : '</details> without <details>') if $open != ($ends ? 1 : 0);
+        $open = $begins ? 1 : 0;
+    }
+    complain($file, scalar @line, '</details> is missing') if $open;
+}
+
 sub check_file {
     my ($file) = @_;
     my @line = lines_of($file);
@@ -76,6 +94,7 @@ sub check_file {
     my $own = anchors_of($file);
     complain($file, 1, "the anchor '$_' exists $own->{$_} times") for grep { $own->{$_} > 1 } sort keys %$own;
     complain($file, 1, 'the first line must be the title, "# Title"') if ($line[0] // '') !~ /^# \S/;
+    check_folding($file, @line);
     for my $i (0 .. $#line) {
         my ($text, $n) = ($line[$i], $i + 1);
         if ($fence) {

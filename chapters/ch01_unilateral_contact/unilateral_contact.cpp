@@ -1,6 +1,7 @@
 // Chapter 1 - The unilateral contact problem (Xuan & Li 2002, sec. 1, eqs. 1-13).
 // Run:  make ch01     Reads: nothing     Writes: ch01.results, candidates.md, fig_1_1.csv,
-//                                                fig_1_1_obstacle.csv, fig_1_2.csv, ch01.vtu
+//      fig_1_1_obstacle.csv, fig_1_1_nodes.csv, fig_1_2.csv, fig_1_3.csv, fig_1_3_nodes.csv,
+//      fig_1_3_arrows.csv, fig_1_4.csv, fig_1_4_obstacle.csv, ch01.vtu
 #include <cmath>
 #include <limits>
 #include <random>
@@ -14,6 +15,7 @@
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/solved.hpp"
+#include "two_bodies.hpp"
 
 namespace {
 
@@ -43,6 +45,26 @@ Scene block_on_obstacle(Index cells_x) {
 
 // 2. From the scene to the quadratic programme (11)-(12), and to its solution.
 SolvedScene solve_block(Index cells_x) { return solved(block_on_obstacle(cells_x), "the block"); }
+
+// The sketch of figure 1.1: the mesh of the table, its candidates, and the obstacle.
+void sketch(const ProgramOptions& run) {
+  const Mesh mesh = block_on_obstacle(8).bodies[0].mesh;
+  Table cells({"x", "y"});
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    for (const Index corner : {0, 1, 2, 3, 0}) {
+      const Index node = mesh.cells(cell, corner);
+      cells.row({mesh.nodes(node, 0), mesh.nodes(node, 1)});
+    }
+    cells.blank_line();
+  }
+  write_file(run.out / "fig_1_1.csv", cells.csv());
+  const NodeArray base = mesh.nodes(boundary_nodes(mesh, "bottom"), Eigen::all);
+  write_file(run.out / "fig_1_1_nodes.csv",
+             table_of({{"x", base.col(0)}, {"y", base.col(1)}}).csv());
+  const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(57, -28, 28);
+  const Eigen::ArrayXd y = (radius * radius - x.square()).sqrt() - radius;
+  write_file(run.out / "fig_1_1_obstacle.csv", table_of({{"x", x}, {"y", y}}).csv());
+}
 
 // 3. Nine candidates: all 2^9 sets of closed pairs are tried, and one fits.
 void try_all_sets(const ProgramOptions& run, Results& results) {
@@ -99,10 +121,10 @@ double half_width(const SolvedScene& block) {
   return x1 + p1 / (p2 - p1) * (x1 - block.model.pairs.position(last - 1, 0));
 }
 
-// 5. Gap and pressure along the base, for figure 1.1.
+// 5. Gap and pressure along the base, for figure 1.4.
 void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Results& results) {
   const Pairs& pairs = block.model.pairs;
-  write_file(run.out / "fig_1_1.csv", pressure_csv(pairs, block.solution, "rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_1_4.csv", pressure_csv(pairs, block.solution, "rel 1e-6 abs 1e-8"));
   const Eigen::VectorXd x = pairs.position.col(0);
   const NodeArray moved = pairs.position + block.solution.displacements[0](pairs.node, Eigen::all);
   const Table outline =
@@ -110,7 +132,7 @@ void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Resul
                 {"obstacle", (radius * radius - x.array().square()).sqrt() - radius},
                 {"base_x", moved.col(0)},
                 {"base_y", moved.col(1)}});
-  write_file(run.out / "fig_1_1_obstacle.csv", outline.csv("rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_1_4_obstacle.csv", outline.csv("rel 1e-6 abs 1e-8"));
   write_vtu(run.out / "ch01.vtu", block.model, block.solution);
   const Resultants sum = resultants(pairs, block.solution);
   results.add("candidates", static_cast<double>(block.model.programme.A.rows()), "-");
@@ -121,8 +143,8 @@ void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Resul
   results.add("certificate", block.solution.certificate.worst(), "-", Repeats::No);
 }
 
-// 6. Erratum: the gap (2), printed with one division too many, of points 1 mm off the obstacle.
-// [erratum]
+// 6. The gap (2), printed with one division too many, of points 1 mm off the obstacle.
+// [gap]
 void gap_formulas(const ProgramOptions& run, Results& results) {
   const Obstacle curve =
       profile([](double x) { return std::sqrt(radius * radius - x * x) - radius; },
@@ -135,22 +157,26 @@ void gap_formulas(const ProgramOptions& run, Results& results) {
     const ObstacleContact seen = curve.look(point);
     const double printed = seen.gap * seen.normal.y();  // the root once more in the denominator
     table.row({static_cast<double>(degrees), seen.gap, printed});
+    // [gap]
     if (degrees == 45) {
       results.add("repaired_gap_45", seen.gap, "mm");
       results.add("printed_gap_45", printed, "mm");
     }
   }
-  // [erratum]
   write_file(run.out / "fig_1_2.csv", table.csv());
 }
 
 Status chapter(const ProgramOptions& run) {
   Results results("ch01");
+  sketch(run);
   try_all_sets(run, results);
   const SolvedScene block = solve_block(160);
   check_inequality(block, results);
   gap_and_pressure(run, block, results);
   gap_formulas(run, results);
+  const ch01::TwoBodies bodies;  // 7. The relative displacements of two bodies.
+  ch01::check_kinematics(bodies, results);
+  ch01::draw_two_bodies(run.out, bodies);
   if (run.full) {  // the mesh that the headline is compared with
     const SolvedScene fine = solve_block(640);
     results.add("fine_force", resultants(fine.model.pairs, fine.solution).force.y(), "N",

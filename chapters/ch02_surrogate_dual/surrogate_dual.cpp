@@ -1,9 +1,11 @@
 // Chapter 2 - The surrogate dual (Xuan & Li 2002, sec. 2.1, eqs. 14-24).
 // Run:  make ch02     Reads: nothing     Writes: ch02.results, vertices.md, fig_2_1.csv,
-//                                                fig_2_1_path.csv, fig_2_1_best.csv, fig_2_2.csv
+//                                                fig_2_1_path.csv, fig_2_1_best.csv,
+//                                                fig_2_1_top.csv, fig_2_2.csv
 #include <algorithm>
 #include <cmath>
 
+#include "constraint.hpp"
 #include "signorini/complementarity/weight_iteration.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/random.hpp"
@@ -186,27 +188,25 @@ void landscape(const ProgramOptions& run, const Block& block, Results& results) 
   write_file(run.out / "vertices.md", vertices.markdown());
 }
 
-// 6. Errata: two pairs that do not feel each other, the first open by 2, the second overlapping by 1.
-// [errata]
-void errata(const ProgramOptions& run, const Block& block, Results& results) {
-  const ContactProblem pairs{Eigen::Matrix2d::Identity(), Vector2d(2, -1)};
-  Table table({"weight", "repaired", "printed"});
-  for (int step = 0; step <= 100; ++step) {
-    const Vector2d xi(1 - step / 100.0, step / 100.0);
-    const double eta = -pairs.free_gap.dot(xi) / xi.squaredNorm();  // (23) as printed
-    table.row({xi(1), surrogate_dual_value(pairs, xi), 0.5 * eta * eta * xi.squaredNorm()});
+// The part of figure 2.1 around the maximum, on a finer grid.
+void top_of_the_hill(const ProgramOptions& run, const Block& block) {
+  Table grid({"x", "y", "s"});
+  for (int row = 0; row <= 52; ++row) {
+    for (int column = 0; column <= 72; ++column) {
+      const Vector2d at(0.66 + column / 400.0, 0.13 + row / 400.0);
+      const double third = at.y() / std::sqrt(0.75);
+      const Vector3d xi(1 - at.x() - third / 2, at.x() - third / 2, third);
+      grid.row({at.x(), at.y(), surrogate_dual_value(block.problem(), xi)});
+    }
+    grid.blank_line();
   }
-  const Vector3d third = Vector3d::Constant(1 / 3.0);  // (24) with twice the best force
-  const double eta = 2 * total_contact_force(block.problem(), third);
-  const double gain = lagrangian(block.programme(), block.pushed_back(eta * third), eta * third);
-  results.add("gain_at_twice", gain - block.free_energy(), "N*mm", Repeats::No);
-  results.add("printed_at_twice", 0.5 * eta * eta * third.dot(block.problem().compliance * third),
-              "N*mm");
+  write_file(run.out / "fig_2_1_top.csv", grid.csv());
+}
+
+// 7. Grazing contact: a free gap of exactly zero.
+void grazing_contact(const Block& block, Results& results) {
   const ContactProblem grazing{block.problem().compliance, Vector3d(0, 0.2, 0.3)};
   results.add("grazing_force", total_contact_force(grazing, Vector3d(1, 0, 0)), "N");
-  // [errata]
-  results.add("best_at_third", surrogate_dual_value(block.problem(), third), "N*mm");
-  write_file(run.out / "fig_2_2.csv", table.csv());
 }
 
 Status chapter(const ProgramOptions& run) {
@@ -216,7 +216,9 @@ Status chapter(const ProgramOptions& run) {
   strong_duality(block, results);
   check_formulas(block, results);
   landscape(run, block, results);
-  errata(run, block, results);
+  top_of_the_hill(run, block);
+  ch02::constraint_on_weights(run.out, results);  // 6. The condition eta >= 0 of (24).
+  grazing_contact(block, results);
   results.headline("best_s", results.value("energy") - results.value("free_energy"),
                    "energy of the solution above that without contact");
   results.print();

@@ -1,15 +1,14 @@
 // Chapter 12 - The Brazilian disc (Lin et al., sec. 3.2, equations (44) and (45)).
 // Run:  make ch12     Reads: disc.msh    Writes: ch12.results, meshes.md, arcs.md, cuts.md, ch12.vtu,
-//                       fig_12_1.csv, fig_12_1_lower.csv, fig_12_1_upper.csv, fig_12_2.csv,
-//                       fig_12_2_nodes.csv, fig_12_3.csv, fig_12_3_nodes.csv
+//                       data of figures 12.1 to 12.5
 #include <cmath>
 
+#include "drawings.hpp"
 #include "from_gmsh.hpp"
 #include "references.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/report/field_csv.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
 
@@ -82,7 +81,7 @@ void refine(const ProgramOptions& run) {
   write_file(run.out / "meshes.md", table.markdown());
 }
 
-// 4. The loaded diameter, for figure 12.3.
+// 4. The loaded diameter, for figure 12.5.
 void along_axis(const ProgramOptions& run, const SolvedScene& now, Results& results) {
   const Diameter axis = diameter_of(now);
   Table nodes({"depth", "across"});
@@ -94,8 +93,8 @@ void along_axis(const ProgramOptions& run, const SolvedScene& now, Results& resu
     curves.row({depth, exact_across(depth), arc_loaded_disc_stress(lines, b / R, 0, depth - R)[0],
                 line_loaded_disc_stress(lines, 0, depth - R)[0]});
   }
-  write_file(run.out / "fig_12_3.csv", curves.csv());
-  write_file(run.out / "fig_12_3_nodes.csv", nodes.csv("rel 1e-6 abs 1e-7"));
+  write_file(run.out / "fig_12_5.csv", curves.csv());
+  write_file(run.out / "fig_12_5_nodes.csv", nodes.csv("rel 1e-6 abs 1e-7"));
   results.add("axis_error", 100 * axis_error(now), "%");
   results.add("axis_nodes", static_cast<double>(nodes_of(now)), "-");
   results.add("sign_change", sign_change(axis), "mm");
@@ -122,8 +121,8 @@ void balance(const ProgramOptions& run, const SolvedScene& now, Results& results
     if (low.x[k] < 1.3) nodes.row({low.x[k], low.pressure[k], high.pressure[k]});
   }
   for (int k = 0; k <= 500; ++k) curve.row({0.0025 * k, hertz_pressure(plate, 0.0025 * k)});
-  write_file(run.out / "fig_12_2_nodes.csv", nodes.csv("rel 1e-6 abs 1e-6"));
-  write_file(run.out / "fig_12_2.csv", curve.csv());
+  write_file(run.out / "fig_12_4_nodes.csv", nodes.csv("rel 1e-6 abs 1e-6"));
+  write_file(run.out / "fig_12_4.csv", curve.csv());
   const double q0 = hertz_peak_pressure(plate);
   results.add("half_width", b, "mm");
   results.add("peak_pressure", q0, "MPa");
@@ -153,19 +152,7 @@ void strength_test(const SolvedScene& now, Results& results) {
   results.add("middle_nodes", static_cast<double>(nodes_of(now)), "-");
 }
 
-// 7. Disc and plates after loading, cell by cell, for figure 12.1.
-void draw(const ProgramOptions& run) {
-  const SolvedScene coarse = solve_disc({12, 6, 14, 0.6, 0.5});
-  const char* files[] = {"fig_12_1.csv", "fig_12_1_lower.csv", "fig_12_1_upper.csv"};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const BodyModel& body = coarse.model.bodies[k];
-    const NodeArray& u = coarse.solution.displacements[k];
-    const StressArray stress = cell_stress(body.mesh, body.element, body.material, u);
-    write_file(run.out / files[k], deformed_cells_csv(body.mesh, u, stress.col(0)));
-  }
-}
-
-// 8. The same with a disc from Gmsh, in from_gmsh.hpp.
+// 7. Pictures, in drawings.hpp; and the same with a disc from Gmsh, in from_gmsh.hpp.
 Status chapter(const ProgramOptions& run) {
   Results results("ch12");
   check_field(results);
@@ -177,7 +164,7 @@ Status chapter(const ProgramOptions& run) {
   balance(run, fine, results);
   refine(run);
   write_vtu(run.out / "ch12.vtu", fine.model, fine.solution);
-  draw(run);
+  draw(run.out);
   solve_file(std::filesystem::path(SIGNORINI_CHAPTER_DATA) / "disc.msh", results);
   results.headline("middle", exact_across(R), "disc between plates under the pressure of Hertz");
   results.print();

@@ -79,6 +79,7 @@ struct Base {
   VectorXd share;         // `n` of (46), between mid-points [kN/m]
   VectorXd width;         // `n` between mid-points [m]
   double settlement = 0;  // of the middle [m]
+  VectorXd piece;         // `n` middles between mid-points [m]
 
   VectorXd deviation() const { return force.cwiseQuotient(share).array() - 1; }
   VectorXd pressure() const { return force.cwiseQuotient(width); }
@@ -92,12 +93,13 @@ struct Base {
 // [share]
 inline Base compared(const VectorXd& position, const VectorXd& force, double settlement) {
   const Index n = position.size();
-  Base base{position, force, VectorXd(n), VectorXd(n), settlement};
+  Base base{position, force, VectorXd(n), VectorXd(n), settlement, VectorXd(n)};
   for (Index k = 0; k < n; ++k) {
     const double left = k == 0 ? 0 : (position(k - 1) + position(k)) / 2;
     const double right = k == n - 1 ? a : (position(k) + position(k + 1)) / 2;
     base.share(k) = rigid_strip_force(strip, left, right);
     base.width(k) = right - left;
+    base.piece(k) = (left + right) / 2;
   }
   return base;
 }

@@ -1,9 +1,10 @@
 // Chapter 13 - The rigid strip footing (Lin et al., sec. 3.3).
 // Run:  make ch13     Reads: nothing     Writes: ch13.results, nodes.md, meshes.md, edge.md, sides.md,
-//                                                domain.md, thickness.md, plate.md, fig_13_1*.csv, fig_13_2*.csv, fig_13_3*.csv
+//                                                domain.md, thickness.md, plate.md, data of figures 13.1 to 13.4
 #include <cmath>
 #include <tuple>
 
+#include "drawings.hpp"
 #include "studies.hpp"
 
 namespace {
@@ -32,9 +33,10 @@ void nodal_forces(const ProgramOptions& run, Results& results) {
                 percent(off(n - 1)), percent(off(n - 2))});
     const double resultant = std::abs(base.force.sum() / (q * a) - 1);
     if (resultant > 1e-12) throw NotSolved("the forces do not add up to the load");
-    const std::string name = text("fig_13_1", soil.depth == coarse.depth ? "_142" : "", ".csv");
+    const std::string name = text("fig_13_2", soil.depth == coarse.depth ? "_142" : "", ".csv");
     write_file(run.out / name, table_of({{"x", base.position},
                                          {"pressure", base.pressure() / q},
+                                         {"from_edge", a - base.piece.array()},
                                          {"deviation", 100 * off}})
                                    .csv("rel 1e-6 abs 1e-6"));
     results.add(text("worst_", all), 100 * base.worst(), "%");
@@ -155,7 +157,9 @@ Status chapter(const ProgramOptions& run) {
   points(results);
   domain(run, results);
   thickness(run, results);
-  stress(run, results);
+  stress(results);
+  edge_stress(settle(coarse, {}), results);
+  draw(run.out, settle(coarse, {}), settle(soil_of(10, 14, 14, 4, 15), {2, 6}));
   results.headline("middle_40", 1, "(46)");
   results.print();
   results.write(run.out);

@@ -8,6 +8,7 @@
 #include "command_line/outcome.hpp"
 #include "command_line/print.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/results.hpp"
 
 namespace {
 
@@ -149,7 +150,9 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    finish_printing();
+    return code;
   } catch (const ProblemError& error) {
     std::cerr << "signorini: " << error.what() << '\n';
     return bad_input;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# chapter_errors.sh PROGRAM FOLDER: a chapter's program answers bad input with status 2 and one message that
-# names the program; asked for help it succeeds.  FOLDER is a place to play in.
+# chapter_errors.sh PROGRAM FOLDER: a chapter's program answers bad input, and a disk that is full, with status 2
+# and one message that names the program; asked for help it succeeds.  FOLDER is a place to play in.
 set -u
 rm -rf "$2"
 mkdir -p "$2"
@@ -24,4 +24,21 @@ expect 2 'file/below' --out "$folder/file/below"  # no permission helps here, no
 expect 2 'out' --out
 expect 0 '' --help
 grep -q -e '--out' "$folder/out" || { echo "--help does not tell of --out"; bad=1; }
+
+complains() { # status, what it said, what was done
+    if [ "$1" -ne 2 ] || [ "$(printf '%s\n' "$2" | grep -c '')" -ne 1 ] || ! printf '%s\n' "$2" | grep -q 'cannot write'; then
+        echo "$(basename "$program") $3: status $1 instead of 2, or not one line with 'cannot write': $2"
+        bad=1
+    fi
+    [ -z "$(ls -A "$folder/lost" 2> /dev/null)" ] || { echo "$(basename "$program") $3: leaves files behind"; bad=1; }
+}
+if [ -c /dev/full ]; then
+    said=$("$program" --help 2>&1 > /dev/full)
+    complains $? "$said" "--help > /dev/full"
+    said=$("$program" --out "$folder/lost" 2>&1 > /dev/full)
+    complains $? "$said" "> /dev/full"
+fi
+# A limit of 0 bytes for files is a full disk: a file can be made, nothing fits into it.
+said=$(trap '' XFSZ; ulimit -f 0; "$program" --out "$folder/lost" 2>&1 > /dev/null)
+complains $? "$said" "with a full disk"
 exit $bad

@@ -53,6 +53,24 @@ expect 2 '--tolerance' lcp odd --tolerance word
 expect 2 '--tolerance: expected a number above 0' lcp odd --tolerance -1
 expect 2 '--tolerance: expected a number above 0' lcp odd --tolerance nan
 
+# What is printed to a full disk is lost, and that is no success.  The second writes more than one buffer.
+if [ -c /dev/full ]; then
+    lost() { # arguments
+        said=$("$program" "$@" 2>&1 > /dev/full)
+        status=$?
+        if [ "$status" -ne 2 ] || ! printf '%s' "$said" | grep -Eq '^signorini: cannot write .*printed'; then
+            echo "signorini $* > /dev/full: status $status, expected 2, said: $said"
+            failures=$((failures + 1))
+        fi
+    }
+    lost lcp "$lcp/lcp_deudeu.dat"
+    lost qp "$qp/DUALC1.txt" --solver all --json
+    lost lcp immovable
+    lost --list
+    lost --help
+    lost qp --help
+fi
+
 json() { # status, arguments: valid, and on standard output alone
     wanted=$1
     shift

@@ -11,13 +11,15 @@ failures=0
 text=chapters/ch03_demo/README.md
 
 cp "$1/figures/style.gp" figures/
-echo "# Exercise" > chapters/ch03_demo/exercises/ex1_demo/README.md
+exercise=chapters/ch03_demo/exercises/ex1_demo/README.md
+printf '# Exercise\n\n<details><summary>Hint 1</summary>\n\nThink.\n\n</details>\n' > $exercise
 : > chapters/ch03_demo/exercises/ex1_demo/solution.cpp
 printf '# headline force 2.5 by hand\nforce 2.5000001 N\npairs 12 -\nseconds 0.3 s varies\n' > fresh/ch03.results
 printf '# tolerance rel 1e-6 abs 1e-9\nx,p\n0,1.25\n1,2.5\n\n0,1\n1,2\n' > fresh/fig_3_1.csv
 printf '| n | p |\n|--:|--:|\n| 4 | 1.25 |\n' > fresh/table.md
 cat > figures/fig_3_1.gp << 'END'
 load 'style.gp'
+set xlabel 'position {/:Italic x} [m]'
 plot data.'/fig_3_1.csv' using 'x':'p' with lines ls 1 title 'p'
 END
 printf '// [block]\n  int n = 0;\n  // [block]\n' > chapters/ch03_demo/demo.cpp
@@ -75,7 +77,7 @@ expect() { # yes or no, what, command
 }
 compare() { perl "$tools/compare.pl" "$@" chapters/ch03_demo fresh; }
 weave() { perl "$tools/weave.pl" "$@" README.md $text; }
-lint() { perl "$tools/lint-md.pl" README.md $text; }
+lint() { perl "$tools/lint-md.pl" README.md $text $exercise; }
 claims() { perl "$tools/claims.pl" .; }
 quoted() { perl "$tools/claims.pl" . paper_1.txt paper_2.txt; }
 draw() { "$tools/figure.sh" figures/fig_3_1.gp "$1" "${2:-figures}"; }
@@ -131,6 +133,10 @@ broken no "a formula that Markdown damages" lint 's/`x_1^\*`/x_1^*/' $text
 broken no "a dollar sign without partner" lint 's/\$p_0\$/$p_0/' $text
 broken no "a picture that is not there" lint 's/fig_3_1.svg/fig_3_2.svg/' $text
 broken no "an exercise nobody links to" lint '/^\[Exercise/d' $text
+broken no "a hint that is not folded" lint 's/Think/*Hint 2.* Think/' $exercise
+broken no "folded text that Markdown does not see" lint '4d' $exercise
+broken no "a hint that is not closed" lint '$d' $exercise
+broken no "a hint that is closed twice" lint '$p' $exercise
 broken no "a refused macro" lint 's/a = b/\\operatorname{a} = b/' $text
 broken no "a link to a solution" lint 's/^\[Exercise.*/&, [it](exercises\/ex1_demo\/solution.cpp)/' $text
 
@@ -155,6 +161,7 @@ if have_gnuplot; then
     broken yes "a clean picture" picture 's/a/a/' README.md
     broken no "a picture older than its data" picture 's/1.25/1.26/' figures/fig_3_1.csv
     broken no "a picture older than its script" picture 's/ls 1/ls 2/' figures/fig_3_1.gp
+    broken no "a label that loses its blanks" picture 's/ xml:space="preserve"//' figures/fig_3_1.svg
     broken no "a column that is not there" "draw new.svg" "s/'p' with/'q' with/" figures/fig_3_1.gp
     broken no "data that are not there" "draw new.svg" 's/fig_3_1.csv/fig_3_9.csv/' figures/fig_3_1.gp
     broken no "a mistake in a script" "draw new.svg" 's/plot/plod/' figures/fig_3_1.gp
@@ -167,5 +174,26 @@ expect no "a starter that passes" starter 'echo "All tests passed (2 assertions 
 expect no "a starter that crashes" starter 'echo "due to a fatal error condition:"; echo "assertions: 1 | 1 failed"; kill -SEGV $$'
 expect no "a starter that ends early" starter 'exit 3'
 expect no "a starter that does not exist" "$tools/starter.sh" ./nowhere
+
+# the answer to an exercise: its last line is a verdict, whatever the tests say
+program() { printf '#!/bin/sh\n%s\n' "$2" > "$1" && chmod +x "$1"; }
+judged() { # last line, status, what, tests, held-out tests or nothing
+    program seen "$4"
+    program heldout "${5:-}"
+    said=$("$tools/exercise.sh" judge ex3.1 attempt.cpp ./seen ${5:+./heldout} 2>&1)
+    status=$?
+    if [ "$status" -ne "$2" ] || [ "$(printf '%s\n' "$said" | tail -n 1)" != "$1" ]; then
+        echo "$3: status $status, said: $said"
+        failures=$((failures + 1))
+    fi
+}
+again="edit attempt.cpp, then make ex3.1 again"
+judged "ex3.1: right, also on the held-out tests" 0 "a right answer" 'echo passed' 'echo passed'
+[ "$said" = "ex3.1: right, also on the held-out tests" ] || { echo "a right answer takes more than a line: $said"; failures=$((failures + 1)); }
+judged "ex3.1: right" 0 "a right answer in a hand-out" 'echo passed'
+judged "ex3.1: not yet; $again" 1 "a wrong answer" 'echo "0 == 1"; exit 1' 'echo passed'
+case $said in "0 == 1"*) ;; *) echo "a wrong answer does not learn what failed: $said"; failures=$((failures + 1)) ;; esac
+judged "ex3.1: right on the tests that you see, not yet on the held-out ones; $again" 1 "a memorised answer" 'echo passed' 'exit 1'
+judged "ex3.1: not yet; $again" 1 "an answer that crashes" 'kill -SEGV $$' 'echo passed'
 
 [ "$failures" -eq 0 ] || { echo "$failures faults were judged wrongly"; exit 1; }

@@ -15,4 +15,18 @@ done
 for target in test ch06 ex6.1 book results; do
     make help | grep -q "make $target " || { echo "make help does not tell of $target"; bad=1; }
 done
+# cmake --install needs the library and the program `signorini`; what ./run.sh builds must do for that.
+run=$(make -n run 2>&1)
+for target in chapters signorini_command; do
+    printf '%s\n' "$run" | grep -q -e "--build .*--target.* $target\>" || { echo "make run does not build $target"; bad=1; }
+done
+# An exercise ends with a verdict and a status, without what make has to say about a command that fails.
+scratch=$(mktemp -d)
+said=$(make ex99.9 B="$scratch" 2>&1) && { echo "make ex99.9 succeeds"; bad=1; }
+rm -rf "$scratch"
+case $said in
+*'***'*) echo "make ex99.9 says too much: $said"; bad=1 ;;
+"no exercise ex99.9; there are: "*) ;;
+*) echo "make ex99.9 says: $said"; bad=1 ;;
+esac
 exit $bad

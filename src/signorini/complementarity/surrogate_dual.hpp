@@ -22,8 +22,8 @@ namespace signorini {
 /// open: \PaperEq{XuanLi2002, 17}, \PaperEq{XuanLi2002, 18}, \PaperEq{XuanLi2002, 19},
 /// \PaperEq{XuanLi2002, 23}
 ///
-/// \f$ \eta = (b^T\xi)_+ / \xi^T G \xi \f$. The paper has no positive part, so that an open weighted
-/// gap would be closed by tension.
+/// \f$ \eta = (b^T\xi)_+ / \xi^T G \xi \f$. In the paper \f$ \eta \ge 0 \f$ shuts out weights with
+/// \f$ b^T\xi < 0 \f$; here they get no force, which leaves the maximum of s over the others as it is.
 /// \param problem  G and d
 /// \param weights  xi `n_c` >= 0 [-]
 /// \return eta >= 0 [force]; infinite if \f$ \xi^T G\xi = 0 \f$ and the weighted gap overlaps
@@ -34,7 +34,8 @@ namespace signorini {
 /// The energy that the best total force for these weights adds. \PaperEq{XuanLi2002, 24}
 ///
 /// \f$ s = \tfrac12 \eta^2 \xi^T G \xi = \tfrac12 (b^T\xi)_+^2 / \xi^T G \xi \f$, without the
-/// constant \f$ -\tfrac12 p^T K^{-1} p \f$, the energy without contact.
+/// constant \f$ -\tfrac12 p^T K^{-1} p \f$, the energy without contact. Its maximum over all weights
+/// is that of the paper over the weights with \f$ \eta \ge 0 \f$.
 /// \param problem  G and d
 /// \param weights  xi `n_c` >= 0 [-]
 /// \return s >= 0 [force*length], at most the energy that the true contact adds

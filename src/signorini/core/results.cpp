@@ -1,6 +1,7 @@
 #include "signorini/core/results.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -10,6 +11,14 @@
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
+namespace {
+
+/// What the system says about its last error, in brackets; nothing if it says nothing.
+std::string reason(int error) {
+  return error == 0 ? "" : " (" + std::generic_category().message(error) + ")";
+}
+
+}  // namespace
 
 Results::Results(std::string program) : program_(std::move(program)) {}
 
@@ -55,16 +64,26 @@ void Results::write(const std::filesystem::path& folder) const {
 
 void write_file(const std::filesystem::path& file, const std::string& content) {
   const std::filesystem::path draft = file.string() + ".part";
+  errno = 0;
   std::ofstream out(draft, std::ios::binary);
   out << content;
   out.close();
+  int error = errno;
   std::error_code failed;
   if (out) std::filesystem::rename(draft, file, failed);
   if (out && !failed) return;
+  if (failed) error = failed.value();
   std::error_code ignored;
   std::filesystem::remove(draft, ignored);
-  throw ProblemError(text("cannot write '", file.string(),
-                          "': give a folder that exists and that you may write to"));
+  throw ProblemError(text("cannot write '", file.string(), "'", reason(error),
+                          ": give a folder that exists, has room and may be written to"));
+}
+
+void finish_printing() {
+  errno = 0;
+  std::cout.flush();
+  pose(std::cout.good(), "cannot write all that is to be printed", reason(errno),
+       ": send the output to a terminal, or to a file on a disk that has room");
 }
 
 void prepare_output_folder(const std::filesystem::path& folder) {

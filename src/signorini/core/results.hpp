@@ -65,6 +65,11 @@ class Results {
 /// \throws ProblemError if that fails; then `file` is as it was
 void write_file(const std::filesystem::path& file, const std::string& content);
 
+/// Sends on what std::cout still holds. Every program calls this last, because results that were
+/// printed to a full disk are lost.
+/// \throws ProblemError if a part of what was printed could not be written
+void finish_printing();
+
 /// Creates a folder if needed and tries to write there.
 /// \param folder  with any folders above it that are missing
 /// \throws ProblemError naming the folder if it cannot be made or written to

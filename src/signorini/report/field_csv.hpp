@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "signorini/mesh/mesh.hpp"
 
@@ -21,5 +22,22 @@ namespace signorini {
 [[nodiscard]] std::string deformed_cells_csv(const Mesh& mesh, const NodeArray& displacements,
                                              const Eigen::Ref<const Eigen::VectorXd>& value,
                                              double scale = 1);
+
+/// Bands of a field on the deformed mesh: every cell that a level crosses is cut along it.
+///
+/// Within a cell the field is linear on each of four triangles about the middle, whose value is the mean
+/// of the corners. One closed polygon per piece, separated by empty lines. Columns x, y (as in
+/// deformed_cells_csv()), band: k where k levels are below the field, so 0 below the first one and
+/// `n_levels` above the last; for `plot ... using 'x':'y':'band' with polygons fc palette`.
+/// \param mesh           of 4- or 8-node cells; only corners are drawn
+/// \param displacements  `n_nodes x 2` [length]
+/// \param value          `n_nodes`, the field at the nodes
+/// \param levels         `n_levels`, ascending; one that a value meets to rounding is met exactly
+/// \param scale          factor on the displacements [-]
+/// \return comma separated text with 5 digits, with a tolerance of two units in the last one
+/// \throws std::invalid_argument if sizes differ or the levels do not ascend
+[[nodiscard]] std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
+                                             const Eigen::Ref<const Eigen::VectorXd>& value,
+                                             const std::vector<double>& levels, double scale = 1);
 
 }  // namespace signorini

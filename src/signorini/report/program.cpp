@@ -32,14 +32,31 @@ class Staging {
 
   [[nodiscard]] const std::filesystem::path& folder() const { return draft_; }
   void publish() const {
-    for (const auto& entry : std::filesystem::directory_iterator(draft_))
-      std::filesystem::rename(entry.path(), out_ / entry.path().filename());
+    for (const auto& entry : std::filesystem::directory_iterator(draft_)) {
+      const std::filesystem::path file = out_ / entry.path().filename();
+      std::error_code failed;
+      std::filesystem::rename(entry.path(), file, failed);
+      pose(!failed, "cannot write '", file.string(), "' (", failed.message(),
+           "): remove what is there, or give another folder with --out FOLDER");
+    }
   }
 
  private:
   std::filesystem::path out_;
   std::filesystem::path draft_;
 };
+
+/// Reads the command line. \return whether it asks for help
+bool asks_for_help(CLI::App& app, int argc, const char* const* argv) {
+  try {
+    app.parse(argc, argv);
+    return false;
+  } catch (const CLI::ParseError& wanted) {
+    pose(wanted.get_exit_code() == 0, wanted.what(),
+         ". Known options: --out FOLDER, --full, --help");
+    return true;
+  }
+}
 
 }  // namespace
 
@@ -56,22 +73,21 @@ int run_program(const std::string& name, const std::string& title,
       ->capture_default_str();
   app.add_flag("--full", options.full, "also run the longer studies");
   try {
-    app.parse(argc, argv);
+    if (asks_for_help(app, argc, argv)) {
+      std::cout << app.help();
+      finish_printing();
+      return solved;
+    }
     const Staging staging(folder);
     options.out = staging.folder();
     const Status status = body(options);
+    finish_printing();
     if (status == Status::Solved) {
       staging.publish();
       return solved;
     }
     std::cerr << name << ": not solved: " << to_string(status) << '\n';
     return not_solved;
-  } catch (const CLI::ParseError& wanted) {
-    if (wanted.get_exit_code() == 0) {
-      std::cout << app.help();
-      return solved;
-    }
-    std::cerr << name << ": " << wanted.what() << ". Known options: --out FOLDER, --full, --help\n";
   } catch (const NotSolved& error) {
     std::cerr << name << ": " << error.what() << '\n';
     return not_solved;

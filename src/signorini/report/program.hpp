@@ -24,9 +24,9 @@ struct ProgramOptions {
 /// \param argv         of main()
 /// \param body         the chapter
 /// \return exit code: 0 if body reports Solved, or after `--help`; 1 if it reports anything else or
-///   throws NotSolved; 2 if the command line, the folder or the problem is wrong (ProblemError,
-///   std::invalid_argument). Unless it is 0, one line on the error stream says why; other
-///   exceptions go on to the caller
+///   throws NotSolved or another exception; 2 if the command line, the folder or the problem is wrong
+///   (ProblemError, std::invalid_argument), or if what was printed could not be written. Unless it is
+///   0, one line on the error stream says why and the folder keeps the files that it had
 [[nodiscard]] int run_program(const std::string& name, const std::string& title,
                 const std::filesystem::path& default_out, int argc, const char* const* argv,
                 const std::function<Status(const ProgramOptions&)>& body);

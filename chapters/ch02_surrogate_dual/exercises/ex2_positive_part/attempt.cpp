@@ -4,7 +4,7 @@ namespace ex2_2 {
 
 Gain dual_energy(const Eigen::MatrixXd& compliance, const Eigen::VectorXd& free_gap,
                  const Eigen::VectorXd& weights) {
-  // (23) and (24) as printed; your code here
+  // (23) and (24), right where they give a force that presses; your code here
   const double yield = weights.dot(compliance * weights);
   const double force = -free_gap.dot(weights) / yield;
   return {force, 0.5 * force * force * yield};

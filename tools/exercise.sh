@@ -1,0 +1,57 @@
+#!/bin/sh
+# exercise.sh check ex6.1 BUILD                   compiles your answer to an exercise in the folder BUILD and judges it
+# exercise.sh judge ex6.1 FILE TESTS [HELDOUT]    runs the program TESTS and, when it passes, HELDOUT; FILE is the answer
+# Exit status: 0 if the answer is right, 1 if not, 2 if there is no such exercise or no compiler.
+set -u
+exercise=${2:-}
+
+not_yet() { # file, what is wrong
+    echo "$exercise: $2; edit $1, then make $exercise again"
+    exit 1
+}
+
+passes() { # program: says what fails, without the greeting of Catch2
+    said=$(timeout "$seconds" "$1" 2>&1)
+    status=$?
+    [ "$status" -eq 0 ] || printf '%s\n' "$said" | sed '/^~~~~/,/^Run with -?/d'
+    [ "$status" -ne 124 ] || echo "stopped after $seconds seconds"
+    return "$status"
+}
+
+case ${1:-} in
+check)
+    cd "$(dirname "$0")/.." || exit 2
+    known="" folder=""
+    for each in chapters/ch*/exercises/ex*; do
+        chapter=$(basename "$(dirname "$(dirname "$each")")" | sed 's/^ch0*\([0-9]*\)_.*/\1/')
+        name=ex$chapter.$(basename "$each" | sed 's/^ex\([0-9]*\)_.*/\1/')
+        [ "$name" != "$exercise" ] || folder=$each
+        known="$known $name"
+    done
+    [ -n "$folder" ] || { echo "no exercise $exercise; there are:$known" >&2; exit 2; }
+    unset MAKEFLAGS MFLAGS  # of the make that asks are not for the one that compiles
+    cmake --preset release --log-level=NOTICE > /dev/null || exit 2
+    compile() { cmake --build "$3" -j "${JOBS:-$(nproc)}" --target "$exercise"; }
+    # Shows what the compiler says, and progress where the library has to be compiled as well.
+    { compile "$@" 2>&1 || echo "exercise.sh: stopped"; } | awk '
+        /^exercise.sh: stopped$/ { bad = 1; next }
+        / Built target | Linking CXX | Building CXX object CMakeFiles\/ex[0-9]|^Consolidate compiler / { next }
+        /^g?make(\[[0-9]+\])?: \*\*\* (\[.* Error|Waiting)/ { next }
+        { print; fflush() }
+        END { exit bad }' || not_yet "$folder/attempt.cpp" "does not compile"
+    heldout=$3/bin/$exercise.answer-heldout
+    [ -f "$folder/test_heldout.cpp" ] || heldout=""
+    exec tools/exercise.sh judge "$exercise" "$folder/attempt.cpp" "$3/bin/$exercise.answer" $heldout
+    ;;
+judge)
+    seconds=120
+    passes "$4" || not_yet "$3" "not yet"
+    [ $# -gt 4 ] || { echo "$exercise: right"; exit 0; }
+    passes "$5" || not_yet "$3" "right on the tests that you see, not yet on the held-out ones"
+    echo "$exercise: right, also on the held-out tests"
+    ;;
+*)
+    sed -n '2,4s/^# *//p' "$0" >&2
+    exit 2
+    ;;
+esac
