@@ -3,7 +3,8 @@
 #  * a box of a chapter, `> **Kind.** ...`, is a Misprint, Left open or Our verdict, and has <a id="box-N-M"></a> on the line
 #    before it, N the chapter and M from 1 on
 #  * every box has one row with its kind, every row box-N-M has its box; a row names paper, lines and a quotation
-#  * rows of the tables below "Where we differ from the papers" in chapters/notation.md have one of the three kinds
+#  * rows of the tables below "Where we differ from the papers" in chapters/notation.md have one of the three kinds, and
+#    their row there, note-K, of the same kind
 # With the papers as plain text: every quotation stands in the lines that its row names.  White space does not count, and
 # what the row has between two dots ... may be anything.  Characters of the font Symbol count as the signs that they show.
 use strict;
@@ -84,7 +85,7 @@ sub check_quotation {
     }
 }
 
-my (%row, $n);
+my (%row, %noted, $n);
 for (lines_of("$root/$list")) {
     $n++;
     next unless /^\| ((?:box|claim|note|head|eq)-[\w-]+) \|/;
@@ -98,6 +99,7 @@ for (lines_of("$root/$list")) {
     if ($quotation !~ s/^(`+)\s*(\S.*?)\s*\1$/$2/) { complain($list, $n, "the quotation stands between backticks"); next }
     $quotation =~ s/\\\|/|/g;
     check_quotation($n, $paper, $lines, $quotation) if @papers && $paper =~ /^[12]$/;
+    $noted{"$1 $kind"} = 1 if $id =~ /^note/ && $where =~ /^\[(.*?)\]\(/;
     next unless $id =~ /^box/;
     my $there = $box{$id} or do { complain($list, $n, "no chapter has $id"); next };
     complain($list, $n, "$id is called $there->[2] in $there->[0]:$there->[1]") if $kind ne $there->[2];
@@ -115,8 +117,13 @@ for (lines_of("$root/$notes")) {
         $tables++ if ++$header == 2;
         next;
     }
-    my $kind = (cells($_))[1] // '';
-    complain($notes, $n, "the second column is Misprint, Left open or Our verdict, not $kind") unless $known{$kind};
+    my ($what, $kind) = cells($_);
+    if (!$known{ $kind // '' }) {
+        complain($notes, $n, 'the second column is Misprint, Left open or Our verdict, not ' . ($kind // ''));
+        next;
+    }
+    $what =~ s/^\[(.*?)\]\(.*/$1/;
+    complain($notes, $n, "$what, $kind, has no row in $list") unless $noted{"$what $kind"};
 }
 complain($notes, $n, "no table below \"Where we differ from the papers\"") unless $tables;
 

@@ -55,6 +55,7 @@ cat > $list << 'END'
 # Claims
 
 | box-3-1 | Left open | [the step](../../chapters/ch03_demo/README.md#box-3-1) | no start is given | 1 | 2–3 | `任意 ... σn− ≥0` |
+| note-1 | Left open | [(3)](../../chapters/notation.md) | no start is given | 1 | 2 | `任意` |
 END
 cat > chapters/notation.md << 'END'
 # Notation
@@ -141,7 +142,7 @@ broken no "a refused macro" lint 's/a = b/\\operatorname{a} = b/' $text
 broken no "a link to a solution" lint 's/^\[Exercise.*/&, [it](exercises\/ex1_demo\/solution.cpp)/' $text
 
 broken no "a box without a row" claims '/box-3-1/d' $list
-broken no "a row twice" claims '$p' $list
+broken no "a row that stands there twice" claims '$p' $list
 broken no "a box of another name" claims 's/Left open/Erratum/' $text
 broken no "a box of another kind than its row" claims 's/Left open/Misprint/' $text
 broken no "a box without an anchor" claims '/^<a id="box/d' $text
@@ -151,6 +152,8 @@ broken no "a row that links elsewhere" claims 's/#box-3-1/#eq-3/' $list
 broken no "a row without a line of the paper" claims 's/2–3/there/' $list
 broken no "a row without a quotation" claims 's/`.*`//' $list
 broken no "a row in the notation without a kind" claims 's/Left open/wrong/' chapters/notation.md
+broken no "a row of the notation of another kind" claims 's/Left open/Misprint/' chapters/notation.md
+broken no "a row of the notation without a row of its own" claims '/note-1/d' $list
 broken no "a notation without the list" claims '/^|/d' chapters/notation.md
 broken no "a quotation that is not in the paper" quoted 's/任意/随意/' $list
 broken no "a quotation with another sign" quoted 's/σn−/σn+/' $list
