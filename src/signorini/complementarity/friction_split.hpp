@@ -5,7 +5,7 @@
 
 namespace signorini {
 
-/// Solves the equations of the paper as printed, except for the sign of mu f_n, by its plain Newton method.
+/// Solves the equations of the paper, with the sign of mu lambda mended, by its plain Newton method.
 ///
 /// The slip is split, \PaperEq{LinEtAl, 19}, and the unknowns are the forces lambda, tau, the two parts u+, u-
 /// and amplitudes, \PaperEq{LinEtAl, 30}:

@@ -11,7 +11,7 @@ namespace signorini {
 /// Which equations saddle_point_newton() solves, and when it stops.
 enum class SaddlePointForm {
   OneUnit,    ///< gaps and forces scaled to one unit; stops when certify() holds
-  AsPrinted,  ///< (28) as printed, a length beside a force; stops when |F| is small
+  AsPrinted,  ///< (28) as it stands, a length beside a force; stops when |F| is small
 };
 
 /// Choices for saddle_point_newton().
