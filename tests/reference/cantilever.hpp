@@ -1,7 +1,7 @@
 // Reference numbers of the cantilever above a rigid flat foundation: Xuan & Li 2002, section 4, example 2.
 //
-// l = 50 cm, h = 5 cm, gap 1 cm, q = 3.6 kN/cm^2 on the upper face, E = 2.1e4 kN/cm^2, nu = 0.29, plane
-// stress, thickness 1 cm, left end clamped. The paper draws the pressure and prints no numbers.
+// l = 50 cm, h = 5 cm, gap 1 cm, q = 3.6 kN/cm^2, E = 2.1e4 kN/cm^2, nu = 0.29, plane stress. The load on the
+// upper face, the clamp on the left and 1 cm of thickness are ours; the text of the paper has no number of the result.
 #pragma once
 #include <array>
 

@@ -1,5 +1,5 @@
 /// \file
-/// The quasi-active-set method exactly as the paper prints it, with a truthful status.
+/// The quasi-active-set method as the paper prints it, with a truthful status.
 #pragma once
 #include <vector>
 
