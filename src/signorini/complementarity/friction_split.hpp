@@ -1,5 +1,5 @@
 /// \file
-/// Friction with two unknowns per slip, u+ and u-: as Lin et al. print it, and so that it works.
+/// Friction with two unknowns per slip, u+ and u-: as in Lin et al., and so that it works.
 #pragma once
 #include "signorini/complementarity/friction.hpp"
 
