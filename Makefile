@@ -52,7 +52,8 @@ text:                     ## put the committed numbers, tables and code into the
 lint:                     ## check the text without compiling: quotations, formulas, links
 	@perl tools/weave.pl --check $(WOVEN)
 	@perl tools/equations.pl --check
-	@perl tools/lint-md.pl $(TEXTS) chapters/equations.md
+	@perl tools/lint-md.pl $(TEXTS) chapters/equations.md tests/reference/claims.md
+	@perl tools/claims.pl
 book: lint                ## the web pages, build/book/index.html
 	@tools/docs.sh $B/book && echo "open $B/book/index.html"
 browser: book             ## open every page in a browser and check it

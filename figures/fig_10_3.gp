@@ -1,7 +1,7 @@
 # Figure 10.3 - error of nodal pressures against the number of Gauss points.   In: fig_10_3.csv, fig_10_3_segments.csv
 # Out: fig_10_3.svg
 width = 640
-height = 430
+height = 460
 load 'style.gp'
 eval LOGLOG
 file = data.'/fig_10_3.csv'
@@ -9,8 +9,8 @@ set xrange [1.8:18]
 set xtics (2, 3, 4, 6, 8, 10, 13, 16)
 set format x '%g'
 set grid noxtics nomxtics
-set yrange [0.03:3]
-set ytics ('0.03' 0.03, '0.1' 0.1, '0.3' 0.3, '1' 1, '3' 3)
+set yrange [0.03:10]
+set ytics ('0.03' 0.03, '0.1' 0.1, '0.3' 0.3, '1' 1, '3' 3, '10' 10)
 set xlabel 'Gauss points on an edge of the source'
 set ylabel 'error of the pressure [%]'
 set lmargin 11

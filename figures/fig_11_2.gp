@@ -2,7 +2,6 @@
 # In: fig_11_2.csv, fig_11_2_nodes.csv, fig_11_2_nts.csv   Out: fig_11_2.svg
 height = 640
 load 'style.gp'
-set termoption font 'DejaVu Sans,15'
 set multiplot
 set lmargin 9
 set xrange [0:1.25]
@@ -12,7 +11,7 @@ set tmargin at screen 0.98
 set bmargin at screen 0.42
 set ylabel 'pressure {/:Italic p} [MPa]'
 set yrange [0:30]
-set key bottom left
+set key bottom left noopaque
 plot data.'/fig_11_2.csv' using 'x':'theory' with lines ls 7 title 'closed form (43)', \
      data.'/fig_11_2_nodes.csv' using 'x':'p' with points ls 1 title 'mortar, meshes match', \
      data.'/fig_11_2_nts.csv' using 'x':'p' with points ls 5 title 'node to segment, not matching', \

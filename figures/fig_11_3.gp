@@ -1,14 +1,14 @@
 # Figure 11.3 - residuals of the printed method, and of this book's.   In: fig_11_3.csv, fig_11_3_chance.csv   Out: fig_11_3.svg
-height = 520
+height = 580
 load 'style.gp'
-set termoption font 'DejaVu Sans,15'
 eval LOGY
 set xlabel 'steps'
 set ylabel 'residual |F| [N, mm]'
 set xrange [0:30]
-set yrange [1e-17:1e24]
+set yrange [1e-17:1e14]
 set ytics 1e4
-set key top right spacing 1.05
+set tmargin 9
+set key at graph 1,1.02 bottom right
 plot data.'/fig_11_3_chance.csv' using 'step':'residual' with linespoints ls 8 title 'points, nodes meet: by chance', \
      data.'/fig_11_3.csv' using 'step':'residual' every :::1::1 with linespoints ls 5 title 'points, nodes do not meet', \
      '' using 'step':'residual' every :::0::0 with linespoints ls 3 title 'points, nodes meet, J mended', \

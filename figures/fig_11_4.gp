@@ -1,11 +1,10 @@
 # Figure 11.4 - pressures at Gauss points and at nodes.   In: fig_11_4.csv   Out: fig_11_4.svg
 height = 440
 load 'style.gp'
-set termoption font 'DejaVu Sans,15'
 set xlabel 'distance from the axis {/:Italic x} [mm]'
 set ylabel 'pressure {/:Italic p}/{/:Italic q}_0'
 set xrange [0:1.25]
-set yrange [0:3.4]
+set yrange [0:4]
 set xtics 0.2
 set ytics 0.5
 set key top right

@@ -1,10 +1,11 @@
 # Figure 11.6 - stress on the axis.   In: fig_11_6.csv, fig_11_6_disc.csv, fig_11_6_plate.csv   Out: fig_11_6.svg
+height = 440
 load 'style.gp'
 set xlabel 'depth below the contact [mm]'
 set ylabel 'stress [MPa]'
 set xrange [0:4]
-set yrange [-34:10]
-set ytics 5
+set yrange [-40:10]
+set ytics 10
 set key bottom right
 plot data.'/fig_11_6.csv' using 'depth':'shear' with lines ls 7 dt 1 title '(σ_x − σ_y)/2, half-plane', \
      '' using 'depth':'xx' with lines ls 7 dt (12,4) title 'σ_x, half-plane', \

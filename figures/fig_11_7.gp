@@ -2,7 +2,6 @@
 # In: fig_11_7.csv, fig_11_7_x_disc.csv, fig_11_7_x_plate.csv, the same with y and size   Out: fig_11_7.svg
 width = 860; height = 560
 load 'style.gp'
-set termoption font 'DejaVu Sans,22'
 set size ratio -1
 unset key; unset grid; unset border; unset tics
 set xrange [-3:98]
@@ -22,7 +21,7 @@ do for [panel=1:3] {
   set bmargin at screen 0.17
   set tmargin at screen 0.92
   set colorbox horizontal user origin 0.03 + 0.33 * (panel - 1),0.12 size 0.28,0.035
-  set title word(titles, panel).' [µm]' offset 0,-0.5 font ',22'
+  set title word(titles, panel).' [µm]' offset 0,-0.5
   levels = value('levels_'.panel)
   set cbtics ('' 0)
   do for [k=1:10] { if (word(levels, k) ne '') { set cbtics add (word(levels, k) k - 0.5) } }

@@ -2,7 +2,6 @@
 # In: fig_12_1.csv, fig_12_1_lower.csv, fig_12_1_upper.csv   Out: fig_12_1.svg
 width = 640; height = 540
 load 'style.gp'
-set termoption font 'DejaVu Sans,17'
 set size ratio -1
 unset key; unset grid; unset border; unset tics
 set bmargin at screen 0.02

@@ -2,7 +2,6 @@
 # In: fig_12_2.csv, fig_12_2_lower.csv, fig_12_2_upper.csv, fig_12_2_mesh*.csv   Out: fig_12_2.svg
 width = 640; height = 480
 load 'style.gp'
-set termoption font 'DejaVu Sans,17'
 set size ratio -1
 unset key; unset grid
 set xlabel '{/:Italic x} [mm]' offset 0,0.5

@@ -2,7 +2,6 @@
 # In: fig_12_3_x*.csv, fig_12_3_y*.csv, fig_12_3_mesh*.csv   Out: fig_12_3.svg
 width = 640; height = 460
 load 'style.gp'
-set termoption font 'DejaVu Sans,17'
 set size ratio -1
 unset key; unset grid; unset border; unset tics
 set xrange [0:56]

@@ -1,6 +1,5 @@
 # Figure 12.4 - pressure of the two contacts.   In: fig_12_4.csv, fig_12_4_nodes.csv   Out: fig_12_4.svg
 load 'style.gp'
-set termoption font 'DejaVu Sans,16'
 set xlabel 'distance from the axis {/:Italic x} [mm]'
 set ylabel 'contact pressure [MPa]'
 set xrange [0:1.25]

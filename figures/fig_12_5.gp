@@ -1,6 +1,5 @@
 # Figure 12.5 - stress across the loaded diameter.   In: fig_12_5.csv, fig_12_5_nodes.csv   Out: fig_12_5.svg
 load 'style.gp'
-set termoption font 'DejaVu Sans,16'
 set xlabel 'depth below the contact {/:Italic z} [mm]'
 set ylabel '{/:Italic σ_x} [MPa]'
 set logscale x

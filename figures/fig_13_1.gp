@@ -1,7 +1,6 @@
 # Figure 13.1 - right half of footing and soil: sketch and mesh.   In: fig_13_1.csv, fig_13_1_footing.csv   Out: fig_13_1.svg
 width = 640; height = 360
 load 'style.gp'
-set termoption font 'DejaVu Sans,17'
 set size ratio -1
 unset key; unset grid; unset border; unset tics
 set bmargin at screen 0.02

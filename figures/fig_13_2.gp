@@ -2,7 +2,6 @@
 # In: fig_13_2.csv, fig_13_2_142.csv   Out: fig_13_2.svg
 width = 640; height = 680
 load 'style.gp'
-set termoption font 'DejaVu Sans,16'
 set multiplot layout 2,1
 set xrange [0:1.53]
 set xlabel 'position {/:Italic x} [m]'

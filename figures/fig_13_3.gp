@@ -2,7 +2,6 @@
 # In: fig_13_3*.csv   Out: fig_13_3.svg
 width = 640; height = 415
 load 'style.gp'
-set termoption font 'DejaVu Sans,17'
 set size ratio -1
 unset key; unset grid; unset border; unset tics
 set xrange [0:6.85]

@@ -2,7 +2,6 @@
 # In: fig_13_4.csv, fig_13_4_plate.csv, fig_13_4_thickness.csv   Out: fig_13_4.svg
 width = 640; height = 680
 load 'style.gp'
-set termoption font 'DejaVu Sans,16'
 set multiplot layout 2,1
 set logscale x 2
 set xrange [2.7:44]

@@ -26,7 +26,7 @@ eval ray(71, 11, '{/:Italic c} = {/:Italic b} + 0.15')
 eval ray(79, 33, '{/:Italic d} = 76.15')
 eval ray(68, 55, '{/:Italic b} = 68')
 eval ray(60, 76, '{/:Italic a} = 60')
-set label '180 MPa' at 48,3 right
+set label '180 MPa' at 49,-0.5 right
 plot data.'/fig_14_1.csv' using 'x':'y' with lines ls 7
 set lmargin at screen 0.49; set rmargin at screen 1.01
 unset label; unset arrow

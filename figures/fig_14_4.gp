@@ -6,7 +6,7 @@ set xrange [59.5:76.7]
 set ylabel 'hoop stress [MPa]'
 set yrange [0:1200]
 set ytics 300
-set label 1 'lining' at 64,860 center
+set label 1 'lining' at 64,830 center
 set label 2 'rock' at 72,470 center
 plot data.'/fig_14_4.csv' using 'r':'hoop' with lines ls 7 title 'closed form', \
      data.'/fig_14_4_cells.csv' using 'r':'hoop' with points ls 1 ps 0.9 title 'cells, 120 nodes'

@@ -15,13 +15,13 @@ set yrange [-12.5:32]
 set size ratio -1
 set object 1 rectangle from -20,20 to 20,22 fillstyle pattern 4 border lc rgb BLACK fillcolor rgb BLACK
 do for [i=0:2] { set arrow 1+i from -14+14*i,26.5 to -14+14*i,22.3 size screen 0.018,20 filled lc rgb RED lw 2.5 }
-set label 1 '1 mm' at 2,24.6 left font ',17' textcolor rgb BLACK front
+set label 1 '1 mm' at 2,24.6 left textcolor rgb BLACK front
 set arrow 5 from -20,29 to 20,29 heads size screen 0.015,20 lc rgb BLACK front
-set label 2 '40 mm' at 0,30.8 center font ',17' textcolor rgb BLACK front
+set label 2 '40 mm' at 0,30.8 center textcolor rgb BLACK front
 set arrow 6 from 23,0 to 23,20 heads size screen 0.015,20 lc rgb BLACK front
-set label 3 '20 mm' at 24,10 left font ',17' textcolor rgb BLACK front
-set label 4 'rigid, radius 60 mm' at 0,-9 center font ',17' textcolor rgb BLACK front
-set label 5 'glued' at -21,21 right font ',17' textcolor rgb BLACK front
+set label 3 '20 mm' at 24,10 left textcolor rgb BLACK front
+set label 4 'rigid, radius 60 mm' at 0,-9 center textcolor rgb BLACK front
+set label 5 'glued' at -21,21 right textcolor rgb BLACK front
 plot data.'/fig_1_1_obstacle.csv' using 'x':'y' with filledcurves y1=-12.5 lc rgb LIGHT, \
      '' using 'x':'y' with lines ls 7, \
      data.'/fig_1_1.csv' using 'x':'y' with lines ls 1 lw 1.4, \

@@ -1,5 +1,5 @@
 # Figure 1.4 - gap and pressure along the base of the block.   In: fig_1_4.csv, fig_1_4_obstacle.csv   Out: fig_1_4.svg
-height = 560
+height = 640
 load 'style.gp'
 set multiplot layout 2,1
 set xrange [-20:20]
@@ -15,10 +15,10 @@ plot data.'/fig_1_4_obstacle.csv' using 'x':'obstacle' with filledcurves y1=-3.6
 set xlabel 'position {/:Italic x} [mm]'
 set ylabel 'contact pressure [N/mm²]'
 set y2label 'gap [mm]'
-set yrange [0:1.2]
-set y2range [0:3]
-set ytics nomirror 0.2
-set y2tics 0.5
+set yrange [0:1.6]
+set y2range [0:4]
+set ytics nomirror 0.4
+set y2tics 1
 set border 11 back ls 100
 set key top center
 plot data.'/fig_1_4.csv' using 'x':'pressure' with lines ls 1 title 'pressure', \

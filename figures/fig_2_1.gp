@@ -1,6 +1,6 @@
 # Figure 2.1 - s over the triangle of weights, and its top.
 # In: fig_2_1.csv, fig_2_1_path.csv, fig_2_1_best.csv, fig_2_1_top.csv   Out: fig_2_1.svg
-height = 960
+height = 1000
 load 'style.gp'
 unset grid
 unset border
@@ -25,30 +25,30 @@ plot data.'/fig_2_1_best.csv' using 'x':'y' with table
 unset table
 set datafile separator whitespace
 set multiplot
-set size ratio -1 1,0.58
-set origin 0,0.42
+set size ratio -1 1,0.6
+set origin 0,0.4
 set xrange [-0.12:1.12]
-set yrange [-0.1:1.0]
-set label 1 '1: left' at -0.01,-0.05 center font ',15'
-set label 2 '2: middle' at 1.0,-0.05 center font ',15'
-set label 3 '3: right' at 0.5,0.91 center font ',15'
+set yrange [-0.1:1.08]
+set label 1 '1: left' at -0.01,-0.05 center
+set label 2 '2: middle' at 1.0,-0.05 center
+set label 3 '3: right' at 0.5,0.91 center
 set object 1 polygon from 0,0 to 1,0 to 0.5,0.8660254 to 0,0 fillstyle empty border lc rgb BLACK lw 1.5
 set object 2 rectangle from 0.66,0.13 to 0.84,0.26 fillstyle empty border lc rgb BLACK lw 1 dt 1
-set key at graph 1,0.99 font ',14'
-plot $lines using 1:2 with lines ls 8 dt 1 title 'lines of equal  {/:Italic s}', \
-     $lines using 1:2:(sprintf('%g',$3)) every 1000::12 with labels font ',13' textcolor rgb BLACK notitle, \
+set key at screen 0.98,0.99 maxrows 2
+plot $lines using 1:2 with lines ls 8 dt 1 title 'lines of equal {/:Italic s}', \
+     $lines using 1:2:(sprintf('%g',$3)) every 1000::12 with labels textcolor rgb BLACK notitle, \
      $path using 1:2 with linespoints ls 2 title 'line search', \
      $path using 1:2 every ::0::0 with points pt 6 ps 1.6 lw 2 lc rgb BLACK title 'start: each a third', \
      $best using 1:2 with points pt 3 ps 1.8 lw 2 lc rgb BLUE title 'forces over their sum'
 unset label
 unset object
-set size ratio -1 1,0.42
+set size ratio -1 1,0.4
 set origin 0,0
 set xrange [0.66:0.84]
 set yrange [0.13:0.26]
 set border 15 back ls 100
 plot $near using 1:2 with lines ls 8 dt 1 notitle, \
-     $near using 1:2:(sprintf('%g',$3)) every 1000::50 with labels font ',14' textcolor rgb BLACK notitle, \
+     $near using ($1 < 0.83 ? $1 : NaN):2:(sprintf('%g',$3)) every 1000::50 with labels textcolor rgb BLACK notitle, \
      $path using 1:2 with linespoints ls 2 ps 1 notitle, \
      $best using 1:2 with points pt 3 ps 2.2 lw 2 lc rgb BLUE notitle
 unset multiplot

@@ -1,12 +1,13 @@
 # Figure 3.1 - what is missing after k iterations, six rules.   In: fig_3_1.csv   Out: fig_3_1.svg
-height = 480
+height = 540
 load 'style.gp'
 eval LOGLOG
 set xlabel 'iteration'
 set ylabel '({/:Italic s}* − {/:Italic s}) / {/:Italic s}*'
 set xrange [1:2.2e4]
 set yrange [1e-9:2]
-set key bottom left
+set tmargin 5
+set key at graph 1,1.03 bottom right maxrows 3
 file = data.'/fig_3_1.csv'
 plot file using 'iteration':'gap' every :::0::0 with linespoints ls 7 title 'literal (28): hops', \
      '' using 'iteration':'gap' every :::1::1 with linespoints ls 2 pi 4 title '2/(k + 2)', \

@@ -3,7 +3,7 @@ load 'style.gp'
 set xlabel 'weight of the first pair'
 set ylabel '{/:Italic s}'
 set xrange [-0.03:1.03]
-set yrange [4:14]
+set yrange [0:14]
 set key bottom right
 set arrow 1 from 0.03,6.6 to 0.96,12.2 size screen 0.02,20 ls 2 dt 1
 set arrow 2 from 0.97,11.9 to 0.04,6.2 size screen 0.02,20 ls 2 dt 1

@@ -34,11 +34,11 @@ set object 5 rectangle center 79.5,44 size 41,17 fc rgb LIGHT
 set object 6 rectangle center 22,16.5 size 42,12 fc rgb LIGHT
 set label 1 '{/:Italic u}^0 = {/:Italic K}^{–1}{/:Italic p}   (20)' at 22,94 center
 set label 2 "VIO: all violated pairs\nis there one?" at 22,75.5 center
-set label 3 "QAS among them   (37)\ntheir forces   (38), (39)\nminimum moved   (36)" at 79.5,77.5 center
-set label 4 "tight pairs alone,\nfirst energy   (33)\nis another one violated?" at 22,48 center
-set label 5 "back to the first pair\nin the way   (34), (35)\noptimal or not" at 79.5,48 center
+set label 3 "QAS among them   (37)\ntheir forces   (38), (39)\nminimum moved   (36)" at 79.5,78.2 center
+set label 4 "tight pairs alone,\nfirst energy   (33)\nis another one violated?" at 22,48.7 center
+set label 5 "back to the first pair\nin the way   (34), (35)\noptimal or not" at 79.5,48.7 center
 set label 6 "{/:Italic u}^{/:Italic k+1} is optimal" at 22,16.5 center
-set label 7 'four walls | three rows | block' at 79.5,29.5 center
+set label 7 'four walls | three rows | block' at 79.5,31.5 center
 do for [i = 2:6:4] { set label 10+i BEFORE[i] at LX[i],LY[i]+4.2 center }
 plot data.'/fig_4_1.csv' using (X[n(column('arrow'))]):(Y[n(column('arrow'))]):(0.75*DX[n(column('arrow'))]):(0.75*DY[n(column('arrow'))]):(who(column('walls'), column('rows'), column('block'))) with vectors arrowstyle variable notitle, \
      '' using (X[n(column('arrow'))]+0.75*DX[n(column('arrow'))]):(Y[n(column('arrow'))]+0.75*DY[n(column('arrow'))]):(0.25*DX[n(column('arrow'))]):(0.25*DY[n(column('arrow'))]):(3+who(column('walls'), column('rows'), column('block'))) with vectors arrowstyle variable notitle, \

@@ -1,12 +1,13 @@
 # Figure 4.3 - how often the printed method is right, by size.   In: fig_4_3.csv   Out: fig_4_3.svg
-width = 600; height = 400
+width = 600; height = 420
 load 'style.gp'
 set xrange [-0.7:13.7]
 set yrange [0:100]
 set ylabel 'share of runs [%]'
 set xlabel 'unknowns {/:Italic n}, below them rows {/:Italic m}' offset 0,-0.8
 unset grid; set grid ytics back ls 101
-set key outside top center horizontal width -2 maxrows 2
+set tmargin 4.5
+set key at graph 1,1.03 bottom right maxrows 2
 set boxwidth 0.8
 set xtics scale 0
 set style fill solid 1.0 border lc rgb BLACK

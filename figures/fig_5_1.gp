@@ -2,15 +2,15 @@
 height = 440
 load 'style.gp'
 eval LOGY
-set xlabel 'n unknowns above m rows' offset 0,-0.8
+set xlabel '{/:Italic n} unknowns above {/:Italic m} rows' offset 0,-0.8
 set bmargin 5
 set ylabel 'relative deviation of the energy'
 set xrange [-0.6:11.6]
-set yrange [1e-17:1e1]
+set yrange [1e-17:1e2]
 set ytics 1e-16, 1e2
 set key top left
 set grid noxtics
-set label 1 'rounding of a double' at 11.5, 3.5e-17 right font ',14' textcolor rgb BLACK
+set label 1 'rounding of a double' at 11.5, 3.5e-17 right textcolor rgb BLACK
 file = data.'/fig_5_1.csv'
 plot 2.2e-16 with lines ls 8 notitle, \
      file using 'place':'paper':xtic(sprintf("%d\n%d", column('n'), column('m'))) with linespoints ls 7 title 'paper: |f_P/f_L − 1| as printed', \

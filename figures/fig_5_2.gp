@@ -4,19 +4,19 @@ load 'style.gp'
 eval LOGLOG
 set multiplot
 set format xy '%.0f'
-set xlabel 'pairs' font ',15'
+set xlabel 'pairs'
 set xrange [20:500]
 set yrange [0.8:600]
-set xtics (25, 50, 100, 200, 400) font ',14'
-set ytics (1, 10, 100) font ',14'
+set xtics (25, 50, 100, 200, 400)
+set ytics (1, 10, 100)
 unset mxtics
 set tmargin at screen 0.8
-set bmargin at screen 0.16
-set lmargin at screen 0.11
+set bmargin at screen 0.19
+set lmargin at screen 0.125
 set rmargin at screen 0.52
-set key at screen 0.98,0.98 maxrows 2 font ',14' width 1
-set label 1 'random, 50 unknowns' at graph 0.05,0.93 font ',15'
-set ylabel 'count' font ',15'
+set key at screen 0.98,0.98 maxrows 2 width 1
+set label 1 'random, 50 unknowns' at graph 0.05,0.93
+set ylabel 'count' offset 1,0
 file = data.'/fig_5_2.csv'
 plot file using 'pairs':'lemke' with linespoints ls 7 title 'Lemke: pivots', \
      '' using 'pairs':'goldfarb_idnani' with linespoints ls 2 title 'Goldfarb-Idnani: steps', \

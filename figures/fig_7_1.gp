@@ -19,7 +19,7 @@ set object 3 circle at 0,0 size 5 arc [0:180] nowedge fs empty border lc rgb BLA
 set multiplot layout 2,1
 do for [reading in 't c'] {
   side = reading eq 't' ? -1 : 1
-  set label 1 (side < 0 ? '(T) the load pulls' : '(C) the load presses') at 0,15.6 center font ',15'
+  set label 1 (side < 0 ? '(T) the load pulls' : '(C) the load presses') at 0,15.6 center
   do for [k=0:5] {
     if (side < 0) { set arrow 20+k from 10.3,2*k+0.01 to 13.3,2*k as 3 } else { set arrow 20+k from 13.3,2*k+0.01 to 10.3,2*k as 3 }
   }

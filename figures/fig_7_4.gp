@@ -22,7 +22,7 @@ do for [reading in 't c'] {
   unset xlabel
   unset ylabel
   set ytics 1 format (left ? 'k = %g' : '')
-  set label 2 (left ? '(T) the load pulls' : '(C) the load presses') at graph 0.5,1.65 center font ',15'
+  set label 2 (left ? '(T) the load pulls' : '(C) the load presses') at graph 0.5,1.65 center
   set title 'QAS: all violated' offset 0,-0.7
   set tmargin at screen 0.855
   set bmargin at screen 0.76

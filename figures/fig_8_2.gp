@@ -18,7 +18,7 @@ set arrow 1 from -1.1,0 to 1.1,0 lw 1 lc rgb GREY size screen 0.008,20 back
 set arrow 2 from 0,-1.15 to 0,1.15 lw 1 lc rgb GREY size screen 0.008,20 back
 set label 2 'friction' at 0.04,1.12 textcolor rgb BLACK
 set title 'slides back: (17)'
-set label 1 '−{/:Italic u}⁻' at 1.1,-0.1 right textcolor rgb BLACK
+set label 1 '−{/:Italic u}⁻' at 1.1,-0.18 right textcolor rgb BLACK
 set label 3 '{/:Italic B}' at 0.06,B textcolor rgb BLACK
 $minus << EOD
 -1.05,0.7
@@ -36,10 +36,10 @@ $plus << EOD
 EOD
 plot $plus using 1:2 with lines ls 2 dt 1 lw 3
 set title 'both in a row: (19)'
-set label 1 'slip {/:Italic u}⁺ − {/:Italic u}⁻'
+set label 1 '{/:Italic u}⁺ − {/:Italic u}⁻'
 set label 3 '{/:Italic B} = {/:Italic c} + {/:Italic μf_n}' at 0.06,B left
 set label 4 '−{/:Italic B}' at -0.06,-B right textcolor rgb BLACK
-set label 5 'elastic body' at -1.15,1.13 left textcolor rgb BLACK
+set label 5 "elastic\nbody" at -1.15,1.2 left textcolor rgb BLACK
 $law << EOD
 -1.05,0.7
 0,0.7

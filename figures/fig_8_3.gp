@@ -1,6 +1,6 @@
 # Figure 8.3 - residual and error in three systems of units, and with scaled forces.   In: fig_8_3.csv   Out: fig_8_3.svg
 width = 640
-height = 420
+height = 540
 load 'style.gp'
 eval LOGY
 file = data.'/fig_8_3.csv'
@@ -11,13 +11,15 @@ set ytics 1e-16, 1e4
 set lmargin 8
 set rmargin 2
 set multiplot layout 1,2
+set tmargin at screen 0.72
 set title 'largest |φ|'
-set key at graph 1.0,1.0 top right
+set key at screen 0.5,0.99 top right
 plot 1e-8 with lines ls 8 notitle, \
      file using 'step':'residual' every :::0::0 with linespoints ls 1 title 'mm, MPa', \
      file using 'step':'residual' every :::2::2 with linespoints ls 2 title 'm, MPa', \
      file using 'step':'residual' every :::4::4 with linespoints ls 3 title 'm, GPa'
 set title 'error of the forces'
+set key at screen 0.99,0.99 top right width -3
 plot file using 'step':'error' every :::0::0 with linespoints ls 1 notitle, \
      file using 'step':'error' every :::2::2 with linespoints ls 2 notitle, \
      file using 'step':'error' every :::4::4 with linespoints ls 3 notitle, \

@@ -1,4 +1,5 @@
 # Figure 9.3 - residuals of Newton's method, condensed and uncondensed.   In: fig_9_3.csv   Out: fig_9_3.svg
+height = 520
 load 'style.gp'
 eval LOGY
 file = data.'/fig_9_3.csv'
@@ -8,7 +9,8 @@ set xlabel 'step'
 set ylabel 'residual, over that at the start'
 set yrange [1e-18:10]
 set ytics 1e-18, 1e3
-set key bottom left width -6
+set tmargin 6.5
+set key at graph 1,1.03 bottom right
 plot file using 'step':'residual' every :::0::0 with linespoints ls 1 title 'condensed', \
      file using 'step':'residual' every :::1::1 with linespoints ls 2 title 'uncondensed, scaled', \
      file using 'step':'residual' every :::2::2 with linespoints ls 3 title 'uncondensed, as printed, in mm and N', \

@@ -2,7 +2,8 @@
 # by the names of their columns:   plot data.'/fig_6_1.csv' using 'x':'p' with lines ls 1 title '...'
 # tools/figure.sh passes `out` (the picture) and `data` (the folder with the csv files); by hand, in this
 # folder,   gnuplot fig_6_1.gp   takes the csv files beside the script and draws figure.svg.
-# A script may set `width` and `height` [pixels] before it loads this file.
+# A script may set `width` and `height` [pixels] before it loads this file.  Letters are a fortieth of the
+# width: 10 pixels high on a page 400 pixels wide, in every figure.
 #
 # Colours are Okabe and Ito's, distinguishable with all common forms of colour blindness.  Curves also
 # differ in dashes and points, so that a print in grey stays readable.
@@ -12,7 +13,7 @@ if (!exists("out")) out = 'figure.svg'
 if (!exists("data")) data = '.'
 if (!exists("width")) width = 640
 if (!exists("height")) height = 400
-set terminal svg size width,height dynamic font 'DejaVu Sans,13' linewidth 1 background '#ffffff'
+set terminal svg size width,height dynamic font sprintf('DejaVu Sans,%g', width/40.0) linewidth 1 background '#ffffff'
 set output out
 
 # csv: comment lines begin with #, then one line with the names of the columns, then the rows.  A single
@@ -43,10 +44,10 @@ set border 3 back ls 100
 set tics nomirror out scale 0.6 textcolor rgb BLACK
 set grid xtics ytics back ls 101
 set key top right Left reverse opaque samplen 2.5 spacing 1.15 nobox textcolor rgb BLACK
-set title font ',15' textcolor rgb BLACK
+set title textcolor rgb BLACK
 set xlabel textcolor rgb BLACK
 set ylabel textcolor rgb BLACK
-set lmargin 10
+set lmargin 9
 set rmargin 3
 set samples 601
 

@@ -35,7 +35,8 @@ PROBE = r"""(async () => {
   const raw = [], walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   for (let n; (n = walk.nextNode());) {
     if (n.parentElement.closest('script,style,pre,code,.fragment,.tt,.MathJax_SVG,svg,noscript')) continue;
-    if (/\\[\[\]()]|\\(frac|sum|int|alpha|begin|end|mathrm|left|right)\b|\\f[\$\[\]]|\$[^\s$](?:[^$]*[^\s$])?\$|[@\\](ref|subpage|anchor|PaperEq)\b|<!--/.test(n.textContent))
+    if (/\\[\[\]()]|\\(frac|sum|int|alpha|begin|end|mathrm|left|right)\b|\\f[\$\[\]]|\$[^\s$](?:[^$]*[^\s$])?\$|[@\\](ref|subpage|anchor|PaperEq)\b|<!--/.test(n.textContent) ||
+        n.parentElement.matches('.textblock p, .textblock li, .textblock td') && /(^|[\s(-])\*[A-Za-z]/.test(n.textContent))
       raw.push(n.textContent.trim().slice(0, 80));
   }
   const all = (selector, f) => [...document.querySelectorAll(selector)].map(f);

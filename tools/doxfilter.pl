@@ -5,6 +5,8 @@
 #
 #   $x$, $`x`$                    ->  \f$x\f$
 #   ```math ... ```               ->  \f[ ... \f]
+#   *text with $x$*               ->  <em>: Doxygen sees no emphasis across a formula,
+#   half-*plane*                      or within a word
 #   # Title, ## Section           ->  the same with the labels chapter-06, chapter-06-section
 #   <a id="eq-23"></a>            ->  \anchor chapter-06-eq-23   (the number belongs to a page)
 #   [text](../x/README.md#name)   ->  @ref label "text"
@@ -96,7 +98,7 @@ sub link_to {
     return reference(place($rel, $1), $words) if $url =~ /^#(.*)/;
     my ($path, $name) = $url =~ /^([^#]*)(?:#(.*))?$/;
     $path = clean(dirname($rel) . "/$path");
-    if ($path =~ /\.md$/) {
+    if ($path =~ /\.md$/ && $path !~ m{/results/}) {
         my $to = place($path, $name);
         return reference($to, $words) if label($rel) !~ /^chapter/ || $to !~ /^exercise-\d+-\d+$/ || $nested{$to}++;
         return "\\subpage $to \"" . ($words =~ s/["`]//gr) . '"';    # an exercise belongs to its chapter
@@ -116,6 +118,8 @@ sub formulas {    # $...$ in text without code spans
 
 sub prose {       # one line of Markdown outside of fences
     my ($s, $n) = @_;
+    $s =~ s{(?<![^\s(])\*(?=[^\s*])([^*\$`]*\$[^\$]+\$(?:[^*\$`]|\$[^\$]+\$)*)(?<=\S)\*(?!\w)}{<em>$1</em>}g;
+    $s =~ s{(?<=\w-)\*([^*\$`]+)\*(?!\w)}{<em>$1</em>}g;
     $s =~ s{<a id="([\w-]+)"></a>}{'\anchor ' . place($rel, $1)}ge;
     $s =~ s{(?<!!)\[((?:`[^`]*`|[^\]`])+)\]\(([^)\s]+)\)}{
         my ($all, $words, $url) = ($&, $1, $2);

@@ -1,5 +1,5 @@
 /// \file
-/// The four readings of "quasi-active set", and how their runs end.
+/// Four choices of the quasi-active set, and how their runs end.
 #pragma once
 #include <algorithm>
 #include <array>

@@ -85,7 +85,7 @@ void clock_of_the_paper(Results& results) {
     for (const double t : {line.lemke_seconds, line.paper_seconds}) {
       ++times;
       near_ticks += std::abs(t / tick - std::round(t / tick)) < 0.15 ? 1 : 0;
-      in_256ths += std::abs(t - std::round(256 * t) / 256) < 0.51e-4 ? 1 : 0;  // 4 digits printed
+      in_256ths += std::abs(t - std::round(256 * t) / 256) < 0.51e-4 ? 1 : 0;  // 4 decimals printed
     }
   }
   // [clock]

@@ -28,7 +28,7 @@ namespace {
 using namespace signorini;
 using Eigen::Index;
 
-// 1. The data of the paper, in cm and kN: a beam clamped on the left, 1 cm above the foundation.
+// 1. The data of the paper, as we read them, in cm and kN: a beam 1 cm above the foundation; width ours.
 // [data]
 const BeamOnFoundation paper{/*length*/ 50,     /*height*/ 5,           /*width*/ 1,
                              /*modulus*/ 2.1e4, /*poisson_ratio*/ 0.29, /*gap*/ 1,

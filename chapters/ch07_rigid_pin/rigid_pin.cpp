@@ -34,7 +34,7 @@ const double degree = std::acos(-1.0) / 180;
 // [data]
 struct Pin {
   double q;                // paper; pressure on the right side: (T) < 0, (C) > 0 [kN/cm^2]
-  double clearance;        // paper: epsilon; radius of the hole less radius of the pin [cm]
+  double clearance;        // paper: epsilon, read as radius of the hole less radius of the pin [cm]
   bool linear_gap = true;  // or the exact distance from the pin
   [[nodiscard]] double side() const { return q > 0 ? 1 : -1; }  // of the hole that bears
 };

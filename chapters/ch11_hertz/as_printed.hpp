@@ -1,6 +1,6 @@
 /// \file
-/// The method of section 2.4 of the second paper as it stands there: displacements and the pressures of
-/// Gauss points together, by Newton's method. saddle_point_newton() is the library's, with forces as unknowns,
+/// The method of section 2.4 of the second paper without friction, with the signs of F^C and of a mended:
+/// displacements and the pressures of Gauss points together, by Newton's method. saddle_point_newton() is the library's, with forces as unknowns,
 /// in one unit and with shorter steps where whole ones fail.
 #pragma once
 #include <Eigen/QR>
@@ -12,7 +12,7 @@
 
 namespace signorini {
 
-/// What the paper leaves open, and the one thing that is mended.
+/// What the paper leaves open, and a change to J that makes it regular.
 struct PrintedMethod {
   double unit = 1;      // a pressure counts as this much gap [mm/MPa]; as printed 1
   double yielding = 0;  // taken from phi's part of J, not from F [mm/MPa]; as printed 0

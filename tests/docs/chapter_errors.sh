@@ -1,6 +1,7 @@
 #!/bin/sh
-# chapter_errors.sh PROGRAM FOLDER: a chapter's program answers bad input, and a disk that is full, with status 2
-# and one message that names the program; asked for help it succeeds.  FOLDER is a place to play in.
+# chapter_errors.sh PROGRAM FOLDER [whole]: a chapter's program answers bad input, and a disk that is full, with
+# status 2 and one message that names the program; asked for help it succeeds.  FOLDER is a place to play in.
+# `whole` lets it also compute all and then find the disk full: for a quick one, since all have the same frame.
 set -u
 rm -rf "$2"
 mkdir -p "$2"
@@ -35,6 +36,9 @@ complains() { # status, what it said, what was done
 if [ -c /dev/full ]; then
     said=$("$program" --help 2>&1 > /dev/full)
     complains $? "$said" "--help > /dev/full"
+fi
+[ "${3:-}" = whole ] || exit $bad
+if [ -c /dev/full ]; then
     said=$("$program" --out "$folder/lost" 2>&1 > /dev/full)
     complains $? "$said" "> /dev/full"
 fi

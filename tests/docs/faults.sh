@@ -5,7 +5,7 @@ set -u
 tools=$1/tools
 clean=$2.clean
 rm -rf "$2" "$clean"
-mkdir -p "$2/chapters/ch03_demo/results" "$2/chapters/ch03_demo/exercises/ex1_demo" "$2/figures" "$2/fresh"
+mkdir -p "$2/chapters/ch03_demo/results" "$2/chapters/ch03_demo/exercises/ex1_demo" "$2/figures" "$2/fresh" "$2/tests/reference"
 cd "$2" || exit 1
 failures=0
 text=chapters/ch03_demo/README.md
@@ -45,8 +45,29 @@ a = b \tag{3}
 
 ![The pressure](../../figures/fig_3_1.svg)
 
+<a id="box-3-1"></a>
+> **Left open.** How to begin.
+
 [Exercise](exercises/ex1_demo/README.md)
 END
+list=tests/reference/claims.md
+cat > $list << 'END'
+# Claims
+
+| box-3-1 | Left open | [the step](../../chapters/ch03_demo/README.md#box-3-1) | no start is given | 1 | 2–3 | `任意 ... σn− ≥0` |
+| note-1 | Left open | [(3)](../../chapters/notation.md) | no start is given | 1 | 2 | `任意` |
+END
+cat > chapters/notation.md << 'END'
+# Notation
+
+## Where we differ from the papers
+
+| equation | kind | as printed |
+|:--|:--|:--|
+| (3) | Left open | any start |
+END
+printf 'paper\n从任意一点\n开始, \357\201\263 n\357\200\255  ≥ 0\n' > paper_1.txt # with sigma and minus of the font Symbol
+: > paper_2.txt
 printf '# Title\n\n[Demonstration](chapters/ch03_demo/README.md)\n' > README.md
 
 expect() { # yes or no, what, command
@@ -58,6 +79,8 @@ expect() { # yes or no, what, command
 compare() { perl "$tools/compare.pl" "$@" chapters/ch03_demo fresh; }
 weave() { perl "$tools/weave.pl" "$@" README.md $text; }
 lint() { perl "$tools/lint-md.pl" README.md $text $exercise; }
+claims() { perl "$tools/claims.pl" .; }
+quoted() { perl "$tools/claims.pl" . paper_1.txt paper_2.txt; }
 draw() { "$tools/figure.sh" figures/fig_3_1.gp "$1" "${2:-figures}"; }
 picture() { "$tools/figure.sh" --check figures/fig_3_1.gp; }
 have_gnuplot() { command -v gnuplot > /dev/null 2>&1; }
@@ -75,6 +98,8 @@ broken() { # yes or no, what, check, sed script, file: from a clean copy, after 
 expect yes "clean numbers" compare
 expect yes "clean text" weave --check
 expect yes "clean Markdown" lint
+expect yes "clean claims" claims
+expect yes "clean quotations of the papers" quoted
 
 broken no "a number that left the tolerance" compare 's/2.5000001/2.50001/' fresh/ch03.results
 broken yes "a number within the tolerance" compare 's/2.5000001/2.5000002/' fresh/ch03.results
@@ -116,6 +141,25 @@ broken no "a hint that is closed twice" lint '$p' $exercise
 broken no "a refused macro" lint 's/a = b/\\operatorname{a} = b/' $text
 broken no "a link to a solution" lint 's/^\[Exercise.*/&, [it](exercises\/ex1_demo\/solution.cpp)/' $text
 
+broken no "a box without a row" claims '/box-3-1/d' $list
+broken no "a row that stands there twice" claims '$p' $list
+broken no "a box of another name" claims 's/Left open/Erratum/' $text
+broken no "a box of another kind than its row" claims 's/Left open/Misprint/' $text
+broken no "a box without an anchor" claims '/^<a id="box/d' $text
+broken no "an anchor of another number" claims 's/id="box-3-1"/id="box-3-2"/' $text
+broken no "a row without a box" claims '/^> /d' $text
+broken no "a row that links elsewhere" claims 's/#box-3-1/#eq-3/' $list
+broken no "a row without a line of the paper" claims 's/2–3/there/' $list
+broken no "a row without a quotation" claims 's/`.*`//' $list
+broken no "a row in the notation without a kind" claims 's/Left open/wrong/' chapters/notation.md
+broken no "a row of the notation of another kind" claims 's/Left open/Misprint/' chapters/notation.md
+broken no "a row of the notation without a row of its own" claims '/note-1/d' $list
+broken no "a notation without the list" claims '/^|/d' chapters/notation.md
+broken no "a quotation that is not in the paper" quoted 's/任意/随意/' $list
+broken no "a quotation with another sign" quoted 's/σn−/σn+/' $list
+broken no "a quotation that is elsewhere" quoted 's/2–3/3/' $list
+broken no "lines that the paper does not have" quoted 's/2–3/2–9/' $list
+
 if have_gnuplot; then
     broken yes "a clean picture" picture 's/a/a/' README.md
     broken no "a picture older than its data" picture 's/1.25/1.26/' figures/fig_3_1.csv
@@ -125,6 +169,20 @@ if have_gnuplot; then
     broken no "data that are not there" "draw new.svg" 's/fig_3_1.csv/fig_3_9.csv/' figures/fig_3_1.gp
     broken no "a mistake in a script" "draw new.svg" 's/plot/plod/' figures/fig_3_1.gp
 fi
+
+# the text of labels: what is cut from a picture is never cut from its words
+label="41.76 kN,  the paper's 'a' = 0.25, 1.05"
+cat > label.svg << END
+<path d='M12.34,56.78 L1.25,2.35 '/>
+<polygon fill = 'red' points = '1.00,1.00 2.00,1.00 2.00,2.00 1.00,1.00'/>
+<polygon fill = 'red' points = '2.00,1.00 3.00,1.00 3.00,2.50 3.00,2.50 2.00,1.00'/>
+<text><tspan>$label</tspan></text>
+END
+perl "$tools/svgtidy.pl" label.svg
+expect yes "the words of a label" grep -qF ">$label<" label.svg
+expect yes "the second decimal of a line" grep -qF "'M12.3,56.7 L1.2,2.3'" label.svg
+expect yes "two polygons of one colour" grep -qF "<path fill='red' d='M1.0,1.0l1,0 0,1zM2.0,1.0l1,0 0,1.5z'/>" label.svg
+expect yes "a tidy picture" perl "$tools/svgtidy.pl" --check label.svg
 
 # the starter of an exercise
 starter() { printf '#!/bin/sh\n%s\n' "$1" > program && chmod +x program && "$tools/starter.sh" ./program; }

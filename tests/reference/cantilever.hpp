@@ -1,7 +1,8 @@
 // Reference numbers of the cantilever above a rigid flat foundation: Xuan & Li 2002, section 4, example 2.
 //
-// l = 50 cm, h = 5 cm, gap 1 cm, q = 3.6 kN/cm^2 on the upper face, E = 2.1e4 kN/cm^2, nu = 0.29, plane
-// stress, thickness 1 cm, left end clamped. The paper draws the pressure and prints no numbers.
+// l = 50 cm, h = 5 cm, gap 1 cm, q = 3.6 kN/cm^2, E = 2.1e4 kN/cm^2, nu = 0.29, plane stress. The rest is in a
+// figure that our copy lacks; length l, height h, thickness 1 cm, left end clamped, q on the upper face and a
+// flat foundation are our reading. The paper draws the pressure; its text has no number of it.
 #pragma once
 #include <array>
 

@@ -1,7 +1,7 @@
 // Reference numbers of the lining in a tunnel: Lin et al., section 3.4.
 //
 // Two rings of 210 GPa and nu = 0.3 in plane strain, 0.15 cm apart, 180 MPa inside, a quarter with 120 nodes and 90
-// cells. The radii are in a figure that we do not have; 60, 68, 68.15, 76.15 cm are ours.
+// cells. The text has no radii, figure 20 is not in our copy; 60, 68, 68.15, 76.15 cm are ours.
 #pragma once
 
 namespace reference {

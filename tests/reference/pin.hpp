@@ -1,8 +1,8 @@
 // Reference numbers of the rigid pin in an elastic plate: Xuan & Li 2002, section 4, example 3.
 //
-// E = 1000 kN/cm^2, nu = 0.3, plane strain, q = 25 kN/cm^2 on the right side, clearance 0.2 cm. The paper gives
-// neither the dimensions nor a number of the result; 5 cm for the hole, 20 cm for the square plate and the
-// readings (T), q pulls, and (C), q presses, are ours, and so are all numbers below.
+// E = 1000 kN/cm^2, nu = 0.3, plane strain, q = 25 kN/cm^2 on the right side, epsilon = 0.2 cm, which we read as
+// the clearance. Dimensions and pressures are in figures that our copy lacks; 5 cm for the hole, 20 cm for the square
+// plate and the readings (T), q pulls, and (C), q presses, are ours, and so are all numbers below.
 #pragma once
 #include <array>
 

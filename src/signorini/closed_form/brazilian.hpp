@@ -15,6 +15,7 @@ struct SqueezedDisc {
 };
 
 /// Tensile strength by the Brazilian test, \PaperEq{LinEtAl, 44}: \f$ 2 P / (\pi d) \f$ with d = 2 R.
+/// The paper has a minus before it, with tension < 0.
 /// \param disc  whose force breaks it
 /// \return the tension across the loaded diameter under two line loads [force/length^2]
 /// \throws std::invalid_argument unless radius and force are positive
@@ -29,7 +30,7 @@ struct SqueezedDisc {
 ///     \tau_{xy} = \frac{2 P}{\pi} \Big(\frac{\sin\theta_1 \cos^2\theta_1}{r_1} -
 ///                 \frac{\sin\theta_2 \cos^2\theta_2}{r_2}\Big), \f]
 /// each the field of a line load on a half-plane, and a uniform tension that frees the rim. The
-/// paper prints the same with compression > 0.
+/// paper has tension < 0, and a plus in the shear, which is right for angles in one sense of rotation.
 /// \param disc  with its load
 /// \param x     across the loaded diameter, from the centre [length]
 /// \param y     along it [length]

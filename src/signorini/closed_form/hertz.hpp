@@ -18,7 +18,7 @@ struct LineContact {
 /// Half of the contact's width, \PaperEq{LinEtAl, 43} first line:
 /// \f$ b = \sqrt{4 P R / (\pi E^{*})} \f$.
 ///
-/// The paper prints E* = E / (2 (1 - nu^2)) of two bodies of one material.
+/// In the paper E / (2 (1 - nu^2)) stands for E*: two bodies of one material.
 /// \param contact  with its load
 /// \return b [length]
 /// \throws std::invalid_argument unless radius, modulus and force are positive

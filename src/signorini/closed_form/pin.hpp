@@ -18,10 +18,10 @@ struct PinInPlate {
 };
 
 /// Load relation of Persson [\ref Persson1964] and of Ciavarella and Decuzzi
-/// [\ref CiavarellaDecuzzi2001], with \f$ b = \tan(\varepsilon / 2) \f$:
+/// [\ref CiavarellaDecuzzi2001], with \f$ b = \tan(\alpha / 2) \f$:
 /// \f[ \frac{E^{*} \Delta R}{P} =
 /// \frac{1 - (E^{*} / E_h)(\ln(1 + b^2) + 2 b^4)}{\pi b^2 (1 + b^2)}. \f]
-/// \param half_angle      epsilon, half of the arc in contact [rad], between 0 and pi
+/// \param half_angle      alpha, half of the arc in contact [rad], between 0 and pi
 /// \param stiffness_ratio E* / E_h [-]: 1 for a rigid pin, 1/2 for equal materials
 /// \return E* Delta R / P [-]; falls with the angle towards -2/pi of the ratio, and is negative where
 ///   only a pin that is thicker than the hole could touch so far
@@ -30,7 +30,7 @@ struct PinInPlate {
 
 /// Half of the arc in contact: the root of the load relation, by bisection to rounding.
 /// \param pin  with its load
-/// \return epsilon [rad]
+/// \return alpha [rad]
 /// \throws std::invalid_argument unless radius, force and moduli are positive and the clearance is
 ///   not negative
 [[nodiscard]] double pin_contact_angle(const PinInPlate& pin);

@@ -37,8 +37,8 @@ struct FloatingState {
 /// \f$ G + \rho R P R^T \f$ and \f$ d + R (a - \rho P r) \f$. Its forces and the new amplitude
 /// \f$ a + \rho P (R^T\lambda - r) \f$ satisfy every condition but one: the springs still carry
 /// \f$ R^T\lambda - r \f$. So the anchor is moved there, and again: the method of multipliers
-/// [\ref Rockafellar1976], or in the words of Xuan and Li, a minimum that is moved until it stays. As
-/// soon as a new set of closed pairs W appears,
+/// [\ref Rockafellar1976], akin to the minimum that Xuan and Li move. As soon as a new set of closed
+/// pairs W appears,
 ///
 /// \f[ \begin{pmatrix} G_{WW} & R_W \\ R_W^T & 0 \end{pmatrix}
 ///     \begin{pmatrix} \lambda_W \\ a \end{pmatrix} =

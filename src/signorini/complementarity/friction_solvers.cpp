@@ -16,8 +16,8 @@ const std::vector<FrictionSolver>& friction_solvers() {
        friction_newton},
       {"friction_lemke", "one complementarity problem for all, solved by pivoting", friction_lemke},
       {"friction_split", "the slip split in u+ and u-, repaired", friction_split, true},
-      {"friction_split_literal", "the slip split in u+ and u-, as printed", friction_split_literal,
-       true},
+      {"friction_split_literal", "the slip split in u+ and u-, as printed but for a sign",
+       friction_split_literal, true},
   };
   return methods;
 }

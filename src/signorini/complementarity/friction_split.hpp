@@ -1,11 +1,11 @@
 /// \file
-/// Friction with two unknowns per slip, u+ and u-: as Lin et al. print it, and so that it works.
+/// Friction with two unknowns per slip, u+ and u-: as in Lin et al., and so that it works.
 #pragma once
 #include "signorini/complementarity/friction.hpp"
 
 namespace signorini {
 
-/// Solves the equations of the paper as they are printed, by its plain Newton method.
+/// Solves the equations of the paper, with the sign of mu lambda mended, by its plain Newton method.
 ///
 /// The slip is split, \PaperEq{LinEtAl, 19}, and the unknowns are the forces lambda, tau, the two parts u+, u-
 /// and amplitudes, \PaperEq{LinEtAl, 30}:

@@ -14,8 +14,8 @@ namespace signorini {
 /// simplex method drives the sum of the artificial gaps to zero. What is not linear, force times gap = 0,
 /// is left to a rule of the pivots, *restricted basis entry*: a force may join the basis only if the
 /// gap of its pair is not in it, and the other way round. This is Wolfe's method for quadratic programmes
-/// [\ref Wolfe1959]. The contact analysis from which Xuan and Li take their examples uses linear
-/// programmes in increments of load [\ref SimunovicSaigal1995]; this member takes the whole load at once
+/// [\ref Wolfe1959]. The contact analysis with which Xuan and Li compare their examples uses, says its title, a
+/// linear programme in increments [\ref SimunovicSaigal1995]; this member takes the whole load at once
 /// and does not follow it.
 ///
 /// Why the rule does not block the way: let no allowed pivot lower the sum, and let y be the prices of the

@@ -1,5 +1,5 @@
 /// \file
-/// The quasi-active-set method exactly as the paper prints it, with a truthful status.
+/// The quasi-active-set method as the paper prints it, with a truthful status.
 #pragma once
 #include <vector>
 
@@ -9,7 +9,8 @@ namespace signorini {
 
 /// Which of the pairs that overlap make up the quasi-active set, \PaperEq{XuanLi2002, 37}.
 ///
-/// The paper asks for rows of full rank and leaves open which. Overlaps are compared in the energy norm,
+/// The paper asks for rows of full rank, more than one in a step, and leaves open which: the first and the last
+/// member are limiting cases of ours. Overlaps are compared in the energy norm,
 /// \f$ -w_i / \sqrt{G_{ii}} \f$, so that the units of a row do not matter; of equal ones the first counts.
 enum class QuasiActiveRows {
   AllViolated,             ///< all of them, independent or not

@@ -11,7 +11,7 @@ namespace signorini {
 /// Which equations saddle_point_newton() solves, and when it stops.
 enum class SaddlePointForm {
   OneUnit,    ///< gaps and forces scaled to one unit; stops when certify() holds
-  AsPrinted,  ///< the paper's equations, a length beside a force; stops when |F| is small
+  AsPrinted,  ///< (28) as it stands, a length beside a force; stops when |F| is small
 };
 
 /// Choices for saddle_point_newton().
@@ -39,7 +39,8 @@ struct SaddlePointSolution {
 ///     \qquad
 ///     J = \begin{pmatrix} K & A^T \\ -D_a A & D_b \end{pmatrix}, \f]
 ///
-/// with the diagonal matrices of the slopes of \f$ \varphi \f$, \PaperEq{LinEtAl, 31}. It starts at u = 0
+/// with the diagonal matrices of the slopes of \f$ \varphi \f$, \PaperEq{LinEtAl, 31}, of whose column a
+/// the sign is repaired. It starts at u = 0
 /// with the forces that are given. Both residuals are summed in twice the working precision and u is kept in two
 /// parts, so the last steps are also the refinement.
 ///

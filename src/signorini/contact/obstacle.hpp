@@ -61,7 +61,7 @@ struct Obstacle {
 /// The gap is measured along the normal of the curve at the same x:
 /// \f[ g = n_y\,(y - f(x)), \quad n = (-f', 1)/\sqrt{1 + f'^2}, \f]
 /// \PaperEq{XuanLi2002, 1}, with the sign of our normal, and
-/// \PaperEq{XuanLi2002, 2} with its second division by the root taken out (an erratum, see chapter
+/// \PaperEq{XuanLi2002, 2} with its second division by the root taken out (a misprint, see chapter
 /// 1). It is the distance up to terms of the order gap^2 times the curvature.
 /// \param height  f(x) [length]
 /// \param slope   f'(x) [-]
