@@ -38,7 +38,8 @@ void repeat_columns(Random& random, Kind kind, bool whole, MatrixXd& H) {
     if (random.whole(0, 1) == 0) continue;
     const Index like = random.whole(0, static_cast<int>(j) - 1);
     H.col(j) = H.col(like) * (random.whole(0, 2) == 0 ? -1 : 1);
-    if (kind == Kind::NearlyRepeated) H.col(j) += little * random_columns(random, H.rows(), 1, whole);
+    if (kind == Kind::NearlyRepeated)
+      H.col(j) += little * random_columns(random, H.rows(), 1, whole);
   }
 }
 
@@ -55,7 +56,7 @@ MatrixXd products(const MatrixXd& H) {
 }
 
 /// gap - G force for forces and gaps of which at most one is not zero in every pair.
-VectorXd solvable_gap(Random& random, const MatrixXd& G, bool whole, bool ties) {
+VectorXd any_solvable_gap(Random& random, const MatrixXd& G, bool whole, bool ties) {
   const Index n = G.rows();
   VectorXd force = VectorXd::Zero(n);
   VectorXd gap = VectorXd::Zero(n);
@@ -72,6 +73,17 @@ VectorXd solvable_gap(Random& random, const MatrixXd& G, bool whole, bool ties) 
     d(i) = sum.value();
   }
   return d;
+}
+
+/// The same, drawn again while forces that nearly cancel hide behind overlaps so small that the rounding of G
+/// decides whether the problem can be solved.
+VectorXd solvable_gap(Random& random, const MatrixXd& G, bool whole, bool ties) {
+  const VectorXd root = G.diagonal().cwiseSqrt();
+  while (true) {
+    const VectorXd d = any_solvable_gap(random, G, whole, ties);
+    const double deepest = -d.cwiseQuotient(root).minCoeff();
+    if (deepest <= 0 || deepest > 4 * root.maxCoeff() * std::ldexp(1, -26)) return d;
+  }
 }
 
 /// Makes the last column the one that balances some others, all of whole numbers.

@@ -19,7 +19,8 @@ struct RandomCondensed {
 ///
 /// H holds whole numbers of -3 to 3 or any numbers, has often fewer rows than columns, and columns that
 /// repeat others, turned round or not, or do so but for 1e-12 to 1e-4. Of a feasible problem d = gap - G force
-/// with chosen forces and gaps, rounded once. An infeasible one has y > 0 in whole numbers with H y = 0 on some
+/// with chosen forces and gaps, rounded once; what these forces move is at least 2^-26 of what one of them moves
+/// alone. An infeasible one has y > 0 in whole numbers with H y = 0 on some
 /// pairs and d^T y = -1 to -3, exactly. In the end every pair has its own unit, a power of two of 1e-8 to 1e8.
 /// \param seed  of the problem
 /// \return the same problem on every machine

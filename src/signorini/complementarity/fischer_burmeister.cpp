@@ -108,16 +108,6 @@ std::optional<Candidate> confirmed_nearby(const ScaledProblem& problem, std::vec
   return confirmed(problem, next);
 }
 
-/// Scales any square matrix like equilibrate() does a compliance.
-ScaledProblem scaled_by_diagonal(const ContactProblem& problem) {
-  ScaledProblem scaled;
-  scaled.scale = problem.compliance.diagonal().unaryExpr(
-      [](double m) { return m != 0 ? 1 / std::sqrt(std::abs(m)) : 1.0; });
-  scaled.compliance = scaled.scale.asDiagonal() * problem.compliance * scaled.scale.asDiagonal();
-  scaled.free_gap = scaled.scale.cwiseProduct(problem.free_gap);
-  return scaled;
-}
-
 /// One step of the method, from a point to one with a smaller residual.
 class Newton {
  public:
@@ -187,11 +177,9 @@ Iteration summary(const ScaledProblem& scaled, const Point& point, double reach,
 }  // namespace
 
 ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptions& options) {
-  check_finite(problem);
   const Index n = problem.free_gap.size();
   const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 10 * n + 100;
-  const bool contact = is_symmetric(problem) && (problem.compliance.diagonal().array() >= 0).all();
-  const ScaledProblem scaled = contact ? equilibrate(problem) : scaled_by_diagonal(problem);
+  const ScaledProblem scaled = equilibrate_any(problem);
   Point point{VectorXd::Zero(n), VectorXd(n), VectorXd(n)};
   const double reach = reach_of(scaled.compliance);
   const ScaledProblem measured{scaled.compliance / reach, scaled.free_gap, scaled.scale};
@@ -214,8 +202,8 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
       continue;
     }
     report.factorisations += closed.empty() ? 0 : 1;
-    auto end =
-        contact ? confirmed_nearby(scaled, closed) : confirmed_by_elimination(scaled, closed);
+    auto end = scaled.symmetric ? confirmed_nearby(scaled, closed)
+                                : confirmed_by_elimination(scaled, closed);
     if (end) {
       report.status = Status::Solved;
       return certified(problem,
