@@ -166,7 +166,9 @@ std::vector<Index> independent_pairs(const ScaledProblem& problem,
 
 std::optional<std::pair<ClosedPairs, std::vector<Index>>> confirmed(
     const ScaledProblem& problem, const std::vector<Index>& candidates) {
-  std::vector<Index> chosen = independent_pairs(problem, candidates);
+  std::vector<Index> chosen = candidates;
+  if (problem.symmetric) chosen = independent_pairs(problem, candidates);
+  std::sort(chosen.begin(), chosen.end());
   ClosedPairs closed = close_pairs(problem, chosen);
   if (!solves(problem, closed)) return std::nullopt;
   return std::make_pair(std::move(closed), std::move(chosen));

@@ -85,7 +85,7 @@ struct ClosedPairs {
 
 /// Ends a method that only guesses which pairs are closed: takes as many of them as are independent,
 /// closes these exactly, and looks whether that is a solution.
-/// \param problem     scaled by equilibrate(), symmetric
+/// \param problem     scaled; without symmetry all candidates are closed or nothing is returned
 /// \param candidates  pairs taken as closed, the most certain first
 /// \return forces and gaps if they are a solution, see solves(), with the pairs that were closed in
 ///   increasing order; otherwise nothing

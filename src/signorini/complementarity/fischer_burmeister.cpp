@@ -65,36 +65,6 @@ std::vector<Index> closed_pairs(const Point& point) {
   return closed;
 }
 
-/// As confirmed(), for a matrix without symmetry: all candidates or nothing.
-std::optional<Candidate> confirmed_by_elimination(const ScaledProblem& problem,
-                                                  std::vector<Index> active) {
-  std::sort(active.begin(), active.end());
-  const double rounding = static_cast<double>(active.size() + 1) * epsilon;
-  ClosedPairs closed;
-  closed.solvable = true;
-  closed.force.setZero(problem.free_gap.size());
-  if (!active.empty()) {
-    const Eigen::MatrixXd M = problem.compliance(active, active);
-    const VectorXd q = problem.free_gap(active);
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factor(M);
-    if (!(factor.rcond() > rounding)) return std::nullopt;
-    VectorXd force = factor.solve(-q);
-    for (int step = 0; step < 2; ++step) force -= factor.solve(q + M * force);
-    for (std::size_t k = 0; k < active.size(); ++k)
-      closed.force(active[k]) = force(static_cast<Index>(k));
-  }
-  closed.gap = problem.free_gap + problem.compliance * closed.force;
-  closed.gap_rounding = rounding * (problem.free_gap.cwiseAbs() +
-                                    problem.compliance.cwiseAbs() * closed.force.cwiseAbs());
-  for (const Index i : active) closed.gap(i) = 0;
-  const double largest = closed.force.size() == 0 ? 0 : closed.force.cwiseAbs().maxCoeff();
-  closed.force_rounding = VectorXd::Constant(closed.force.size(), rounding * largest);
-  if ((closed.force.array() < -closed.force_rounding.array()).any() ||
-      (closed.gap.array() < -closed.gap_rounding.array()).any())
-    return std::nullopt;
-  return std::make_pair(std::move(closed), std::move(active));
-}
-
 /// The exact end, if the set of closed pairs or the one that an active set method takes next is right:
 /// of a pair that touches without force, rounding decides the side.
 std::optional<Candidate> confirmed_nearby(const ScaledProblem& problem, std::vector<Index> closed) {
@@ -202,8 +172,7 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
       continue;
     }
     report.factorisations += closed.empty() ? 0 : 1;
-    auto end = scaled.symmetric ? confirmed_nearby(scaled, closed)
-                                : confirmed_by_elimination(scaled, closed);
+    auto end = scaled.symmetric ? confirmed_nearby(scaled, closed) : confirmed(scaled, closed);
     if (end) {
       report.status = Status::Solved;
       return certified(problem,

@@ -33,10 +33,11 @@ bool out_of_reach(const Eigen::VectorXd& free_gap, const Eigen::VectorXd& y,
                   const Eigen::VectorXd& moved, const Eigen::VectorXd& scale) {
   ExactSum overlap;
   for (Index i = 0; i < y.size(); ++i) overlap.add_product(-free_gap(i), y(i));
-  const double rounding = static_cast<double>(y.size()) * epsilon * free_gap.cwiseAbs().dot(y);
+  const double rounded = 1e3 * epsilon;  // what rounding may have done to the data
+  const double lost = static_cast<double>(y.size()) * rounded * free_gap.cwiseAbs().dot(y);
   const double deepest = -free_gap.cwiseProduct(scale).minCoeff();
   const double most = moved.cwiseProduct(scale).cwiseAbs().maxCoeff();
-  return overlap.value() > rounding && most <= 1e3 * epsilon * y.cwiseQuotient(scale).sum() &&
+  return overlap.value() > lost && most <= rounded * y.cwiseQuotient(scale).sum() &&
          most * deepest < overlap.value() * std::sqrt(epsilon);
 }
 
