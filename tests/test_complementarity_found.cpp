@@ -26,6 +26,8 @@ using namespace signorini_test;
 
 namespace {
 
+using Method = ContactState (*)(const ContactProblem&, const SolverOptions&);
+
 ContactProblem read(const std::string& name) {
   const ProblemFile file = read_problem(std::string(SIGNORINI_TEST_DATA) + "/" + name);
   return std::get<std::vector<FiledProblem>>(file).front().problem;
@@ -52,10 +54,7 @@ TEST_CASE("what can be solved but for rounding is not called infeasible", "[foun
   const ContactState sure = enumerate(problem);
   CHECK(sure.report.status != Status::Infeasible);
   CHECK(sure.infeasibility.size() == 0);
-  for (const auto* method :
-       {static_cast<ContactState (*)(const ContactProblem&, const SolverOptions&)>(
-            quasi_active_set),
-        primal_dual_active_set}) {
+  for (const Method method : {Method(quasi_active_set), Method(primal_dual_active_set)}) {
     const ContactState state = method(problem, {});
     REQUIRE(state.report.status == Status::Solved);
     CHECK(certify(problem, state).worst() <= 1e-14);
@@ -104,11 +103,7 @@ TEST_CASE("a pair without a diagonal entry has one scale for every method",
 TEST_CASE("a singular matrix without symmetry never ends in numbers that are none",
           "[found][fischer_burmeister][projected_gauss_seidel]") {
   const ContactProblem problem = read("siconos_lcp/lcp_tobenna.dat");
-  for (const auto* method :
-       {static_cast<ContactState (*)(const ContactProblem&, const SolverOptions&)>(
-            fischer_burmeister),
-        static_cast<ContactState (*)(const ContactProblem&, const SolverOptions&)>(
-            projected_gauss_seidel)})
+  for (const Method method : {Method(fischer_burmeister), Method(projected_gauss_seidel)})
     for (const Index limit : {1, 5, 50}) {
       const ContactState state = method(problem, {limit});
       CHECK(state.force.allFinite());
@@ -123,14 +118,15 @@ TEST_CASE("a proof that nothing solves a problem is checked on its own data", "[
   const ContactProblem wedged{G, Vector2d(-1, 0.5)};
   CHECK(refutes(wedged, y));
   CHECK_FALSE(refutes(wedged, VectorXd()));
-  CHECK_FALSE(refutes(wedged, Vector2d(1, -1)));                            // a negative weight
-  CHECK_FALSE(refutes(wedged, Vector2d(1, 0.999)));                         // G y is not 0
-  CHECK_FALSE(refutes({G, Vector2d(-1, 1)}, y));                            // the gaps sum to 0
-  CHECK_FALSE(refutes({G, Vector2d(-1, 1 - 1e-15)}, y));                    // but for rounding
-  CHECK_FALSE(refutes({Matrix2d(-G), Vector2d(1, -0.5)}, Vector2d(0, 0)));  // nothing is summed
+  CHECK_FALSE(refutes(wedged, Vector2d(1, -1)));                        // a negative weight
+  CHECK_FALSE(refutes(wedged, Vector2d(1, 0.999)));                     // G y is not 0
+  CHECK_FALSE(refutes(ContactProblem{G, Vector2d(-1, 1)}, y));          // the gaps sum to 0
+  CHECK_FALSE(refutes(ContactProblem{G, Vector2d(-1, 1 - 1e-15)}, y));  // but for rounding
+  CHECK_FALSE(refutes(ContactProblem{Matrix2d(-G), Vector2d(1, -0.5)},
+                      Vector2d(0, 0)));  // nothing is summed
   // Rows that are not quite opposite: a force of 1e5 opens both.
   G(0, 0) += 1e-5;
-  CHECK_FALSE(refutes({G, Vector2d(-1, 0.5)}, y));
+  CHECK_FALSE(refutes(ContactProblem{G, Vector2d(-1, 0.5)}, y));
   // Neither units nor the scale of a row matter.
   G(0, 0) = 1;
   const Vector2d row(1e-8, 1e8);
