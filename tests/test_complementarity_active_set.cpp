@@ -141,15 +141,23 @@ TEST_CASE("a limit on iterations is kept and reported, not called solved", "[act
   CHECK(primal_dual_active_set(cycling_problem(), {1000}).report.status == Status::Solved);
 }
 
-TEST_CASE("a singular block ends in a breakdown, never in a wrong success", "[active_set][hard]") {
+TEST_CASE("pairs that depend on each other are solved, or refuted with a proof",
+          "[active_set][hard]") {
   Eigen::Matrix2d G;
   G << 1, 1, 1, 1;
-  CHECK(primal_dual_active_set({G, Eigen::Vector2d(-1, -1)}).report.status == Status::Breakdown);
+  CHECK(primal_dual_active_set({G, Eigen::Vector2d(-1, -1)}).report.status == Status::Solved);
   G << 1, -1, -1, 1;  // pushing one pair opens the other: no forces can close both
-  CHECK(primal_dual_active_set({G, Eigen::Vector2d(-1, -0.5)}).report.status == Status::Breakdown);
-  CHECK(enumerate({G, Eigen::Vector2d(-1, -0.5)}).report.status == Status::Infeasible);
-  CHECK(primal_dual_active_set({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Constant(1, -1)})
-            .report.status == Status::Breakdown);
+  const ContactProblem wedged{G, Eigen::Vector2d(-1, -0.5)};
+  for (const ContactState& state : {primal_dual_active_set(wedged), enumerate(wedged)}) {
+    CHECK(state.report.status == Status::Infeasible);
+    REQUIRE(state.infeasibility.size() == 2);
+    CHECK(state.infeasibility(0) > 0);
+    CHECK(state.infeasibility(0) == Approx(state.infeasibility(1)).epsilon(1e-15));
+  }
+  const ContactState rigid =
+      primal_dual_active_set({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Constant(1, -1)});
+  CHECK(rigid.report.status == Status::Infeasible);
+  CHECK(rigid.infeasibility.size() == 1);
 }
 
 TEST_CASE("enumeration prefers the set with fewest pairs and passes over singular ones",

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "signorini/complementarity/certificate.hpp"
+#include "signorini/complementarity/refutation.hpp"
 #include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/exact_sum.hpp"
 
@@ -133,21 +134,16 @@ Eigen::VectorXd contradiction(const ScaledProblem& problem, const std::vector<In
   ScaledProblem pressed = problem;
   pressed.free_gap = problem.compliance.col(pair);
   const ClosedPairs held = close_pairs(pressed, active);
-  // What rounding did to G changes G y by about epsilon, times what the other pairs depend on W.
-  const double rounding = 1e3 * std::numeric_limits<double>::epsilon();
-  if (!held.solvable || (held.force.array() < -rounding).any()) return {};
-  Eigen::VectorXd y = held.force.cwiseMax(0.0);
+  if (!held.solvable) return {};
+  Eigen::VectorXd y = held.force.cwiseMax(0.0);  // what is negative and no rounding shows in G y
   y(pair) = 1;
-  const double sum = y.sum();
-  if ((held.gap.array().abs() > rounding * sum).any() ||
-      y.dot(problem.free_gap) >= -rounding * y.dot(problem.free_gap.cwiseAbs()))
-    return {};
-  y /= sum;
+  y /= y.sum();
+  if (!refutes(ContactProblem{problem.compliance, problem.free_gap}, y)) return {};
   return problem.scale.cwiseProduct(y);
 }
 
-std::optional<std::pair<ClosedPairs, std::vector<Index>>> confirmed(
-    const ScaledProblem& problem, const std::vector<Index>& candidates) {
+std::vector<Index> independent_pairs(const ScaledProblem& problem,
+                                     const std::vector<Index>& candidates) {
   // Row by row a Cholesky factor; a candidate whose squared pivot is of rounding size repeats the others.
   const double tiny =
       static_cast<double>(candidates.size() + 1) * std::numeric_limits<double>::epsilon();
@@ -164,6 +160,14 @@ std::optional<std::pair<ClosedPairs, std::vector<Index>>> confirmed(
     L(k, k) = std::sqrt(pivot);
     chosen.push_back(i);
   }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+std::optional<std::pair<ClosedPairs, std::vector<Index>>> confirmed(
+    const ScaledProblem& problem, const std::vector<Index>& candidates) {
+  std::vector<Index> chosen = candidates;
+  if (problem.symmetric) chosen = independent_pairs(problem, candidates);
   std::sort(chosen.begin(), chosen.end());
   ClosedPairs closed = close_pairs(problem, chosen);
   if (!solves(problem, closed)) return std::nullopt;
@@ -196,6 +200,10 @@ ContactState unscaled(const ScaledProblem& problem, const ClosedPairs& closed,
 ContactState certified(const ContactProblem& problem, ContactState state) {
   if (state.report.status == Status::Solved && !certify(problem, state).holds())
     state.report.status = Status::Breakdown;
+  if (state.report.status == Status::Infeasible && !refutes(problem, state.infeasibility)) {
+    state.report.status = Status::Breakdown;
+    state.infeasibility.resize(0);
+  }
   return state;
 }
 

@@ -70,15 +70,22 @@ struct ClosedPairs {
 /// \param problem  scaled by equilibrate()
 /// \param active   W, without p
 /// \param pair     p, which depends on W
-/// \return y `n_c` in the units of the forces, such that the scaled ones sum to 1, if y >= 0, G y = 0 and
-///   d^T y < 0 hold to 1e3 epsilon; otherwise an empty vector
+/// \return y `n_c` in the units of the forces, such that the scaled ones sum to 1, if it refutes() the scaled
+///   problem; otherwise an empty vector
 [[nodiscard]] Eigen::VectorXd contradiction(const ScaledProblem& problem,
                                             const std::vector<Eigen::Index>& active,
                                             Eigen::Index pair);
 
+/// Takes as many pairs as are independent, one after the other.
+/// \param problem     scaled by equilibrate(), symmetric
+/// \param candidates  pairs without repetition, the most wanted first
+/// \return those that do not depend on the ones before them to rounding, in increasing order
+[[nodiscard]] std::vector<Eigen::Index> independent_pairs(
+    const ScaledProblem& problem, const std::vector<Eigen::Index>& candidates);
+
 /// Ends a method that only guesses which pairs are closed: takes as many of them as are independent,
 /// closes these exactly, and looks whether that is a solution.
-/// \param problem     scaled by equilibrate(), symmetric
+/// \param problem     scaled; without symmetry all candidates are closed or nothing is returned
 /// \param candidates  pairs taken as closed, the most certain first
 /// \return forces and gaps if they are a solution, see solves(), with the pairs that were closed in
 ///   increasing order; otherwise nothing
@@ -103,8 +110,9 @@ struct ClosedPairs {
 /// Withdraws a claim that the problem as it was posed does not confirm: scaling back is rounded, which
 /// dependent pairs with large forces can notice.
 /// \param problem  G and d as they were posed
-/// \param state    as unscaled() gives it
-/// \return the state, `Breakdown` instead of `Solved` if the certificate is worse than 1e-12
+/// \param state    as unscaled() gives it, with its proof if it claims `Infeasible`
+/// \return the state, `Breakdown` instead of `Solved` if the certificate is worse than 1e-12, and instead of
+///   `Infeasible`, without the proof, if that does not hold by refutes()
 [[nodiscard]] ContactState certified(const ContactProblem& problem, ContactState state);
 
 }  // namespace signorini

@@ -1,7 +1,6 @@
 #include "signorini/complementarity/enumerate.hpp"
 
-#include <cmath>
-#include <limits>
+#include <utility>
 
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/core/errors.hpp"
@@ -12,13 +11,24 @@ using Eigen::Index;
 
 namespace {
 
-/// Whether only rounding keeps a set from being a solution, but half of the digits of its gaps are right,
-/// as they are not in a block that passed as regular because of rounding.
-bool nearly_solves(const ScaledProblem& problem, const ClosedPairs& closed) {
-  return (closed.force.array() >= -closed.force_rounding.array()).all() &&
-         (closed.gap.array() >= -closed.gap_rounding.array()).all() &&
-         closed.gap_rounding.maxCoeff() <
-             -problem.free_gap.minCoeff() * std::sqrt(std::numeric_limits<double>::epsilon());
+std::vector<Index> members(unsigned set, Index n) {
+  std::vector<Index> list;
+  for (Index i = 0; i < n; ++i)
+    if ((set >> i & 1U) != 0) list.push_back(i);
+  return list;
+}
+
+/// The proof that nothing solves a problem, or nothing: one that no smaller one is part of has independent
+/// pairs and one that depends on them.
+Eigen::VectorXd proof(const ScaledProblem& scaled) {
+  const Index n = scaled.free_gap.size();
+  for (unsigned set = 0; set < (1U << n); ++set)
+    for (Index pair = 0; pair < n; ++pair) {
+      if ((set >> pair & 1U) != 0) continue;
+      Eigen::VectorXd y = contradiction(scaled, members(set, n), pair);
+      if (y.size() > 0) return y;
+    }
+  return {};
 }
 
 }  // namespace
@@ -29,30 +39,25 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
           " pairs, got ", n);
   const ScaledProblem scaled = equilibrate_any(problem);
   Report report;
-  report.status = Status::Infeasible;
   ClosedPairs best;
   best.force.setZero(n);
   best.gap = scaled.free_gap;
   std::vector<Index> best_active;
-  bool doubtful = false;
   for (unsigned set = 0; set < (1U << n); ++set) {
-    std::vector<Index> active;
-    for (Index i = 0; i < n; ++i)
-      if ((set >> i & 1U) != 0) active.push_back(i);
+    const std::vector<Index> active = members(set, n);
     if (report.status == Status::Solved && active.size() >= best_active.size()) continue;
     const ClosedPairs now = close_pairs(scaled, active);
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
-    if (!solves(scaled, now)) {
-      doubtful = doubtful || (now.solvable ? nearly_solves(scaled, now) : !scaled.symmetric);
-      continue;
-    }
+    if (!solves(scaled, now)) continue;
     best = now;
     best_active = active;
     report.status = Status::Solved;
   }
-  if (report.status == Status::Infeasible && doubtful) report.status = Status::Breakdown;
-  return certified(problem, unscaled(scaled, best, best_active, report));
+  ContactState state = unscaled(scaled, best, best_active, report);
+  if (report.status != Status::Solved) state.infeasibility = proof(scaled);
+  if (state.infeasibility.size() > 0) state.report.status = Status::Infeasible;
+  return certified(problem, std::move(state));
 }
 
 }  // namespace signorini

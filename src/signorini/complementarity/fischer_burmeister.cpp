@@ -65,36 +65,6 @@ std::vector<Index> closed_pairs(const Point& point) {
   return closed;
 }
 
-/// As confirmed(), for a matrix without symmetry: all candidates or nothing.
-std::optional<Candidate> confirmed_by_elimination(const ScaledProblem& problem,
-                                                  std::vector<Index> active) {
-  std::sort(active.begin(), active.end());
-  const double rounding = static_cast<double>(active.size() + 1) * epsilon;
-  ClosedPairs closed;
-  closed.solvable = true;
-  closed.force.setZero(problem.free_gap.size());
-  if (!active.empty()) {
-    const Eigen::MatrixXd M = problem.compliance(active, active);
-    const VectorXd q = problem.free_gap(active);
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factor(M);
-    if (!(factor.rcond() > rounding)) return std::nullopt;
-    VectorXd force = factor.solve(-q);
-    for (int step = 0; step < 2; ++step) force -= factor.solve(q + M * force);
-    for (std::size_t k = 0; k < active.size(); ++k)
-      closed.force(active[k]) = force(static_cast<Index>(k));
-  }
-  closed.gap = problem.free_gap + problem.compliance * closed.force;
-  closed.gap_rounding = rounding * (problem.free_gap.cwiseAbs() +
-                                    problem.compliance.cwiseAbs() * closed.force.cwiseAbs());
-  for (const Index i : active) closed.gap(i) = 0;
-  const double largest = closed.force.size() == 0 ? 0 : closed.force.cwiseAbs().maxCoeff();
-  closed.force_rounding = VectorXd::Constant(closed.force.size(), rounding * largest);
-  if ((closed.force.array() < -closed.force_rounding.array()).any() ||
-      (closed.gap.array() < -closed.gap_rounding.array()).any())
-    return std::nullopt;
-  return std::make_pair(std::move(closed), std::move(active));
-}
-
 /// The exact end, if the set of closed pairs or the one that an active set method takes next is right:
 /// of a pair that touches without force, rounding decides the side.
 std::optional<Candidate> confirmed_nearby(const ScaledProblem& problem, std::vector<Index> closed) {
@@ -106,16 +76,6 @@ std::optional<Candidate> confirmed_nearby(const ScaledProblem& problem, std::vec
   for (Index i = 0; i < now.force.size(); ++i)
     if (now.force(i) > 0 || now.gap(i) < 0) next.push_back(i);
   return confirmed(problem, next);
-}
-
-/// Scales any square matrix like equilibrate() does a compliance.
-ScaledProblem scaled_by_diagonal(const ContactProblem& problem) {
-  ScaledProblem scaled;
-  scaled.scale = problem.compliance.diagonal().unaryExpr(
-      [](double m) { return m != 0 ? 1 / std::sqrt(std::abs(m)) : 1.0; });
-  scaled.compliance = scaled.scale.asDiagonal() * problem.compliance * scaled.scale.asDiagonal();
-  scaled.free_gap = scaled.scale.cwiseProduct(problem.free_gap);
-  return scaled;
 }
 
 /// One step of the method, from a point to one with a smaller residual.
@@ -187,11 +147,9 @@ Iteration summary(const ScaledProblem& scaled, const Point& point, double reach,
 }  // namespace
 
 ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptions& options) {
-  check_finite(problem);
   const Index n = problem.free_gap.size();
   const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 10 * n + 100;
-  const bool contact = is_symmetric(problem) && (problem.compliance.diagonal().array() >= 0).all();
-  const ScaledProblem scaled = contact ? equilibrate(problem) : scaled_by_diagonal(problem);
+  const ScaledProblem scaled = equilibrate_any(problem);
   Point point{VectorXd::Zero(n), VectorXd(n), VectorXd(n)};
   const double reach = reach_of(scaled.compliance);
   const ScaledProblem measured{scaled.compliance / reach, scaled.free_gap, scaled.scale};
@@ -214,8 +172,7 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
       continue;
     }
     report.factorisations += closed.empty() ? 0 : 1;
-    auto end =
-        contact ? confirmed_nearby(scaled, closed) : confirmed_by_elimination(scaled, closed);
+    auto end = scaled.symmetric ? confirmed_nearby(scaled, closed) : confirmed(scaled, closed);
     if (end) {
       report.status = Status::Solved;
       return certified(problem,

@@ -6,6 +6,7 @@
 
 #include "signorini/complementarity/closed_factor.hpp"
 #include "signorini/complementarity/closed_pairs.hpp"
+#include "signorini/complementarity/refutation.hpp"
 #include "signorini/complementarity/rounding.hpp"
 #include "signorini/complementarity/scaled_half.hpp"
 
@@ -177,7 +178,12 @@ ContactState goldfarb_idnani(const ContactProblem& problem, const SolverOptions&
 
 ContactState goldfarb_idnani(const HalfProblem& problem, const SolverOptions& options) {
   const ScaledHalf scaled = equilibrate(problem);
-  return DualMethod<ScaledHalf, HalfFactor>(scaled, HalfFactor(scaled)).run(options);
+  ContactState state = DualMethod<ScaledHalf, HalfFactor>(scaled, HalfFactor(scaled)).run(options);
+  if (state.report.status == Status::Infeasible && !refutes(problem, state.infeasibility)) {
+    state.report.status = Status::Breakdown;
+    state.infeasibility.resize(0);
+  }
+  return state;
 }
 
 }  // namespace signorini

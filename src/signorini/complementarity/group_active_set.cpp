@@ -106,6 +106,7 @@ void GroupActiveSet::find_most_violated() {
 }
 
 Status GroupActiveSet::run() {
+  double highest = basis_.dual_energy();
   while (true) {
     rows_.gaps(basis_, gap_, rounding_);
     find_most_violated();
@@ -113,7 +114,7 @@ Status GroupActiveSet::run() {
     if (report_.iterations >= limit_) return Status::IterationLimit;
     ++report_.iterations;
     const Index before = basis_.size();
-    const double energy = basis_.dual_energy();
+    const std::vector<Index> closed = basis_.rows();
     const Index worst = candidates_.rows.front();
     rows_.fetch(basis_, gap_, rounding_, candidates_);
     if (basis_.append(candidates_, ClosedBasis::Choice::Violated, group_) > 0) {
@@ -122,14 +123,12 @@ Status GroupActiveSet::run() {
       const Status status = exchange(worst);
       if (status != Status::Solved) return status;
     }
-    if (rises(basis_.dual_energy(), energy, basis_.size())) {
+    if (rises(basis_.dual_energy(), highest, basis_.size())) {
+      highest = basis_.dual_energy();
       forget_fruitless();
-    } else {
-      for (const Index row : candidates_.rows)
-        if (state_[at(row)] == Row::Open) {
-          state_[at(row)] = Row::Fruitless;
-          any_fruitless_ = true;
-        }
+    } else {  // rows that only change places, as nearly equal ones do, must not do so for ever
+      mark_fruitless(candidates_.rows);
+      mark_fruitless(closed);
     }
   }
 }
@@ -169,6 +168,17 @@ void GroupActiveSet::release(const VectorXd& tension) {
   } while (!positions.empty());
   force_.head(basis_.size()) = target_.head(basis_.size());
   forget_fruitless();
+}
+
+void GroupActiveSet::pass_over() { mark_fruitless({pressed_}); }
+
+/// Marks those that are open.
+void GroupActiveSet::mark_fruitless(const std::vector<Index>& rows) {
+  for (const Index row : rows)
+    if (state_[at(row)] == Row::Open) {
+      state_[at(row)] = Row::Fruitless;
+      any_fruitless_ = true;
+    }
 }
 
 void GroupActiveSet::forget_fruitless() {

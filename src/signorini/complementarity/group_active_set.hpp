@@ -42,6 +42,9 @@ class GroupActiveSet {
   /// Goes on until no row overlaps beyond rounding.
   /// \return Solved, Infeasible, IterationLimit or Breakdown
   Status run();
+  /// Goes on after an Infeasible whose proof does not hold: the overlap of the row that could not be closed
+  /// counts as rounding until the energy rises.
+  void pass_over();
   /// Opens rows that a refinement has found in tension, and goes back to forces that are the best for
   /// the others. \param tension  `size` of the basis, > 0 where it pulls
   void release(const Eigen::VectorXd& tension);
@@ -51,12 +54,15 @@ class GroupActiveSet {
   /// \return after Infeasible: numbers y of normalised rows `m`, >= 0 but for equations, with
   ///   \f$ \sum y_i h_i = 0 \f$ while the same sum of gaps is negative
   [[nodiscard]] const Eigen::VectorXd& proof() const { return proof_; }
+  /// \return after Infeasible: the row that could not be closed
+  [[nodiscard]] Eigen::Index pressed() const { return pressed_; }
 
  private:
-  /// Fruitless rows have joined without a rise of the energy: their overlap is rounding.
+  /// Fruitless rows have joined, or left for others, without a rise of the energy: their overlap is rounding.
   enum class Row : char { Open, Closed, Fruitless };
 
   void forget_fruitless();
+  void mark_fruitless(const std::vector<Eigen::Index>& rows);
   void find_most_violated();
   void fetch(Eigen::Index row);
   void open_vanished(const std::vector<Eigen::Index>& positions);
@@ -76,6 +82,7 @@ class GroupActiveSet {
   Report& report_;
   Eigen::Index limit_;
   Eigen::Index group_;
+  Eigen::Index pressed_ = -1;
   Eigen::VectorXd gap_;
   Eigen::VectorXd rounding_;
   Eigen::VectorXd force_;

@@ -81,8 +81,7 @@ Status GroupActiveSet::exchange(Index row) {
   const auto [first, press] = first_to_open(response);
   if (first < 0) {
     if (-gap_(row) <= grazing(row, response)) {  // it only touches, as far as rounding can tell
-      state_[at(row)] = Row::Fruitless;
-      any_fruitless_ = true;
+      mark_fruitless({row});
       return Status::Solved;
     }
     proof_.setZero(rows_.count);
@@ -91,6 +90,7 @@ Status GroupActiveSet::exchange(Index row) {
       proof_(closed) = closed < rows_.equations ? -response(k) : std::max(0.0, -response(k));
     }
     proof_(row) = 1;
+    pressed_ = row;
     return Status::Infeasible;
   }
   // Rounding may leave forces of rows that yield faster a little below zero.

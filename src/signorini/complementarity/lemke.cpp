@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/dictionary.hpp"
@@ -105,11 +106,14 @@ ContactState ray(const ScaledProblem& scaled, const Dictionary& dictionary, Inde
   return state;
 }
 
-ContactState pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering,
-                     const SolverOptions& options) {
+Index limit_of(Index n, const SolverOptions& options) {
+  return options.iteration_limit > 0 ? options.iteration_limit
+                                     : (Index{1} << std::min<Index>(n, 20)) + 100 * n;
+}
+
+/// One path, of at most `limit` pivots.
+ContactState pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index limit) {
   const Index n = scaled.free_gap.size();
-  const Index limit = options.iteration_limit > 0 ? options.iteration_limit
-                                                  : (Index{1} << std::min<Index>(n, 20)) + 100 * n;
   Report report;
   Dictionary dictionary(scaled, covering);
   if (n == 0 || (scaled.free_gap.array() >= 0).all())
@@ -131,6 +135,18 @@ ContactState pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& coverin
   return last_point(scaled, dictionary, entering, report, direction);
 }
 
+/// Ones first; then entries from 1 to 2 in the order of the multiples of the golden section, which are spread
+/// evenly, shifted from path to path.
+Eigen::VectorXd covering_of_path(Index n, Index path) {
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  Eigen::VectorXd covering = Eigen::VectorXd::Ones(n);
+  for (Index i = 0; i < n && path > 0; ++i) {
+    const double multiple = golden * static_cast<double>(n * (path - 1) + i + 1);
+    covering(i) += multiple - std::floor(multiple);
+  }
+  return covering;
+}
+
 }  // namespace
 
 ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& covering,
@@ -140,13 +156,24 @@ ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& coverin
   require(covering.size() == n && covering.allFinite() && (covering.array() > 0).all(),
           "lemke: the covering vector must have ", n, " positive entries, one per pair, got ",
           covering.size(), covering.size() > 0 ? text(", the least ", covering.minCoeff()) : "");
-  return certified(problem, pivoted(scaled, scaled.scale.cwiseProduct(covering), options));
+  return certified(problem,
+                   pivoted(scaled, scaled.scale.cwiseProduct(covering), limit_of(n, options)));
 }
 
 ContactState lemke(const ContactProblem& problem, const SolverOptions& options) {
   const ScaledProblem scaled = equilibrate_any(problem);
-  return certified(problem,
-                   pivoted(scaled, Eigen::VectorXd::Ones(problem.free_gap.size()), options));
+  const Index n = problem.free_gap.size();
+  const Index limit = limit_of(n, options);
+  Index pivots = 0;
+  Index length = n * n + 100 * n;
+  for (Index path = 0;; ++path) {
+    ContactState state =
+        pivoted(scaled, covering_of_path(n, path), std::min(length, limit - pivots));
+    pivots = state.report.iterations += pivots;
+    if (state.report.status != Status::IterationLimit || pivots >= limit)
+      return certified(problem, std::move(state));
+    length *= 2;
+  }
 }
 
 }  // namespace signorini

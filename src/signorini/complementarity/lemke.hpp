@@ -29,9 +29,13 @@ namespace signorini {
 
 /// The same, with ones as covering vector of the equilibrated problem: neither units nor the scale of
 /// a row change a pivot.
+///
+/// A path that grows too long is left for one with another covering vector, as which problems take 2^n pivots
+/// depends on it: the first may take n_c^2 + 100 n_c pivots, each later one twice as many as the one before. The
+/// vectors are always the same, entries between 1 and 2.
 /// \param problem  G and d, or any M and q
-/// \param options  as above
-/// \return as above
+/// \param options  as above, for all paths together
+/// \return as above; `iterations` counts the pivots of all paths
 /// \throws std::invalid_argument as check_finite()
 [[nodiscard]] ContactState lemke(const ContactProblem& problem, const SolverOptions& options = {});
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "signorini/complementarity/closed_pairs.hpp"
+#include "signorini/complementarity/quasi_active_set.hpp"
 
 namespace signorini {
 namespace {
@@ -40,24 +41,38 @@ Iteration summary(const ScaledProblem& scaled, const ClosedPairs& now, Index act
           dual_energy};
 }
 
-}  // namespace
+/// Opens pairs of a dependent set until the rest is independent; those that overlapped most stay closed.
+void keep_independent(const ScaledProblem& scaled, const Eigen::VectorXd& last_gap,
+                      Membership& closed) {
+  std::vector<Index> wanted = members(closed);
+  std::stable_sort(wanted.begin(), wanted.end(),
+                   [&](Index i, Index j) { return last_gap(i) < last_gap(j); });
+  closed.assign(closed.size(), false);
+  for (const Index i : independent_pairs(scaled, wanted))
+    closed[static_cast<std::size_t>(i)] = true;
+}
 
-ContactState primal_dual_active_set(const ContactProblem& problem, const SolverOptions& options) {
-  const ScaledProblem scaled = equilibrate(problem);
-  const Index n = problem.free_gap.size();
-  const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 10 * n + 10;
-
+/// The exchange of sets, to its end.
+ContactState exchanged(const ScaledProblem& scaled, Index limit) {
+  const Index n = scaled.free_gap.size();
   Membership closed(static_cast<std::size_t>(n));
   for (Index i = 0; i < n; ++i) closed[static_cast<std::size_t>(i)] = scaled.free_gap(i) < 0;
   std::set<Membership> seen;
   bool one_at_a_time = false;
   Report report;
   ClosedPairs now;
+  Eigen::VectorXd last_gap = scaled.free_gap;
   while (true) {
-    const std::vector<Index> active = members(closed);
+    std::vector<Index> active = members(closed);
     now = close_pairs(scaled, active);
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
+    if (!now.solvable && !one_at_a_time) {
+      keep_independent(scaled, last_gap, closed);
+      active = members(closed);
+      now = close_pairs(scaled, active);
+      report.factorisations += active.empty() ? 0 : 1;
+    }
     if (!now.solvable) {
       report.status = Status::Breakdown;
       now.gap = scaled.free_gap;
@@ -80,8 +95,30 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
       closed[static_cast<std::size_t>(i)].flip();
       if (one_at_a_time) break;
     }
+    last_gap = now.gap;
   }
-  return certified(problem, unscaled(scaled, now, members(closed), report));
+  return unscaled(scaled, now, members(closed), report);
+}
+
+}  // namespace
+
+ContactState primal_dual_active_set(const ContactProblem& problem, const SolverOptions& options) {
+  const ScaledProblem scaled = equilibrate(problem);
+  const Index own_limit = 10 * problem.free_gap.size() + 10;
+  const Index limit = options.iteration_limit > 0 ? options.iteration_limit : own_limit;
+  ContactState state = certified(problem, exchanged(scaled, std::min(limit, own_limit)));
+  const Index left = limit - state.report.iterations;
+  if (state.report.status == Status::Solved || (options.iteration_limit > 0 && left <= 0))
+    return state;
+  SolverOptions rest = options;
+  rest.iteration_limit = options.iteration_limit > 0 ? left : 0;
+  ContactState other = quasi_active_set(problem, rest);
+  Report& report = other.report;
+  report.iterations += state.report.iterations;
+  report.factorisations += state.report.factorisations;
+  report.history.insert(report.history.begin(), state.report.history.begin(),
+                        state.report.history.end());
+  return other;
 }
 
 }  // namespace signorini

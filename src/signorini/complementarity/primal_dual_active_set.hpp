@@ -14,10 +14,17 @@ namespace signorini {
 /// for a positive definite G ends after finitely many steps [\ref Murty1974]. A pair counts as
 /// wrong only beyond the rounding errors of its own force or gap.
 ///
-/// \param problem  G positive semidefinite; blocks of closed pairs must be regular
-/// \param options  `iteration_limit` 0 stands for 10 n_c + 10
-/// \return `Solved` with forces and gaps >= 0, `Breakdown` if a block is singular to working
-///   precision, `IterationLimit` if a set with wrong pairs is left at the limit
+/// Two things keep pairs that depend on each other from stopping it. Of a set with a singular block only
+/// independent pairs are closed, those that overlapped most first. And where the exchange does not arrive
+/// - single pairs change sides and meet a singular block, or 10 n_c + 10 sets were not enough, or rounding
+/// hides the answer, or there is none - quasi_active_set() takes over from the start: its dual energy rises
+/// at every step, so that it needs no regular block to end.
+///
+/// \param problem  G positive semidefinite, and d
+/// \param options  `iteration_limit` for both methods together; 0 stands for 10 n_c + 10 and what
+///   quasi_active_set() takes
+/// \return `Solved` with forces and gaps >= 0; otherwise what quasi_active_set() says, or
+///   `IterationLimit`. `iterations` and `history` are those of both methods, one behind the other
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ContactState primal_dual_active_set(const ContactProblem& problem,
                                                   const SolverOptions& options = {});

@@ -54,18 +54,6 @@ class GapsOfHalf {
 
 using Found = std::optional<std::pair<ClosedPairs, std::vector<Index>>>;
 
-Found closed_exactly(const ScaledHalf& problem, const std::vector<Index>& candidates) {
-  return confirmed(problem, candidates);
-}
-
-Found closed_exactly(const ScaledProblem& problem, std::vector<Index> candidates) {
-  if (problem.symmetric) return confirmed(problem, candidates);
-  std::sort(candidates.begin(), candidates.end());
-  ClosedPairs closed = close_pairs(problem, candidates);
-  if (!solves(problem, closed)) return std::nullopt;
-  return std::make_pair(std::move(closed), std::move(candidates));
-}
-
 /// Sweeps 0 to 31, then every second one, every fourth from 64 on, and so on.
 bool is_kept(Index sweep) {
   Index spacing = 1;
@@ -99,7 +87,7 @@ class Sweeps {
       if (!last && (unchanged == 0 || !power_of_two)) continue;
       const std::vector<Index> candidates = by_force();
       report_.factorisations += candidates.empty() ? 0 : 1;
-      if (Found found = closed_exactly(problem_, candidates)) {
+      if (Found found = confirmed(problem_, candidates)) {
         report_.status = Status::Solved;
         return unscaled(problem_, found->first, std::move(found->second), report_);
       }

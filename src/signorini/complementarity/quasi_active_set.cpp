@@ -69,13 +69,6 @@ GapRows rows_of(ProgrammeRows& programme) {
   return rows;
 }
 
-/// Whether y >= 0 presses pairs that move nothing, while their gaps sum to an overlap.
-bool proves(const ScaledProblem& scaled, const VectorXd& y, const ClosedBasis& basis) {
-  const double moved = y.dot(scaled.compliance * y);
-  return moved <= std::pow(basis.smallest_distance(), 2) * y.squaredNorm() &&
-         scaled.free_gap.dot(y) < 0;
-}
-
 Rows sorted_active(const ClosedBasis& basis, Index equations) {
   Rows active;
   active.reserve(basis.rows().size());
@@ -94,13 +87,17 @@ ContactState quasi_active_set(const ContactProblem& problem, const SolverOptions
   Report report;
   GroupActiveSet method(rows, ClosedBasis(0, rows.count), report, limit_of(options, rows.count));
   ClosedPairs closed;
+  VectorXd proof;
   for (Index round = 0;; ++round) {
     report.status = method.run();
-    closed = close_pairs(scaled, sorted_active(method.basis(), 0));
-    if (!closed.solvable) {
-      closed.gap = scaled.free_gap;
-      if (report.status == Status::Solved) report.status = Status::Breakdown;
+    if (report.status == Status::Infeasible) {
+      proof = contradiction(scaled, method.basis().rows(), method.pressed());
+      if (proof.size() > 0) break;
+      method.pass_over();
+      continue;
     }
+    closed = close_pairs(scaled, sorted_active(method.basis(), 0));
+    if (!closed.solvable && report.status == Status::Solved) report.status = Status::Breakdown;
     if (report.status != Status::Solved) break;
     const VectorXd force = closed.force(method.basis().rows());
     const VectorXd rounding = closed.force_rounding(method.basis().rows());
@@ -108,17 +105,16 @@ ContactState quasi_active_set(const ContactProblem& problem, const SolverOptions
     const double trusted = std::pow(epsilon, -0.2);  // as in ClosedBasis::smallest_distance()
     const bool overlap = (closed.gap.array() < -trusted * closed.gap_rounding.array()).any();
     if (!overlap && (tension.size() == 0 || tension.maxCoeff() == 0)) break;
-    if (round == rows.count) report.status = Status::Breakdown;
-    if (round == rows.count) break;
+    if (round >= rows.count) break;  // sets come back: the certificate will say whether it matters
     method.basis().set_force(force);
     method.release(tension);
   }
-  if (report.status == Status::Infeasible && !proves(scaled, method.proof(), method.basis()))
-    report.status = Status::Breakdown;
+  if (report.status == Status::Infeasible)  // where the method stood
+    closed = close_pairs(scaled, sorted_active(method.basis(), 0));
+  if (!closed.solvable) closed.gap = scaled.free_gap;
   ContactState state =
       unscaled(scaled, closed, sorted_active(method.basis(), 0), std::move(report));
-  if (state.report.status == Status::Infeasible)
-    state.infeasibility = scaled.scale.cwiseProduct(method.proof());
+  state.infeasibility = std::move(proof);
   return certified(problem, std::move(state));
 }
 

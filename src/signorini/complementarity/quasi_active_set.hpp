@@ -24,6 +24,10 @@ namespace signorini {
 /// Every step ends with forces that are the best for their set of pairs, each better than the one
 /// before. There are finitely many sets, so the method ends, for any positive semidefinite G.
 ///
+/// Rows that repeat others but for less than the root of what rounding does to G can only change places with
+/// them: where the energy does not rise, pairs that joined or left, and a pair whose proof does not hold, are
+/// passed over until it does. The certificate of the end says whether their overlap was rounding.
+///
 /// \param problem  G positive semidefinite, and d
 /// \param options  `iteration_limit` 0 stands for 10 n_c + 100
 /// \return `Solved`, `Infeasible` with `infeasibility`, `IterationLimit`, or `Breakdown` if rounding

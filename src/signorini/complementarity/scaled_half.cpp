@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signorini/complementarity/refutation.hpp"
 #include "signorini/complementarity/rounding.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
@@ -153,15 +154,11 @@ Eigen::VectorXd contradiction(const ScaledHalf& problem, const std::vector<Index
   ScaledHalf pressed = problem;
   pressed.free_gap.noalias() = problem.half.transpose() * problem.half.col(pair);
   const ClosedPairs held = close_pairs(pressed, active);
-  const double rounding = 1e3 * epsilon;
-  if (!held.solvable || (held.force.array() < -rounding).any()) return {};
-  Eigen::VectorXd y = held.force.cwiseMax(0.0);
+  if (!held.solvable) return {};
+  Eigen::VectorXd y = held.force.cwiseMax(0.0);  // what is negative and no rounding shows in H y
   y(pair) = 1;
   y /= y.sum();
-  const Eigen::VectorXd moved = problem.half * y;
-  if (moved.norm() > rounding ||
-      y.dot(problem.free_gap) >= -rounding * y.dot(problem.free_gap.cwiseAbs()))
-    return {};
+  if (!refutes(HalfProblem{problem.half, problem.free_gap}, y)) return {};
   return problem.scale.cwiseProduct(y);
 }
 

@@ -58,7 +58,9 @@ struct Solver {
 /// \return whether its table line lists it
 [[nodiscard]] bool may_fail(const Solver& solver, Trait trait);
 
-/// The family.
+/// The family. A scene that names no solver takes `primal_dual_active_set`: with its fall-back it solves the
+/// same random condensed problems as `quasi_active_set`, 99.8 % of the feasible ones, and on ordinary contact
+/// its own few steps are all it needs.
 /// \return all members, in the order of lists and tables
 [[nodiscard]] const std::vector<Solver>& solvers();
 

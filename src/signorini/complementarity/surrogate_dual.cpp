@@ -161,7 +161,7 @@ ContactState surrogate_dual(const ContactProblem& problem, WeightRule rule,
   report.factorisations += run.factorisations();
   if (run.end() == WeightEnd::Unbounded)
     report.status = is_proof(unit, run.infeasibility()) ? Status::Infeasible : Status::Breakdown;
-  return unfinished(scaled, run, report);
+  return certified(problem, unfinished(scaled, run, report));
 }
 
 }  // namespace signorini
