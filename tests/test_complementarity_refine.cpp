@@ -3,9 +3,11 @@
 
 #include "catch_compat.hpp"
 #include "signorini/complementarity/refine.hpp"
+#include "support/refined.hpp"
 
 using Eigen::Index;
 using namespace signorini;
+using signorini_test::Refined;
 
 namespace {
 
@@ -46,7 +48,7 @@ Chain chain(Index n) {
 }
 
 /// Refines from zero with K^-1 and G that are wrong in relative terms by `error`, entry by entry.
-Refinement refined(const Chain& chain, double error, const std::vector<Index>& active) {
+Refined refined(const Chain& chain, double error, const std::vector<Index>& active) {
   const Eigen::MatrixXd K = chain.programme.stiffness;
   const Eigen::LLT<Eigen::MatrixXd> factor(K);
   const auto wrong = [error](const Eigen::VectorXd& v) {
@@ -62,7 +64,7 @@ Refinement refined(const Chain& chain, double error, const std::vector<Index>& a
     for (Index j = 0; j <= i; ++j)
       G(i, j) = G(j, i) = exact(i, j) * (1 + error * std::cos(static_cast<double>(i * j)));
   const Index n = chain.u.size();
-  return refine(
+  return signorini_test::refined(
       chain.programme, [&](const Eigen::VectorXd& v) { return wrong(factor.solve(v)); }, G,
       {Eigen::VectorXd::Zero(n), {}, Eigen::VectorXd::Zero(chain.force.size())}, active);
 }
@@ -73,25 +75,25 @@ TEST_CASE("refinement recovers all digits from a solver that has six", "[refine]
   const Chain exact = chain(24);
   for (const double error : {0.0, 1e-6}) {
     CAPTURE(error);
-    const Refinement result = refined(exact, error, exact.active);
+    const Refined result = refined(exact, error, exact.active);
     CHECK(result.confirmed);
     CHECK((result.solution.displacement - exact.u).cwiseAbs().maxCoeff() < 1e-14);
     CHECK((result.solution.force - exact.force).cwiseAbs().maxCoeff() < 1e-14);
     CHECK(certify(exact.programme, result.solution).worst() < 1e-15);
-    CHECK(result.sweeps <= 10);
+    CHECK(result.solves <= 10);
   }
 }
 
 TEST_CASE("a refined gap is zero in closed pairs and exact in open ones", "[refine]") {
   const Chain exact = chain(24);
-  const Refinement result = refined(exact, 1e-6, exact.active);
-  for (Index pair = 0; pair < result.gap.size(); ++pair)
-    CHECK(result.gap(pair) == Approx(pair % 3 == 0 ? 2 : 0).epsilon(1e-14).margin(1e-15));
+  const Refined result = refined(exact, 1e-6, exact.active);
+  for (Index pair = 0; pair < result.movement.size(); ++pair)
+    CHECK(result.movement(pair) == Approx(pair % 3 == 0 ? 2 : 0).epsilon(1e-14).margin(1e-15));
 }
 
-TEST_CASE("a better solver needs no more sweeps", "[refine]") {
+TEST_CASE("a better solver needs no more solves", "[refine]") {
   const Chain exact = chain(24);
-  CHECK(refined(exact, 0, exact.active).sweeps <= refined(exact, 1e-3, exact.active).sweeps);
+  CHECK(refined(exact, 0, exact.active).solves <= refined(exact, 1e-3, exact.active).solves);
 }
 
 TEST_CASE("a set with a missing pair is not confirmed, because the pair overlaps", "[refine]") {
@@ -105,7 +107,7 @@ TEST_CASE("a set with a pair too many is not confirmed, because the pair pulls",
   const Chain exact = chain(24);
   std::vector<Index> more = exact.active;
   more.insert(more.begin(), 0);
-  const Refinement result = refined(exact, 1e-6, more);
+  const Refined result = refined(exact, 1e-6, more);
   CHECK(result.solution.force(0) < 0);
   CHECK_FALSE(result.confirmed);
 }
@@ -114,7 +116,7 @@ TEST_CASE("without closed pairs refinement solves K u = p", "[refine]") {
   Chain open = chain(12);
   open.programme.initial_gap.array() += 100;
   open.programme.load = open.programme.stiffness * open.u;
-  const Refinement result = refined(open, 1e-6, {});
+  const Refined result = refined(open, 1e-6, {});
   CHECK(result.confirmed);
   CHECK((result.solution.displacement - open.u).cwiseAbs().maxCoeff() < 1e-14);
 }
@@ -129,8 +131,8 @@ TEST_CASE("a set of pairs that repeat each other is refined as well", "[refine]"
   twice.programme.initial_gap = exact.programme.initial_gap.replicate(2, 1);
   twice.force = exact.force.replicate(2, 1);
   for (const Index pair : exact.active) twice.active.push_back(pairs + pair);
-  const Refinement result = refined(twice, 0, twice.active);
-  REQUIRE(result.gap.size() == 2 * pairs);
+  const Refined result = refined(twice, 0, twice.active);
+  REQUIRE(result.movement.size() == 2 * pairs);
   CHECK(result.confirmed);
   CHECK((result.solution.displacement - exact.u).cwiseAbs().maxCoeff() < 1e-14);
   const Eigen::VectorXd& force = result.solution.force;

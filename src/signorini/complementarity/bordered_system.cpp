@@ -66,25 +66,18 @@ BorderedSystem::BorderedSystem(const ScaledFloating& problem,
                                const std::vector<Index>& candidates) {
   const double rho = spring_compliance(problem);
   const double tiny =
-      static_cast<double>(candidates.size() + 1) * std::numeric_limits<double>::epsilon();
-  const Index most = static_cast<Index>(candidates.size());
-  factor_.setZero(most, most);
-  const auto entry = [&](Index i, Index j) {
-    return problem.contact.compliance(i, j) + rho * problem.span.row(i).dot(problem.span.row(j));
-  };
-  for (const Index i : candidates) {  // row by row a Cholesky factor
-    const Index k = static_cast<Index>(pairs_.size());
-    VectorXd row(k);
-    for (Index j = 0; j < k; ++j) row(j) = entry(i, pairs_[static_cast<std::size_t>(j)]);
-    factor_.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(row);
-    const double pivot = entry(i, i) - row.squaredNorm();
-    if (pivot <= 2 * tiny * entry(i, i)) continue;
-    factor_.row(k).head(k) = row.transpose();
-    factor_(k, k) = std::sqrt(pivot);
-    pairs_.push_back(i);
+      2 * static_cast<double>(candidates.size() + 1) * std::numeric_limits<double>::epsilon();
+  const MatrixXd span = problem.span(candidates, Eigen::all);
+  MatrixXd block = problem.contact.compliance(candidates, candidates);
+  block.noalias() += rho * span * span.transpose();
+  const Eigen::LLT<MatrixXd> whole(block);
+  if (whole.info() == Eigen::Success &&
+      (whole.matrixLLT().diagonal().array().square() > tiny * block.diagonal().array()).all()) {
+    factor_ = whole.matrixL();
+    pairs_ = candidates;
+  } else {
+    choose(block, candidates, tiny);
   }
-  const Index closed = static_cast<Index>(pairs_.size());
-  factor_ = factor_.topLeftCorner(closed, closed).eval();
   rigid_ = problem.rigid(pairs_, Eigen::all);
   spring_ = rho * problem.span(pairs_, Eigen::all) * problem.inverse.transpose();
   held_ = singular_values(rigid_).V;
@@ -92,6 +85,25 @@ BorderedSystem::BorderedSystem(const ScaledFloating& problem,
   factor_.triangularView<Eigen::Lower>().solveInPlace(spread_);
   schur_.compute(spread_.transpose() * spread_);
   factor_.triangularView<Eigen::Lower>().transpose().solveInPlace(spread_);
+}
+
+void BorderedSystem::choose(const MatrixXd& block, const std::vector<Index>& candidates,
+                            double tiny) {
+  factor_.setZero(block.rows(), block.rows());
+  std::vector<Index> chosen;
+  for (Index i = 0; i < block.rows(); ++i) {  // row by row a Cholesky factor
+    const Index k = static_cast<Index>(chosen.size());
+    VectorXd row = block(chosen, i);
+    factor_.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(row);
+    const double pivot = block(i, i) - row.squaredNorm();
+    if (pivot <= tiny * block(i, i)) continue;
+    factor_.row(k).head(k) = row.transpose();
+    factor_(k, k) = std::sqrt(pivot);
+    chosen.push_back(i);
+    pairs_.push_back(candidates[static_cast<std::size_t>(i)]);
+  }
+  const Index closed = static_cast<Index>(chosen.size());
+  factor_ = factor_.topLeftCorner(closed, closed).eval();
 }
 
 std::pair<VectorXd, VectorXd> BorderedSystem::solve(const VectorXd& top,

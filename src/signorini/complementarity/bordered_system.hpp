@@ -54,6 +54,11 @@ class BorderedSystem {
       const Eigen::VectorXd& top, const Eigen::VectorXd& bottom) const;
 
  private:
+  /// Takes the rows of a block that are independent of those before them. \param block  of the candidates
+  /// \param candidates  pairs \param tiny  pivot, relative to the diagonal, that is rounding
+  void choose(const Eigen::MatrixXd& block, const std::vector<Eigen::Index>& candidates,
+              double tiny);
+
   std::vector<Eigen::Index> pairs_;
   Eigen::MatrixXd rigid_;              ///< R_W
   Eigen::MatrixXd factor_;             ///< L of G_WW + rho U_W U_W^T

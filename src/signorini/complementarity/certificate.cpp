@@ -136,32 +136,104 @@ bool pushes_on_nothing(const QuadraticProgramme& programme, const Eigen::VectorX
   return false;
 }
 
-/// |u^T K u - p^T u + lambda^T g| over the sum of the energies, or `least` if that is larger.
-double duality_gap(const QuadraticProgramme& programme, const PrimalDual& solution,
-                   const Eigen::VectorXd& residual, const Eigen::VectorXd& gap, double least) {
+/// |u^T K u - p^T u + lambda^T g| over the sum of the energies, or `least` if that is larger; friction
+/// forces count as loads.
+double duality_gap(const QuadraticProgramme& programme, const PrimalDual& solution, Index pairs,
+                   const Eigen::VectorXd& residual, const Eigen::VectorXd& movement, double least) {
   ExactSum energy;  // as lambda^T gap - u^T (p - K u - A^T lambda)
   double energies = 0;
-  for (Index pair = 0; pair < gap.size(); ++pair) {
-    energy.add_product(solution.force(pair), gap(pair));
+  for (Index pair = 0; pair < pairs; ++pair) {
+    energy.add_product(solution.force(pair), movement(pair));
     energies += std::abs(solution.force(pair) * programme.initial_gap(pair));
   }
+  const Index slips = programme.A.rows() - pairs;
+  const Eigen::VectorXd load =
+      programme.load - programme.A.bottomRows(slips).transpose() * solution.force.tail(slips);
   for (Index i = 0; i < residual.size(); ++i) {
     energy.add_product(-residual(i), solution.displacement(i));
-    energies += std::abs(programme.load(i) * solution.displacement(i));
+    energies += std::abs(load(i) * solution.displacement(i));
   }
   return ratio(std::abs(energy.value()), std::max(energies, least));
+}
+
+void raise(double& figure, double value) { figure = std::max(figure, value); }
+
+/// The figures of the pairs that rub.
+void add_friction(const QuadraticProgramme& programme, const PrimalDual& solution,
+                  const FrictionLaw& law, const Eigen::VectorXd& movement, const Scales& scale,
+                  Certificate& certificate) {
+  const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
+  const Eigen::VectorXd norm = row_norms(programme.A);
+  for (std::size_t k = 0; k < law.pair.size(); ++k) {
+    const Index row = static_cast<Index>(k);
+    const Index gap = law.pair[k];
+    const Index slip = pairs + row;
+    const double normal = law.coefficient(row) * std::max(0.0, solution.force(gap));
+    const FrictionViolation violation = friction_violation(
+        normal * norm(slip), law.cohesion(row) * norm(slip), solution.force(slip) * norm(slip),
+        movement(gap) / norm(gap), movement(slip) / norm(slip), scale.length, scale.force);
+    raise(certificate.cone, violation.cone);
+    raise(certificate.sliding, violation.sliding);
+  }
+}
+
+/// The certificate of gaps, of which some are equations, and of slips.
+Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& solution,
+                        const FrictionLaw& law, Index equations) {
+  if (!all_finite(programme) || !solution.displacement.allFinite() || !solution.force.allFinite() ||
+      !solution.displacement_low.allFinite() || pushes_on_nothing(programme, solution.force) ||
+      strains(programme, solution.rigid))
+    return uncertified();
+  const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
+  const Eigen::VectorXd movement = gaps(programme, solution);
+  const Scales scale = scales_of(programme, solution);
+  const Eigen::VectorXd norm = row_norms(programme.A);
+  const Index pairs = movement.size() - static_cast<Index>(law.pair.size());
+
+  Certificate certificate;
+  for (Index pair = 0; pair < pairs; ++pair) {
+    const bool equation = pair < equations;
+    const double gap = movement(pair) / norm(pair);
+    const double length = equation ? -std::abs(gap) : gap;
+    const double force =
+        (equation ? std::abs(solution.force(pair)) : solution.force(pair)) * norm(pair);
+    raise(certificate.penetration, ratio(std::max(0.0, -length), scale.length));
+    raise(certificate.tension, ratio(std::max(0.0, -force), scale.force));
+    raise(certificate.complementarity, ratio(std::abs(length * force), scale.length * scale.force));
+  }
+  add_friction(programme, solution, law, movement, scale, certificate);
+  certificate.equilibrium = ratio(largest(residual), scale.force);
+  certificate.duality_gap =
+      duality_gap(programme, solution, pairs, residual, movement, scale.length * scale.force);
+  return certificate;
 }
 
 }  // namespace
 
 Certificate uncertified() {
   const double infinity = std::numeric_limits<double>::infinity();
-  return {infinity, infinity, infinity, infinity, infinity};
+  return {infinity, infinity, infinity, infinity, infinity, infinity, infinity};
+}
+
+FrictionViolation friction_violation(double normal, double cohesion, double friction, double gap,
+                                     double slip, double length, double force) {
+  const auto against = [&](double bound) {
+    return FrictionViolation{
+        ratio(std::max(0.0, std::abs(friction) - bound), force),
+        std::min(ratio(std::abs(slip), length),
+                 ratio(std::abs(std::copysign(bound, slip) + friction), force))};
+  };
+  const FrictionViolation open = against(normal);
+  if (cohesion == 0) return open;
+  FrictionViolation closed = against(normal + cohesion);
+  closed.cone = std::max(closed.cone, ratio(std::max(0.0, gap), length));
+  return std::max(closed.cone, closed.sliding) < std::max(open.cone, open.sliding) ? closed : open;
 }
 
 double Certificate::worst() const {
   double most = 0;
-  for (const double figure : {penetration, tension, complementarity, equilibrium, duality_gap}) {
+  for (const double figure :
+       {penetration, tension, complementarity, equilibrium, duality_gap, cone, sliding}) {
     if (std::isnan(figure)) return std::numeric_limits<double>::infinity();
     most = std::max(most, figure);
   }
@@ -213,31 +285,19 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
   check_sizes(programme, solution);
   require(equations >= 0 && equations <= programme.initial_gap.size(),
           "certify: equations must be 0 to ", programme.initial_gap.size(), ", got ", equations);
-  if (!all_finite(programme) || !solution.displacement.allFinite() || !solution.force.allFinite() ||
-      !solution.displacement_low.allFinite() || pushes_on_nothing(programme, solution.force) ||
-      strains(programme, solution.rigid))
-    return uncertified();
-  const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
-  const Eigen::VectorXd gap = gaps(programme, solution);
-  const Scales scale = scales_of(programme, solution);
-  const Eigen::VectorXd norm = row_norms(programme.A);
+  return all_figures(programme, solution, {}, equations);
+}
 
-  Certificate certificate;
-  for (Index pair = 0; pair < gap.size(); ++pair) {
-    const bool equation = pair < equations;
-    const double length = equation ? -std::abs(gap(pair)) / norm(pair) : gap(pair) / norm(pair);
-    const double force =
-        (equation ? std::abs(solution.force(pair)) : solution.force(pair)) * norm(pair);
-    certificate.penetration =
-        std::max(certificate.penetration, ratio(std::max(0.0, -length), scale.length));
-    certificate.tension = std::max(certificate.tension, ratio(std::max(0.0, -force), scale.force));
-    certificate.complementarity = std::max(
-        certificate.complementarity, ratio(std::abs(length * force), scale.length * scale.force));
-  }
-  certificate.equilibrium = ratio(largest(residual), scale.force);
-  certificate.duality_gap =
-      duality_gap(programme, solution, residual, gap, scale.length * scale.force);
-  return certificate;
+Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
+                    const FrictionLaw& law) {
+  check_sizes(programme, solution);
+  const Index slips = static_cast<Index>(law.pair.size());
+  require(law.coefficient.size() == slips && law.cohesion.size() == slips &&
+              2 * slips <= programme.A.rows(),
+          "certify: need a coefficient and a cohesion for each of ", slips,
+          " pairs that rub, and as many rows of slips, got ", law.coefficient.size(), " and ",
+          law.cohesion.size(), " and ", programme.A.rows(), " rows in all");
+  return all_figures(programme, solution, law, 0);
 }
 
 std::ostream& operator<<(std::ostream& out, const Certificate& certificate) {
@@ -246,6 +306,8 @@ std::ostream& operator<<(std::ostream& out, const Certificate& certificate) {
        << ", tension " << certificate.tension << ", complementarity " << certificate.complementarity
        << ", equilibrium " << certificate.equilibrium << ", duality gap "
        << certificate.duality_gap;
+  if (certificate.cone > 0 || certificate.sliding > 0)
+    line << ", cone " << certificate.cone << ", sliding " << certificate.sliding;
   return out << line.str();
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// The certificate of a solution: five figures, always recomputed from the original data.
+/// The certificate of a solution: a few figures, always recomputed from the original data.
 #pragma once
 #include <Eigen/Core>
 #include <iosfwd>
@@ -10,27 +10,32 @@ namespace signorini {
 
 /// How far a claimed solution is from satisfying each condition, made free of units; 0 is perfect.
 ///
-/// Lengths are divided by the largest |g_i| + |a_i|(|u| + |v|), where v is how far load and contact
-/// force would move each node if its neighbours stood still, and forces by the largest load or
-/// contact force; rows of A are scaled to norm 1. So no figure changes with units or with the
-/// scaling of a row, and a solution that is zero but for rounding is not measured by its rounding.
+/// Lengths are divided by the largest |a_i|(|u| + |v|) of a row, where v is how far load and contact
+/// forces would move each node if its neighbours stood still, and forces by the largest load or net
+/// contact force on an unknown; rows of A are scaled to norm 1. So no figure changes with units or with the
+/// scaling of a row, a solution that is zero but for rounding is not measured by its rounding, and terms
+/// that cancel hide nothing.
 struct Certificate {
   double penetration = 0;      ///< largest overlap / length
   double tension = 0;          ///< largest tensile contact force / force
   double complementarity = 0;  ///< largest |force * gap| / (length * force)
   double equilibrium = 0;      ///< largest entry of p - K u - A^T lambda / force
   double duality_gap = 0;      ///< |primal - dual energy| / their size, see certify()
+  double cone = 0;  ///< largest |friction force| beyond its bound / force; 0 without friction
+  /// What a pair slides without being resisted: the smaller of |slip| / length and |friction force minus
+  /// that of its bound| / force, the largest over the pairs; 0 without friction
+  double sliding = 0;
 
-  /// \return the worst of the five
+  /// \return the worst of all
   [[nodiscard]] double worst() const;
   /// Whether this is good enough.
-  /// \param tolerance  for all five [-]
+  /// \param tolerance  for all of them [-]
   /// \return whether none exceeds it
   [[nodiscard]] bool holds(double tolerance = 1e-12) const { return worst() <= tolerance; }
 };
 
 /// The certificate of what was not solved, or holds a number that is not finite.
-/// \return five times infinity
+/// \return infinity in all
 [[nodiscard]] Certificate uncertified();
 
 /// A claimed solution of a quadratic programme; u is kept as the unevaluated sum of two vectors.
@@ -62,11 +67,44 @@ struct PrimalDual {
 /// \param solution   u and lambda, from any solver
 /// \param equations  so many of the first rows are equations: both signs of their gap count as
 ///   penetration, and no force as tension
-/// \return the five figures; all infinite if any number, given or claimed, is not finite, or if the rigid
+/// \return the figures; all infinite if any number, given or claimed, is not finite, or if the rigid
 ///   part strains a body: an entry of K times it exceeds 1e-12 of its terms
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                                   Eigen::Index equations = 0);
+
+/// The same with friction: the last rows of A are slips, and their forces obey the law.
+/// \PaperEq{LinEtAl, 6}, \PaperEq{LinEtAl, 9}, \PaperEq{LinEtAl, 10}
+///
+/// A pair may be open or closed, whichever the numbers suit better: open, it has the bound mu lambda
+/// (which `complementarity` makes zero); closed, it has mu lambda + c, and its gap counts in `cone`. The
+/// duality gap is that of contact with the friction forces as loads.
+/// \param programme  K, p, A, g as they were posed, slips in the last rows of A
+/// \param solution   u, and the forces of all rows
+/// \param law        of the pairs that rub
+/// \return the figures, see above
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
+                                  const FrictionLaw& law);
+
+/// How far a pair is from the law of friction, for both certificates. All numbers are scaled: those of one
+/// pair to its unit, and then length and force to 1.
+struct FrictionViolation {
+  double cone = 0;  ///< what the friction force exceeds its bound by, or the gap of a closed pair
+  double sliding = 0;  ///< what slides without being resisted
+};
+
+/// \param normal    mu lambda+, the bound of an open pair
+/// \param cohesion  what the bound of a closed pair has more
+/// \param friction  tau
+/// \param gap       of the pair
+/// \param slip      of the pair
+/// \param length    that gap and slip are measured by
+/// \param force     that forces are measured by
+/// \return the smaller violation of the two that it has as an open and as a closed pair
+[[nodiscard]] FrictionViolation friction_violation(double normal, double cohesion, double friction,
+                                                   double gap, double slip, double length,
+                                                   double force);
 
 /// Certificate of (lambda, gap) against G and d.
 ///
@@ -94,7 +132,7 @@ struct PrimalDual {
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Eigen::VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solution);
 
-/// Prints the five figures on one line.
+/// Prints the figures on one line, those of friction if they are not zero.
 /// \param out          where to
 /// \param certificate  what
 /// \return `out`

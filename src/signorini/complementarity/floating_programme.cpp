@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "signorini/complementarity/bordered_system.hpp"
 #include "signorini/complementarity/refine.hpp"
 #include "signorini/complementarity/rigid_modes.hpp"
 #include "signorini/complementarity/rounding.hpp"
@@ -62,38 +61,6 @@ MatrixXd orthonormal_modes(const MatrixXd& K, const MatrixXd& N, const VectorXd&
   return qr.householderQ() * MatrixXd::Identity(modes.rows(), modes.cols());
 }
 
-/// Solves the equilibrium and the closed gaps together, again and again with exact residuals.
-void refine(const DenseProgramme& programme, const MatrixXd& N, const FloatingCondensed& condensed,
-            FloatingSolution& solution) {
-  const QuadraticProgramme original = sparse(programme);
-  const ScaledFloating scaled = equilibrate(condensed.problem);
-  const BorderedSystem system(scaled, solution.dense.active);
-  const std::vector<Index>& W = system.pairs();
-  const MatrixXd A = programme.A(W, Eigen::all);
-  const VectorXd scale = scaled.contact.scale(W);
-  PrimalDual& now = solution.dense.refined;
-  double last = std::numeric_limits<double>::infinity();
-  while (true) {
-    const VectorXd residual = equilibrium_residual(original, now);
-    const VectorXd closed = gaps(original, now)(W);
-    const VectorXd elastic = condensed.factor.solve(residual);
-    const auto [force, amplitude] =
-        system.solve(scale.cwiseProduct(A * elastic - closed),
-                     scaled.amplitude_scale.cwiseProduct(-N.transpose() * residual));
-    const VectorXd force_change = scale.cwiseProduct(force);
-    const VectorXd rigid_change = scaled.amplitude_scale.cwiseProduct(amplitude);
-    const VectorXd change =
-        elastic - condensed.factor.solve(A.transpose() * force_change) + N * rigid_change;
-    add_displacement(now, change);
-    now.force(W) += force_change;
-    solution.amplitude += rigid_change;
-    const double moved = std::max(ratio(largest(change), largest(now.displacement)),
-                                  ratio(largest(force_change), largest(now.force)));
-    if (!(moved < 0.5 * last) || moved <= epsilon) return;  // only rounding is left
-    last = moved;
-  }
-}
-
 }  // namespace
 
 FloatingCondensed condense(const DenseProgramme& programme, const MatrixXd& null_vectors) {
@@ -139,9 +106,15 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
       null_vectors * solution.amplitude;
   dense.refined.displacement_low = VectorXd::Zero(dense.refined.displacement.size());
   if (dense.report.status != Status::Solved) return solution;
-  refine(programme, null_vectors, condensed, solution);
+  const QuadraticProgramme original = sparse(programme);
+  Refinement better = refine(
+      original, [&](const VectorXd& load) { return VectorXd(condensed.factor.solve(load)); },
+      condensed.problem.contact.compliance, std::move(dense.refined), {dense.active, {}},
+      null_vectors);
+  dense.refined = std::move(better.solution);
+  solution.amplitude += better.amplitude;
   dense.refined.force = dense.refined.force.cwiseMax(0.0);  // what is negative is of rounding size
-  dense.gap = gaps(sparse(programme), dense.refined);
+  dense.gap = gaps(original, dense.refined);
   dense.gap(dense.active).setZero();
   dense.certificate = certify(programme, dense.refined);
   if (!dense.certificate.holds()) dense.report.status = Status::Breakdown;

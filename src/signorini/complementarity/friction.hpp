@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/problem.hpp"
 
 namespace signorini {
@@ -65,37 +66,16 @@ struct FrictionState {
 ///   diagonal entry, mu and c are >= 0, and all numbers are finite
 void check_problem(const FrictionProblem& problem);
 
-/// How far a claimed solution is from each condition, free of units as in Certificate; 0 is perfect.
-///
-/// Row i counts in units of \f$ \sqrt{F_{ii}} \f$. Lengths are divided by the largest overlap, slip,
-/// or one of the terms they are sums of; forces by the largest normal or friction force.
-struct FrictionCertificate {
-  double penetration = 0;      ///< largest overlap / length
-  double tension = 0;          ///< largest tensile contact force / force
-  double complementarity = 0;  ///< largest |lambda gap| / (length * force)
-  /// Largest difference of a gap or slip from the recomputed one / length; largest R^T f - r / its terms
-  double equilibrium = 0;
-  double cone = 0;  ///< largest |tau| - b / force; c counts in b as far as the pair is closed
-  double sliding =
-      0;  ///< largest |slip| b + slip tau, which is 0 if friction resists / (length * force)
-
-  /// \return the worst of the six
-  [[nodiscard]] double worst() const;
-  /// Whether this is good enough.
-  /// \param tolerance  for all six [-]
-  /// \return whether none exceeds it
-  [[nodiscard]] bool holds(double tolerance = 1e-12) const { return worst() <= tolerance; }
-};
-
 /// The certificate of a claimed solution, recomputed from the data in twice the working precision.
 ///
-/// A pair may be open or closed, whichever the numbers suit better: open, it has the bound mu lambda
-/// (which `complementarity` makes zero); closed, it has mu lambda + c, and its gap counts in `cone`.
+/// Row i counts in units of \f$ \sqrt{F_{ii}} \f$. Lengths are divided by the largest overlap, slip,
+/// or one of the terms they are sums of; forces by the largest normal or friction force. `equilibrium` is the
+/// largest difference of a gap or slip from the recomputed one, and the largest R^T f - r over its terms;
+/// there is no duality gap. Open or closed as in certify() for a programme with friction.
 /// \param problem  as it was posed
 /// \param state    forces, friction forces, gaps, slips and amplitudes; nothing else is looked at
-/// \return the six figures; all infinite if a number is not finite
+/// \return the figures; all infinite if a number is not finite
 /// \throws std::invalid_argument if sizes do not fit, or as check_problem()
-[[nodiscard]] FrictionCertificate certify(const FrictionProblem& problem,
-                                          const FrictionState& state);
+[[nodiscard]] Certificate certify(const FrictionProblem& problem, const FrictionState& state);
 
 }  // namespace signorini

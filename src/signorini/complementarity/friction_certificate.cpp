@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "signorini/complementarity/floating.hpp"
 #include "signorini/complementarity/friction.hpp"
@@ -46,19 +45,6 @@ Recomputed recomputed(const FrictionProblem& problem, const VectorXd& force,
   return result;
 }
 
-/// What a pair violates if it has a certain bound.
-struct Violation {
-  double cone;
-  double sliding;
-  [[nodiscard]] double worst() const { return std::max(cone, sliding); }
-};
-
-Violation against(double bound, double friction, double slip, double length, double push) {
-  return {ratio(std::max(0.0, std::abs(friction) - bound), push),
-          std::min(ratio(std::abs(slip), length),
-                   ratio(std::abs(std::copysign(bound, slip) + friction), push))};
-}
-
 VectorXd stacked(const VectorXd& top, const VectorXd& bottom) {
   VectorXd both(top.size() + bottom.size());
   both << top, bottom;
@@ -77,19 +63,14 @@ void check_sizes(const FrictionProblem& problem, const FrictionState& state) {
 
 }  // namespace
 
-double FrictionCertificate::worst() const {
-  return std::max({penetration, tension, complementarity, equilibrium, cone, sliding});
-}
-
-FrictionCertificate certify(const FrictionProblem& problem, const FrictionState& state) {
+Certificate certify(const FrictionProblem& problem, const FrictionState& state) {
   check_problem(problem);
   const Index n = problem.free_gap.size();
   check_sizes(problem, state);
   const VectorXd force = stacked(state.force, state.friction);
   const VectorXd claimed = stacked(state.gap, state.slip);
-  const double infinity = std::numeric_limits<double>::infinity();
   if (!force.allFinite() || !claimed.allFinite() || !state.amplitude.allFinite())
-    return {infinity, infinity, infinity, infinity, infinity, infinity};
+    return uncertified();
   const VectorXd unit =
       problem.compliance.diagonal().unaryExpr([](double f) { return f > 0 ? std::sqrt(f) : 1.0; });
   const Recomputed now = recomputed(problem, force, state.amplitude, unit);
@@ -97,7 +78,7 @@ FrictionCertificate certify(const FrictionProblem& problem, const FrictionState&
   const double length = n == 0 ? 0 : now.part.maxCoeff();
   const double push = n == 0 ? 0 : pushed.cwiseAbs().maxCoeff();
 
-  FrictionCertificate certificate;
+  Certificate certificate;
   certificate.equilibrium = imbalance(problem.rigid, problem.resultant, force);
   for (Index i = 0; i < 2 * n; ++i)
     raise(certificate.equilibrium, ratio(std::abs(now.moved(i) - claimed(i) / unit(i)),
@@ -109,15 +90,10 @@ FrictionCertificate certify(const FrictionProblem& problem, const FrictionState&
     raise(certificate.tension, ratio(std::max(0.0, -pushed(i)), push));
     raise(certificate.complementarity, ratio(std::abs(open * pushed(i)), length * push));
     const double normal = problem.coefficient(i) * std::max(0.0, state.force(i)) * unit(n + i);
-    Violation least = against(normal, pushed(n + i), slip, length, push);
-    if (problem.cohesion(i) > 0) {
-      Violation closed =
-          against(normal + problem.cohesion(i) * unit(n + i), pushed(n + i), slip, length, push);
-      closed.cone = std::max(closed.cone, ratio(std::max(0.0, open), length));
-      if (closed.worst() < least.worst()) least = closed;
-    }
-    raise(certificate.cone, least.cone);
-    raise(certificate.sliding, least.sliding);
+    const FrictionViolation violation = friction_violation(
+        normal, problem.cohesion(i) * unit(n + i), pushed(n + i), open, slip, length, push);
+    raise(certificate.cone, violation.cone);
+    raise(certificate.sliding, violation.sliding);
   }
   return certificate;
 }

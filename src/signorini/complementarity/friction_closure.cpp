@@ -16,11 +16,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The sign of tau at the bound.
-double sign(Motion motion) {
-  return motion == Motion::Forward ? -1 : motion == Motion::Backward ? 1 : 0;
-}
-
 /// Which rows and columns of F the motions leave in the system.
 struct Rows {
   std::vector<Index> free;      ///< pairs that are closed, then n + pairs that stick
@@ -44,8 +39,8 @@ void impose(const ScaledFriction& problem, const std::vector<Motion>& motions, V
   for (Index i = 0; i < n; ++i) {
     const Motion motion = motions[static_cast<std::size_t>(i)];
     if (motion == Motion::Open) force(i) = force(n + i) = 0;
-    if (sign(motion) != 0)
-      force(n + i) = sign(motion) *
+    if (friction_sign(motion) != 0)
+      force(n + i) = friction_sign(motion) *
                      (problem.coefficient(i) * force(i) + problem.cohesion(i));  // LinEtAl 15, 16
   }
 }
@@ -62,8 +57,8 @@ MatrixXd system_of(const ScaledFriction& problem, const std::vector<Motion>& mot
   A.bottomLeftCorner(k, m) = A.topRightCorner(m, k).transpose();
   for (std::size_t c = 0; c < rows.contacts.size(); ++c) {
     const Index i = rows.contacts[c];
-    const double slope =
-        sign(motions[static_cast<std::size_t>(i)]) * problem.coefficient(i);  // d tau / d lambda
+    const double slope = friction_sign(motions[static_cast<std::size_t>(i)]) *
+                         problem.coefficient(i);  // d tau / d lambda
     if (slope == 0) continue;
     A.col(static_cast<Index>(c)).head(m) += slope * problem.compliance(rows.free, n + i);
     A.col(static_cast<Index>(c)).tail(k) += slope * problem.rigid.row(n + i).transpose();
@@ -136,7 +131,8 @@ bool confirm(const ScaledFriction& problem, const std::vector<Motion>& motions, 
     if (motion == Motion::Stick &&
         std::abs(closure.force(n + i)) > bound + (1 + problem.coefficient(i)) * force_rounding)
       return false;
-    if (bound > 0 && sign(motion) * closure.movement(n + i) > rounding(n + i)) return false;
+    if (bound > 0 && friction_sign(motion) * closure.movement(n + i) > rounding(n + i))
+      return false;
   }
   closure.force.head(n) = closure.force.head(n).cwiseMax(0.0);
   closure.movement.head(n) = closure.movement.head(n).cwiseMax(0.0);

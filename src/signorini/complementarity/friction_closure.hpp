@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "signorini/complementarity/friction.hpp"
+#include "signorini/complementarity/known_set.hpp"
 
 namespace signorini {
 
@@ -32,14 +33,6 @@ struct ScaledFriction {
 /// \return the scaled problem
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ScaledFriction equilibrate(const FrictionProblem& problem);
-
-/// What a pair does, with the direction in which it slides: \PaperEq{LinEtAl, 13}, \PaperEq{LinEtAl, 14}
-enum class Motion : signed char {
-  Open,     ///< no force at all
-  Stick,    ///< no gap and no slip
-  Forward,  ///< slip > 0, tau = -b
-  Backward  ///< slip < 0, tau = b
-};
 
 /// What numbers that need not solve anything say about each pair: it is closed if its force exceeds
 /// its gap, and then slides if |tau - slip| exceeds the bound of the force less the gap.

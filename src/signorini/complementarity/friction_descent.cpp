@@ -122,7 +122,7 @@ Iteration friction_iteration(const ScaledFriction& problem, const FrictionPoint&
   return {n - static_cast<Index>(open), changes, penetration, tension, 0, residual};
 }
 
-FrictionEquations::FrictionEquations(const ScaledFriction& problem, const FrictionLaw& law)
+FrictionEquations::FrictionEquations(const ScaledFriction& problem, const FrictionFormulation& law)
     : problem_(problem),
       law_(law),
       reach_(friction_reach(problem)),
@@ -195,7 +195,7 @@ FrictionPoint friction_start(const ScaledFriction& problem) {
   return point;
 }
 
-void descend(const ScaledFriction& problem, const FrictionLaw& law, Index limit,
+void descend(const ScaledFriction& problem, const FrictionFormulation& law, Index limit,
              FrictionPoint& point) {
   const Index n = problem.coefficient.size();
   const Index k = problem.resultant.size();

@@ -13,7 +13,7 @@ class FrictionEquations;
 
 /// How a formulation writes the law of friction: the tangential equations, and those of the unknowns that it
 /// adds to forces and amplitudes.
-struct FrictionLaw {
+struct FrictionFormulation {
   Eigen::Index added;  ///< unknowns and equations per pair, behind those of FrictionEquations
   /// Sets the added unknowns where the others are given; null if there are none.
   void (*start)(const FrictionEquations& equations, Eigen::VectorXd& x);
@@ -34,7 +34,7 @@ class FrictionEquations {
  public:
   /// \param problem  scaled by equilibrate(); must outlive this
   /// \param law      must outlive this
-  FrictionEquations(const ScaledFriction& problem, const FrictionLaw& law);
+  FrictionEquations(const ScaledFriction& problem, const FrictionFormulation& law);
 
   /// \return the number of unknowns
   [[nodiscard]] Eigen::Index size() const { return (2 + law_.added) * pairs() + modes(); }
@@ -70,7 +70,7 @@ class FrictionEquations {
 
  private:
   const ScaledFriction& problem_;
-  const FrictionLaw& law_;
+  const FrictionFormulation& law_;
   double reach_;
   Eigen::MatrixXd compliance_;  ///< F / reach
   Eigen::VectorXd movement_;
@@ -108,7 +108,7 @@ struct FrictionPoint {
 /// \param law        of the formulation
 /// \param limit      on the iterations in `point.report`
 /// \param[in,out] point  where to start, and where it ended
-void descend(const ScaledFriction& problem, const FrictionLaw& law, Eigen::Index limit,
+void descend(const ScaledFriction& problem, const FrictionFormulation& law, Eigen::Index limit,
              FrictionPoint& point);
 
 /// The point from which all methods start: forces without friction, or for bodies with rigid modes the

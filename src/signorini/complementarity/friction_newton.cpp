@@ -39,7 +39,7 @@ void differentiate(const FrictionEquations& equations, const VectorXd& x, Eigen:
   }
 }
 
-constexpr FrictionLaw nested = {0, nullptr, evaluate, differentiate};
+constexpr FrictionFormulation nested = {0, nullptr, evaluate, differentiate};
 
 }  // namespace
 

@@ -61,7 +61,7 @@ void differentiate(const FrictionEquations& equations, const VectorXd& x, Eigen:
   }
 }
 
-constexpr FrictionLaw split = {2, start, evaluate, differentiate};
+constexpr FrictionFormulation split = {2, start, evaluate, differentiate};
 
 }  // namespace
 

@@ -19,6 +19,13 @@ struct QuadraticProgramme {
   Eigen::VectorXd initial_gap;                     ///< g `n_c` [length], overlap < 0
 };
 
+/// Which pairs rub, and how strongly: \PaperEq{LinEtAl, 6}. Without friction all three are empty.
+struct FrictionLaw {
+  std::vector<Eigen::Index> pair;  ///< `n_s` pairs whose slips are the last `n_s` rows of A
+  Eigen::VectorXd coefficient;     ///< mu `n_s` >= 0 [-]
+  Eigen::VectorXd cohesion;        ///< c times the weight `n_s` >= 0 [force], of closed pairs only
+};
+
 /// A quadratic programme with dense matrices, as in mathematical programming: the same least energy,
 /// where the first rows may be equations.
 ///

@@ -1,15 +1,13 @@
 #include "signorini/complementarity/refine.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <optional>
-#include <tuple>
 #include <utility>
 
-#include "signorini/complementarity/bordered_system.hpp"
 #include "signorini/complementarity/rigid_modes.hpp"
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/exact_sum.hpp"
 
 namespace signorini {
 namespace {
@@ -18,55 +16,179 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What closes the gaps of W, factored once: G_WW, or where that is singular or bodies float the bordered
-/// system of as many pairs of W as are independent. These close the others of W as well.
-class Closing {
+/// high + low += change, with high the rounded sum.
+void add_to(double& high, double& low, double change) {
+  const double sum = high + change;
+  const double part = sum - high;
+  const double rest = ((high - (sum - part)) + (change - part)) + low;
+  high = sum + rest;
+  low = rest - (high - sum);
+}
+
+/// The forces of all rows as sums of two doubles.
+struct Forces {
+  VectorXd high;
+  VectorXd low;
+};
+
+/// Puts every force that the set fixes where it belongs: tau = slope lambda + offset, others 0.
+void impose(const KnownSet& set, Forces& force) {
+  std::vector<bool> carries(static_cast<std::size_t>(force.high.size()), false);
+  for (const Index row : set.closed) carries[static_cast<std::size_t>(row)] = true;
+  for (const SlidingPair& pair : set.sliding) {
+    ExactSum tau(pair.offset);
+    tau.add_product(pair.slope, force.high(pair.gap));
+    tau.add(pair.slope * force.low(pair.gap));
+    force.high(pair.slip) = tau.value();
+    tau.add(-force.high(pair.slip));
+    force.low(pair.slip) = tau.value();
+    carries[static_cast<std::size_t>(pair.slip)] = true;
+  }
+  for (Index row = 0; row < force.high.size(); ++row)
+    if (!carries[static_cast<std::size_t>(row)]) force.high(row) = force.low(row) = 0;
+}
+
+/// One refinement from beginning to end.
+class Refining {
  public:
-  Closing(const QuadraticProgramme& programme, const Eigen::MatrixXd& compliance,
-          const std::vector<Index>& active, const MatrixXd& modes)
-      : pairs_(active), modes_(modes) {
-    if (!floats()) {
-      const MatrixXd closed = compliance(active, active);
-      factor_.compute(closed);
-      const double tiny = 2 * epsilon * static_cast<double>(active.size() + 1);
-      if (factor_.info() == Eigen::Success &&
-          (factor_.matrixLLT().diagonal().array().square() > tiny * closed.diagonal().array())
-              .all())
-        return;
-    }
-    const ContactProblem contact{compliance, programme.initial_gap};
-    scaled_ = equilibrate(floats() ? floating_problem(programme, contact, modes)
-                                   : FloatingProblem{contact, MatrixXd(compliance.rows(), 0), {}});
-    system_.emplace(scaled_, active);
-    pairs_ = system_->pairs();
+  Refining(const QuadraticProgramme& programme,
+           const std::function<VectorXd(const VectorXd&)>& solve_stiffness,
+           const MatrixXd& compliance, PrimalDual start, const KnownSet& set, const MatrixXd& modes)
+      : programme_(programme),
+        solve_stiffness_(solve_stiffness),
+        compliance_(compliance),
+        set_(set),
+        modes_(modes),
+        closing_(
+            compliance,
+            modes.cols() > 0 ? rigid_gaps(programme.A, modes) : MatrixXd(programme.A.rows(), 0),
+            set) {
+    PrimalDual& solution = result_.solution;
+    solution = std::move(start);
+    const Index n = solution.displacement.size();
+    if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
+    if (modes.cols() > 0 && solution.rigid.size() == 0) solution.rigid.setZero(n);
+    force_ = {solution.force, VectorXd::Zero(solution.force.size())};
+    impose(set_, force_);
+    result_.amplitude.setZero(modes.cols());
   }
 
-  /// \return independent pairs of W, all of W if it has no others
-  [[nodiscard]] const std::vector<Index>& pairs() const { return pairs_; }
-  [[nodiscard]] bool floats() const { return modes_.cols() > 0; }
-  [[nodiscard]] const MatrixXd& modes() const { return modes_; }
-
-  /// Changes of the forces of pairs() and of the amplitudes.
-  /// \param gap         of all pairs
-  /// \param unbalanced  p - K u - A^T lambda
-  [[nodiscard]] std::pair<VectorXd, VectorXd> solve(const VectorXd& gap,
-                                                    const VectorXd& unbalanced) const {
-    if (!system_) return {pairs_.empty() ? VectorXd() : factor_.solve(-VectorXd(gap(pairs_))), {}};
-    const VectorXd scale = scaled_.contact.scale(pairs_);
-    const VectorXd resultant =
-        floats() ? scaled_.amplitude_scale.cwiseProduct(-modes_.transpose() * unbalanced)
-                 : VectorXd();
-    const auto [force, amplitude] = system_->solve(-scale.cwiseProduct(gap(pairs_)), resultant);
-    return {scale.cwiseProduct(force), scaled_.amplitude_scale.cwiseProduct(amplitude)};
-  }
+  Refinement run();
 
  private:
-  std::vector<Index> pairs_;
+  /// Corrections of one sweep, relative to what they correct.
+  struct Change {
+    double displacement = 0;
+    double force = 0;
+    bool pending = false;  // whether forces have changed what displacements do not feel yet
+    [[nodiscard]] double worst() const { return std::max(displacement, force); }
+  };
+
+  [[nodiscard]] VectorXd unbalanced();
+  Change sweep();
+  /// Moves bodies rigidly. \return what the displacement takes up of it
+  void move(const VectorXd& amplitude);
+  /// Whether a change of forces moves more than rounding beside the displacements.
+  [[nodiscard]] bool felt(const VectorXd& pushed) const;
+
+  const QuadraticProgramme& programme_;
+  const std::function<VectorXd(const VectorXd&)>& solve_stiffness_;
+  const MatrixXd& compliance_;
+  const KnownSet& set_;
   const MatrixXd& modes_;
-  Eigen::LLT<MatrixXd> factor_;
-  ScaledFloating scaled_;
-  std::optional<BorderedSystem> system_;
+  Closing closing_;
+  Forces force_;
+  Refinement result_;
+  Index sweeps_ = 0;
+  bool slow_ = false;  // whether a sweep leaves more than the root of rounding
 };
+
+/// Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
+/// sweeps mend it; what they move is so small that it may as well strain the bodies.
+constexpr Index rigid_sweeps = 2;
+
+VectorXd Refining::unbalanced() {
+  result_.solution.force = force_.high;
+  return equilibrium_residual(programme_, result_.solution) - programme_.A.transpose() * force_.low;
+}
+
+bool Refining::felt(const VectorXd& pushed) const {
+  return largest(compliance_ * pushed) > 0.25 * epsilon * largest(result_.solution.displacement);
+}
+
+void Refining::move(const VectorXd& amplitude) {
+  const VectorXd moved = modes_ * amplitude;
+  result_.amplitude += amplitude;
+  if (sweeps_ <= rigid_sweeps)
+    add_rigid(result_.solution, moved);
+  else
+    add_displacement(result_.solution, moved);
+}
+
+Refining::Change Refining::sweep() {
+  ++sweeps_;
+  PrimalDual& solution = result_.solution;
+  const VectorXd residual = unbalanced();
+  VectorXd moved = solve_stiffness_(residual);
+  ++result_.solves;
+  add_displacement(solution, moved);
+  result_.movement = gaps(programme_, solution);
+  const bool floats = modes_.cols() > 0;
+  const VectorXd lacking = floats ? VectorXd(-modes_.transpose() * residual) : VectorXd();
+  Change change;
+  const auto [closes, amplitude] = closing_.solve(result_.movement, lacking);
+  const Forces last = force_;
+  for (std::size_t k = 0; k < closing_.rows().size(); ++k) {
+    const Index row = closing_.rows()[k];
+    add_to(force_.high(row), force_.low(row), closes(static_cast<Index>(k)));
+  }
+  impose(set_, force_);
+  const VectorXd pushed = (force_.high - last.high) + (force_.low - last.low);
+  change.pending = felt(pushed);
+  if (slow_ && change.pending) {
+    const VectorXd back = solve_stiffness_(-(programme_.A.transpose() * pushed));
+    ++result_.solves;
+    add_displacement(solution, back);
+    moved += back;
+    change.pending = false;
+  }
+  if (floats) {
+    moved += modes_ * amplitude;
+    move(amplitude);
+  }
+  change.force = ratio(largest(pushed), largest(force_.high));
+  change.displacement = ratio(largest(moved), largest(solution.displacement));
+  return change;
+}
+
+Refinement Refining::run() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Change best{infinity, infinity};
+  Change last = best;
+  for (int worse = 0; worse < 2;) {
+    const Change now = sweep();
+    if (!std::isfinite(now.worst())) break;
+    // Every sweep shrinks the error by about the same factor, so that the next correction is known
+    // beforehand; not by the first one, and not while the rigid part is rounded anew.
+    const bool steady = sweeps_ > (modes_.cols() > 0 ? rigid_sweeps : 1);
+    const double rate = std::max(ratio(now.displacement, last.displacement),
+                                 now.force > 0 ? ratio(now.force, last.force) : 0);
+    result_.settled =
+        !now.pending && now.worst() * (steady ? std::min(1.0, rate) : 1) <= 0.25 * epsilon;
+    if (result_.settled) break;
+    const bool better = now.displacement < 0.5 * best.displacement || now.force < 0.5 * best.force;
+    worse = better || !slow_ ? 0 : worse + 1;
+    slow_ = slow_ || !better || (steady && rate > std::sqrt(epsilon));
+    best.displacement = std::min(best.displacement, now.displacement);
+    best.force = std::min(best.force, now.force);
+    last = now;
+    result_.settled =
+        !now.pending && now.worst() <= epsilon * static_cast<double>(set_.closed.size() + 1);
+  }
+  result_.solution.force = force_.high;
+  result_.movement = gaps(programme_, result_.solution);
+  return std::move(result_);
+}
 
 /// Whether no force is left along a rigid mode but what rounding makes of the terms; in K u, of as many as
 /// K has in a row.
@@ -83,138 +205,71 @@ bool balanced(const QuadraticProgramme& programme, const PrimalDual& solution,
   return (left.array().abs() <= (rounding + row * epsilon) * size.array()).all();
 }
 
-/// Whether all signs are right beyond rounding.
-bool signs_hold(const QuadraticProgramme& programme, const Refinement& result,
-                const std::vector<Index>& active, double rounding) {
-  const VectorXd& force = result.solution.force;
-  const double tension = rounding * largest(force);
-  const double overlap =
-      rounding * (largest(programme.initial_gap) + largest(result.solution.displacement));
-  std::vector<bool> is_active(static_cast<std::size_t>(force.size()), false);
-  for (const Index i : active) is_active[static_cast<std::size_t>(i)] = true;
-  for (Index i = 0; i < result.gap.size(); ++i)
-    if (is_active[static_cast<std::size_t>(i)] ? force(i) < -tension : result.gap(i) < -overlap)
-      return false;
-  return true;
-}
-
-PrimalDual started(PrimalDual start, const MatrixXd& modes) {
-  const Index n = start.displacement.size();
-  if (start.displacement_low.size() == 0) start.displacement_low.setZero(n);
-  if (modes.cols() > 0 && start.rigid.size() == 0) start.rigid.setZero(n);
-  return start;
-}
-
-/// What one sweep adds.
-struct Correction {
-  VectorXd displacement;
-  VectorXd force;  ///< of the pairs that Closing chose
-};
-
-/// Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
-/// sweeps mend it; what they move is so small that it may as well strain the bodies.
-constexpr Index rigid_sweeps = 2;
-
-Correction sweep(const QuadraticProgramme& programme,
-                 const std::function<VectorXd(const VectorXd&)>& solve_stiffness,
-                 const Closing& closing, Refinement& result) {
-  PrimalDual& solution = result.solution;
-  Correction change;
-  const VectorXd unbalanced = equilibrium_residual(programme, solution);
-  change.displacement = solve_stiffness(unbalanced);
-  add_displacement(solution, change.displacement);
-  ++result.sweeps;
-  result.gap = gaps(programme, solution);
-  VectorXd amplitude;
-  std::tie(change.force, amplitude) = closing.solve(result.gap, unbalanced);
-  for (std::size_t k = 0; k < closing.pairs().size(); ++k)
-    solution.force(closing.pairs()[k]) += change.force(static_cast<Index>(k));
-  if (!closing.floats()) return change;
-  VectorXd moved = closing.modes() * amplitude;
-  result.amplitude += amplitude;
-  change.displacement += moved;
-  if (result.sweeps <= rigid_sweeps) {
-    const VectorXd last = solution.rigid;
-    solution.rigid += moved;
-    moved = solution.rigid - last;
-  }
-  add_displacement(solution, moved);
-  result.gap = gaps(programme, solution);
-  return change;
-}
-
-/// Moves u as the forces would that close the gaps still left, which the rounding of lambda has swallowed:
-/// the nodes then miss forces of that rounding, and the gaps of a slender body nothing.
-void close_what_rounding_left(const QuadraticProgramme& programme,
-                              const std::function<VectorXd(const VectorXd&)>& solve_stiffness,
-                              const Closing& closing, double rounding, Refinement& result) {
-  if (closing.pairs().empty() || largest(VectorXd(result.gap(closing.pairs()))) <=
-                                     rounding * largest(result.solution.displacement))
-    return;
-  const auto [force, amplitude] = closing.solve(result.gap, VectorXd::Zero(programme.load.size()));
-  VectorXd all = VectorXd::Zero(programme.initial_gap.size());
-  for (std::size_t k = 0; k < closing.pairs().size(); ++k)
-    all(closing.pairs()[k]) = force(static_cast<Index>(k));
-  add_displacement(result.solution, -solve_stiffness(programme.A.transpose() * all));
-  ++result.sweeps;
-  if (closing.floats()) {
-    result.amplitude += amplitude;
-    add_displacement(result.solution, closing.modes() * amplitude);
-  }
-  result.gap = gaps(programme, result.solution);
+/// What a pair that rubs would rather do, if it is closed.
+Motion rubbing(Motion motion, double bound, double friction, double slip, double force,
+               double length) {
+  if (motion == Motion::Stick)
+    return std::abs(friction) <= bound + force ? Motion::Stick
+           : friction > 0                      ? Motion::Backward
+                                               : Motion::Forward;
+  return bound > 0 && friction_sign(motion) * slip > length ? Motion::Stick : motion;
 }
 
 }  // namespace
 
 void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
-  for (Index i = 0; i < change.size(); ++i) {
-    double& high = solution.displacement(i);
-    double& low = solution.displacement_low(i);
-    const double sum = high + change(i);
-    const double part = sum - high;
-    const double rest = ((high - (sum - part)) + (change(i) - part)) + low;
-    high = sum + rest;
-    low = rest - (high - sum);
-  }
+  for (Index i = 0; i < change.size(); ++i)
+    add_to(solution.displacement(i), solution.displacement_low(i), change(i));
+}
+
+void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change) {
+  const Index n = change.size();
+  if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
+  if (solution.rigid.size() == 0) solution.rigid.setZero(n);
+  const VectorXd last = solution.rigid;
+  solution.rigid += change;
+  add_displacement(solution, solution.rigid - last);
 }
 
 Refinement refine(const QuadraticProgramme& programme,
                   const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
-                  const Eigen::MatrixXd& compliance, PrimalDual start,
-                  const std::vector<Index>& active, const MatrixXd& modes) {
-  const Closing closing(programme, compliance, active, modes);
-  Refinement result;
-  result.solution = started(std::move(start), modes);
-  result.amplitude.setZero(modes.cols());
-  const PrimalDual& solution = result.solution;
+                  const Eigen::MatrixXd& compliance, PrimalDual start, const KnownSet& set,
+                  const Eigen::MatrixXd& null_vectors) {
+  return Refining(programme, solve_stiffness, compliance, std::move(start), set, null_vectors)
+      .run();
+}
 
-  const double rounding = epsilon * static_cast<double>(active.size() + 1);
-  const Index first = closing.floats() ? rigid_sweeps + 1 : 1;  // from here on corrections shrink
-  double rate = 1;
-  double last_u = std::numeric_limits<double>::infinity();
-  double last_force = last_u;
-  bool settled = false;
-  while (true) {
-    const Correction change = sweep(programme, solve_stiffness, closing, result);
-    // The corrections just made, relative to what they correct. The next sweep shows by how much one
-    // sweep shrinks the error of u; once lambda has settled, the next correction will be that much smaller.
-    const double moved_u = ratio(largest(change.displacement), largest(solution.displacement));
-    const double moved_force = ratio(largest(change.force), largest(solution.force));
-    if (result.sweeps == std::max<Index>(first, 2)) rate = std::min(1.0, ratio(moved_u, last_u));
-    if (result.sweeps < first) {
-      last_u = moved_u;
-      continue;
-    }
-    settled = moved_u * rate <= rounding && moved_force <= rounding;
-    const bool stalled = !(moved_u < 0.5 * last_u) && !(moved_force < 0.5 * last_force);
-    if (settled || stalled) break;
-    last_u = moved_u;
-    last_force = moved_force;
+Judgement judge(const QuadraticProgramme& programme, const FrictionLaw& law,
+                const Refinement& refined, const std::vector<Motion>& motions,
+                const Eigen::MatrixXd& null_vectors) {
+  const Index pairs = static_cast<Index>(motions.size());
+  const VectorXd& force = refined.solution.force;
+  Index closed = 1;
+  for (const Motion motion : motions) closed += motion != Motion::Open ? 1 : 0;
+  const double rounding = epsilon * static_cast<double>(closed);
+  const double small_force = rounding * largest(force);
+  const double small_length =
+      rounding * (largest(programme.initial_gap) + largest(refined.solution.displacement));
+  Judgement result{motions, 0, false};
+  const auto at = [&](Index i) -> Motion& { return result.motions[static_cast<std::size_t>(i)]; };
+  for (Index i = 0; i < pairs; ++i) {
+    if (at(i) == Motion::Open && refined.movement(i) < -small_length) at(i) = Motion::Stick;
+    if (motions[static_cast<std::size_t>(i)] != Motion::Open && force(i) < -small_force)
+      at(i) = Motion::Open;
   }
-  if (settled) close_what_rounding_left(programme, solve_stiffness, closing, rounding, result);
-  result.confirmed = settled && solution.displacement.allFinite() && solution.force.allFinite() &&
-                     signs_hold(programme, result, active, rounding) &&
-                     balanced(programme, solution, modes, rounding);
+  for (std::size_t k = 0; k < law.pair.size(); ++k) {
+    const Index i = law.pair[k];
+    const Index row = static_cast<Index>(k);
+    if (law.coefficient(row) == 0 && law.cohesion(row) == 0) continue;
+    if (at(i) == Motion::Open || motions[static_cast<std::size_t>(i)] == Motion::Open) continue;
+    const double bound = law.coefficient(row) * std::max(0.0, force(i)) + law.cohesion(row);
+    at(i) = rubbing(at(i), bound, force(pairs + row), refined.movement(pairs + row),
+                    (1 + law.coefficient(row)) * small_force, small_length);
+  }
+  for (std::size_t i = 0; i < motions.size(); ++i) result.wrong += result.motions[i] != motions[i];
+  const bool finite = refined.solution.displacement.allFinite() && force.allFinite();
+  result.confirmed = refined.settled && result.wrong == 0 && finite &&
+                     balanced(programme, refined.solution, null_vectors, rounding);
   return result;
 }
 

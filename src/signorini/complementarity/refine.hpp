@@ -1,10 +1,10 @@
 /// \file
-/// The last step of every exact method: the KKT system of the final set, from the original data.
+/// The last step of every exact method: the equations of a known set, from the original data.
 #pragma once
 #include <functional>
 
 #include "signorini/complementarity/certificate.hpp"
-#include "signorini/complementarity/floating.hpp"
+#include "signorini/complementarity/known_set.hpp"
 
 namespace signorini {
 
@@ -13,48 +13,71 @@ namespace signorini {
 /// \param change    `n` [length]
 void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
 
+/// u += change by a motion that strains nothing: the part of u that is kept as such grows too.
+/// \param solution  whose displacement grows
+/// \param change    `n` [length]
+void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change);
+
 /// What refine() did.
 struct Refinement {
-  PrimalDual solution;        ///< u in two parts, and lambda
-  Eigen::VectorXd gap;        ///< g - A u `n_c` [length]
+  PrimalDual solution;        ///< u in two parts, and the forces of all rows of A
+  Eigen::VectorXd movement;   ///< initial_gap - A u of all rows of A: gaps, then slips [length]
   Eigen::VectorXd amplitude;  ///< how much of each rigid mode went into u `n_r`
-  Eigen::Index sweeps = 0;    ///< solves with K
-  bool confirmed = false;     ///< no force of the set is tensile and no other pair overlaps
+  Eigen::Index solves = 0;    ///< with K
+  bool settled = false;       ///< whether corrections have become as small as rounding
 };
 
-/// Refines \f$ K u + A^T \lambda = p,\ A_W u = g_W \f$ for a set W of closed pairs.
+/// Refines \f$ K u + A^T f = p,\ A_W u = g_W \f$ for a known set: rows W that do not move, friction forces at
+/// their bounds, no force anywhere else.
 ///
-/// Each sweep corrects u by K^-1 times the residual of equilibrium, then lambda by the gaps left in
-/// W; both residuals come from K, p, A and g in twice the working precision, so the factor and the
-/// compliance may carry relative errors up to about 1/cond. u is kept as a sum of two doubles.
-/// Sweeps end when lambda has settled and the next correction of u will be of rounding size, or
-/// when neither correction shrinks any more.
+/// A sweep adds K^-1 times the residual of equilibrium to u, then the forces that close what W still
+/// moves, and what these move in turn,
+///
+/// \f[ M\,\Delta f_W = A_W u - g_W,\qquad u \mathrel{+}= -K^{-1} A^T \Delta f, \f]
+///
+/// where M is the matrix of Closing. Residuals come from the original data in twice the working
+/// precision, so the factor and the compliance may carry relative errors up to about 1/cond. u and the
+/// forces are kept as sums of two doubles: on a slender body the last digit of a force moves the far end by
+/// many digits. Sweeps end when the next correction will be of rounding size, or when corrections
+/// shrink no more. What forces move in turn is left to the next sweep, whose residual feels it, as long as two
+/// sweeps are enough; only on badly conditioned problems does it get a solve of its own, which makes the
+/// corrections shrink by the error of the forces in place of that of the factor.
 ///
 /// With rigid modes K is singular, and `solve_stiffness` and `compliance` belong to the grounded K_g of
-/// floating_problem(). Residuals are still those of K. A sweep adds K_g^-1 times the residual r_u, then
-/// forces and amplitudes that close the gaps left and take up what of r_u only a rigid motion feels,
-///
-/// \f[ \begin{pmatrix} G_{WW} & R_W \\ R_W^T & 0 \end{pmatrix}
-///     \begin{pmatrix} \Delta\lambda \\ \Delta a \end{pmatrix} =
-///     \begin{pmatrix} A_W u - g_W \\ -N^T r_u \end{pmatrix}, \f]
-///
-/// and the next residual is in balance, so that no spring takes part in it. K N may differ from 0 by
-/// rounding: then the forces are those of the K that was posed, in which a motion N a strains the body,
-/// by about epsilon |K| |a|.
-/// \param programme        K, p, A, g as they were posed
+/// floating_problem(). Residuals are still those of K; the amplitudes take up what only a rigid
+/// motion feels of them, so that no spring takes part.
+/// \param programme        K, p, A, g as they were posed; with friction A has rows of slips, -T, at its end
 /// \param solve_stiffness  K^-1 applied to a vector [force] -> [length]; need not be accurate
-/// \param compliance       `n_c x n_c` G = A K^-1 A^T [length/force]; need not be accurate
-/// \param start            a solution to start from, forces 0 outside of W; its displacement may
-///                         still be that without contact
-/// \param active           W, in increasing order; its block of G must be regular
+/// \param compliance       of all rows of A, A K^-1 A^T [length/force]; need not be accurate
+/// \param start            where to start: u may still be that without contact; forces that the set
+///                         excludes are dropped
+/// \param set              what is known
 /// \param null_vectors     N, or nothing if K is regular
-/// \return the refined solution; another set is needed unless it is `confirmed`. It is not if pairs of W
-///   repeat each other, or if the load has a part along a mode that W does not hold
+/// \return the refined numbers; whether all signs are right is for judge() to say
 /// \throws std::invalid_argument if the sizes of `programme`, `start` and N do not fit
 [[nodiscard]] Refinement refine(
     const QuadraticProgramme& programme,
     const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
-    const Eigen::MatrixXd& compliance, PrimalDual start, const std::vector<Eigen::Index>& active,
+    const Eigen::MatrixXd& compliance, PrimalDual start, const KnownSet& set,
     const Eigen::MatrixXd& null_vectors = {});
+
+/// What refined numbers say of every pair.
+struct Judgement {
+  std::vector<Motion> motions;  ///< what the pairs would rather do
+  Eigen::Index wrong = 0;       ///< pairs that would rather do something else
+  bool confirmed = false;       ///< refined, balanced and no pair wrong: the solution
+};
+
+/// Looks at all signs beyond rounding: closed pairs press, open ones do not overlap, friction forces of
+/// sticking pairs keep their bound, sliding ones resist.
+/// \param programme     as refine()
+/// \param law           of the pairs that rub
+/// \param refined       from refine() for `motions`
+/// \param motions       `n_c` what was assumed
+/// \param null_vectors  N, or nothing
+/// \return the verdict
+[[nodiscard]] Judgement judge(const QuadraticProgramme& programme, const FrictionLaw& law,
+                              const Refinement& refined, const std::vector<Motion>& motions,
+                              const Eigen::MatrixXd& null_vectors = {});
 
 }  // namespace signorini

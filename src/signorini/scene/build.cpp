@@ -55,11 +55,14 @@ Model build(const Scene& scene, Ledger& ledger) {
   }
   LinearSystem system = assemble_all(scene, model.bodies, model.unknowns.count);
   ledger.count("unknowns", model.unknowns.count);
-  ledger.count("pairs", now.gaps.A.rows());
-  if (now.friction)
-    model.friction = FrictionModel{std::move(now.gaps.T), std::move(now.gaps.initial_slip),
-                                   *std::move(now.friction)};
+  ledger.count("pairs", now.gaps.pairs.initial_gap.size());
   model.programme.initial_gap = now.gaps.pairs.initial_gap;
+  if (!now.law.pair.empty()) {
+    now.gaps.A = below(now.gaps.A, -now.gaps.T);
+    model.programme.initial_gap.conservativeResize(now.gaps.A.rows());
+    model.programme.initial_gap.tail(now.gaps.initial_slip.size()) = now.gaps.initial_slip;
+  }
+  model.law = std::move(now.law);
   model.programme.stiffness.swap(system.stiffness);
   model.programme.load.swap(system.load);
   model.programme.A.swap(now.gaps.A);

@@ -125,8 +125,9 @@ void add_friction(const Scene& scene, const ContactSpec& contact, const Gaps& ga
        {std::pair("friction coefficient", law.coefficient), std::pair("cohesion", law.cohesion)})
     pose(std::isfinite(value) && value >= 0, describe(scene, contact), ": the ", name,
          " must be a number >= 0, got ", value);
-  PairFriction& all = *plan.friction;
+  FrictionLaw& all = plan.law;
   const VectorXd slides = can_slide(gaps);
+  for (Index k = 0; k < slides.size(); ++k) all.pair.push_back(static_cast<Index>(all.pair.size()));
   all.coefficient = extended(all.coefficient, law.coefficient * slides);
   all.cohesion = extended(all.cohesion, law.cohesion * gaps.pairs.weight.cwiseProduct(slides));
   if (rubs(contact))
@@ -147,7 +148,6 @@ void plan_contact(const Scene& scene, Plan& plan) {
   }
   const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), rubs);
   if (!sliding) plan.off.emplace_back("friction");
-  if (sliding) plan.friction.emplace();
   for (const ContactSpec& contact : scene.contacts) {
     Gaps gaps = reduce(pair_up(scene, contact, sliding, plan), surface(scene, contact.source),
                        unknowns, describe(scene, contact));
@@ -170,8 +170,8 @@ void plan_contact(const Scene& scene, Plan& plan) {
 
 /// What contact can stop: gaps from closing, and with friction slips, but not those of smooth contacts.
 NodalRows felt_by_contact(const Plan& plan) {
-  if (!plan.friction) return plan.gaps.A;
-  const VectorXd law = plan.friction->coefficient + plan.friction->cohesion;
+  if (plan.law.pair.empty()) return plan.gaps.A;
+  const VectorXd law = plan.law.coefficient + plan.law.cohesion;
   const VectorXd rough = (law.array() > 0).cast<double>();
   return below(plan.gaps.A, NodalRows(rough.asDiagonal() * plan.gaps.T));
 }

@@ -66,7 +66,7 @@ struct Plan {
   std::vector<Unknowns> unknowns;    ///< per body, numbered from 0 in each
   std::vector<FreeMotion> modes;     ///< `n_r` rigid motions that only contact can stop
   Gaps gaps;                         ///< `n_c` candidate pairs of all contacts, none without
-  std::optional<PairFriction> friction;  ///< of all pairs if any contact has friction
+  FrictionLaw law;                   ///< of all pairs if any contact has friction, else of none
   std::string solver;  ///< name: `scene.friction_solver` if anything rubs, else `scene.solver`
 };
 

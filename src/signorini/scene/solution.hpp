@@ -17,19 +17,6 @@
 
 namespace signorini {
 
-/// The friction law pair by pair; 0 where a contact has none.
-struct PairFriction {
-  Eigen::VectorXd coefficient;  ///< mu `n_c` [-]
-  Eigen::VectorXd cohesion;     ///< c times the weight `n_c` [force]
-};
-
-/// How pairs slide, slip = initial_slip + T u, and the law that resists it.
-struct FrictionModel {
-  Eigen::SparseMatrix<double, Eigen::RowMajor> T;  ///< `n_c x n` [-]
-  Eigen::VectorXd initial_slip;                    ///< `n_c` of given displacements [length]
-  PairFriction law;                                ///< of all pairs
-};
-
 /// A body ready to be assembled, and where it stands among the others.
 struct BodyModel {
   Mesh mesh;                   ///< of the scene
@@ -42,13 +29,13 @@ struct BodyModel {
 
 /// Matrices of the bodies and the gaps they may close.
 struct Model {
-  std::vector<BodyModel> bodies;          ///< as in the scene
-  Unknowns unknowns;                      ///< `n` of all bodies, one after another
-  QuadraticProgramme programme;           ///< K, p, A, g of the gaps, with friction or without
-  Pairs pairs;                            ///< `n_c` that can close; see Gaps
-  std::vector<FreeMotion> modes;          ///< `n_r` null vectors of K
-  std::optional<FrictionModel> friction;  ///< none if nothing rubs
-  std::string solver;  ///< of the family that the model needs, as the scene names it
+  std::vector<BodyModel> bodies;  ///< as in the scene
+  Unknowns unknowns;              ///< `n` of all bodies, one after another
+  QuadraticProgramme programme;   ///< K, p, A, g of the gaps, then of the slips if any pair rubs
+  Pairs pairs;                    ///< `n_c` that can close; see Gaps
+  std::vector<FreeMotion> modes;  ///< `n_r` null vectors of K
+  FrictionLaw law;                ///< of the pairs that rub, empty if none does
+  std::string solver;             ///< of the family that the model needs, as the scene names it
 };
 
 /// The model with all unknowns but the contact forces eliminated.
@@ -65,9 +52,6 @@ struct Condensed {
 struct FrictionOutcome {
   /// Forces, friction forces, gaps and slips, from the displacements; `reason` if it is not solved.
   FrictionState state;
-  /// Of `state`: penetration, complementarity and equilibrium as in `Solution::certificate`, the others from
-  /// the condensed problem. All infinite unless the solver found a solution.
-  FrictionCertificate certificate;
 };
 
 /// Everything that is known at the end. Unless `contact.report.status` is Solved or Breakdown, it has
@@ -77,9 +61,9 @@ struct Solution {
   ContactState contact;                  ///< refined forces, gaps and status per pair
   Eigen::VectorXd amplitude;             ///< `n_r` of the rigid modes [length]
   Eigen::VectorXd pressure;              ///< `n_c` force / weight [force/length^2], compression > 0
-  PrimalDual refined;                    ///< unknowns in two parts, and normal forces
+  PrimalDual refined;                    ///< unknowns in two parts, and the forces of all rows of A
   std::optional<FrictionOutcome> friction;  ///< if the model has friction, solved or not
-  /// Of `refined`, from the original K, p, A, g; friction forces count as loads.
+  /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
   std::string escape;              ///< if the load pulls a body away: how it moves off
   std::vector<std::string> notes;  ///< what a user should know, such as that others may exist

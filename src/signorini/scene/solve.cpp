@@ -1,81 +1,17 @@
-#include <cmath>
-#include <set>
-#include <utility>
-
-#include "signorini/complementarity/refine.hpp"
+#include "signorini/complementarity/friction_solvers.hpp"
 #include "signorini/complementarity/rigid_modes.hpp"
+#include "signorini/complementarity/rounding.hpp"
 #include "signorini/complementarity/solvers.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/frictional.hpp"
+#include "signorini/scene/certified_road.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-/// Adds what one more pass of the solver did to what earlier ones did.
-void add_up(Report& now, const Report& earlier) {
-  now.iterations += earlier.iterations;
-  now.factorisations += earlier.factorisations;
-  now.history.insert(now.history.begin(), earlier.history.begin(), earlier.history.end());
-}
-
-/// Solves the condensed problem, with rigid modes or without.
-FloatingState solve_condensed(const FloatingProblem& problem, const Solver& solver) {
-  if (problem.rigid.cols() > 0) return solve(problem, solver);
-  FloatingState state;
-  state.contact = solver.solve(problem.contact, {});
-  return state;
-}
-
-/// Moves bodies rigidly. Closed pairs that are too few to hold them say nothing about where they are.
-void place(PrimalDual& solution, const Eigen::VectorXd& rigid) {
-  const Index n = rigid.size();
-  if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
-  if (solution.rigid.size() == 0) solution.rigid.setZero(n);
-  const Eigen::VectorXd last = solution.rigid;
-  solution.rigid += rigid;
-  add_displacement(solution, solution.rigid - last);
-}
-
-/// The first state of the condensed problem and its refinement; repeated while refinement refutes it.
-Refinement solve_and_refine(const Model& model, const Condensed& condensed, const Solver& solver,
-                            Ledger& ledger, FloatingState& state) {
-  const auto solve_stiffness = [&](const Eigen::VectorXd& load) {
-    return condensed.factor.solve(load);
-  };
-  const Eigen::MatrixXd modes = mode_shapes(model.modes);
-  FloatingProblem problem{condensed.problem, condensed.rigid, condensed.resultant};
-  PrimalDual start{condensed.free_displacement, {}, {}};
-  Refinement refined;
-  Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(modes.cols());
-  std::set<std::vector<Index>> refuted;
-  while (true) {
-    {
-      const Ledger::Phase phase(ledger, "contact");
-      const Report earlier = state.contact.report;
-      state = solve_condensed(problem, solver);
-      add_up(state.contact.report, earlier);
-    }
-    if (state.contact.report.status != Status::Solved) return refined;
-    const Ledger::Phase phase(ledger, "refinement");
-    start.force = state.contact.force;
-    if (amplitude.size() > 0) place(start, modes * (state.amplitude - amplitude));
-    refined = refine(model.programme, solve_stiffness, problem.contact.compliance, start,
-                     state.contact.active, modes);
-    if (amplitude.size() > 0) refined.amplitude += state.amplitude;
-    amplitude = refined.amplitude;
-    ledger.count("sweeps", refined.sweeps);
-    if (refined.confirmed) return refined;
-    // Rounding cannot decide between sets that come back; the certificate will say whether it matters.
-    if (!refuted.insert(state.contact.active).second) return refined;
-    problem.contact.free_gap = refined.gap - problem.contact.compliance * refined.solution.force -
-                               problem.rigid * refined.amplitude;
-    start = refined.solution;
-  }
-}
+using Eigen::VectorXd;
 
 std::string describe_unknown(const Model& model, Index unknown) {
   std::size_t b = model.bodies.size() - 1;
@@ -96,11 +32,85 @@ ContactLastFactor factor_last(const Model& model, const Eigen::SparseMatrix<doub
   return ContactLastFactor(K, order, static_cast<Index>(last.size()), ledger, describe);
 }
 
+/// Takes the slips out of a condensed problem that was made of gaps and slips.
+void set_friction_apart(const FrictionLaw& law, Condensed& condensed) {
+  const Index pairs = condensed.problem.free_gap.size() - static_cast<Index>(law.pair.size());
+  const ContactProblem& all = condensed.problem;
+  condensed.friction = FrictionProblem{all.compliance,
+                                       all.free_gap.head(pairs),
+                                       all.free_gap.tail(all.free_gap.size() - pairs),
+                                       law.coefficient,
+                                       law.cohesion,
+                                       condensed.rigid,
+                                       condensed.resultant};
+  condensed.problem = {condensed.friction->compliance.topLeftCorner(pairs, pairs),
+                       condensed.friction->free_gap};
+  condensed.rigid = condensed.friction->rigid.topRows(pairs);
+}
+
+std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
+  const NodeArray all = expand(model.unknowns, displacement);
+  std::vector<NodeArray> bodies;
+  for (const BodyModel& body : model.bodies)
+    bodies.emplace_back(all.middleRows(body.first_node, body.mesh.n_nodes()));
+  return bodies;
+}
+
+/// How bodies move along a direction that nothing stops.
+std::string escape_in_words(const Model& model, const VectorXd& escape) {
+  std::string words;
+  const double most = largest(escape);
+  for (Index k = 0; k < escape.size(); ++k)
+    if (std::abs(escape(k)) > 1e-6 * most)
+      words += (words.empty() ? "" : "; ") + model.modes[static_cast<std::size_t>(k)].sentence;
+  return words;
+}
+
+/// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
+void note_open_motions(const Model& model, const std::vector<Motion>& motions, Solution& solution) {
+  if (model.modes.empty()) return;
+  const KnownSet set = known_set(motions, model.law);
+  NodalRows held(static_cast<Index>(set.closed.size()), model.programme.A.cols());
+  for (std::size_t k = 0; k < set.closed.size(); ++k)
+    held.row(static_cast<Index>(k)) = model.programme.A.row(set.closed[k]);
+  for (const std::string& motion : motions_without_contact(held, model.modes))
+    solution.notes.push_back(motion +
+                             ": load and contact do not determine how far, this is one answer");
+}
+
+/// What the road found, as readers want it.
+void recover(const Model& model, CertifiedEnd end, Solution& solution) {
+  const Index pairs = model.pairs.weight.size();
+  ContactState& contact = solution.contact;
+  contact.force = end.solution.force.head(pairs);
+  contact.gap = end.movement.head(pairs);
+  for (Index pair = 0; pair < pairs; ++pair)
+    if (end.motions[static_cast<std::size_t>(pair)] != Motion::Open) contact.active.push_back(pair);
+  note_open_motions(model, end.motions, solution);
+  solution.amplitude = end.amplitude;
+  solution.pressure = contact.force.cwiseQuotient(model.pairs.weight);
+  solution.displacements = displacements_of_bodies(model, end.solution.displacement);
+  if (solution.friction) {
+    FrictionState& state = solution.friction->state;
+    state.force = contact.force;
+    state.gap = contact.gap;
+    state.friction = end.solution.force.tail(pairs);
+    state.slip = end.movement.tail(pairs);
+    state.amplitude = end.amplitude;
+    state.status.clear();
+    for (const Motion motion : end.motions)
+      state.status.push_back(motion == Motion::Open    ? PairStatus::Open
+                             : motion == Motion::Stick ? PairStatus::Stick
+                                                       : PairStatus::Slip);
+  }
+  solution.refined = std::move(end.solution);
+  solution.certificate = end.certificate;
+}
+
 }  // namespace
 
 Condensed condense(const Model& model, Ledger& ledger) {
-  const QuadraticProgramme sliding = model.friction ? with_slips(model) : QuadraticProgramme();
-  const QuadraticProgramme& programme = model.friction ? sliding : model.programme;
+  const QuadraticProgramme& programme = model.programme;
   const bool floats = !model.modes.empty();
   const Eigen::SparseMatrix<double> held =
       floats ? grounded_stiffness(model) : Eigen::SparseMatrix<double>();
@@ -110,7 +120,7 @@ Condensed condense(const Model& model, Ledger& ledger) {
   condensed.free_displacement = condensed.factor.solve(programme.load);
   condensed.problem.compliance = condensed.factor.compliance(programme.A);
   condensed.problem.free_gap =
-      gaps(programme, {condensed.free_displacement, {}, Eigen::VectorXd::Zero(programme.A.rows())});
+      gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
   condensed.rigid.resize(programme.A.rows(), 0);
   if (floats) {
     FloatingProblem floating =
@@ -118,33 +128,30 @@ Condensed condense(const Model& model, Ledger& ledger) {
     condensed.rigid = std::move(floating.rigid);
     condensed.resultant = std::move(floating.resultant);
   }
-  if (model.friction) set_friction_apart(*model.friction, condensed);
+  if (!model.law.pair.empty()) set_friction_apart(model.law, condensed);
   return condensed;
 }
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger) {
   Solution solution;
-  if (model.friction) {
-    solution = solve_frictional(model, condensed, solver, ledger);
-    solution.ledger = std::move(ledger);
-    return solution;
+  CertifiedEnd end = certified_end(model, condensed, solver, ledger);
+  solution.contact.report = std::move(end.report);
+  if (!model.law.pair.empty()) {
+    solution.friction.emplace();
+    FrictionState& state = solution.friction->state;
+    state.report = solution.contact.report;
+    state.reason = end.reason;
+    state.uniqueness = end.uniqueness;
+    if (end.uniqueness == Uniqueness::Doubtful)
+      solution.notes.emplace_back(
+          "friction: there may be other solutions of the same loads, this is one of them");
   }
-  FloatingState state;
-  Refinement refined = solve_and_refine(model, condensed, find_solver(solver), ledger, state);
-  solution.contact = std::move(state.contact);
-  if (solution.contact.report.status == Status::Solved) {
+  solution.escape = escape_in_words(model, end.escape);
+  solution.contact.infeasibility = std::move(end.infeasibility);
+  if (end.solution.displacement.size() > 0) {
     const Ledger::Phase phase(ledger, "recovery");
-    solution.displacements = displacements_of_bodies(model, refined.solution.displacement);
-    solution.contact.force = refined.solution.force;
-    solution.contact.gap = refined.gap;
-    solution.amplitude = refined.amplitude;
-    solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
-    solution.refined = std::move(refined.solution);
-    solution.certificate = certify(model.programme, solution.refined);
-    if (!solution.certificate.holds()) solution.contact.report.status = Status::Breakdown;
-  } else {
-    solution.escape = escape_in_words(model, state.escape);
+    recover(model, std::move(end), solution);
   }
   solution.ledger = std::move(ledger);
   return solution;
@@ -168,8 +175,6 @@ void require_solved(const Solution& solution, const std::string& what) {
   if (!reason.empty()) message += ": " + reason;
   if (std::isfinite(solution.certificate.worst()))
     message += text("; certificate: ", solution.certificate);
-  if (solution.friction && std::isfinite(solution.friction->certificate.worst()))
-    message += text("; worst figure of the certificate: ", solution.friction->certificate.worst());
   throw NotSolved(message);
 }
 

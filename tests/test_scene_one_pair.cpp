@@ -1,0 +1,76 @@
+// Bodies that one closed pair carries, or none: their position is not determined, and the solution says so.
+#include "catch_compat.hpp"
+#include "signorini/mesh/block.hpp"
+#include "signorini/mesh/disc.hpp"
+#include "signorini/scene/scene.hpp"
+
+using namespace signorini;
+
+namespace {
+
+const std::vector<const char*> family = {"primal_dual_active_set", "quasi_active_set",
+                                         "goldfarb_idnani", "fischer_burmeister", "lemke"};
+
+/// A disc under its own weight on a plane, with the lowest node as the only one that carries it.
+Scene disc_on_plane(Eigen::Index cells) {
+  Scene scene;
+  DiscSpec disc;
+  disc.name = "disc";
+  disc.centre = {0, 1};
+  disc.core_cells = cells;
+  disc.layers = cells;
+  Body& body = scene.bodies[0];
+  body.mesh = make_disc(disc);
+  body.supports = {prescribed_at("rim", {0, 0}, Axis::X)};
+  body.loads.body_force = [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -1e-6); };
+  scene.contacts = {{{"rim"}, half_plane({0, 0}, {0, 1})}};
+  return scene;
+}
+
+/// A block whose weight a pull balances: it hovers.
+Scene hovering_block() {
+  Scene scene;
+  BlockSpec block;
+  block.cells_x = block.cells_y = 4;
+  block.corner = {0, 0.5};
+  Body& body = scene.bodies[0];
+  body.mesh = make_block(block);
+  body.supports = {symmetric("left")};
+  body.loads.edges = {{"top", -1e-3, {}}};
+  body.loads.body_force = [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -1e-3); };
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a disc that rests on one node is solved by the family, and free to roll",
+          "[floating][hard]") {
+  for (const Eigen::Index cells : {3, 4, 5})
+    for (const char* solver : family) {
+      Scene scene = disc_on_plane(cells);
+      scene.solver = solver;
+      const Solution solution = solve(scene);
+      CAPTURE(cells, solver);
+      REQUIRE(solution.contact.report.status == Status::Solved);
+      CHECK(solution.certificate.worst() <= 1e-13);
+      CHECK(solution.contact.active.size() == 1);
+      REQUIRE(solution.notes.size() == 1);
+      CHECK_THAT(solution.notes[0], ContainsSubstring("disc") && ContainsSubstring("turn") &&
+                                        ContainsSubstring("do not determine"));
+    }
+}
+
+TEST_CASE("a block that hovers is solved, and that its height is open is said",
+          "[floating][hard]") {
+  for (const char* solver : family) {
+    Scene scene = hovering_block();
+    scene.solver = solver;
+    const Solution solution = solve(scene);
+    CAPTURE(solver);
+    REQUIRE(solution.contact.report.status == Status::Solved);
+    CHECK(solution.contact.active.empty());
+    REQUIRE(solution.notes.size() == 1);
+    CHECK_THAT(solution.notes[0], ContainsSubstring("do not determine"));
+  }
+}
