@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace signorini_test {
 namespace {
@@ -54,13 +55,15 @@ class Checked {
   const QuadraticProgramme& given_;
   Wides u_;         // `n`
   Wides rigid_;     // `n`
+  Wides strained_;  // `n` u without the rigid part
   Wides residual_;  // `n` of the equilibrium
-  Wides inside_;    // `n` |K| |u without its rigid part|
   Wides contact_;   // `n` A^T f
   Wides movement_;  // gaps and slips
   Wides norm_;      // of rows, 1 for one without entries
   Wide length_ = 0;
   Wide force_ = 0;
+  Wide inside_ = 0;    // largest |K| |u without its rigid part|
+  Wide resolved_ = 0;  // largest rounding of K u: u is known in two doubles
   SceneErrors errors_;
 };
 
@@ -68,9 +71,10 @@ Checked::Checked(const Model& model, const Solution& solution)
     : model_(model), solution_(solution), given_(model.programme) {
   const PrimalDual& found = solution.refined;
   for (Index j = 0; j < given_.load.size(); ++j) {
-    u_.push_back(found.displacement(j));
-    if (found.displacement_low.size() > 0) u_.back() += found.displacement_low(j);
+    const double low = found.displacement_low.size() > 0 ? found.displacement_low(j) : 0;
     rigid_.push_back(found.rigid.size() > 0 ? found.rigid(j) : 0);
+    u_.push_back(Wide(found.displacement(j)) + low);
+    strained_.push_back(Wide(found.displacement(j)) - rigid_.back() + low);
   }
 }
 
@@ -91,20 +95,24 @@ void Checked::sum_up() {
   }
   Wides strains(n, 0);
   Wides terms(n, 0);
-  inside_.assign(n, 0);
+  Wides inside(n, 0);
+  Wides whole(n, 0);
   residual_.assign(n, 0);
   for (Index k = 0; k < given_.stiffness.outerSize(); ++k)
     for (Eigen::SparseMatrix<double>::InnerIterator it(given_.stiffness, k); it; ++it) {
       const Wide entry = it.value();
-      const Wide pull = entry * (u_[at(k)] - rigid_[at(k)]);
+      const Wide pull = entry * strained_[at(k)];
       residual_[at(it.row())] -= pull;
-      inside_[at(it.row())] += size(pull);
+      inside[at(it.row())] += size(pull);
+      whole[at(it.row())] += size(entry * u_[at(k)]);
       strains[at(it.row())] += entry * rigid_[at(k)];
       terms[at(it.row())] += size(entry * rigid_[at(k)]);
     }
   for (std::size_t j = 0; j < n; ++j) {
     residual_[j] += given_.load(static_cast<Index>(j)) - contact_[j];
     grow(errors_.strain, over(size(strains[j]), terms[j]));
+    inside_ = std::max(inside_, inside[j]);
+    resolved_ = std::max(resolved_, 0x1p-106 * whole[j]);
   }
 }
 
@@ -120,9 +128,8 @@ void Checked::measure() {
     }
     length_ = std::max(length_, length / norm_[at(row)]);
   }
-  // Where nothing pushes but what u in two doubles cannot resolve, the forces inside must balance.
-  const Wide inside = inside_.empty() ? 0 : *std::max_element(inside_.begin(), inside_.end());
-  if (force_ <= 0x1p-104 * inside) force_ = inside;
+  // Where nothing pushes but rounding, the forces inside must balance.
+  if (force_ <= resolved_) force_ = inside_;
 }
 
 void Checked::look_at_forces() {

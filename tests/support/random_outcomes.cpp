@@ -1,5 +1,6 @@
 #include "support/random_outcomes.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "signorini/core/errors.hpp"
@@ -27,6 +28,12 @@ Outcome ending(const Solution& solution) {
   return Outcome::Breakdown;
 }
 
+bool says_undetermined(const Solution& solution) {
+  return std::any_of(solution.notes.begin(), solution.notes.end(), [](const std::string& note) {
+    return note.find("do not determine") != std::string::npos;
+  });
+}
+
 }  // namespace
 
 Trial try_scene(std::uint64_t seed, RandomScenes kind, const std::string& solver,
@@ -49,7 +56,8 @@ Trial try_scene(std::uint64_t seed, RandomScenes kind, const std::string& solver
     if (trial.outcome == Outcome::Solved) {
       if (change != nullptr) change(solution);
       trial.errors = check_scene(model, solution);
-      if (!trial.errors.held) trial.outcome = Outcome::Hovers;
+      if (!trial.errors.held)
+        trial.outcome = says_undetermined(solution) ? Outcome::Hovers : Outcome::Unsaid;
       if (!(trial.errors.worst() <= most_error)) trial.outcome = Outcome::Wrong;
     }
   } catch (const ProblemError& error) {

@@ -13,6 +13,7 @@ namespace signorini_test {
 enum class Outcome {
   Solved,      ///< and right
   Hovers,      ///< solved and right, but pairs that carry or stick leave rigid motions
+  Unsaid,      ///< the same, but no note says so
   Refused,     ///< ProblemError before the solver begins
   Escaped,     ///< proof that the load pulls a body away
   Infeasible,  ///< proof that gaps contradict each other
@@ -22,9 +23,9 @@ enum class Outcome {
   Threw,  ///< an error that is not ProblemError
   Wrong   ///< solved, says the library, but a law is broken by more than `most_error`
 };
-inline constexpr std::size_t n_outcomes = 10;
+inline constexpr std::size_t n_outcomes = 11;
 inline constexpr std::array<const char*, n_outcomes> outcome_names = {
-    "solved", "hovers", "refused",   "escaped", "infeasible",
+    "solved", "hovers", "unsaid",    "refused", "escaped", "infeasible",
     "ray",    "limit",  "breakdown", "threw",   "wrong"};
 
 /// Most that a solved scene may break any law by [-].
