@@ -1,15 +1,17 @@
-# Figure 11.3 - stress on the axis.   In: fig_11_3.csv, fig_11_3_disc.csv, fig_11_3_plate.csv   Out: fig_11_3.svg
+# Figure 11.3 - residuals of the printed method, and of this book's.   In: fig_11_3.csv, fig_11_3_chance.csv   Out: fig_11_3.svg
+height = 520
 load 'style.gp'
-set xlabel 'depth below the contact [mm]'
-set ylabel 'stress [MPa]'
-set xrange [0:4]
-set yrange [-34:10]
-set ytics 5
-set key bottom right
-plot data.'/fig_11_3.csv' using 'depth':'shear' with lines ls 7 dt 1 title '(σ_x − σ_y)/2, half-plane', \
-     '' using 'depth':'xx' with lines ls 7 dt (12,4) title 'σ_x, half-plane', \
-     '' using 'depth':'yy' with lines ls 7 dt (3,3) title 'σ_y, half-plane', \
-     data.'/fig_11_3_disc.csv' using 'depth':'shear' with points ls 1 title 'disc', \
-     '' using 'depth':'xx' with points ls 1 notitle, '' using 'depth':'yy' with points ls 1 notitle, \
-     data.'/fig_11_3_plate.csv' using 'depth':'shear' with points ls 5 title 'plate', \
-     '' using 'depth':'xx' with points ls 5 notitle, '' using 'depth':'yy' with points ls 5 notitle
+set termoption font 'DejaVu Sans,15'
+eval LOGY
+set xlabel 'steps'
+set ylabel 'residual |F| [N, mm]'
+set xrange [0:30]
+set yrange [1e-17:1e24]
+set ytics 1e4
+set key top right spacing 1.05
+plot data.'/fig_11_3_chance.csv' using 'step':'residual' with linespoints ls 8 title 'points, nodes meet: by chance', \
+     data.'/fig_11_3.csv' using 'step':'residual' every :::1::1 with linespoints ls 5 title 'points, nodes do not meet', \
+     '' using 'step':'residual' every :::0::0 with linespoints ls 3 title 'points, nodes meet, J mended', \
+     '' using 'step':'residual' every :::2::2 with linespoints ls 2 title 'the same equations, nodes', \
+     '' using 'step':'residual' every :::3::3 with linespoints ls 1 lw 2.6 title 'nodes, condensed', \
+     '' using 'step':'residual' every :::4::4 with points ls 7 pt 3 ps 1.8 lw 2.5 title 'printed in the paper'

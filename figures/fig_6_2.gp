@@ -1,15 +1,26 @@
-# Figure 6.2 - contact pressure under the cantilever.   In: fig_6_2.csv   Out: fig_6_2.svg
+# Figure 6.2 - total contact force against the load.   In: fig_6_2.csv, fig_6_2_body.csv   Out: fig_6_2.svg
+width = 480; height = 580
 load 'style.gp'
-set xlabel 'position along the beam {/:Italic x} [cm]'
-set ylabel 'contact pressure {/:Italic q}_N [kN/cm²]'
-set xrange [40:50.2]
-set yrange [0:22]
-set arrow 1 from 45.7346,3.6 to 45.7346,12.9 head filled size 0.12,20 ls 7
-set label 1 'point force 54.9 kN' at 45.85,12.6 left font ',11'
-set arrow 2 from 50,3.6 to 50,6.3 head filled size 0.12,20 ls 4
-set label 2 '5.2 kN' at 49.9,5.2 right font ',11'
-plot data.'/fig_6_2.csv' using 'x':'q4' with linespoints ls 2 ps 0.5 title 'q4, 200 × 20', \
-     '' using 'x':'q8' with linespoints ls 3 ps 0.6 title 'q8, 100 × 10', \
-     '' using 'x':'q4_incompatible' with lines ls 1 title 'q4\_incompatible, 200 × 20', \
-     '' using (column('x')):(column('timoshenko') > 0 ? column('timoshenko') : NaN) with lines ls 4 title 'Timoshenko beam', \
-     '' using (column('x')):(column('euler_bernoulli') > 0 ? column('euler_bernoulli') : NaN) with lines ls 7 title 'Euler-Bernoulli beam'
+set lmargin 9
+set multiplot layout 2,1
+set xrange [0:4]
+set yrange [0:100]
+set ylabel 'total contact force [kN]' offset 1,0
+set key top left
+set arrow 1 from 0.28,0 to 0.28,55 nohead ls 8
+set arrow 2 from 2.52,0 to 2.52,55 nohead ls 8
+set label 1 'nothing' at 0.36,60 center
+set label 2 'the tip touches' at 1.7,60 center
+set label 3 'a line touches' at 3.25,25 center
+plot data.'/fig_6_2.csv' using 'q':'euler_bernoulli' with lines ls 7 title 'Euler-Bernoulli beam', \
+     '' using 'q':'timoshenko' with lines ls 4 title 'Timoshenko beam', \
+     data.'/fig_6_2_body.csv' using 'q':'force' with points ls 1 title 'q4\_incompatible, 100 × 10'
+unset arrow
+unset label
+set xlabel 'load {/:Italic q} [kN/cm²]'
+set ylabel 'above Euler-Bernoulli [kN]' offset 1,0
+set yrange [-0.2:2]
+plot data.'/fig_6_2.csv' using (column('q')):(column('timoshenko')-column('euler_bernoulli')) with lines ls 4 title 'Timoshenko beam', \
+     0 with lines ls 7 notitle, \
+     data.'/fig_6_2_body.csv' using (column('q')):(column('force')-column('euler_bernoulli')) with points ls 1 title 'q4\_incompatible, 100 × 10'
+unset multiplot

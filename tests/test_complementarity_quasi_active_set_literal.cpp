@@ -5,6 +5,7 @@
 #include "signorini/complementarity/enumerate.hpp"
 #include "signorini/complementarity/examples.hpp"
 #include "signorini/complementarity/quasi_active_set_literal.hpp"
+#include "support/closest_point.hpp"
 #include "support/problems.hpp"
 
 using Eigen::Index;
@@ -15,18 +16,6 @@ using namespace signorini;
 using namespace signorini_test;
 
 namespace {
-
-/// The point closest to p with A u <= g: K = I.
-struct ClosestPoint {
-  Eigen::MatrixXd A;
-  VectorXd p;
-  VectorXd g;
-  [[nodiscard]] ContactProblem problem() const { return {A * A.transpose(), g - A * p}; }
-  [[nodiscard]] VectorXd displacement(const ContactState& state) const {
-    return p - A.transpose() * state.force;
-  }
-  [[nodiscard]] double energy(const VectorXd& u) const { return 0.5 * u.dot(u) - p.dot(u); }
-};
 
 ClosestPoint zigzag() {
   Eigen::Matrix2d A;
@@ -122,21 +111,6 @@ TEST_CASE("the energy gap is potential minus dual energy and bounds what is lost
       }
     }
   CHECK(feasible > 40);
-}
-
-TEST_CASE("one step or never: the loop ends after one step or goes to its limit", "[literal]") {
-  Index one = 0;
-  Index never = 0;
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    const ContactProblem problem =
-        multiplied_out(condense(rosen_suzuki(10, 10, seed).programme).problem);
-    const QuasiActiveRun run = run_quasi_active_set_literal(problem);
-    CAPTURE(seed, run.outer_steps);
-    CHECK((run.outer_steps <= 1 || run.outer_steps > 10));  // an overlap shrinks by a factor only
-    if (run.outer_steps == 1) CHECK(run.state.report.status == Status::Solved);
-    (run.outer_steps <= 1 ? one : never) += 1;
-  }
-  CHECK((one > 20 && never > 20));  // both happen
 }
 
 TEST_CASE("a compliance without negative entries needs one step", "[literal]") {

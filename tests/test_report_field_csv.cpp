@@ -55,6 +55,26 @@ TEST_CASE("only the corners of a quadratic cell are drawn", "[field_csv]") {
         "0,0,0.5\n1,0,0.5\n1,1,0.5\n0,1,0.5\n0,0,0.5\n\n");
 }
 
+TEST_CASE("the zero line of a linear field is straight and moves with the body", "[field_csv]") {
+  BlockSpec spec;
+  spec.size = {4, 1};
+  const Mesh mesh = make_block(spec);
+  NodeArray u = NodeArray::Zero(4, 2);
+  u.col(1).setConstant(0.5);
+  const Eigen::VectorXd value = mesh.nodes.col(0).array() - 1;  // negative at the left quarter
+  CHECK(deformed_zero_line_csv(mesh, u, value, 2) ==
+        "# tolerance rel 1e-4 abs 8e-05\nx,y\n"
+        "1,1\n1,1.25\n\n1,2\n1,1.75\n\n1,1.25\n1,1.75\n\n");
+}
+
+TEST_CASE("a field that only touches zero from above has no zero line", "[field_csv]") {
+  const Mesh mesh = make_block({});
+  CHECK(deformed_zero_line_csv(mesh, NodeArray::Zero(4, 2), Eigen::Vector4d(0, 1, 2, 3)) ==
+        "# tolerance rel 1e-4 abs 2e-05\nx,y\n");
+  CHECK_THROWS_AS(deformed_zero_line_csv(mesh, NodeArray::Zero(4, 2), Eigen::Vector3d(0, 1, 2)),
+                  std::invalid_argument);
+}
+
 TEST_CASE("a field of the wrong size is refused", "[field_csv]") {
   const Mesh mesh = make_block({});
   CHECK_THROWS_AS(deformed_cells_csv(mesh, NodeArray::Zero(3, 2), Eigen::VectorXd::Zero(1)),

@@ -11,9 +11,10 @@
 
 namespace signorini {
 
-// Two problems with K = I, in exact fractions and in floating point.
+// Three problems with K = I, in exact fractions and in floating point.
 // [problems]
 inline const exact::Programme corner = {{{0, 1}, {1, -1}}, {0, 0}, {1, 2}};
+inline const exact::Programme fan = {{{1, -1}, {2, -1}, {1, 1}}, {0, 0, 0}, {1, 0}};
 inline const exact::Programme four_walls = {
     {{-3, -2, 3}, {1, -3, 3}, {-1, 2, 0}, {2, -3, 3}}, {1, 1, 1, 2}, {0, -1, 6}};
 // [problems]
@@ -22,6 +23,16 @@ inline Eigen::VectorXd floating(const exact::Vector& x) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(x.size()));
   std::transform(x.begin(), x.end(), result.begin(), [](const auto& f) { return f.value(); });
   return result;
+}
+
+inline exact::Set exact_set(const std::vector<Eigen::Index>& rows) {
+  return {rows.begin(), rows.end()};
+}
+
+inline std::string text_of(const exact::Set& rows) {  // counted from 1
+  std::string list;
+  for (const std::size_t i : rows) list += (list.empty() ? "" : ", ") + std::to_string(i + 1);
+  return list;
 }
 
 inline std::string text_of(const exact::Vector& x) {

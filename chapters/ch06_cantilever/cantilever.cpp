@@ -1,8 +1,13 @@
 // Chapter 6 - A cantilever on a rigid foundation (Xuan & Li 2002, sec. 4, example 2).
 // Run:  make ch06     Reads: nothing     Writes: ch06.results, elements.md, history.md, units.md,
-//                                                fig_6_1.csv, fig_6_1_body.csv, fig_6_2.csv, fig_6_3.csv, ch06.vtu
+//                                                pressure.csv, fig_6_1.csv, fig_6_2.csv, fig_6_2_body.csv,
+//                                                fig_6_3.csv, fig_6_4.csv, fig_6_4_zero.csv, fig_6_5_*.csv,
+//                                                ch06.vtu
 #include <algorithm>
+#include <iostream>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "signorini/closed_form/beam.hpp"
 #include "signorini/complementarity/linear_programme.hpp"
@@ -13,6 +18,7 @@
 #include "signorini/mesh/block.hpp"
 #include "signorini/report/field_csv.hpp"
 #include "signorini/report/pressure_table.hpp"
+#include "signorini/report/printed_method.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/solved.hpp"
@@ -84,8 +90,8 @@ void load_history(const ProgramOptions& run, Results& results) {
     if (step == 25) results.add("tip_force", force, "kN");
   }
   write_file(run.out / "history.md", table.markdown());
-  write_file(run.out / "fig_6_1.csv", beams.csv());
-  write_file(run.out / "fig_6_1_body.csv", body.csv());
+  write_file(run.out / "fig_6_2.csv", beams.csv());
+  write_file(run.out / "fig_6_2_body.csv", body.csv());
 }
 
 // 5. Four elements on four meshes: the total force, and how far it is from its limit.
@@ -114,7 +120,7 @@ void compare_elements(const ProgramOptions& run, Results& results) {
   results.add("equilibrium_in_doubles", in_doubles, "-", Repeats::No);
 }
 
-// 6. The contact pressure on 200 x 20 cells, for figure 6.2, and the deformed beam.
+// 6. The contact pressure on 200 x 20 cells, for figure 6.3, and the deformed beam.
 void contact_pressure(const ProgramOptions& run, Results& results) {
   const SolvedScene q4 = solve_cantilever(paper, "q4", 200);
   const SolvedScene fine = solve_cantilever(paper, "q4_incompatible", 200);
@@ -129,16 +135,16 @@ void contact_pressure(const ProgramOptions& run, Results& results) {
                                 {"q8", q8.solution.pressure},
                                 {"euler_bernoulli", x.unaryExpr(thin)},
                                 {"timoshenko", x.unaryExpr(thick)}});
-  write_file(run.out / "fig_6_2.csv", curve.csv("rel 1e-6 abs 1e-7"));
+  write_file(run.out / "fig_6_3.csv", curve.csv("rel 1e-6 abs 1e-7"));
   write_file(run.out / "pressure.csv", pressure_csv(fine.model.pairs, fine.solution));
   write_vtu(run.out / "ch06.vtu", fine.model, fine.solution);
   const SolvedScene coarse = solve_cantilever(paper, "q4_incompatible", 100);
-  const StressArray stress =
-      cell_stress(coarse.model.bodies[0].mesh, coarse.model.bodies[0].element,
-                  coarse.model.bodies[0].material, coarse.solution.displacements[0]);
-  write_file(run.out / "fig_6_3.csv",
-             deformed_cells_csv(coarse.model.bodies[0].mesh, coarse.solution.displacements[0],
-                                stress.col(0)));
+  const BodyModel& body = coarse.model.bodies[0];
+  const NodeArray& u = coarse.solution.displacements[0];
+  const StressArray cells = cell_stress(body.mesh, body.element, body.material, u);
+  const StressArray nodes = nodal_stress(body.mesh, body.element, body.material, u);
+  write_file(run.out / "fig_6_4.csv", deformed_cells_csv(body.mesh, u, cells.col(0)));
+  write_file(run.out / "fig_6_4_zero.csv", deformed_zero_line_csv(body.mesh, u, nodes.col(0)));
   Index peak = 0;
   results.add("peak_pressure", fine.solution.pressure.maxCoeff(&peak), "kN/cm^2");
   results.add("peak_position", fine.model.pairs.position(peak, 0), "cm");
@@ -177,9 +183,9 @@ void change_units(const ProgramOptions& run, Results& results) {
   results.add("units_deviation", deviation, "-", Repeats::No);
 }
 
-// 8. The way of the paper's predecessor: a linear programme, at once and in increments of the load.
+// 8. A linear programme, at once and in increments of the load.
 // [increments]
-void as_linear_programme(Results& results) {
+void as_linear_programme(const ProgramOptions& /*run*/, Results& results) {
   const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 100);
   const ContactProblem& problem = beam.condensed.problem;
   const ContactState once = linear_programme(problem);
@@ -200,18 +206,50 @@ void as_linear_programme(Results& results) {
   results.add("active_sets", static_cast<double>(beam.solution.contact.report.iterations), "-");
 }
 
+// 9. The method of the paper as it is printed, on so few cells that each node can be drawn.
+void as_printed(const ProgramOptions& run, Results& results) {
+  const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 50);
+  const PrintedMethod printed = printed_method(beam.condensed.problem);
+  for (const Index cells : {50, 100, 200}) {
+    const SolvedScene now = solve_cantilever(paper, "q4_incompatible", cells);
+    if (!solved_in_one_step(now.condensed.problem, now.solution.contact))
+      throw NotSolved("the printed method does not end at the solution after one step");
+    if (now.condensed.problem.compliance.minCoeff() < 0)
+      throw NotSolved("a force that lifts a node of the beam presses another one down");
+  }
+  const BodyModel& body = beam.model.bodies[0];
+  const Eigen::VectorXd x = beam.model.pairs.position.col(0);
+  write_printed_method(run.out / "fig_6_5", printed, x);
+  write_file(run.out / "fig_6_1.csv",  // the mesh before loading
+             deformed_cells_csv(body.mesh, beam.solution.displacements[0],
+                                Eigen::VectorXd::Zero(body.mesh.n_cells()), 0));
+  add_counts(results, printed);
+  results.add("printed_first", x(printed.group.front()), "cm");
+  results.add("printed_deepest", -beam.condensed.problem.free_gap.minCoeff(), "cm");
+}
+
+// 10. What total_force_2d is the limit of.
+void finest_mesh(const ProgramOptions& /*run*/, Results& results) {
+  const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 800);
+  results.add("fine_800", total_force(beam), "kN", Repeats::No);
+}
+
 Status chapter(const ProgramOptions& run) {
   Results results("ch06");
-  load_history(run, results);
-  compare_elements(run, results);
-  contact_pressure(run, results);
-  change_units(run, results);
-  as_linear_programme(results);
-  if (run.full)  // what total_force_2d is the limit of; about a minute
-    for (const Index cells : {400, 800})
-      results.add(text("fine_", cells),
-                  total_force(solve_cantilever(paper, "q4_incompatible", cells)), "kN",
-                  Repeats::No);
+  std::vector<std::pair<const char*, void (*)(const ProgramOptions&, Results&)>> studies = {
+      {"load history", load_history},
+      {"four elements", compare_elements},
+      {"contact pressure", contact_pressure},
+      {"units", change_units},
+      {"linear programme", as_linear_programme},
+      {"the printed method", as_printed}};
+  if (run.full) studies.push_back({"800 x 80 cells", finest_mesh});
+  for (std::size_t k = 0; k < studies.size(); ++k) {
+    if (run.full)
+      std::cerr << "ch06: study " << k + 1 << " of " << studies.size() << ", " << studies[k].first
+                << '\n';
+    studies[k].second(run, results);
+  }
   results.headline("total_contact_force", total_force_2d, "limit of finer meshes");
   results.print();
   results.write(run.out);

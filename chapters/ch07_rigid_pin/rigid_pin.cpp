@@ -1,7 +1,8 @@
 // Chapter 7 - A rigid pin in an elastic plate (Xuan & Li 2002, sec. 4, example 3).
 // Run:  make ch07     Reads: nothing     Writes: ch07.results, nodes.md, even.md, pressures.md, gaps.md,
-//                                                disc.md, fig_7_1.csv, fig_7_1_paper.csv, fig_7_2_t.csv,
-//                                                fig_7_2_c.csv, fig_7_3.csv, ch07.vtu
+//                                                disc.md, solvers.md, fig_7_1_*.csv, fig_7_2.csv,
+//                                                fig_7_2_paper.csv, fig_7_3_*.csv, fig_7_4_*.csv,
+//                                                fig_7_5.csv, ch07.vtu
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -15,6 +16,7 @@
 #include "signorini/mesh/annulus.hpp"
 #include "signorini/mesh/plate_with_hole.hpp"
 #include "signorini/report/field_csv.hpp"
+#include "signorini/report/printed_method.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/solved.hpp"
@@ -100,7 +102,21 @@ Bearing even(const Pin& pin, Index cells) {
   return bearing(pin, cells / 2, VectorXd::LinSpaced(cells + 1, 0, 180 * degree));
 }
 
-// 4. The paper's 225 cells and 12 candidates: 11 cells over the quadrant that bears, 4 over the other.
+// 4. The method of the paper as it is printed; `x` counts from the middle of the hole to the pole.
+void as_printed(const ProgramOptions& run, Results& results, const std::string& name,
+                const SolvedScene& pin, const VectorXd& x) {
+  const ContactProblem& problem = pin.condensed.problem;
+  if (!solved_in_one_step(problem, pin.solution.contact))
+    throw NotSolved("the printed method does not end at the solution after one step");
+  const PrintedMethod printed = printed_method(problem);
+  write_printed_method(run.out / ("fig_7_4_" + name), printed,
+                       (x / hole_radius).array().acos() / degree);
+  add_counts(results, printed, "_" + name);
+  results.add("least_compliance_" + name,
+              problem.compliance.minCoeff() / problem.compliance.maxCoeff(), "-");
+}
+
+// 5. The paper's 225 cells and 12 candidates: 11 cells over the quadrant that bears, 4 over the other.
 void paper_mesh(const ProgramOptions& run, Results& results) {
   const Bearing t = bearing(tension, 15, rays_by_quadrant({4, 11}));
   const Bearing c = bearing(compression, 15, rays_by_quadrant({11, 4}));
@@ -113,7 +129,7 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
   const Table curve =
       table_of({{"theta", t.theta(first)}, {"t", t.pressure(first)}, {"c", c.pressure(first)}});
   write_file(run.out / "nodes.md", nodes.markdown());
-  write_file(run.out / "fig_7_1_paper.csv", curve.csv("rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_7_2_paper.csv", curve.csv("rel 1e-6 abs 1e-8"));
   write_vtu(run.out / "ch07.vtu", t.run.model, t.run.solution);
   Table family({"solver", "iterations (T)", "iterations (C)"});
   // [family]
@@ -132,10 +148,17 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
   write_file(run.out / "solvers.md", family.markdown());
   for (const auto& [name, now] : {std::pair("t", &t), std::pair("c", &c)}) {
     const auto& [model, condensed, solution] = now->run;
-    const StressArray stress = cell_stress(model.bodies[0].mesh, model.bodies[0].element,
-                                           model.bodies[0].material, solution.displacements[0]);
-    write_file(run.out / text("fig_7_2_", name, ".csv"),
-               deformed_cells_csv(model.bodies[0].mesh, solution.displacements[0], stress.col(0)));
+    const BodyModel& body = model.bodies[0];
+    const NodeArray& u = solution.displacements[0];
+    const VectorXd stress = cell_stress(body.mesh, body.element, body.material, u).col(0);
+    write_file(run.out / text("fig_7_3_", name, ".csv"), deformed_cells_csv(body.mesh, u, stress));
+    write_file(run.out / text("fig_7_3_", name, "_zero.csv"),
+               deformed_zero_line_csv(
+                   body.mesh, u, nodal_stress(body.mesh, body.element, body.material, u).col(0)));
+    write_file(run.out / text("fig_7_1_", name, ".csv"),  // before loading
+               deformed_cells_csv(body.mesh, u, stress, 0));
+    as_printed(run, results, name, now->run,
+               (now->run.model.pairs.position.col(0) * (now == &t ? -1 : 1)));
     if (std::abs(now->resultant - 500) > 500e-10) throw NotSolved("the pin does not bear the load");
     results.add(text("resultant_", name), now->resultant, "kN/cm");
     results.add(text("right_", name), now->right, "cm");
@@ -144,7 +167,7 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
   results.add("mesh_nodes", static_cast<double>(t.run.model.bodies[0].mesh.n_nodes()), "-");
 }
 
-// 5. Even cells along the half hole: 15 to compare programs digit by digit, then finer ones.
+// 6. Even cells along the half hole: 15 to compare programs digit by digit, then finer ones.
 void even_meshes(const ProgramOptions& run, Results& results) {
   std::vector<Column> exact = {{"θ [deg]", VectorXd::LinSpaced(8, 0, 84), "%.0f"}};
   std::vector<Column> fine = {{"θ [deg]", VectorXd::LinSpaced(9, 0, 80), "%.0f"}};
@@ -170,10 +193,10 @@ void even_meshes(const ProgramOptions& run, Results& results) {
   }
   write_file(run.out / "even.md", table_of(exact).markdown());
   write_file(run.out / "pressures.md", table_of(fine).markdown());
-  write_file(run.out / "fig_7_1.csv", table_of(curve).csv("rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_7_2.csv", table_of(curve).csv("rel 1e-6 abs 1e-8"));
 }
 
-// 6. How linear is it? The exact gap instead of the linear one; a twenty-fifth of load and clearance.
+// 7. How linear is it? The exact gap instead of the linear one; a twenty-fifth of load and clearance.
 void linearity(const ProgramOptions& run, Results& results) {
   Table table({"gap", "(T) peak [kN/cm²]", "(C) peak [kN/cm²]"});
   for (const bool linear : {true, false}) {
@@ -192,7 +215,7 @@ void linearity(const ProgramOptions& run, Results& results) {
   results.add("small_deviation", deviation, "-", Repeats::No);
 }
 
-// 7. A pin that is pushed by `shift` into the edge of a hole of radius 1 in a disc of radius 60 and
+// 8. A pin that is pushed by `shift` into the edge of a hole of radius 1 in a disc of radius 60 and
 //    modulus 1.
 struct InDisc {
   PinInPlate pin;            // with the force that the pushing takes
@@ -251,7 +274,7 @@ void infinite_plate(const ProgramOptions& run, Results& results) {
       results.headline("disc_pressure", closed, "closed form, infinite plate");
     }
   write_file(run.out / "disc.md", table.markdown());
-  write_file(run.out / "fig_7_3.csv", curve.csv("rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_7_5.csv", curve.csv("rel 1e-6 abs 1e-8"));
 }
 
 Status chapter(const ProgramOptions& run) {

@@ -1,10 +1,10 @@
 // Chapter 11 - Hertz: an elastic cylinder on an elastic plate (Lin et al., sec. 3.1, eq. 43).
 // Run:  make ch11     Reads: nothing     Writes: ch11.results, table2.md, grid.md, solvers.md, operators.md,
-//       refinement.md, shear.md, facing.md, plates.md, normals.md, fig_11_1.csv, fig_11_1_nodes.csv, fig_11_1_nts.csv,
-//       fig_11_2.csv, fig_11_2_plate.csv, fig_11_3.csv, fig_11_3_disc.csv, fig_11_3_plate.csv
+//       printed.md, refinement.md, shear.md, facing.md, plates.md, normals.md, fig_11_*.csv
 #include "below_contact.hpp"
 #include "drawings.hpp"
 #include "hertz_run.hpp"
+#include "printed_study.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -23,7 +23,6 @@ const double q0 = hertz_peak_pressure(example.theory());
 std::string percent(double x) { return number(x, "%+.3f"); }
 
 // 1. Table 2 again: every row with the load that an ellipse of its b and q0 carries.
-// [table2]
 void second_table(const ProgramOptions& run, Results& results, const HertzRun& ours) {
   Table table({"", "b [mm]", "error [%]", "q0 [MPa]", "error [%]", "πbq0/2 [N/mm]", "error [%]"});
   const auto row = [&](const std::string& name, double width, double peak) {
@@ -37,7 +36,6 @@ void second_table(const ProgramOptions& run, Results& results, const HertzRun& o
   row("this chapter", ours.half_width, ours.fit.peak_pressure);
   row("the paper", 1.09957, 23.8437);
   row("its ABAQUS", 1.1178, 23.4287);
-  // [table2]
   write_file(run.out / "table2.md", table.markdown());
   results.add("b", b, "mm");
   results.add("q0", q0, "MPa");
@@ -67,21 +65,22 @@ void reading_the_width(const ProgramOptions& run) {
 }
 
 // 3. Iterations, on the example and in 20 000 nodes.
-void iterations(const ProgramOptions& run, const HertzRun& fine) {
+void iterations(const ProgramOptions& run, Results& results, const HertzRun& fine) {
   Table table({"solver", "1.4k nodes", "20k nodes"});
   for (const char* name : {"fischer_burmeister", "primal_dual_active_set", "quasi_active_set"}) {
     HertzCase now;
     now.solver = name;
     const Solution large = solve(fine.run.model, fine.run.condensed, name, {});
     require_solved(large, name);
-    table.row({name, std::to_string(solve_hertz(now).run.solution.contact.report.iterations),
+    const HertzRun small = solve_hertz(now);
+    if (now.solver == "fischer_burmeister") printed_method(run.out, results, small);
+    table.row({name, std::to_string(small.run.solution.contact.report.iterations),
                std::to_string(large.contact.report.iterations)});
   }
   write_file(run.out / "solvers.md", table.markdown());
 }
 
 // 4. Three operators, the forces of Gauss points lumped to nodes: where meshes match and where not.
-// [operators]
 void operators(const ProgramOptions& run) {
   Table table({"operator", "meshes", "pairs", "q0 [%]", "b [%]", "rms p [%]"});
   for (const bool match : {true, false})
@@ -98,7 +97,6 @@ void operators(const ProgramOptions& run) {
                  std::to_string(out.run.model.pairs.weight.size()), percent(out.q_error),
                  percent(out.b_error), number(pressure_error(out), "%.2f")});
     }
-  // [operators]
   write_file(run.out / "operators.md", table.markdown());
 }
 
@@ -153,7 +151,6 @@ void facing_nodes(const ProgramOptions& run, const HertzRun& ours) {
 }
 
 // 7. Whose normal? The roles change places on three pairs of bodies.
-// [normals]
 void whose_normal(const ProgramOptions& run) {
   Table table({"disc, E [MPa]", "plate, E [MPa]", "disc is source [%]", "plate is source [%]",
                "difference", "(c)"});
@@ -168,7 +165,6 @@ void whose_normal(const ProgramOptions& run) {
     table.row({number(disc, "%.0e"), number(plate, "%.0e"), percent(flat), percent(round),
                percent(round - flat), percent(radial_normals(now))});
   }
-  // [normals]
   write_file(run.out / "normals.md", table.markdown());
 }
 
@@ -179,7 +175,7 @@ Status chapter(const ProgramOptions& run) {
     runs.push_back(solve_hertz(now));
   second_table(run, results, runs[0]);
   reading_the_width(run);
-  iterations(run, runs[2]);
+  iterations(run, results, runs[2]);
   operators(run);
   refinement(run, runs);
   facing_nodes(run, runs[0]);

@@ -13,7 +13,6 @@
 namespace signorini {
 
 /// What may differ from the example.
-// [data]
 struct HertzCase {
   HertzMeshSpec mesh = {};     // R = 50 mm (paper); plate of 95 x 95 mm (ours)
   double disc_modulus = 4000;  // E of the disc, paper [MPa]
@@ -34,7 +33,6 @@ struct HertzCase {
             load};
   }
 };
-// [data]
 
 // [scene]
 inline Scene hertz_scene(const HertzCase& now) {

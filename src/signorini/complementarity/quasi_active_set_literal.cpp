@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "signorini/complementarity/certificate.hpp"
+#include "signorini/complementarity/closed_basis.hpp"
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/surrogate_dual.hpp"
 
@@ -13,16 +15,28 @@ namespace signorini {
 namespace {
 
 using Eigen::Index;
+using Eigen::VectorXd;
+
+std::vector<Index> pressed(const VectorXd& force) {
+  std::vector<Index> rows;
+  for (Index i = 0; i < force.size(); ++i)
+    if (force(i) > 0) rows.push_back(i);
+  return rows;
+}
 
 /// One run on the equilibrated problem: forces >= 0 and the gaps that belong to them.
 class LiteralMethod {
  public:
-  LiteralMethod(const ContactProblem& problem, const SolverOptions& options);
+  LiteralMethod(const ContactProblem& problem, const SolverOptions& options, QuasiActiveRows rows);
   QuasiActiveRun run();
 
  private:
-  /// VIO, all of which is QAS: pairs that overlap. \PaperEq{XuanLi2002, 37}
+  /// VIO: pairs that overlap.
   [[nodiscard]] std::vector<Index> violated(const ClosedPairs& point) const;
+  /// QAS, chosen among these. \PaperEq{XuanLi2002, 37}
+  [[nodiscard]] std::vector<Index> quasi_active(std::vector<Index> rows) const;
+  /// Puts the largest overlap first; overlaps that differ by rounding only keep their order.
+  void sort_by_violation(std::vector<Index>& rows) const;
   /// Pairs without gap.
   [[nodiscard]] std::vector<Index> tight(const ClosedPairs& point) const;
   /// Gaps that belong to the forces.
@@ -32,16 +46,19 @@ class LiteralMethod {
   /// The problem with some rows alone and given gaps of them: forces that are never tensile.
   /// The paper's (28) does not converge, so the weights are found exactly.
   /// \PaperEq{XuanLi2002, 38}, \PaperEq{XuanLi2002, 39}
-  bool solve(const std::vector<Index>& rows, const Eigen::VectorXd& gap, ClosedPairs& best);
+  bool solve(const std::vector<Index>& rows, const VectorXd& gap, ClosedPairs& best);
   /// u^0, u^1, ..., u^k: \PaperEq{XuanLi2002, 30} to \PaperEq{XuanLi2002, 32}, moved by
   /// \PaperEq{XuanLi2002, 36}.
   bool outer_loop();
+  /// Whether the present point is the best one for the pairs that are tight at it.
+  [[nodiscard]] bool close_to(const ClosedPairs& best) const;
   /// The tight pairs alone and the way there. \PaperEq{XuanLi2002, 33} to \PaperEq{XuanLi2002, 35}
   bool last_step();
   /// The end is the solution if the rows that are tight there have no better one.
   void judge();
 
   ScaledProblem scaled_;
+  QuasiActiveRows choice_;
   double tolerance_;
   double largest_overlap_;  // without contact
   Index limit_;
@@ -50,8 +67,9 @@ class LiteralMethod {
   Report report_;
 };
 
-LiteralMethod::LiteralMethod(const ContactProblem& problem, const SolverOptions& options)
-    : scaled_(equilibrate(problem)), tolerance_(options.tolerance) {
+LiteralMethod::LiteralMethod(const ContactProblem& problem, const SolverOptions& options,
+                             QuasiActiveRows rows)
+    : scaled_(equilibrate(problem)), choice_(rows), tolerance_(options.tolerance) {
   const Index n = scaled_.free_gap.size();
   limit_ = options.iteration_limit > 0 ? options.iteration_limit : 100 * n + 1000;
   largest_overlap_ = n > 0 ? std::max(0.0, -scaled_.free_gap.minCoeff()) : 0;
@@ -74,6 +92,35 @@ std::vector<Index> LiteralMethod::violated(const ClosedPairs& point) const {
   return rows;
 }
 
+void LiteralMethod::sort_by_violation(std::vector<Index>& rows) const {
+  const auto larger = [this](Index one, Index other) {
+    return now_.gap(one) + now_.gap_rounding(one) + now_.gap_rounding(other) < now_.gap(other);
+  };
+  for (auto first = rows.begin(); first != rows.end(); ++first) {
+    auto worst = first;
+    for (auto row = first; row != rows.end(); ++row)
+      if (larger(*row, *worst)) worst = row;
+    std::rotate(first, worst, worst + 1);
+  }
+}
+
+std::vector<Index> LiteralMethod::quasi_active(std::vector<Index> rows) const {
+  if (choice_ == QuasiActiveRows::AllViolated || rows.empty()) return rows;
+  if (choice_ != QuasiActiveRows::IndependentByIndex) sort_by_violation(rows);
+  if (choice_ == QuasiActiveRows::MostViolated) return {rows.front()};
+  ClosedBasis basis(0, static_cast<Index>(rows.size()));
+  ClosedBasis::Candidates candidates{rows,
+                                     now_.gap(rows),
+                                     now_.gap_rounding(rows),
+                                     {},
+                                     Eigen::MatrixXd(0, rows.size()),
+                                     scaled_.compliance(rows, rows)};
+  basis.append(candidates, ClosedBasis::Choice::All, basis.capacity());
+  rows = basis.rows();
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
 std::vector<Index> LiteralMethod::tight(const ClosedPairs& point) const {
   const double small = std::sqrt(tolerance_) * largest_overlap_;
   std::vector<Index> rows;
@@ -83,15 +130,14 @@ std::vector<Index> LiteralMethod::tight(const ClosedPairs& point) const {
 }
 
 void LiteralMethod::note(const ClosedPairs& point, Index overlapping) {
-  const Eigen::VectorXd gap = point.gap.cwiseQuotient(scaled_.scale);
+  const VectorXd gap = point.gap.cwiseQuotient(scaled_.scale);
   const double dual_energy = -0.5 * point.force.dot(scaled_.free_gap + point.gap);
   report_.history.push_back({(point.force.array() > 0).count(), overlapping,
                              std::max(0.0, gap.size() > 0 ? -gap.minCoeff() : 0.0), 0,
                              dual_energy});
 }
 
-bool LiteralMethod::solve(const std::vector<Index>& rows, const Eigen::VectorXd& gap,
-                          ClosedPairs& best) {
+bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap, ClosedPairs& best) {
   best.force.setZero(scaled_.free_gap.size());
   if (!rows.empty()) {
     const ContactProblem part{scaled_.compliance(rows, rows), gap(rows)};
@@ -104,28 +150,32 @@ bool LiteralMethod::solve(const std::vector<Index>& rows, const Eigen::VectorXd&
     } else {
       report_.status = Status::Breakdown;
     }
-    if (state.report.status != Status::Solved) return false;
+    // Where a pair touches without force, rounding can keep the weights from ending at the solution.
+    const bool right =
+        state.report.status == Status::IterationLimit && certify(part, state).worst() <= tolerance_;
+    if (state.report.status != Status::Solved && !right) return false;
     const double total = state.force.sum();
     if (total > 0) {
-      const Eigen::VectorXd weights = state.force / total;              // (38)
+      const VectorXd weights = state.force / total;                     // (38)
       best.force(rows) = total_contact_force(part, weights) * weights;  // (39)
     }
   }
-  place(best);
   return true;
 }
 
 bool LiteralMethod::outer_loop() {
   for (ClosedPairs step;; ++way_.outer_steps) {
-    const std::vector<Index> rows = violated(now_);  // QAS: all of VIO
-    note(now_, static_cast<Index>(rows.size()));
-    if (rows.empty()) return true;
+    const std::vector<Index> overlapping = violated(now_);
+    note(now_, static_cast<Index>(overlapping.size()));
+    if (overlapping.empty()) return true;
     if (way_.outer_steps == limit_) {
       report_.status = Status::IterationLimit;
       return false;
     }
+    const std::vector<Index> rows = quasi_active(overlapping);
     // (31): with the moved objective the free gaps are the present ones.
     if (!solve(rows, now_.gap, step)) return false;
+    way_.steps.push_back({overlapping, rows, pressed(step.force)});
     now_.force += step.force;  // (36)
     place(now_);
   }
@@ -135,6 +185,8 @@ bool LiteralMethod::last_step() {
   way_.tight = tight(now_);
   ClosedPairs next;  // (33), with the first objective
   if (!solve(way_.tight, scaled_.free_gap, next)) return false;
+  place(next);
+  way_.optimal = close_to(next);
   way_.left_over = violated(next);
   for (const Index i : way_.left_over)  // (34)
     way_.fraction = std::min(way_.fraction, now_.gap(i) / (now_.gap(i) - next.gap(i)));
@@ -142,6 +194,12 @@ bool LiteralMethod::last_step() {
   place(now_);
   note(now_, static_cast<Index>(violated(now_).size()));
   return true;
+}
+
+bool LiteralMethod::close_to(const ClosedPairs& best) const {
+  const double distance = (best.force - now_.force).dot(best.gap - now_.gap);  // squared
+  const double energy = -0.5 * best.force.dot(scaled_.free_gap + best.gap);
+  return distance <= tolerance_ * energy;
 }
 
 void LiteralMethod::judge() {
@@ -154,13 +212,9 @@ void LiteralMethod::judge() {
     return;
   }
   report_ = so_far;
-  const double distance = (best.force - now_.force).dot(best.gap - now_.gap);  // squared
-  const double energy = -0.5 * best.force.dot(scaled_.free_gap + best.gap);
-  if (!violated(best).empty() || distance > tolerance_ * energy) return;
-  std::vector<Index> closed;
-  for (Index i = 0; i < best.force.size(); ++i)
-    if (best.force(i) > 0) closed.push_back(i);
-  auto found = confirmed(scaled_, closed);
+  place(best);
+  if (!violated(best).empty() || !close_to(best)) return;
+  auto found = confirmed(scaled_, pressed(best.force));
   report_.status = found ? Status::Solved : Status::Breakdown;
   if (found) std::tie(now_, way_.state.active) = std::move(*found);
 }
@@ -168,11 +222,9 @@ void LiteralMethod::judge() {
 QuasiActiveRun LiteralMethod::run() {
   if (outer_loop() && last_step()) judge();
   report_.iterations = static_cast<Index>(report_.history.size());
-  std::vector<Index> closed = way_.state.active;
-  if (report_.status != Status::Solved)
-    for (Index i = 0; i < now_.force.size(); ++i)
-      if (now_.force(i) > 0) closed.push_back(i);
-  const Eigen::VectorXd proof = way_.state.infeasibility;
+  std::vector<Index> closed =
+      report_.status == Status::Solved ? way_.state.active : pressed(now_.force);
+  const VectorXd proof = way_.state.infeasibility;
   way_.state = unscaled(scaled_, now_, std::move(closed), std::move(report_));
   way_.state.infeasibility = proof;
   return std::move(way_);
@@ -181,8 +233,8 @@ QuasiActiveRun LiteralMethod::run() {
 }  // namespace
 
 QuasiActiveRun run_quasi_active_set_literal(const ContactProblem& problem,
-                                            const SolverOptions& options) {
-  return LiteralMethod(problem, options).run();
+                                            const SolverOptions& options, QuasiActiveRows rows) {
+  return LiteralMethod(problem, options, rows).run();
 }
 
 ContactState quasi_active_set_literal(const ContactProblem& problem, const SolverOptions& options) {

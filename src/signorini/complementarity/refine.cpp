@@ -134,8 +134,13 @@ Refining::Change Refining::sweep() {
   add_displacement(solution, moved);
   result_.movement = gaps(programme_, solution);
   const bool floats = modes_.cols() > 0;
-  const VectorXd lacking = floats ? VectorXd(-modes_.transpose() * residual) : VectorXd();
   Change change;
+  change.displacement = ratio(largest(moved), largest(solution.displacement));
+  if (sweeps_ == 1 && !floats) {  // u was a guess: what it misses would be taken for forces
+    change.pending = true;
+    return change;
+  }
+  const VectorXd lacking = floats ? VectorXd(-modes_.transpose() * residual) : VectorXd();
   const auto [closes, amplitude] = closing_.solve(result_.movement, lacking);
   const Forces last = force_;
   for (std::size_t k = 0; k < closing_.rows().size(); ++k) {
@@ -163,18 +168,21 @@ Refining::Change Refining::sweep() {
 
 Refinement Refining::run() {
   const double infinity = std::numeric_limits<double>::infinity();
-  Change best{infinity, infinity};
+  Change best{infinity, infinity, false};
   Change last = best;
+  double rate = 1;
   for (int worse = 0; worse < 2;) {
     const Change now = sweep();
     if (!std::isfinite(now.worst())) break;
-    // Every sweep shrinks the error by about the same factor, so that the next correction is known
-    // beforehand; not by the first one, and not while the rigid part is rounded anew.
+    // A sweep shrinks the error of u by the error of the factor, which shows where no change of forces
+    // adds to it; so the next correction is known beforehand. Not by the first sweep, and not while the
+    // rigid part is rounded anew.
     const bool steady = sweeps_ > (modes_.cols() > 0 ? rigid_sweeps : 1);
-    const double rate = std::max(ratio(now.displacement, last.displacement),
-                                 now.force > 0 ? ratio(now.force, last.force) : 0);
-    result_.settled =
-        !now.pending && now.worst() * (steady ? std::min(1.0, rate) : 1) <= 0.25 * epsilon;
+    if (steady) rate = std::min(slow_ ? 1 : rate, ratio(now.displacement, last.displacement));
+    const double next =
+        std::max(now.displacement * rate,
+                 now.force * (last.force > 0 ? std::min(1.0, now.force / last.force) : rate));
+    result_.settled = !now.pending && next <= 0.25 * epsilon;
     if (result_.settled) break;
     const bool better = now.displacement < 0.5 * best.displacement || now.force < 0.5 * best.force;
     worse = better || !slow_ ? 0 : worse + 1;

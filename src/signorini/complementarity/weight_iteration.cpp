@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "signorini/complementarity/closed_pairs.hpp"
+
 namespace signorini {
 
 using Eigen::Index;
@@ -140,6 +142,20 @@ void WeightIteration::move(const Direction& along, double step) {
     weights_(from) = step < largest ? std::max(0.0, weights_(from) - step) : 0;
     product_ -= step * problem_.compliance.col(from);
   }
+}
+
+std::vector<std::vector<Index>> weight_supports(const ContactProblem& problem, WeightRule rule,
+                                                Index limit) {
+  const ScaledProblem scaled = equilibrate(problem);
+  const ContactProblem unit{scaled.compliance, scaled.free_gap};
+  WeightIteration run(unit, rule);
+  std::vector<std::vector<Index>> supports;
+  do {
+    supports.emplace_back();
+    for (Index i = 0; i < unit.free_gap.size(); ++i)
+      if (run.weights()(i) > 0) supports.back().push_back(i);
+  } while (static_cast<Index>(supports.size()) <= limit && run.step());
+  return supports;
 }
 
 }  // namespace signorini

@@ -86,4 +86,15 @@ class WeightIteration {
   WeightEnd end_ = WeightEnd::None;
 };
 
+/// Which pairs carry weight at the start and after every step, on the equilibrated problem as in
+/// surrogate_dual().
+/// \param problem  G positive semidefinite and d
+/// \param rule     how the weights change
+/// \param limit    on the number of steps, for rules that do not end by themselves
+/// \return one list of pairs for the start and one per step, each in increasing order
+/// \throws std::invalid_argument as check_problem()
+[[nodiscard]] std::vector<std::vector<Eigen::Index>> weight_supports(const ContactProblem& problem,
+                                                                     WeightRule rule,
+                                                                     Eigen::Index limit);
+
 }  // namespace signorini

@@ -115,4 +115,33 @@ std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
   return field.csv(text("rel 1e-4 abs ", 2e-5 * moved.cwiseAbs().maxCoeff()));
 }
 
+std::string deformed_zero_line_csv(const Mesh& mesh, const NodeArray& displacements,
+                                   const Eigen::Ref<const Eigen::VectorXd>& value, double scale) {
+  require(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_nodes(),
+          "deformed_zero_line_csv: need ", mesh.n_nodes(), " displacements and values, got ",
+          displacements.rows(), " and ", value.size());
+  const NodeArray moved = mesh.nodes + scale * displacements;
+  Table line({"x", "y"});
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    Eigen::Matrix<double, 5, 3> corner;  // x, y, value; the last is the middle
+    for (Eigen::Index k = 0; k < 4; ++k)
+      corner.row(k) << moved.row(mesh.cells(cell, k)), value(mesh.cells(cell, k));
+    corner.row(4) = corner.topRows<4>().colwise().mean();
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      const Eigen::Index triangle[] = {k, (k + 1) % 4, 4};
+      int crossings = 0;
+      for (int side = 0; side < 3; ++side) {
+        const Eigen::RowVector3d one = corner.row(triangle[side]);
+        const Eigen::RowVector3d other = corner.row(triangle[(side + 1) % 3]);
+        if ((one(2) < 0) == (other(2) < 0)) continue;
+        const Eigen::RowVector3d at = one + one(2) / (one(2) - other(2)) * (other - one);
+        line.row({number(at(0), "%.5g"), number(at(1), "%.5g")});
+        ++crossings;
+      }
+      if (crossings > 0) line.blank_line();
+    }
+  }
+  return line.csv(text("rel 1e-4 abs ", 2e-5 * moved.cwiseAbs().maxCoeff()));
+}
+
 }  // namespace signorini

@@ -1,0 +1,122 @@
+/// \file
+/// The method of section 2.4 of the second paper as it stands there: displacements and the pressures of
+/// Gauss points together, by Newton's method. saddle_point_newton() is the library's, with forces as unknowns,
+/// in one unit and with shorter steps where whole ones fail.
+#pragma once
+#include <Eigen/QR>
+#include <Eigen/SparseLU>
+#include <vector>
+
+#include "hertz_scene.hpp"
+#include "signorini/complementarity/complementarity_functions.hpp"
+
+namespace signorini {
+
+/// What the paper leaves open, and the one thing that is mended.
+struct PrintedMethod {
+  double unit = 1;      // a pressure counts as this much gap [mm/MPa]; as printed 1
+  double yielding = 0;  // taken from phi's part of J, not from F [mm/MPa]; as printed 0
+  int steps = 40;       // all are taken, every step whole
+};
+
+/// One run of the method.
+struct PrintedRun {
+  Model model;
+  Eigen::VectorXd pressure;       ///< f_n of every pair [MPa]
+  Eigen::VectorXd gap;            ///< of every pair [mm]
+  std::vector<double> residuals;  ///< |F| before every step and after the last [N, mm]
+
+  /// \return steps until the residual is at most that which the paper prints; -1 if none is
+  [[nodiscard]] int steps() const {
+    for (std::size_t k = 0; k < residuals.size(); ++k)
+      if (residuals[k] <= 6.13e-9) return static_cast<int>(k);
+    return -1;
+  }
+};
+
+/// \PaperEq{LinEtAl, 31} with -a: K and the forces of unit pressures above, slopes of phi below.
+/// \param run      model and gaps
+/// \param forces   on the unknowns, of unit pressures
+/// \param how      the method
+/// \param springs  on the diagonal of K
+/// \return J
+inline Eigen::SparseMatrix<double> printed_jacobian(const PrintedRun& run,
+                                                    const Eigen::SparseMatrix<double>& forces,
+                                                    const PrintedMethod& how,
+                                                    const Eigen::VectorXd& springs) {
+  const QuadraticProgramme& system = run.model.programme;
+  const Eigen::Index n = system.load.size(), pairs = system.initial_gap.size();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::SparseMatrix<double>::InnerIterator at(system.stiffness, j); at; ++at)
+      entries.emplace_back(at.row(), j, at.value());
+    entries.emplace_back(j, j, springs(j));
+  }
+  for (Eigen::Index i = 0; i < pairs; ++i) {
+    const auto slope = fischer_burmeister_slope(run.gap(i), how.unit * run.pressure(i));
+    for (Eigen::SparseMatrix<double>::InnerIterator at(forces, i); at; ++at)
+      entries.emplace_back(at.row(), n + i, -at.value());
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator at(system.A, i); at; ++at)
+      entries.emplace_back(n + i, at.col(), -slope.a * at.value());
+    entries.emplace_back(n + i, n + i, slope.b * how.unit - how.yielding);
+  }
+  Eigen::SparseMatrix<double> J(n + pairs, n + pairs);
+  J.setFromTriplets(entries.begin(), entries.end());
+  return J;
+}
+
+/// \PaperEq{LinEtAl, 42} with +F^C and without friction, from u = 0 and f_n = 0.
+///
+/// J is singular at this start, as nothing holds the disc. In the first J, not in F, it stands on springs of E* per
+/// thickness in all.
+/// \param now  the case \param how  the method \return the run
+// [printed]
+inline PrintedRun run_as_printed(const HertzCase& now, const PrintedMethod& how) {
+  Ledger ledger;
+  PrintedRun run{build(hertz_scene(now), ledger), {}, {}, {}};
+  const auto& [K, external, A, initial_gap] = run.model.programme;
+  const Eigen::Index n = external.size(), pairs = initial_gap.size();
+  const Eigen::SparseMatrix<double> forces = -(run.model.pairs.weight.asDiagonal() * A).transpose();
+  Eigen::VectorXd springs = run.model.modes[0].shape.cwiseAbs2();
+  springs *= now.theory().modulus / springs.sum();
+  Eigen::VectorXd U = Eigen::VectorXd::Zero(n), F(n + pairs);
+  run.pressure = Eigen::VectorXd::Zero(pairs);
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor;
+  for (int k = 0;; ++k) {
+    run.gap = initial_gap - A * U;
+    F.head(n) = K * U - external - forces * run.pressure;  // (42) and (33)-(36)
+    for (Eigen::Index i = 0; i < pairs; ++i)               // (37)
+      F(n + i) = fischer_burmeister(run.gap(i), how.unit * run.pressure(i));
+    run.residuals.push_back(F.norm());
+    if (k == how.steps) return run;
+    const Eigen::SparseMatrix<double> J =
+        printed_jacobian(run, forces, how, (k == 0 ? 1 : 0) * springs);
+    if (k == 0) factor.analyzePattern(J);
+    factor.factorize(J);
+    if (factor.info() != Eigen::Success) continue;  // no step
+    const Eigen::VectorXd step = -factor.solve(F);
+    if (!step.allFinite()) continue;
+    U += step.head(n);
+    run.pressure += step.tail(pairs);
+  }
+}
+// [printed]
+
+/// Pairs that are closed at the end.
+struct ClosedRows {
+  Eigen::Index count = 0;        ///< pairs without a gap
+  Eigen::Index independent = 0;  ///< combinations of their pressures that the nodes feel
+};
+
+/// \param run  at its end \return closed pairs and the rank of their rows of A
+inline ClosedRows closed_rows(const PrintedRun& run) {
+  std::vector<Eigen::Index> closed;
+  for (Eigen::Index i = 0; i < run.gap.size(); ++i)
+    if (run.gap(i) < 1e-10) closed.push_back(i);
+  const Eigen::MatrixXd rows = Eigen::MatrixXd(run.model.programme.A)(closed, Eigen::all);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(rows.transpose());
+  factor.setThreshold(1e-10);
+  return {rows.rows(), factor.rank()};
+}
+
+}  // namespace signorini
