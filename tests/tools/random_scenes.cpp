@@ -22,11 +22,15 @@ int main(int argc, char** argv) try {
   std::array<std::uint64_t, n_outcomes> counts{};
   double seconds = 0;
   double worst = 0;
+  double longest = 0;
+  std::uint64_t slowest = first;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const Trial trial = try_scene(seed, kind, solver);
     const auto outcome = static_cast<std::size_t>(trial.outcome);
     ++counts[outcome];
     seconds += trial.seconds;
+    if (trial.seconds > longest) slowest = seed;
+    longest = std::max(longest, trial.seconds);
     if (trial.outcome != Outcome::Wrong) worst = std::max(worst, trial.errors.worst());
     const SceneErrors& e = trial.errors;
     if (std::find(argv + 5, argv + argc, std::string(outcome_names[outcome])) != argv + argc)
@@ -39,7 +43,8 @@ int main(int argc, char** argv) try {
   std::cout << argv[1] << ' ' << argv[2] << ' ' << first << " + " << count << ':';
   for (std::size_t k = 0; k < n_outcomes; ++k)
     std::cout << ' ' << outcome_names[k] << ' ' << counts[k];
-  std::cout << "; largest error " << worst << "; " << seconds << " s\n";
+  std::cout << "; largest error " << worst << "; " << seconds << " s, of them " << longest
+            << " for " << slowest << '\n';
 } catch (const std::exception& error) {
   std::cerr << "random_scenes: " << error.what() << '\n';
   return 1;
