@@ -3,6 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/elasticity/stress.hpp"
+#include "signorini/mesh/annulus.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/scene/solved.hpp"
 #include "support/lining.hpp"
@@ -165,4 +166,23 @@ TEST_CASE("turned meshes of the lining: weighted gaps hold, and curved sides do"
   lining.element = "q8";
   for (const bool swap : {false, true})
     CHECK(largest(lining, swap) == Approx(0.291893).epsilon(1e-4));
+}
+
+// The rotation moves gaps by rounding alone: 1e-17 where its terms are 1.
+TEST_CASE("a ring that can turn on its pin is refused", "[rings]") {
+  for (const Eigen::Index cells : {12, 16, 22}) {
+    CAPTURE(cells);
+    AnnulusSpec spec;
+    spec.inner_radius = 0.75;
+    spec.outer_radius = 1.5;
+    spec.cells_angle = cells;
+    Scene scene;
+    Body& ring = scene.bodies[0];
+    ring.mesh = make_annulus(spec);
+    ring.supports = {prescribed_at("outer", {1.5, 0}, Axis::X)};
+    ring.loads.edges = {{"outer", 0.01, {}}};
+    scene.contacts = {{{"inner"}, disc({0, 0}, 0.75)}};
+    CHECK_THROWS_WITH(plan(scene), ContainsSubstring("can turn freely about (0, 0)") &&
+                                       ContainsSubstring("no contact stops that"));
+  }
 }

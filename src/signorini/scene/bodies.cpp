@@ -70,7 +70,9 @@ std::vector<std::string> motions_without_contact(
   if (modes.empty()) return sentences;
   Eigen::MatrixXd moved = rigid_gaps(A, mode_shapes(modes));
   const double rounding = 64 * std::numeric_limits<double>::epsilon();
-  const Eigen::RowVectorXd size = moved.colwise().lpNorm<Eigen::Infinity>();
+  // Against the terms: where these cancel, as for a ring that turns on a pin, what is left is rounding.
+  const Eigen::RowVectorXd size =
+      (A.cwiseAbs() * mode_shapes(modes).cwiseAbs()).colwise().lpNorm<Eigen::Infinity>();
   for (Index k = 0; k < moved.cols(); ++k)
     if (size(k) > 0) moved.col(k) /= size(k);
   if (moved.rows() < moved.cols())

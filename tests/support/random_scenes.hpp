@@ -1,0 +1,34 @@
+// Random scenes of all kinds that a user may pose, the wrong ones among them.
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "signorini/scene/scene.hpp"
+
+namespace signorini_test {
+
+/// Whether any contact of a scene rubs.
+enum class RandomScenes { Frictionless, Frictional };
+
+/// A scene and what it is, in words.
+struct RandomScene {
+  signorini::Scene scene;
+  std::string text;  ///< bodies, supports, loads, contacts, units
+};
+
+/// The scene of a seed: 3 to 120 cells.
+///
+/// Blocks to 300 times as long as thin, discs, rings and half-spaces, one or two, with supports or without,
+/// on obstacles or on each other, by every gap operator and element; graded and curved; Poisson's ratios to
+/// 0.4999, stiffness ratios, lengths and stresses over twelve decades, turned, and moved by up to 1e4 sizes;
+/// loads that press, drag, pull, or vanish; gaps that are open, exactly zero, or overlaps; friction
+/// coefficients from 1e-6 to 1e4 and cohesion. plan() refuses some of them, as it should: a body that nothing
+/// stops is one.
+///
+/// Only whole numbers are drawn, and all numbers come from them by single roundings before a mesh is made.
+/// \param seed  names the scene
+/// \param kind  Frictional: at least one contact rubs
+/// \return the scene, with the default solvers
+RandomScene random_scene(std::uint64_t seed, RandomScenes kind);
+
+}  // namespace signorini_test

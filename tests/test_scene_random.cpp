@@ -1,0 +1,101 @@
+// Random scenes of all kinds: none may be called solved and be wrong, by arithmetic of another kind.
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+
+#include "catch_compat.hpp"
+#include "support/random_outcomes.hpp"
+
+using namespace signorini;
+using namespace signorini_test;
+
+namespace {
+
+using Counts = std::array<int, n_outcomes>;
+
+int of(const Counts& counts, Outcome outcome) { return counts[static_cast<std::size_t>(outcome)]; }
+
+/// Solves the scenes of the seeds below `count` with a solver, empty for the default.
+Counts outcomes(RandomScenes kind, const std::string& solver, std::uint64_t count) {
+  Counts counts{};
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    const Trial trial = try_scene(seed, kind, solver);
+    CAPTURE(seed, solver, trial.text, trial.errors.worst());
+    CHECK(trial.outcome != Outcome::Wrong);
+    CHECK(trial.outcome != Outcome::Threw);
+    ++counts[static_cast<std::size_t>(trial.outcome)];
+  }
+  return counts;
+}
+
+/// Scenes that a method gave up on, and said so.
+int given_up(const Counts& counts) {
+  return of(counts, Outcome::Ray) + of(counts, Outcome::Limit) + of(counts, Outcome::Breakdown);
+}
+
+/// How many of the scenes of the first seeds are right, once a solution has been spoilt.
+int right_when(RandomScenes kind, void (*spoilt)(Solution&)) {
+  int right = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Outcome outcome = try_scene(seed, kind, "", spoilt).outcome;
+    right += outcome == Outcome::Solved || outcome == Outcome::Hovers || outcome == Outcome::Unsaid;
+  }
+  return right;
+}
+
+/// The largest number, or null if all vanish.
+double* largest_of(Eigen::VectorXd& numbers) {
+  double* const begin = numbers.data();
+  double* const end = begin + numbers.size();
+  double* const found =
+      std::max_element(begin, end, [](double a, double b) { return std::abs(a) < std::abs(b); });
+  return found != end && *found != 0 ? found : nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("no random scene is solved and wrong, and what is not solved says so", "[random]") {
+  const Counts counts = outcomes(RandomScenes::Frictionless, "", 300);
+  CHECK(of(counts, Outcome::Solved) >= 200);
+  CHECK(of(counts, Outcome::Refused) + of(counts, Outcome::Escaped) <= 60);
+  CHECK(of(counts, Outcome::Infeasible) == 0);
+  CHECK(given_up(counts) <= 12);
+}
+
+TEST_CASE("no random scene with friction is solved and wrong, and what is not solved says so",
+          "[random][friction]") {
+  const Counts counts = outcomes(RandomScenes::Frictional, "", 150);
+  CHECK(of(counts, Outcome::Solved) >= 110);
+  CHECK(of(counts, Outcome::Refused) + of(counts, Outcome::Escaped) <= 25);
+  CHECK(of(counts, Outcome::Infeasible) == 0);
+  CHECK(given_up(counts) <= 12);
+}
+
+// A check that sees no fault of a millionth is none. Scenes without forces, gaps or slips, or with small ones
+// beside the loads and displacements, stay right.
+TEST_CASE("the check of random scenes sees a millionth of any number, and false names",
+          "[random]") {
+  const auto nothing = [](Solution&) {};
+  const auto force = [](Solution& s) {
+    if (double* const most = largest_of(s.refined.force)) *most *= 1 + 1e-6;
+  };
+  const auto displacement = [](Solution& s) {
+    if (double* const most = largest_of(s.refined.displacement)) *most *= 1 + 1e-6;
+  };
+  const auto gap = [](Solution& s) {
+    if (double* const most = largest_of(s.contact.gap)) *most *= 1 + 1e-6;
+  };
+  const auto status = [](Solution& s) {
+    for (PairStatus& now : s.friction->state.status)
+      now = now == PairStatus::Slip ? PairStatus::Stick : now;
+  };
+  for (const RandomScenes kind : {RandomScenes::Frictionless, RandomScenes::Frictional}) {
+    const int right = right_when(kind, nothing);
+    CHECK(right >= 40);
+    CHECK(right_when(kind, force) <= right / 4);
+    CHECK(right_when(kind, displacement) <= right / 4);
+    CHECK(right_when(kind, gap) <= right / 2);
+    if (kind == RandomScenes::Frictional) CHECK(right_when(kind, status) <= 2 * right / 3);
+  }
+}

@@ -1,0 +1,51 @@
+// Solves random scenes and counts what became of them.
+// Run:  random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]
+// KIND is frictionless or frictional, SOLVER a name or `default`; seeds that end in a named OUTCOME are
+// listed with their scenes.
+#include <algorithm>
+#include <iostream>
+
+#include "support/random_outcomes.hpp"
+
+using namespace signorini_test;
+
+int main(int argc, char** argv) try {
+  if (argc < 5) {
+    std::cerr << "random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]\n";
+    return 2;
+  }
+  const RandomScenes kind =
+      std::string(argv[1]) == "frictional" ? RandomScenes::Frictional : RandomScenes::Frictionless;
+  const std::string solver = argv[2] == std::string("default") ? "" : argv[2];
+  const std::uint64_t first = std::stoull(argv[3]);
+  const std::uint64_t count = std::stoull(argv[4]);
+  std::array<std::uint64_t, n_outcomes> counts{};
+  double seconds = 0;
+  double worst = 0;
+  double longest = 0;
+  std::uint64_t slowest = first;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const Trial trial = try_scene(seed, kind, solver);
+    const auto outcome = static_cast<std::size_t>(trial.outcome);
+    ++counts[outcome];
+    seconds += trial.seconds;
+    if (trial.seconds > longest) slowest = seed;
+    longest = std::max(longest, trial.seconds);
+    if (trial.outcome != Outcome::Wrong) worst = std::max(worst, trial.errors.worst());
+    const SceneErrors& e = trial.errors;
+    if (std::find(argv + 5, argv + argc, std::string(outcome_names[outcome])) != argv + argc)
+      std::cout << outcome_names[outcome] << ' ' << seed << ": " << trial.text << "\n  equilibrium "
+                << e.equilibrium << ", strain " << e.strain << ", penetration " << e.penetration
+                << ", tension " << e.tension << ", complementarity " << e.complementarity
+                << ", cone " << e.cone << ", stick " << e.stick << ", sliding " << e.sliding
+                << ", reading " << e.reading << std::endl;
+  }
+  std::cout << argv[1] << ' ' << argv[2] << ' ' << first << " + " << count << ':';
+  for (std::size_t k = 0; k < n_outcomes; ++k)
+    std::cout << ' ' << outcome_names[k] << ' ' << counts[k];
+  std::cout << "; largest error " << worst << "; " << seconds << " s, of them " << longest
+            << " for " << slowest << '\n';
+} catch (const std::exception& error) {
+  std::cerr << "random_scenes: " << error.what() << '\n';
+  return 1;
+}
