@@ -98,6 +98,8 @@ TEST_CASE("no trait excuses a wrong success or a wrong refusal", "[conformance][
   CHECK_FALSE(verdict(says<Status::Solved>, solvable(), all).empty());
   CHECK_FALSE(verdict(says<Status::Solved>, unsolvable(), all).empty());
   CHECK_FALSE(verdict(says<Status::Infeasible>, solvable(), all).empty());
+  CHECK_THAT(verdict(says<Status::Infeasible>, unsolvable(), all),
+             ContainsSubstring("proves nothing"));
   CHECK_FALSE(verdict(says<Status::Feasible>, solvable(), all).empty());
   CHECK_FALSE(verdict(says<Status::Feasible>, unsolvable(), all).empty());
 }

@@ -36,7 +36,7 @@ const std::vector<Solver>& solvers() {
        "whole groups of pairs change sides; quasi_active_set where that does not arrive",
        primal_dual_active_set,
        0,
-       {Trait::Asymmetric, Trait::IllConditioned},
+       {Trait::Asymmetric},
        nullptr,
        nullptr,
        primal_dual_active_set},

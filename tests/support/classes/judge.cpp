@@ -41,6 +41,8 @@ std::string judge(const Instance& instance, const Report& report, const VectorXd
 }
 
 std::string judge(const Instance& instance, const ContactState& state, bool must) {
+  if (state.report.status == Status::Infeasible && state.infeasibility.size() == 0)
+    return "says infeasible, but proves nothing";
   return judge(
       instance, state.report, state.infeasibility, must,
       [&] { return check_solved(instance, state); },
