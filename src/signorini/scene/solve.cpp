@@ -1,4 +1,7 @@
-#include "signorini/complementarity/friction_solvers.hpp"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "signorini/complementarity/rigid_modes.hpp"
 #include "signorini/complementarity/rounding.hpp"
 #include "signorini/complementarity/solvers.hpp"
@@ -69,7 +72,15 @@ std::string escape_in_words(const Model& model, const VectorXd& escape) {
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
 void note_open_motions(const Model& model, const std::vector<Motion>& motions, Solution& solution) {
   if (model.modes.empty()) return;
-  const KnownSet set = known_set(motions, model.law);
+  KnownSet set = known_set(motions, model.law);
+  // A pair that touches without a force holds nothing: it stops a motion one way only.
+  const double nothing = epsilon * static_cast<double>(set.closed.size() + 1) * largest(force);
+  const auto idle = [&](Index row) {
+    const Index pairs = static_cast<Index>(motions.size());
+    return force(row < pairs ? row : model.law.pair[static_cast<std::size_t>(row - pairs)]) <=
+           nothing;
+  };
+  set.closed.erase(std::remove_if(set.closed.begin(), set.closed.end(), idle), set.closed.end());
   NodalRows held(static_cast<Index>(set.closed.size()), model.programme.A.cols());
   for (std::size_t k = 0; k < set.closed.size(); ++k)
     held.row(static_cast<Index>(k)) = model.programme.A.row(set.closed[k]);
@@ -86,7 +97,7 @@ void recover(const Model& model, CertifiedEnd end, Solution& solution) {
   contact.gap = end.movement.head(pairs);
   for (Index pair = 0; pair < pairs; ++pair)
     if (end.motions[static_cast<std::size_t>(pair)] != Motion::Open) contact.active.push_back(pair);
-  note_open_motions(model, end.motions, solution);
+  note_open_motions(model, end.motions, end.solution.force, solution);
   solution.amplitude = end.amplitude;
   solution.pressure = contact.force.cwiseQuotient(model.pairs.weight);
   solution.displacements = displacements_of_bodies(model, end.solution.displacement);
