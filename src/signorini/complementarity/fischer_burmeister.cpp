@@ -1,6 +1,5 @@
 #include "signorini/complementarity/fischer_burmeister.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/complementarity_functions.hpp"
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 namespace {
@@ -76,7 +76,7 @@ std::optional<Candidate> confirmed_by_elimination(const ScaledProblem& problem,
   if (!active.empty()) {
     const Eigen::MatrixXd M = problem.compliance(active, active);
     const VectorXd q = problem.free_gap(active);
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factor(M);
+    const LuFactor factor(M);
     if (!(factor.rcond() > rounding)) return std::nullopt;
     VectorXd force = factor.solve(-q);
     for (int step = 0; step < 2; ++step) force -= factor.solve(q + M * force);
@@ -127,7 +127,7 @@ class Newton {
   /// \return false if the residual falls no more
   bool step(Point& point, Report& report) {
     jacobian(problem_, point, J_);
-    factor_.compute(J_);
+    factor_ = LuFactor(J_);
     ++report.factorisations;
     gradient_.noalias() = J_.transpose() * point.residual;
     direction_ = -factor_.solve(point.residual);
@@ -159,7 +159,7 @@ class Newton {
 
   const ScaledProblem& problem_;
   Eigen::MatrixXd J_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factor_;
+  LuFactor factor_;
   VectorXd gradient_;
   VectorXd direction_;
   Point trial_;
