@@ -14,7 +14,8 @@ endif()
 # Tests and exercises: one optimisation, less than that of the library, and one precompiled header.  At -O1 g++ takes
 # copies of Eigen's matrices for uninitialised; at -O3, where it sees more, it does not.
 add_library(signorini_checks INTERFACE)
-target_compile_options(signorini_checks INTERFACE $<$<CONFIG:Release>:-O1 -Wno-maybe-uninitialized>)
+target_compile_options(signorini_checks INTERFACE $<$<CONFIG:Release>:-O1>
+  $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 target_include_directories(signorini_checks INTERFACE ${PROJECT_SOURCE_DIR}/tests)
 target_link_libraries(signorini_checks INTERFACE signorini::signorini Catch2::Catch2WithMain)
 if(SIGNORINI_PRECOMPILE)
