@@ -19,8 +19,9 @@ help:                     ## list what there is
 	@sed -n 's/^\([a-z][a-zA-Z0-9.%]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | sed 's/ch%/ch06/; s/ex%/ex6.1/' | expand -t 16
 configure:
 	@cmake --preset release --log-level=NOTICE > /dev/null
-run: chapters             ## run every chapter, draw its figures into build/out, print the summary
-	@status=0; for c in $(PROGRAMS); do tools/chapter.sh run $B/bin/$$c $B/out/$$c || status=1; \
+run: $(firstword $(PROGRAMS))  ## run every chapter, draw its figures into build/out, print the summary
+	@$(MAKE) chapters         # only now, so that the first figure is there before the others are compiled
+	@status=0; for c in $(wordlist 2,$(words $(PROGRAMS)),$(PROGRAMS)); do tools/chapter.sh run $B/bin/$$c $B/out/$$c || status=1; \
 	    FIGURES=draw tools/chapter.sh figures chapters/$${c}_* $B/out/$$c || status=1; done; \
 	    echo; perl tools/summary.pl $B/out || status=1; exit $$status
 chapters: configure       # and the program, without which nothing can be installed
@@ -57,7 +58,7 @@ lint:                     ## check the text without compiling: quotations, formu
 book: lint                ## the web pages, build/book/index.html
 	@tools/docs.sh $B/book && echo "open $B/book/index.html"
 browser: book             ## open every page in a browser and check it
-	@python3 tools/check-docs.py $B/book
+	@python3 tools/check-docs.py --all $B/book
 bench:                    ## what accuracy costs: work and seconds, measured
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target price

@@ -10,3 +10,24 @@ if(NOT TARGET Catch2::Catch2WithMain)
   target_link_libraries(catch_main PUBLIC Catch2::Catch2)
   add_library(Catch2::Catch2WithMain ALIAS catch_main)
 endif()
+
+# Tests and exercises: one optimisation, less than that of the library, and one precompiled header.  At -O1 g++ takes
+# copies of Eigen's matrices for uninitialised; at -O3, where it sees more, it does not.
+add_library(signorini_checks INTERFACE)
+target_compile_options(signorini_checks INTERFACE $<$<CONFIG:Release>:-O1>
+  $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+target_include_directories(signorini_checks INTERFACE ${PROJECT_SOURCE_DIR}/tests)
+target_link_libraries(signorini_checks INTERFACE signorini::signorini Catch2::Catch2WithMain)
+if(SIGNORINI_PRECOMPILE)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/checks_headers.cpp CONTENT "// only its precompiled header is used\n")
+  add_library(checks_headers OBJECT ${PROJECT_BINARY_DIR}/checks_headers.cpp)
+  target_link_libraries(checks_headers PRIVATE signorini_checks signorini_warnings)
+  target_precompile_headers(checks_headers PRIVATE ${PROJECT_SOURCE_DIR}/tests/catch_compat.hpp ${common_headers})
+endif()
+
+function(signorini_checks target)  # the flags and headers of a target that holds tests or answers
+  target_link_libraries(${target} PRIVATE signorini_checks signorini_warnings)
+  if(SIGNORINI_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM checks_headers)
+  endif()
+endfunction()

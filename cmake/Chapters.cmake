@@ -28,6 +28,7 @@ foreach(program IN LISTS programs)
   add_executable(${name} ${program})
   target_link_libraries(${name} PRIVATE signorini::signorini signorini_warnings)
   target_compile_definitions(${name} PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
+  signorini_precompiled(${name})
   add_dependencies(chapters ${name})
 
   add_test(NAME ${name}/run COMMAND ${tools}/chapter.sh run $<TARGET_FILE:${name}> ${out})

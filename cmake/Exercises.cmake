@@ -13,8 +13,7 @@ file(GLOB exercise_solutions CONFIGURE_DEPENDS ${exercises_from}/solution.cpp)
 
 function(signorini_exercise_part target source)  # one source file, compiled once
   add_library(${target} OBJECT EXCLUDE_FROM_ALL ${source})
-  target_link_libraries(${target} PRIVATE signorini::signorini signorini_warnings Catch2::Catch2WithMain)
-  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  signorini_checks(${target})
 endfunction()
 
 function(signorini_exercise_program target)  # the parts in ARGN, linked

@@ -50,7 +50,7 @@ Run by_condensation(const DenseProgramme& programme, int calls,
     run.solution.force = whole(multiplied_out(small.problem), run);
     run.solution.displacement =
         small.free_displacement -
-        small.factor.matrixU().solve(small.problem.half * run.solution.force);
+        small.factor.solve_transposed_half(small.problem.half * run.solution.force);
   });
   return run;
 }

@@ -1,12 +1,12 @@
 #include "command_line/outcome.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "signorini/complementarity/dense_programme.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace command_line {
@@ -73,8 +73,7 @@ Matrix kind_of(const ContactProblem& problem) {
       M.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
   const Eigen::MatrixXd scaled = scale.asDiagonal() * M * scale.asDiagonal();
   if (!scaled.allFinite()) return Matrix::Indefinite;
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd values = symmetric_eigenvalues(scaled);
   const double rounding = static_cast<double>(M.rows()) * std::numeric_limits<double>::epsilon() *
                           values.cwiseAbs().maxCoeff();
   if (values.minCoeff() > rounding) return Matrix::PositiveDefinite;

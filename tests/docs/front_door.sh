@@ -20,6 +20,9 @@ run=$(make -n run 2>&1)
 for target in chapters signorini_command; do
     printf '%s\n' "$run" | grep -q -e "--build .*--target.* $target\>" || { echo "make run does not build $target"; bad=1; }
 done
+# The first chapter is run before the others are compiled.
+printf '%s\n' "$run" | awk '/chapter.sh figures .*ch01/ { shown = 1 } /--target chapters/ { found = shown } END { exit !found }' ||
+    { echo "make run does not show the first chapter before it compiles the others"; bad=1; }
 # An exercise ends with a verdict and a status, without what make has to say about a command that fails.
 scratch=$(mktemp -d)
 said=$(make ex99.9 B="$scratch" 2>&1) && { echo "make ex99.9 succeeds"; bad=1; }

@@ -1,10 +1,11 @@
 #include "signorini/complementarity/bordered_system.hpp"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "signorini/complementarity/triangular.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -15,20 +16,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// U, V and the singular values of a matrix that are not rounding.
-struct Factors {
-  MatrixXd U;
-  MatrixXd V;
-  VectorXd values;
-};
-
-Factors singular_values(const MatrixXd& matrix) {
-  if (matrix.size() == 0) return {MatrixXd(matrix.rows(), 0), MatrixXd(matrix.cols(), 0), {}};
-  Eigen::JacobiSVD<MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(static_cast<double>(matrix.rows() + matrix.cols()) *
-                   std::numeric_limits<double>::epsilon());
-  const Index rank = svd.rank();
-  return {svd.matrixU().leftCols(rank), svd.matrixV().leftCols(rank),
-          svd.singularValues().head(rank)};
+SingularValues factors_of(const MatrixXd& matrix) {
+  if (matrix.size() == 0) return {MatrixXd(matrix.rows(), 0), {}, MatrixXd(matrix.cols(), 0)};
+  const SingularValues all = singular_values(matrix);
+  const double threshold = static_cast<double>(matrix.rows() + matrix.cols()) *
+                           std::numeric_limits<double>::epsilon() * all.values(0);
+  const Index rank = (all.values.array() > threshold).count();
+  return {all.U.leftCols(rank), all.values.head(rank), all.V.leftCols(rank)};
 }
 
 }  // namespace
@@ -51,7 +45,7 @@ ScaledFloating equilibrate(const FloatingProblem& problem) {
       scaled.amplitude_scale(j) = 1 / norm;
   scaled.rigid = scaled.rigid * scaled.amplitude_scale.asDiagonal();
   scaled.resultant = scaled.amplitude_scale.cwiseProduct(problem.resultant);
-  const Factors factors = singular_values(scaled.rigid);
+  const SingularValues factors = factors_of(scaled.rigid);
   scaled.span = factors.U;
   scaled.inverse = factors.V * factors.values.cwiseInverse().asDiagonal();
   return scaled;
@@ -70,21 +64,21 @@ BorderedSystem::BorderedSystem(const ScaledFloating& problem,
   const MatrixXd span = problem.span(candidates, Eigen::all);
   MatrixXd block = problem.contact.compliance(candidates, candidates);
   block.noalias() += rho * span * span.transpose();
-  const Eigen::LLT<MatrixXd> whole(block);
-  if (whole.info() == Eigen::Success &&
-      (whole.matrixLLT().diagonal().array().square() > tiny * block.diagonal().array()).all()) {
-    factor_ = whole.matrixL();
+  const CholeskyFactor whole(block);
+  if (whole.positive() &&
+      (whole.lower().diagonal().array().square() > tiny * block.diagonal().array()).all()) {
+    factor_ = whole.lower();
     pairs_ = candidates;
   } else {
     choose(block, candidates, tiny);
   }
   rigid_ = problem.rigid(pairs_, Eigen::all);
   spring_ = rho * problem.span(pairs_, Eigen::all) * problem.inverse.transpose();
-  held_ = singular_values(rigid_).V;
+  held_ = factors_of(rigid_).V;
   spread_ = rigid_ * held_;
-  factor_.triangularView<Eigen::Lower>().solveInPlace(spread_);
-  schur_.compute(spread_.transpose() * spread_);
-  factor_.triangularView<Eigen::Lower>().transpose().solveInPlace(spread_);
+  solve_lower_columns(factor_, spread_);
+  schur_ = CholeskyFactor(spread_.transpose() * spread_);
+  for (Index k = 0; k < spread_.cols(); ++k) solve_lower_transposed(factor_, spread_.col(k));
 }
 
 void BorderedSystem::choose(const MatrixXd& block, const std::vector<Index>& candidates,
@@ -94,7 +88,7 @@ void BorderedSystem::choose(const MatrixXd& block, const std::vector<Index>& can
   for (Index i = 0; i < block.rows(); ++i) {  // row by row a Cholesky factor
     const Index k = static_cast<Index>(chosen.size());
     VectorXd row = block(chosen, i);
-    factor_.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(row);
+    solve_lower(factor_.topLeftCorner(k, k), row);
     const double pivot = block(i, i) - row.squaredNorm();
     if (pivot <= tiny * block(i, i)) continue;
     factor_.row(k).head(k) = row.transpose();
@@ -113,8 +107,8 @@ std::pair<VectorXd, VectorXd> BorderedSystem::solve(const VectorXd& top,
   if (held_.cols() > 0)
     amplitude = held_ * schur_.solve(spread_.transpose() * load - held_.transpose() * bottom);
   VectorXd force = load - rigid_ * amplitude;
-  factor_.triangularView<Eigen::Lower>().solveInPlace(force);
-  factor_.triangularView<Eigen::Lower>().transpose().solveInPlace(force);
+  solve_lower(factor_, force);
+  solve_lower_transposed(factor_, force);
   return {force, amplitude};
 }
 

@@ -1,13 +1,13 @@
 /// \file
 /// The linear system of a floating body whose closed pairs are known, on equilibrated data.
 #pragma once
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <utility>
 #include <vector>
 
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/floating.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 
@@ -60,12 +60,12 @@ class BorderedSystem {
               double tiny);
 
   std::vector<Eigen::Index> pairs_;
-  Eigen::MatrixXd rigid_;              ///< R_W
-  Eigen::MatrixXd factor_;             ///< L of G_WW + rho U_W U_W^T
-  Eigen::MatrixXd held_;               ///< `n_r x k` orthonormal: the modes that W holds
-  Eigen::MatrixXd spread_;             ///< (L L^T)^-1 R_W held
-  Eigen::LLT<Eigen::MatrixXd> schur_;  ///< of held^T R_W^T spread
-  Eigen::MatrixXd spring_;             ///< rho U_W inverse^T, so that spring * r = rho R_W P r
+  Eigen::MatrixXd rigid_;   ///< R_W
+  Eigen::MatrixXd factor_;  ///< L of G_WW + rho U_W U_W^T
+  Eigen::MatrixXd held_;    ///< `n_r x k` orthonormal: the modes that W holds
+  Eigen::MatrixXd spread_;  ///< (L L^T)^-1 R_W held
+  CholeskyFactor schur_;    ///< of held^T R_W^T spread
+  Eigen::MatrixXd spring_;  ///< rho U_W inverse^T, so that spring * r = rho R_W P r
 };
 
 }  // namespace signorini

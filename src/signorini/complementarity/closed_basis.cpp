@@ -5,6 +5,7 @@
 
 #include "signorini/complementarity/rounding.hpp"
 #include "signorini/complementarity/triangular.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 namespace {
@@ -48,7 +49,7 @@ void ClosedBasis::project(Candidates& candidates) {
   } else {
     auto cross = cross_.topLeftCorner(k, count);
     cross = candidates.cross;
-    L_.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(cross);
+    solve_lower_columns(L_.topLeftCorner(k, k), cross);
     candidates.block.noalias() -= cross.transpose() * cross;
     pivot_.head(count) = candidates.block.diagonal();
   }

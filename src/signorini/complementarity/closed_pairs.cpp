@@ -1,7 +1,5 @@
 #include "signorini/complementarity/closed_pairs.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/refutation.hpp"
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/exact_sum.hpp"
 
 namespace signorini {
@@ -44,15 +43,15 @@ Eigen::VectorXd refined(const Factor& factor, const Eigen::MatrixXd& G, const Ei
 Eigen::VectorXd block_forces(const Eigen::MatrixXd& G, const Eigen::VectorXd& d, bool symmetric) {
   const double rounding = static_cast<double>(d.size()) * std::numeric_limits<double>::epsilon();
   if (symmetric) {
-    const Eigen::LLT<Eigen::MatrixXd> factor(G);
-    if (factor.info() != Eigen::Success) return {};
+    const CholeskyFactor factor(G);
+    if (!factor.positive()) return {};
     // With unit diagonal a squared pivot of rounding size means that a row repeats the ones before it.
-    const double smallest = Eigen::MatrixXd(factor.matrixL()).diagonal().minCoeff();
+    const double smallest = factor.lower().diagonal().minCoeff();
     if (smallest * smallest <= rounding) return {};
     return refined(factor, G, d);
   }
-  const Eigen::PartialPivLU<Eigen::MatrixXd> factor(G);
-  const Eigen::VectorXd pivots = factor.matrixLU().diagonal().cwiseAbs();
+  const LuFactor factor(G);
+  const Eigen::VectorXd pivots = factor.pivots().cwiseAbs();
   if (pivots.minCoeff() <= rounding * pivots.maxCoeff()) return {};
   return refined(factor, G, d);
 }

@@ -101,7 +101,7 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
     }
     solution.refined.displacement =
         condensed.free_displacement -
-        condensed.factor.matrixU().solve(condensed.problem.half * state.force);
+        condensed.factor.solve_transposed_half(condensed.problem.half * state.force);
     if (solution.report.status != Status::Solved) {
       const ClosedBasis equations = basis_of(data, {});
       data.balance(equations, solution.refined);

@@ -1,19 +1,19 @@
 /// \file
 /// Dense quadratic programmes: condensation, and the whole way to a certified solution.
 #pragma once
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <vector>
 
 #include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/problem.hpp"
 #include "signorini/complementarity/solvers.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 
 /// A dense programme with the displacements, and the forces of the equations, eliminated.
 struct DenseCondensed {
-  Eigen::LLT<Eigen::MatrixXd> factor;  ///< of K `n x n`; with equations of K + rho A_e^T A_e
+  CholeskyFactor factor;              ///< of K `n x n`; with equations of K + rho A_e^T A_e
   HalfProblem problem;                ///< H = L^-1 A^T and d = g - A u0, rows of inequalities only;
                                       ///< with equations, H is orthogonal to theirs
   Eigen::VectorXd free_displacement;  ///< u0 `n`: K^-1 p, or the minimiser with equations alone

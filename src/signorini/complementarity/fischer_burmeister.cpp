@@ -1,6 +1,5 @@
 #include "signorini/complementarity/fischer_burmeister.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/complementarity_functions.hpp"
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 namespace {
@@ -87,7 +87,7 @@ class Newton {
   /// \return false if the residual falls no more
   bool step(Point& point, Report& report) {
     jacobian(problem_, point, J_);
-    factor_.compute(J_);
+    factor_ = LuFactor(J_);
     ++report.factorisations;
     gradient_.noalias() = J_.transpose() * point.residual;
     direction_ = -factor_.solve(point.residual);
@@ -119,7 +119,7 @@ class Newton {
 
   const ScaledProblem& problem_;
   Eigen::MatrixXd J_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factor_;
+  LuFactor factor_;
   VectorXd gradient_;
   VectorXd direction_;
   Point trial_;

@@ -1,6 +1,5 @@
 #include "signorini/complementarity/floating.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "signorini/complementarity/balanced_pairs.hpp"
 #include "signorini/complementarity/report_sum.hpp"
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 namespace {
@@ -34,8 +34,7 @@ VectorXd nonnegative_weights(const MatrixXd& U, const VectorXd& t) {
     const VectorXd before = weight;
     used.push_back(next);
     while (true) {  // least squares over the rows in use; rows whose weight would pass zero leave
-      const VectorXd best =
-          MatrixXd(U(used, Eigen::all).transpose()).completeOrthogonalDecomposition().solve(t);
+      const VectorXd best = least_norm_solution(U(used, Eigen::all).transpose(), t);
       double part = 1;
       for (std::size_t k = 0; k < used.size(); ++k)
         if (const double now = weight(used[k]), end = best(static_cast<Index>(k)); end <= 0)

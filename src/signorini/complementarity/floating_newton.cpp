@@ -1,6 +1,5 @@
 #include "signorini/complementarity/floating_newton.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "signorini/complementarity/complementarity_functions.hpp"
 #include "signorini/complementarity/floating_projection.hpp"
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 namespace {
@@ -36,7 +36,7 @@ class Newton {
     const Index n = problem_.d.size();
     const Index k = problem_.U.cols();
     jacobian(point);
-    factor_.compute(J_);
+    factor_ = LuFactor(J_);
     ++report.factorisations;
     VectorXd wanted(n + k);
     wanted << -point.residual, problem_.share - problem_.U.transpose() * point.force;
@@ -82,7 +82,7 @@ class Newton {
 
   const FloatingProjection& problem_;
   MatrixXd J_;
-  Eigen::PartialPivLU<MatrixXd> factor_;
+  LuFactor factor_;
   VectorXd direction_;
   FloatingPoint trial_;
 };

@@ -1,6 +1,5 @@
 #include "signorini/complementarity/floating_programme.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,11 +53,10 @@ MatrixXd orthonormal_modes(const MatrixXd& K, const MatrixXd& N, const VectorXd&
   MatrixXd modes = scale.asDiagonal() * N;
   for (Index j = 0; j < N.cols(); ++j) modes.col(j).normalize();
   if (N.cols() == 0) return modes;
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(modes);
-  qr.setThreshold(rounding);
-  pose(qr.rank() == N.cols(), "floating programme: the ", N.cols(),
-       " null vectors are dependent, of rank ", qr.rank(), "; leave out those that repeat others");
-  return qr.householderQ() * MatrixXd::Identity(modes.rows(), modes.cols());
+  ColumnSpan span = column_span(modes, rounding);
+  pose(span.rank == N.cols(), "floating programme: the ", N.cols(),
+       " null vectors are dependent, of rank ", span.rank, "; leave out those that repeat others");
+  return span.basis;
 }
 
 }  // namespace
@@ -71,16 +69,16 @@ FloatingCondensed condense(const DenseProgramme& programme, const MatrixXd& null
   MatrixXd grounded = programme.stiffness;
   grounded.selfadjointView<Eigen::Lower>().rankUpdate(C);
   const VectorXd diagonal = grounded.diagonal();
-  FloatingCondensed condensed{Eigen::LLT<MatrixXd>(grounded), {}, {}};
-  const VectorXd pivots = MatrixXd(condensed.factor.matrixL()).diagonal().cwiseAbs2();
+  FloatingCondensed condensed{CholeskyFactor(grounded), {}, {}};
+  const VectorXd pivots = condensed.factor.lower().diagonal().cwiseAbs2();
   const double tiny = static_cast<double>(diagonal.size() + 1) * epsilon;
-  pose(
-      condensed.factor.info() == Eigen::Success && (pivots.array() > tiny * diagonal.array()).all(),
-      "floating programme: K with ", null_vectors.cols(),
-      " grounded modes is not positive definite; the body can move in more ways than the null "
-      "vectors say, or K is indefinite");
+  pose(condensed.factor.positive() && (pivots.array() > tiny * diagonal.array()).all(),
+       "floating programme: K with ", null_vectors.cols(),
+       " grounded modes is not positive definite; the body can move in more ways than the null "
+       "vectors say, or K is indefinite");
   condensed.free_displacement = condensed.factor.solve(programme.load);
-  const MatrixXd half = condensed.factor.matrixL().solve(programme.A.transpose());
+  MatrixXd half = programme.A.transpose();
+  solve_lower_columns(condensed.factor.lower(), half);
   condensed.problem = floating_problem(
       sparse(programme),
       multiplied_out({half, programme.initial_gap - programme.A * condensed.free_displacement}),

@@ -1,17 +1,17 @@
 /// \file
 /// Dense programmes with a singular stiffness whose null vectors are known: bodies that float.
 #pragma once
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "signorini/complementarity/dense_programme.hpp"
 #include "signorini/complementarity/floating.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 
 /// A dense programme with displacements eliminated and rigid modes left as unknowns.
 struct FloatingCondensed {
-  Eigen::LLT<Eigen::MatrixXd> factor;  ///< of the grounded stiffness K_s `n x n`
+  CholeskyFactor factor;    ///< of the grounded stiffness K_s `n x n`
   FloatingProblem problem;  ///< G = A K_s^-1 A^T, d = g - A K_s^-1 p, R = -A N, r = -N^T p
   Eigen::VectorXd free_displacement;  ///< K_s^-1 p `n`, of the grounded body
 };

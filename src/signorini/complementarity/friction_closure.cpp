@@ -1,12 +1,11 @@
 #include "signorini/complementarity/friction_closure.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/exact_vector.hpp"
 
 namespace signorini {
@@ -96,9 +95,9 @@ void correct(const ScaledFriction& problem, const std::vector<Motion>& motions, 
 }
 
 /// The sign of a determinant, which itself may overflow.
-bool negative(const Eigen::PartialPivLU<MatrixXd>& factor) {
-  const auto below = (factor.matrixLU().diagonal().array() < 0).count();
-  return (below % 2 == 1) != (factor.permutationP().determinant() < 0);
+bool negative(const LuFactor& factor) {
+  const auto below = (factor.pivots().array() < 0).count();
+  return (below % 2 == 1) != (factor.permutation_sign() < 0);
 }
 
 /// Rounding of each movement: what its terms are worth.
@@ -182,13 +181,12 @@ FrictionClosure close_friction(const ScaledFriction& problem, const std::vector<
     if (!std::isfinite(force(i)) || !std::isfinite(force(n + i))) closure.force.setZero();
   impose(problem, motions, closure.force);
   const MatrixXd A = system_of(problem, motions, rows);
-  const Eigen::PartialPivLU<MatrixXd> factor(A.rows() > 0 ? A : MatrixXd::Identity(1, 1));
+  const LuFactor factor(A.rows() > 0 ? A : MatrixXd::Identity(1, 1));
   const bool regular = factor.rcond() > static_cast<double>(A.rows() + 1) * epsilon;
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> least;
-  if (!regular) least.compute(A);
+  const MatrixXd inverse = regular ? MatrixXd() : pseudo_inverse(A);
   for (int step = 0; step < 4 && A.rows() > 0; ++step) {
     const VectorXd left = residual(problem, rows, closure);
-    correct(problem, motions, rows, regular ? VectorXd(factor.solve(left)) : least.solve(left),
+    correct(problem, motions, rows, regular ? factor.solve(left) : VectorXd(inverse * left),
             closure);
   }
   static_cast<void>(residual(problem, rows, closure));

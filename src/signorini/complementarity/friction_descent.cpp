@@ -1,6 +1,5 @@
 #include "signorini/complementarity/friction_descent.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "signorini/complementarity/complementarity_functions.hpp"
 #include "signorini/complementarity/goldfarb_idnani.hpp"
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 namespace {
@@ -34,7 +34,7 @@ class Newton {
   /// \return false if the residual falls no more
   bool step() {
     equations_.differentiate(x_, J_);
-    factor_.compute(J_);
+    factor_ = LuFactor(J_);
     gradient_.noalias() = J_.transpose() * residual_;
     direction_ = factor_.solve(residual_);
     direction_ *= -1;
@@ -78,7 +78,7 @@ class Newton {
   VectorXd gradient_;
   VectorXd direction_;
   Eigen::MatrixXd J_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factor_;
+  LuFactor factor_;
   double merit_ = 0;
 };
 

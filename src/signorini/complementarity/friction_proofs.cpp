@@ -1,14 +1,12 @@
 #include "signorini/complementarity/friction_proofs.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "signorini/complementarity/lemke.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 namespace {
@@ -65,9 +63,7 @@ VectorXd lacking(const ScaledFriction& problem) {
   for (Index j = 0; j < m; ++j)
     if (weight(j) > 0 && (j < m - c || weight(c + j) == 0)) inner.push_back(j);
   if (inner.empty()) return way;
-  const Eigen::ColPivHouseholderQR<MatrixXd> factor(MatrixXd(D(Eigen::all, inner)));
-  const Index rank = factor.rank();
-  const MatrixXd Q = MatrixXd(factor.householderQ()).leftCols(rank);
+  const MatrixXd Q = column_span(D(Eigen::all, inner)).basis;
   for (int step = 0; step < 2; ++step) way -= Q * (Q.transpose() * way);
   return way;
 }
@@ -93,19 +89,16 @@ bool proves(const ScaledFriction& problem, const VectorXd& way) {
 bool bound_excludes_others(const MatrixXd& F, const VectorXd& coefficient) {
   const Index n = coefficient.size();
   if (n == 0) return true;
-  const Eigen::LLT<MatrixXd> tangential(F.bottomRightCorner(n, n));
-  if (tangential.info() != Eigen::Success) return false;
+  const CholeskyFactor tangential(F.bottomRightCorner(n, n));
+  if (!tangential.positive()) return false;
   const MatrixXd C = F.topRightCorner(n, n);
   MatrixXd S = F.topLeftCorner(n, n);
-  S.noalias() -= C * tangential.solve(C.transpose());
-  const double largest =
-      Eigen::SelfAdjointEigenSolver<MatrixXd>(F.bottomRightCorner(n, n), Eigen::EigenvaluesOnly)
-          .eigenvalues()
-          .maxCoeff();
+  S.noalias() -= C * tangential.solve_columns(C.transpose());
+  const double largest = symmetric_eigenvalues(F.bottomRightCorner(n, n)).maxCoeff();
   if (!C.isZero(0)) S.diagonal() -= 0.25 * largest * coefficient.cwiseAbs2();
   // Rounding of the entries, which are at most 1, must not decide.
   S.diagonal().array() -= static_cast<double>(n) * proof_rounding;
-  return Eigen::LLT<MatrixXd>(S).info() == Eigen::Success;
+  return CholeskyFactor(S).positive();
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -8,6 +7,7 @@
 #include "signorini/complementarity/friction_descent.hpp"
 #include "signorini/complementarity/friction_split.hpp"
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -135,7 +135,7 @@ std::string iterate(const FrictionProblem& problem, const SolverOptions& options
   const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 50;
   const double first = now.residual.norm();
   MatrixXd J(now.x.size(), now.x.size());
-  Eigen::PartialPivLU<MatrixXd> factor;
+  LuFactor factor;
   report.status = Status::IterationLimit;
   double last = std::numeric_limits<double>::infinity();
   while (now.residual.norm() > 0 &&
@@ -143,7 +143,7 @@ std::string iterate(const FrictionProblem& problem, const SolverOptions& options
     if (report.iterations >= limit) break;
     last = now.residual.norm();
     jacobian(problem, now, J);
-    factor.compute(J);
+    factor = LuFactor(J);
     ++report.factorisations;
     if (!(factor.rcond() > epsilon)) {
       report.status = Status::Breakdown;

@@ -1,12 +1,10 @@
 #include "signorini/complementarity/known_set.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <optional>
 
 #include "signorini/complementarity/bordered_system.hpp"
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 namespace {
@@ -69,10 +67,9 @@ KnownSet known_set(const std::vector<Motion>& motions, const FrictionLaw& law) {
 struct Closing::System {
   ScaledFloating scaled;
   std::vector<Index> rows;
-  std::optional<BorderedSystem> bordered;                  // of a symmetric system
-  Eigen::PartialPivLU<MatrixXd> factor;                    // of one with sliding pairs
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> least;  // where that is singular
-  bool regular = true;
+  std::optional<BorderedSystem> bordered;  // of a symmetric system
+  LuFactor factor;                         // of one with sliding pairs
+  MatrixXd inverse;                        // its pseudo-inverse where that is singular
 };
 
 Closing::Closing(const MatrixXd& compliance, const MatrixXd& rigid, const KnownSet& set)
@@ -86,11 +83,9 @@ Closing::Closing(const MatrixXd& compliance, const MatrixXd& rigid, const KnownS
   }
   system.rows = set.closed;
   const MatrixXd M = sliding_system(system.scaled, set);
-  system.factor.compute(M);
-  // The estimate of the condition may overlook a pivot that vanishes.
-  system.regular = (system.factor.matrixLU().diagonal().array() != 0).all() &&
-                   system.factor.rcond() > static_cast<double>(M.rows() + 1) * epsilon;
-  if (!system.regular) system.least.compute(M);
+  system.factor = LuFactor(M);
+  const bool regular = system.factor.rcond() > static_cast<double>(M.rows() + 1) * epsilon;
+  if (!regular) system.inverse = pseudo_inverse(M);
 }
 
 Closing::~Closing() = default;
@@ -115,7 +110,7 @@ std::pair<VectorXd, VectorXd> Closing::solve(const VectorXd& movement,
   VectorXd right(m + inverse.cols());
   right << top, inverse.transpose() * bottom;
   const VectorXd both =
-      system.regular ? VectorXd(system.factor.solve(right)) : VectorXd(system.least.solve(right));
+      system.inverse.size() > 0 ? VectorXd(system.inverse * right) : system.factor.solve(right);
   return {scale.cwiseProduct(both.head(m)), unit.cwiseProduct(inverse * both.tail(inverse.cols()))};
 }
 

@@ -1,12 +1,12 @@
 #include "signorini/complementarity/linear_programme.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "signorini/complementarity/closed_pairs.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -30,7 +30,7 @@ class Tableau {
       basis_[static_cast<std::size_t>(i)] = n_ + i;
       B.col(i) = -problem.compliance.col(i);
     }
-    if (!closed.empty()) rows_ = Eigen::PartialPivLU<Eigen::MatrixXd>(B).solve(rows_).eval();
+    if (!closed.empty()) rows_ = LuFactor(B).solve_columns(rows_);
     artificial_ = (values().array() < 0).cast<double>();
     rows_ = (1 - 2 * artificial_.array()).matrix().asDiagonal() * rows_;
     first_ = basis_;

@@ -45,13 +45,13 @@ void ProgrammeRows::correct(const ClosedBasis& basis, Refined& refined, Work& wo
     open.add_small(-(work.closed * solution.displacement_low));
   }
   work.z = unbalanced.value();
-  solve_lower(factor_.matrixLLT(), work.z);
+  solve_lower(factor_.lower(), work.z);
   work.a = open.value().cwiseQuotient(work.norm);
   L.solveInPlace(work.a);
   work.along.noalias() = basis.directions().transpose() * work.z;
   work.along -= work.a;
   work.z.noalias() -= basis.directions() * work.along;
-  solve_lower_transposed(factor_.matrixLLT(), work.z);
+  solve_lower_transposed(factor_.lower(), work.z);
   L.transpose().solveInPlace(work.along);
   for (Index j = 0; j < n; ++j) {  // u is kept as a sum of two doubles
     const double addend = solution.displacement_low(j) + work.z(j);
@@ -68,7 +68,7 @@ void ProgrammeRows::correct(const ClosedBasis& basis, Refined& refined, Work& wo
 /// Forces of the rows of a basis, as they were posed, that do to K^-1/2 A^T what a load does, as far as
 /// they can.
 VectorXd ProgrammeRows::carried(const ClosedBasis& basis, VectorXd load) const {
-  solve_lower(factor_.matrixLLT(), load);
+  solve_lower(factor_.lower(), load);
   VectorXd force = basis.directions().transpose() * load;
   solve_lower_transposed(basis.factor(), force);
   VectorXd all = VectorXd::Zero(count());

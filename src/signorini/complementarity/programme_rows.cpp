@@ -44,17 +44,17 @@ VectorXd equation_stiffness(const DenseProgramme& programme) {
   return rho;
 }
 
-Eigen::LLT<Eigen::MatrixXd> factored(const DenseProgramme& programme) {
-  Eigen::LLT<Eigen::MatrixXd> factor;
+CholeskyFactor factored(const DenseProgramme& programme) {
+  CholeskyFactor factor;
   if (programme.equations == 0) {
-    factor.compute(programme.stiffness);
+    factor = CholeskyFactor(programme.stiffness);
   } else {
     const auto E = programme.A.topRows(programme.equations);
-    factor.compute(programme.stiffness +
-                   E.transpose() * equation_stiffness(programme).asDiagonal() * E);
+    factor = CholeskyFactor(programme.stiffness +
+                            E.transpose() * equation_stiffness(programme).asDiagonal() * E);
   }
-  const auto pivots = factor.matrixLLT().diagonal();
-  bool positive = factor.info() == Eigen::Success;
+  const auto pivots = factor.lower().diagonal();
+  bool positive = factor.positive();
   for (Index i = 0; positive && i < pivots.size(); ++i)
     positive = pivots(i) * pivots(i) >
                static_cast<double>(pivots.size() + 1) * epsilon * programme.stiffness(i, i);
@@ -77,8 +77,8 @@ ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(progr
     displacement_ += E.transpose() * equation_stiffness(programme).cwiseProduct(
                                          programme.initial_gap.head(equations()));
   }
-  solve_lower(factor_.matrixLLT(), displacement_);
-  solve_lower_transposed(factor_.matrixLLT(), displacement_);
+  solve_lower(factor_.lower(), displacement_);
+  solve_lower_transposed(factor_.lower(), displacement_);
   gap_ = programme.initial_gap;
   gap_.noalias() -= programme.A * displacement_;
   norm_.setZero(count());
@@ -86,7 +86,7 @@ ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(progr
   floor_.setZero(count());
   root_.resize(n);
   for (Index j = 0; j < n; ++j) {
-    const double pivot = factor_.matrixLLT()(j, j);
+    const double pivot = factor_.lower()(j, j);
     const double stiffness = std::max(programme.stiffness(j, j), pivot * pivot);
     root_(j) = std::sqrt(stiffness);
     floor_ += (1 / stiffness) * programme.A.col(j).cwiseAbs2();
@@ -112,7 +112,7 @@ void ProgrammeRows::gaps(const ClosedBasis& basis, VectorXd& gap, VectorXd& roun
   if (base_.size() > 0) moved_ -= base_;
   const double size = moved_.norm() * static_cast<double>(moved_.size() + 4) * epsilon;
   if (size == 0) return;
-  solve_lower_transposed(factor_.matrixLLT(), moved_);
+  solve_lower_transposed(factor_.lower(), moved_);
   gap.noalias() += programme_.A * moved_;
   for (Index i = 0; i < gap.size(); ++i) rounding(i) += reach(size, weight_(i));
 }
@@ -126,10 +126,9 @@ void ProgrammeRows::fetch(const VectorXd& gap, const VectorXd& rounding,
     candidates.columns.col(i) =
         programme_.A.row(candidates.rows[static_cast<std::size_t>(i)]).transpose();
   if (unknowns() < 32) {  // the general routine packs blocks, which pays for longer columns
-    for (Index i = 0; i < count; ++i) solve_lower(factor_.matrixLLT(), candidates.columns.col(i));
+    for (Index i = 0; i < count; ++i) solve_lower(factor_.lower(), candidates.columns.col(i));
   } else {
-    auto columns = candidates.columns.leftCols(count);
-    factor_.matrixL().solveInPlace(columns);
+    solve_lower_columns(factor_.lower(), candidates.columns.leftCols(count));
   }
   if (candidates.gap.size() < count) {
     candidates.gap.resize(count);

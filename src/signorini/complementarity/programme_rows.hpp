@@ -1,13 +1,13 @@
 /// \file
 /// The rows of a dense programme as a basis of closed rows needs them: condensed one by one, on demand.
 #pragma once
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <vector>
 
 #include "signorini/complementarity/certificate.hpp"
 #include "signorini/complementarity/closed_basis.hpp"
 #include "signorini/complementarity/problem.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 
@@ -34,7 +34,7 @@ class ProgrammeRows {
   /// \return about 1 / |h_i| of each row `m`, to compare rows with before they are condensed
   [[nodiscard]] const Eigen::VectorXd& weights() const { return weight_; }
   /// \return the factor of K, or of K and the equations
-  [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& factor() const { return factor_; }
+  [[nodiscard]] const CholeskyFactor& factor() const { return factor_; }
   /// \return |h_i| `m`; 0 for rows that have not been condensed yet
   [[nodiscard]] const Eigen::VectorXd& norms() const { return norm_; }
 
@@ -91,7 +91,7 @@ class ProgrammeRows {
   void judge(const ClosedBasis& basis, Refined& refined, const Work& work);
 
   const DenseProgramme& programme_;
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  CholeskyFactor factor_;
   Eigen::VectorXd displacement_;  // from which gap_ comes
   Eigen::VectorXd gap_;           // where Q y = base_
   Eigen::VectorXd base_;          // empty for zero

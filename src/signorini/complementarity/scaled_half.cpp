@@ -1,11 +1,11 @@
 #include "signorini/complementarity/scaled_half.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 #include "signorini/complementarity/refutation.hpp"
 #include "signorini/complementarity/rounding.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 
@@ -45,8 +45,7 @@ Eigen::VectorXd residual(const Eigen::MatrixXd& H, const Eigen::VectorXd& d,
 Eigen::MatrixXd triangle(const Eigen::MatrixXd& H) {
   const Index k = H.cols();
   if (k > H.rows()) return {};
-  const Eigen::HouseholderQR<Eigen::MatrixXd> factor(H);
-  Eigen::MatrixXd R = factor.matrixQR().topRows(k);
+  Eigen::MatrixXd R = qr_triangle(H);
   if (R.diagonal().cwiseAbs().minCoeff() <= dependent(H.rows(), k)) return {};
   return R;
 }
@@ -71,8 +70,7 @@ ScaledHalf equilibrate(const HalfProblem& problem) {
           "contact problem: half and free_gap must be finite");
   ScaledHalf scaled;
   if (problem.half.rows() > n && n > 0) {
-    const Eigen::HouseholderQR<Eigen::MatrixXd> factor(problem.half);
-    scaled.half = factor.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+    scaled.half = qr_triangle(problem.half);
   } else {
     scaled.half = problem.half;
   }

@@ -1,8 +1,8 @@
 #include "signorini/elasticity/stress.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/elasticity/assembly.hpp"
 
@@ -39,7 +39,7 @@ Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points
   for (Index k = 0; k < element.n_nodes; ++k)
     at_nodes.row(k) =
         monomials(k < 4 ? corner[k] : Eigen::Vector2d(0.5 * (corner[k - 4] + corner[(k - 3) % 4])));
-  return at_nodes * at_points.completeOrthogonalDecomposition().pseudoInverse();
+  return at_nodes * pseudo_inverse(at_points);
 }
 
 void check_displacements(const Mesh& mesh, const NodeArray& displacements) {

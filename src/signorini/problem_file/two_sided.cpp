@@ -1,10 +1,9 @@
 #include "signorini/problem_file/two_sided.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 
@@ -19,13 +18,6 @@ bool is_equation(const TwoSidedProgramme& programme, Index row) {
   return programme.lower(row) == programme.upper(row);
 }
 
-/// Orthonormal columns that span the x with E x = 0.
-MatrixXd free_directions(const MatrixXd& E) {
-  const Eigen::FullPivHouseholderQR<MatrixXd> factor(E.transpose());
-  const MatrixXd Q = factor.matrixQ();
-  return Q.rightCols(E.cols() - factor.rank());
-}
-
 /// Whether P is positive definite where E x = 0, whatever the units of each x.
 bool strictly_convex(const MatrixXd& P, const MatrixXd& E) {
   const Index n = P.rows();
@@ -37,13 +29,12 @@ bool strictly_convex(const MatrixXd& P, const MatrixXd& E) {
     MatrixXd rows = E * scale.asDiagonal();
     for (Index i = 0; i < rows.rows(); ++i) rows.row(i).stableNormalize();
     if (!rows.allFinite() || !scaled.allFinite()) return false;
-    const MatrixXd Z = free_directions(rows);
+    const MatrixXd Z = null_space(rows);
     reduced = Z.transpose() * scaled * Z;
   }
   if (reduced.rows() == 0) return true;
   if (!reduced.allFinite()) return false;
-  const VectorXd values =
-      Eigen::SelfAdjointEigenSolver<MatrixXd>(reduced, Eigen::EigenvaluesOnly).eigenvalues();
+  const VectorXd values = symmetric_eigenvalues(reduced);
   const double largest = scaled.cwiseAbs().maxCoeff();
   return values.minCoeff() >
          static_cast<double>(n) * std::numeric_limits<double>::epsilon() * largest;

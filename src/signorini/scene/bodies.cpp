@@ -1,10 +1,10 @@
 #include "signorini/scene/bodies.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 
 #include "signorini/complementarity/rigid_modes.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -77,21 +77,16 @@ std::vector<std::string> motions_without_contact(
     if (size(k) > 0) moved.col(k) /= size(k);
   if (moved.rows() < moved.cols())
     moved.conservativeResizeLike(Eigen::MatrixXd::Zero(moved.cols(), moved.cols()));
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(moved);
-  factor.setThreshold(rounding * static_cast<double>(moved.cols()));
-  const Index rank = factor.rank();
-  for (Index k = rank; k < moved.cols(); ++k)
-    sentences.push_back(
-        modes[static_cast<std::size_t>(factor.colsPermutation().indices()(k))].sentence);
+  const ColumnSpan span = column_span(moved, rounding * static_cast<double>(moved.cols()));
+  for (auto k = span.order.begin() + span.rank; k != span.order.end(); ++k)
+    sentences.push_back(modes[static_cast<std::size_t>(*k)].sentence);
   return sentences;
 }
 
 std::vector<Index> grounding(const std::vector<FreeMotion>& modes) {
-  std::vector<Index> unknowns;
-  if (modes.empty()) return unknowns;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(mode_shapes(modes).transpose());
-  for (Index k = 0; k < static_cast<Index>(modes.size()); ++k)
-    unknowns.push_back(factor.colsPermutation().indices()(k));
+  if (modes.empty()) return {};
+  std::vector<Index> unknowns = column_span(mode_shapes(modes).transpose()).order;
+  unknowns.resize(modes.size());
   return unknowns;
 }
 

@@ -70,7 +70,8 @@ std::string escape_in_words(const Model& model, const VectorXd& escape) {
 }
 
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
-void note_open_motions(const Model& model, const std::vector<Motion>& motions, Solution& solution) {
+void note_open_motions(const Model& model, const std::vector<Motion>& motions,
+                       const VectorXd& force, Solution& solution) {
   if (model.modes.empty()) return;
   KnownSet set = known_set(motions, model.law);
   // A pair that touches without a force holds nothing: it stops a motion one way only.

@@ -1,0 +1,101 @@
+#include "signorini/core/dense.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+
+namespace signorini {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+struct LuFactor::Numbers {
+  Eigen::PartialPivLU<MatrixXd> lu;
+};
+
+LuFactor::LuFactor(const MatrixXd& matrix)
+    : numbers_(std::make_shared<Numbers>(Numbers{Eigen::PartialPivLU<MatrixXd>(matrix)})) {}
+
+VectorXd LuFactor::solve(const VectorXd& b) const { return numbers_->lu.solve(b); }
+
+MatrixXd LuFactor::solve_columns(const MatrixXd& B) const { return numbers_->lu.solve(B); }
+
+VectorXd LuFactor::pivots() const { return numbers_->lu.matrixLU().diagonal(); }
+
+int LuFactor::permutation_sign() const {
+  return static_cast<int>(numbers_->lu.permutationP().determinant());
+}
+
+double LuFactor::rcond() const {  // Eigen says 1 where a pivot is 0
+  return (numbers_->lu.matrixLU().diagonal().array() == 0).any() ? 0 : numbers_->lu.rcond();
+}
+
+struct CholeskyFactor::Numbers {
+  Eigen::LLT<MatrixXd> llt;
+};
+
+CholeskyFactor::CholeskyFactor(const MatrixXd& matrix)
+    : numbers_(std::make_shared<Numbers>(Numbers{Eigen::LLT<MatrixXd>(matrix)})) {}
+
+bool CholeskyFactor::positive() const { return numbers_->llt.info() == Eigen::Success; }
+
+const MatrixXd& CholeskyFactor::lower() const { return numbers_->llt.matrixLLT(); }
+
+VectorXd CholeskyFactor::solve(const VectorXd& b) const { return numbers_->llt.solve(b); }
+
+MatrixXd CholeskyFactor::solve_columns(const MatrixXd& B) const { return numbers_->llt.solve(B); }
+
+VectorXd CholeskyFactor::solve_transposed_half(const VectorXd& b) const {
+  return numbers_->llt.matrixU().solve(b);
+}
+
+void solve_lower_columns(const Eigen::Ref<const MatrixXd>& L, Eigen::Ref<MatrixXd> X) {
+  L.triangularView<Eigen::Lower>().solveInPlace(X);
+}
+
+MatrixXd qr_triangle(const MatrixXd& matrix) {
+  const Eigen::HouseholderQR<MatrixXd> factor(matrix);
+  return factor.matrixQR()
+      .topRows(std::min(matrix.rows(), matrix.cols()))
+      .triangularView<Eigen::Upper>();
+}
+
+ColumnSpan column_span(const MatrixXd& matrix, double threshold) {
+  Eigen::ColPivHouseholderQR<MatrixXd> factor(matrix);
+  if (threshold >= 0) factor.setThreshold(threshold);
+  ColumnSpan span;
+  span.rank = factor.rank();
+  const auto& order = factor.colsPermutation().indices();
+  span.order.assign(order.data(), order.data() + order.size());
+  span.basis = factor.householderQ() * MatrixXd::Identity(matrix.rows(), span.rank);
+  return span;
+}
+
+MatrixXd null_space(const MatrixXd& matrix) {
+  const Eigen::FullPivHouseholderQR<MatrixXd> factor(matrix.transpose());
+  const MatrixXd Q = factor.matrixQ();
+  return Q.rightCols(matrix.cols() - factor.rank());
+}
+
+VectorXd least_norm_solution(const MatrixXd& matrix, const VectorXd& b) {
+  return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(matrix).solve(b);
+}
+
+MatrixXd pseudo_inverse(const MatrixXd& matrix) {
+  return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(matrix).pseudoInverse();
+}
+
+SingularValues singular_values(const MatrixXd& matrix) {
+  const Eigen::JacobiSVD<MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
+}
+
+VectorXd symmetric_eigenvalues(const MatrixXd& matrix) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+}  // namespace signorini
