@@ -62,7 +62,7 @@ class Checked {
   Wides norm_;      // of rows, 1 for one without entries
   Wide length_ = 0;
   Wide force_ = 0;
-  Wide inside_ = 0;    // largest |K| |u without its rigid part|
+  Wide inside_ = 0;    // largest |K| |u|
   Wide resolved_ = 0;  // largest rounding of K u: u is known in two doubles
   SceneErrors errors_;
 };
@@ -95,7 +95,6 @@ void Checked::sum_up() {
   }
   Wides strains(n, 0);
   Wides terms(n, 0);
-  Wides inside(n, 0);
   Wides whole(n, 0);
   residual_.assign(n, 0);
   for (Index k = 0; k < given_.stiffness.outerSize(); ++k)
@@ -103,7 +102,6 @@ void Checked::sum_up() {
       const Wide entry = it.value();
       const Wide pull = entry * strained_[at(k)];
       residual_[at(it.row())] -= pull;
-      inside[at(it.row())] += size(pull);
       whole[at(it.row())] += size(entry * u_[at(k)]);
       strains[at(it.row())] += entry * rigid_[at(k)];
       terms[at(it.row())] += size(entry * rigid_[at(k)]);
@@ -111,7 +109,7 @@ void Checked::sum_up() {
   for (std::size_t j = 0; j < n; ++j) {
     residual_[j] += given_.load(static_cast<Index>(j)) - contact_[j];
     grow(errors_.strain, over(size(strains[j]), terms[j]));
-    inside_ = std::max(inside_, inside[j]);
+    inside_ = std::max(inside_, whole[j]);
     resolved_ = std::max(resolved_, 0x1p-106 * whole[j]);
   }
 }
@@ -128,7 +126,7 @@ void Checked::measure() {
     }
     length_ = std::max(length_, length / norm_[at(row)]);
   }
-  // Where nothing pushes but rounding, the forces inside must balance.
+  // Where nothing pushes but what u in two doubles cannot resolve, forces are measured by those that it could make.
   if (force_ <= resolved_) force_ = inside_;
 }
 

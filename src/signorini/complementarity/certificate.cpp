@@ -111,10 +111,9 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
     }
     scale.length = std::max(scale.length, length / norm(pair));
   }
-  // If nothing pushes but what u in two doubles cannot resolve, the forces inside must balance.
-  double inside = 0;
-  for (const double force : Eigen::VectorXd(diagonal.cwiseProduct(strained(solution))))
-    inside = std::max(inside, std::abs(force));
+  // If nothing pushes but what u in two doubles cannot resolve, forces are measured by those that the
+  // displacements could make.
+  const double inside = largest(diagonal.cwiseProduct(solution.displacement));
   if (scale.force <= epsilon * epsilon * inside) scale.force = inside;
   return scale;
 }
