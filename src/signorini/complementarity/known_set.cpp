@@ -72,9 +72,10 @@ struct Closing::System {
   MatrixXd inverse;                        // its pseudo-inverse where that is singular
 };
 
-Closing::Closing(const MatrixXd& compliance, const MatrixXd& rigid, const KnownSet& set)
-    : system_(std::make_unique<System>()) {
-  System& system = *system_;
+Closing::Closing(const MatrixXd& compliance, const MatrixXd& rigid, const KnownSet& set) {
+  const auto made = std::make_shared<System>();
+  System& system = *made;
+  system_ = made;
   system.scaled = scaled_rows(compliance, rigid);
   if (symmetric(set)) {
     system.bordered.emplace(system.scaled, set.closed);
@@ -87,10 +88,6 @@ Closing::Closing(const MatrixXd& compliance, const MatrixXd& rigid, const KnownS
   const bool regular = system.factor.rcond() > static_cast<double>(M.rows() + 1) * epsilon;
   if (!regular) system.inverse = pseudo_inverse(M);
 }
-
-Closing::~Closing() = default;
-Closing::Closing(Closing&&) noexcept = default;
-Closing& Closing::operator=(Closing&&) noexcept = default;
 
 const std::vector<Index>& Closing::rows() const { return system_->rows; }
 

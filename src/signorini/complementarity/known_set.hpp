@@ -52,18 +52,14 @@ struct KnownSet {
 ///
 /// for closed rows W and the slips S of sliding pairs, whose friction forces follow the normal ones. On
 /// equilibrated data. Where rows of W repeat each other, as many as are independent are kept, and close
-/// the others as well; sliding pairs that make the system singular leave its least-norm solution.
+/// the others as well; sliding pairs that make the system singular leave its least-norm solution. Copies
+/// share the numbers.
 class Closing {
  public:
   /// \param compliance  F of all rows, symmetric [length/force]
   /// \param rigid       R of all rows [length/amplitude]; no columns if bodies are held
   /// \param set         W and S
   Closing(const Eigen::MatrixXd& compliance, const Eigen::MatrixXd& rigid, const KnownSet& set);
-  ~Closing();
-  Closing(Closing&&) noexcept;
-  Closing& operator=(Closing&&) noexcept;
-  Closing(const Closing&) = delete;
-  Closing& operator=(const Closing&) = delete;
 
   /// \return independent rows of W, all of W if it has no others
   [[nodiscard]] const std::vector<Eigen::Index>& rows() const;
@@ -76,7 +72,7 @@ class Closing {
 
  private:
   struct System;
-  std::unique_ptr<System> system_;
+  std::shared_ptr<const System> system_;
 };
 
 }  // namespace signorini
