@@ -47,7 +47,8 @@ const double seen =
 
 }  // namespace
 
-TEST_CASE("the solution of a small programme has a perfect certificate", "[certificate][XuanLi2002-11]") {
+TEST_CASE("the solution of a small programme has a perfect certificate",
+          "[certificate][XuanLi2002-11]") {
   const Certificate certificate = certify(small_programme(), small_solution());
   CHECK(certificate.worst() == 0);
   CHECK(certificate.holds());
@@ -93,7 +94,8 @@ TEST_CASE("forged programme solution: primal and dual energy that differ raise t
   CHECK(certificate_of({1 + slip, -1 - slip, 2 + slip}, {2, 3, 0}).duality_gap > seen);
 }
 
-TEST_CASE("the figures of a programme are what their definitions say", "[certificate][XuanLi2002-6][XuanLi2002-21][LinEtAl-2][LinEtAl-3][LinEtAl-4]") {
+TEST_CASE("the figures of a programme are what their definitions say",
+          "[certificate][XuanLi2002-6][XuanLi2002-21][LinEtAl-2][LinEtAl-3][LinEtAl-4]") {
   // u = (2, -1, 2), lambda = (2, 3, -1): gaps (-1, 0, 3), p - K u - A^T lambda = (-3, -1, -1).
   const Certificate forged = certificate_of({2, -1, 2}, {2, 3, -1});
   const double root = std::sqrt(2.0);  // norm of every row
@@ -266,4 +268,50 @@ TEST_CASE("sizes that do not fit are refused", "[certificate]") {
                   std::invalid_argument);
   CHECK_THROWS_AS(certify(small_problem(), {Vector3d(1, 0, 0), two, {}, {}}),
                   std::invalid_argument);
+}
+
+TEST_CASE("what moves far, in a body of its own or in two parts that cancel, hides nothing",
+          "[certificate][floating]") {
+  // Two bodies of two nodes each, joined by springs; the first is free, a load of 1 pulls at the second.
+  Eigen::Matrix4d K;
+  K << 1, -1, 0, 0, -1, 1, 0, 0, 0, 0, 2, -1, 0, 0, -1, 1;
+  QuadraticProgramme programme;
+  programme.stiffness = K.sparseView();
+  programme.load = Eigen::Vector4d(0, 0, 0, 1);
+  programme.A = Eigen::MatrixXd(Eigen::RowVector4d(1, 0, 0, 0)).sparseView();
+  programme.initial_gap = Eigen::VectorXd::Constant(1, 1e40);
+  const auto certified = [&](const Eigen::Vector4d& u, const Eigen::VectorXd& low, double far) {
+    PrimalDual claim{u, low, Eigen::VectorXd::Zero(1)};
+    claim.rigid = Eigen::Vector4d(far, far, 0, 0);
+    return certify(programme, claim);
+  };
+  CHECK(certified({0, 0, 1, 2}, {}, 0).holds());
+  CHECK_FALSE(certified({0, 0, 1, 1}, {}, 0).holds());
+  CHECK_FALSE(certified({-1e33, -1e33, 1, 1}, {}, -1e33).holds());
+  PrimalDual second{Eigen::Vector4d(1e13, 1e13, -7, -7), {}, Eigen::VectorXd::Zero(1)};
+  second.rigid = second.displacement;  // K times it is 0 for the first body, not for the second
+  CHECK_FALSE(certify(programme, second).holds());
+  QuadraticProgramme touching = programme;
+  touching.initial_gap(0) = 0.5;  // an overlap of 0.5 beside parts that cancel
+  const double part = 0x1p45;
+  CHECK_FALSE(certify(touching, {Eigen::Vector4d(1 + part, 1 + part, 1, 2),
+                                 Eigen::Vector4d(-part, -part, 0, 0), Eigen::VectorXd::Zero(1)})
+                  .holds());
+}
+
+TEST_CASE("a law that is none is refused", "[certificate][friction]") {
+  QuadraticProgramme programme;
+  programme.stiffness = Eigen::MatrixXd(Eigen::Matrix2d::Identity()).sparseView();
+  programme.load = Eigen::Vector2d::Zero();
+  programme.A = Eigen::MatrixXd(Eigen::Matrix2d::Identity()).sparseView();
+  programme.initial_gap = Eigen::Vector2d(1, 0);
+  const PrimalDual still{Eigen::Vector2d::Zero(), {}, Eigen::Vector2d::Zero()};
+  const auto law = [](Eigen::Index pair, double mu, double c) {
+    return FrictionLaw{{pair}, Eigen::VectorXd::Constant(1, mu), Eigen::VectorXd::Constant(1, c)};
+  };
+  CHECK(certify(programme, still, law(0, 0.3, 0)).holds());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const FrictionLaw& wrong : {law(1, 0.3, 0), law(-1, 0.3, 0), law(0, nan, 0), law(0, -1, 0),
+                                   law(0, 0.3, nan), law(0, 0.3, -1)})
+    CHECK_THROWS_AS(certify(programme, still, wrong), std::invalid_argument);
 }

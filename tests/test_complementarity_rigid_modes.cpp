@@ -171,7 +171,7 @@ TEST_CASE("sets that cannot hold the body are not confirmed", "[rigid]") {
   };
   CHECK_FALSE(confirmed(G, {}));
   CHECK_FALSE(confirmed(G, {0}));  // would tip over
-  Floating twice = body;                   // the same support two times
+  Floating twice = body;           // the same support two times
   twice.programme.A = (MatrixXd(2, 3) << -1, 0, 0, -1, 0, 0).finished().sparseView();
   twice.programme.initial_gap = Vector2d(1, 1);
   CHECK_FALSE(

@@ -1,5 +1,6 @@
 // What a model with friction keeps of the one without, and what is said when friction is not solved.
 #include "catch_compat.hpp"
+#include "signorini/complementarity/saddle_point_newton.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/solved.hpp"
 #include "support/cantilever.hpp"
@@ -28,8 +29,10 @@ std::string failure(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("programme and condensed problem of a model with friction are those without",
-          "[friction][model]") {
+TEST_CASE(
+    "programme and condensed problem of a model with friction have slips behind the gaps of that "
+    "without",
+    "[friction][model]") {
   Ledger ledger;
   const Model rough = build(rough_beam(0.3), ledger);
   const Model smooth = build(rough_beam(0), ledger);
@@ -51,6 +54,15 @@ TEST_CASE("programme and condensed problem of a model with friction are those wi
   CHECK(with.friction->compliance.rows() == 2 * pairs);
   CHECK(with.friction->free_gap == with.problem.free_gap);
 
+  // A method for gaps alone finds the smooth solution from the first rows.
+  QuadraticProgramme gaps_alone = rough.programme;
+  gaps_alone.A = NodalRows(rough.programme.A.topRows(pairs));
+  gaps_alone.initial_gap = rough.programme.initial_gap.head(pairs);
+  const Solution expected = solve(smooth, without, ledger);
+  const SaddlePointSolution found = saddle_point_newton(gaps_alone);
+  REQUIRE(found.report.status == Status::Solved);
+  CHECK((found.solution.force - expected.contact.force).norm() <=
+        1e-10 * expected.contact.force.norm());
 }
 
 TEST_CASE("bodies that float keep their frictionless balance beside that with friction",

@@ -13,7 +13,7 @@
 namespace signorini {
 
 /// What the paper leaves open, and a change to J that makes it regular.
-struct PrintedMethod {
+struct PrintedEquations {
   double unit = 1;      // a pressure counts as this much gap [mm/MPa]; as printed 1
   double yielding = 0;  // taken from phi's part of J, not from F [mm/MPa]; as printed 0
   int steps = 40;       // all are taken, every step whole
@@ -42,7 +42,7 @@ struct PrintedRun {
 /// \return J
 inline Eigen::SparseMatrix<double> printed_jacobian(const PrintedRun& run,
                                                     const Eigen::SparseMatrix<double>& forces,
-                                                    const PrintedMethod& how,
+                                                    const PrintedEquations& how,
                                                     const Eigen::VectorXd& springs) {
   const QuadraticProgramme& system = run.model.programme;
   const Eigen::Index n = system.load.size(), pairs = system.initial_gap.size();
@@ -71,7 +71,7 @@ inline Eigen::SparseMatrix<double> printed_jacobian(const PrintedRun& run,
 /// thickness in all.
 /// \param now  the case \param how  the method \return the run
 // [printed]
-inline PrintedRun run_as_printed(const HertzCase& now, const PrintedMethod& how) {
+inline PrintedRun run_as_printed(const HertzCase& now, const PrintedEquations& how) {
   Ledger ledger;
   PrintedRun run{build(hertz_scene(now), ledger), {}, {}, {}};
   const auto& [K, external, A, initial_gap] = run.model.programme;

@@ -73,7 +73,7 @@ void iterations(const ProgramOptions& run, Results& results, const HertzRun& fin
     const Solution large = solve(fine.run.model, fine.run.condensed, name, {});
     require_solved(large, name);
     const HertzRun small = solve_hertz(now);
-    if (now.solver == "fischer_burmeister") printed_method(run.out, results, small);
+    if (now.solver == "fischer_burmeister") study_as_printed(run.out, results, small);
     table.row({name, std::to_string(small.run.solution.contact.report.iterations),
                std::to_string(large.contact.report.iterations)});
   }

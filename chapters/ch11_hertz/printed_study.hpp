@@ -26,7 +26,7 @@ enum class Steps {
 struct PrintedCase {
   int points;       ///< Gauss points on an edge, 0 for nodes
   bool match;       ///< whether the meshes do
-  double yielding;  ///< of PrintedMethod
+  double yielding;  ///< of PrintedEquations
   Steps steps;      ///< what they are worth
 };
 
@@ -65,7 +65,7 @@ inline double rms_error(const PrintedRun& run, const LineContact& theory) {
 /// \param folder   to write to
 /// \param results  to add to
 /// \param ours     the example, solved by the condensed Newton method
-inline void printed_method(const std::filesystem::path& folder, Results& results,
+inline void study_as_printed(const std::filesystem::path& folder, Results& results,
                            const HertzRun& ours) {
   const LineContact theory = ours.now.theory();
   const double b = hertz_half_width(theory), q0 = hertz_peak_pressure(theory);

@@ -14,7 +14,7 @@ TEST_CASE("every solver: none is wrong about a random condensed problem", "[conf
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const RandomCondensed random = random_condensed(seed);
       CAPTURE(solver.name, random.name);
-      CHECK(outcome(random, solver.solve(random.problem, {})) != Outcome::Wrong);
+      CHECK(verdict(random, solver.solve(random.problem, {})) != Verdict::Wrong);
     }
 }
 
@@ -22,21 +22,21 @@ TEST_CASE("every solver: the default solves all but three in a thousand random c
           "[conformance]") {
   for (const char* name : {"primal_dual_active_set", "quasi_active_set"}) {
     const Solver& solver = find_solver(name);
-    std::map<Outcome, int> feasible;
-    std::map<Outcome, int> infeasible;
+    std::map<Verdict, int> feasible;
+    std::map<Verdict, int> infeasible;
     for (std::uint64_t seed = 0; seed < 3000; ++seed) {
       const RandomCondensed random = random_condensed(seed);
-      const Outcome found = outcome(random, solver.solve(random.problem, {}));
+      const Verdict found = verdict(random, solver.solve(random.problem, {}));
       CAPTURE(name, random.name);
-      CHECK(found != Outcome::Wrong);
+      CHECK(found != Verdict::Wrong);
       ++(random.feasible ? feasible : infeasible)[found];
     }
     CAPTURE(name);
-    CHECK(feasible[Outcome::Solved] >= 2000);
+    CHECK(feasible[Verdict::Solved] >= 2000);
     // Those that remain have forces which nearly cancel, of nearly opposite rows.
-    CHECK(1000 * feasible[Outcome::Failed] < 3 * feasible[Outcome::Solved]);
-    CHECK(infeasible[Outcome::Refuted] >= 400);
-    CHECK(20 * infeasible[Outcome::Failed] < infeasible[Outcome::Refuted]);
+    CHECK(1000 * feasible[Verdict::Failed] < 3 * feasible[Verdict::Solved]);
+    CHECK(infeasible[Verdict::Refuted] >= 400);
+    CHECK(20 * infeasible[Verdict::Failed] < infeasible[Verdict::Refuted]);
   }
 }
 
@@ -47,17 +47,17 @@ TEST_CASE("the judge of random condensed problems finds what is wrong", "[confor
   const RandomCondensed grazing{"grazing", {G, Eigen::Vector2d(-1, 1)}, true};
   ContactState state{Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 0), {0}, {}};
   state.report.status = Status::Solved;
-  CHECK(outcome(grazing, state) == Outcome::Solved);
-  CHECK(outcome(wedged, state) == Outcome::Wrong);
+  CHECK(verdict(grazing, state) == Verdict::Solved);
+  CHECK(verdict(wedged, state) == Verdict::Wrong);
   state.force(0) = 0.9;
-  CHECK(outcome(grazing, state) == Outcome::Wrong);
+  CHECK(verdict(grazing, state) == Verdict::Wrong);
   state.report.status = Status::Infeasible;
-  CHECK(outcome(wedged, state) == Outcome::Wrong);
+  CHECK(verdict(wedged, state) == Verdict::Wrong);
   state.infeasibility = Eigen::Vector2d(1, 1);
-  CHECK(outcome(wedged, state) == Outcome::Refuted);
-  CHECK(outcome(grazing, state) == Outcome::Wrong);
+  CHECK(verdict(wedged, state) == Verdict::Refuted);
+  CHECK(verdict(grazing, state) == Verdict::Wrong);
   state.infeasibility = Eigen::Vector2d(1, 0.9);
-  CHECK(outcome(wedged, state) == Outcome::Wrong);
+  CHECK(verdict(wedged, state) == Verdict::Wrong);
   state.report.status = Status::Breakdown;
-  CHECK(outcome(wedged, state) == Outcome::Failed);
+  CHECK(verdict(wedged, state) == Verdict::Failed);
 }

@@ -126,8 +126,8 @@ void Checked::measure() {
     }
     length_ = std::max(length_, length / norm_[at(row)]);
   }
-  // Where nothing pushes but what u in two doubles cannot resolve, forces are measured by those that it could make.
-  if (force_ <= resolved_) force_ = inside_;
+  // Without a load, contact forces that u in two doubles cannot resolve are measured by those that it could make.
+  if (given_.load.cwiseAbs().maxCoeff() == 0 && force_ <= resolved_) force_ = inside_;
 }
 
 void Checked::look_at_forces() {

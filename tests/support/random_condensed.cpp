@@ -154,21 +154,21 @@ RandomCondensed random_condensed(std::uint64_t seed) {
   return result;
 }
 
-Outcome outcome(const RandomCondensed& problem, const ContactState& state) {
+Verdict verdict(const RandomCondensed& problem, const ContactState& state) {
   switch (state.report.status) {
     case Status::Solved:
-      return problem.feasible && certify(problem.problem, state).holds() ? Outcome::Solved
-                                                                         : Outcome::Wrong;
+      return problem.feasible && certify(problem.problem, state).holds() ? Verdict::Solved
+                                                                         : Verdict::Wrong;
     case Status::Infeasible:
-      return !problem.feasible && holds(problem.problem, state.infeasibility) ? Outcome::Refuted
-                                                                              : Outcome::Wrong;
+      return !problem.feasible && holds(problem.problem, state.infeasibility) ? Verdict::Refuted
+                                                                              : Verdict::Wrong;
     case Status::Feasible:
     case Status::Ray:
     case Status::IterationLimit:
     case Status::Breakdown:
       break;
   }
-  return Outcome::Failed;
+  return Verdict::Failed;
 }
 
 }  // namespace signorini_test

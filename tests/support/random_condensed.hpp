@@ -27,7 +27,7 @@ struct RandomCondensed {
 RandomCondensed random_condensed(std::uint64_t seed);
 
 /// How a solver's answer to such a problem counts.
-enum class Outcome {
+enum class Verdict {
   Solved,   ///< feasible, and the certificate of the answer holds
   Refuted,  ///< infeasible, and its proof holds
   Failed,   ///< the solver says that it has no answer
@@ -38,6 +38,6 @@ enum class Outcome {
 /// \param problem  with the right answer
 /// \param state    what the solver says
 /// \return the outcome
-Outcome outcome(const RandomCondensed& problem, const signorini::ContactState& state);
+Verdict verdict(const RandomCondensed& problem, const signorini::ContactState& state);
 
 }  // namespace signorini_test

@@ -97,6 +97,8 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
   const Eigen::VectorXd norm = row_norms(programme.A);
   const Eigen::VectorXd diagonal = programme.stiffness.diagonal();
   const Eigen::VectorXd contact = programme.A.transpose() * solution.force;
+  Eigen::VectorXd u = solution.displacement;
+  if (has_low(solution)) u += solution.displacement_low;
   Scales scale;
   for (Index j = 0; j < programme.load.size(); ++j)
     scale.force = std::max({scale.force, std::abs(programme.load(j)), std::abs(contact(j))});
@@ -104,28 +106,37 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
     double length = 0;
     for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry) {
       const Index j = entry.col();
-      length += std::abs(entry.value() * solution.displacement(j));
+      length += std::abs(entry.value() * u(j));
       if (diagonal(j) > 0)
         length += std::abs(entry.value()) * (std::abs(programme.load(j)) + std::abs(contact(j))) /
                   diagonal(j);
     }
     scale.length = std::max(scale.length, length / norm(pair));
   }
-  // If nothing pushes but what u in two doubles cannot resolve, forces are measured by those that the
+  // Without a load, contact forces that u in two doubles cannot resolve are measured by those that the
   // displacements could make.
-  const double inside = largest(diagonal.cwiseProduct(solution.displacement));
-  if (scale.force <= epsilon * epsilon * inside) scale.force = inside;
+  const double inside = largest(diagonal.cwiseProduct(u));
+  if (largest(programme.load) == 0 && scale.force <= epsilon * epsilon * inside)
+    scale.force = inside;
   return scale;
 }
 
-/// Whether the part of u that is claimed to be rigid strains a body.
+/// Whether the part of u that is claimed to be rigid strains a body. Rows are measured by the largest motion of
+/// their own neighbourhood: how far another body moves must hide nothing.
 bool strains(const QuadraticProgramme& programme, const Eigen::VectorXd& rigid) {
   if (rigid.size() == 0) return false;
-  const Eigen::VectorXd forces = programme.stiffness * rigid;
-  const Eigen::VectorXd terms =
-      programme.stiffness.cwiseAbs() *
-      Eigen::VectorXd::Constant(rigid.size(), rigid.cwiseAbs().maxCoeff());
-  return !(forces.array().abs() <= 1e-12 * terms.array()).all();
+  for (Index row = 0; row < rigid.size(); ++row) {
+    double force = 0;
+    double stiffness = 0;
+    double motion = 0;
+    for (Eigen::SparseMatrix<double>::InnerIterator it(programme.stiffness, row); it; ++it) {
+      force += it.value() * rigid(it.row());
+      stiffness += std::abs(it.value());
+      motion = std::max(motion, std::abs(rigid(it.row())));
+    }
+    if (!(std::abs(force) <= 1e-12 * stiffness * motion)) return true;
+  }
+  return false;
 }
 
 /// Whether a force is claimed for a row of A that is empty and so cannot carry any.
@@ -296,6 +307,19 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
           "certify: need a coefficient and a cohesion for each of ", slips,
           " pairs that rub, and as many rows of slips, got ", law.coefficient.size(), " and ",
           law.cohesion.size(), " and ", programme.A.rows(), " rows in all");
+  Index last = -1;
+  for (Index k = 0; k < slips; ++k) {
+    const Index pair = law.pair[static_cast<std::size_t>(k)];
+    require(pair > last && pair < programme.A.rows() - slips,
+            "certify: pairs that rub must be in "
+            "increasing order and below ",
+            programme.A.rows() - slips, ", got ", pair);
+    require(law.coefficient(k) >= 0 && law.cohesion(k) >= 0 && std::isfinite(law.coefficient(k)) &&
+                std::isfinite(law.cohesion(k)),
+            "certify: coefficient and cohesion must be finite and >= 0, got ", law.coefficient(k),
+            " and ", law.cohesion(k));
+    last = pair;
+  }
   return all_figures(programme, solution, law, 0);
 }
 

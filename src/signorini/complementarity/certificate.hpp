@@ -13,8 +13,8 @@ namespace signorini {
 /// Lengths are divided by the largest |a_i|(|u| + |v|) of a row, where v is how far load and contact
 /// forces would move each node if its neighbours stood still, and forces by the largest load or net
 /// contact force on an unknown; rows of A are scaled to norm 1. So no figure changes with units or with the
-/// scaling of a row, a solution that is zero but for rounding is not measured by its rounding, and terms
-/// that cancel hide nothing.
+/// scaling of a row, and terms that cancel hide nothing. Where no load acts, contact forces of rounding size
+/// are measured by the forces that the displacements could make.
 struct Certificate {
   double penetration = 0;      ///< largest overlap / length
   double tension = 0;          ///< largest tensile contact force / force
@@ -83,7 +83,8 @@ struct PrimalDual {
 /// \param solution   u, and the forces of all rows
 /// \param law        of the pairs that rub
 /// \return the figures, see above
-/// \throws std::invalid_argument if sizes do not fit
+/// \throws std::invalid_argument if sizes do not fit, the pairs of the law are not in increasing order, or a
+///   coefficient or cohesion is negative or not finite
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                                   const FrictionLaw& law);
 
@@ -108,9 +109,9 @@ struct FrictionViolation {
 
 /// Certificate of (lambda, gap) against G and d.
 ///
-/// Pair i is measured in gap / sqrt(G_ii) and force sqrt(G_ii), which have one unit, against the
-/// largest such number of the problem. Any matrix can stand in the place of G, see pair_scales(). The
-/// gaps are recomputed; `equilibrium` is the largest difference of the claimed from the recomputed ones.
+/// Pair i is measured in gap / sqrt(G_ii) and force sqrt(G_ii), which have one unit: lengths against the
+/// largest overlap without contact, or what forces and rigid motions move in sum, forces against the largest
+/// of them. Any matrix can stand in the place of G, see pair_scales(). The gaps are recomputed; `equilibrium` is the largest difference of the claimed from the recomputed ones.
 /// \param problem  G and d as they were posed, or any M and q
 /// \param state    forces and gaps; its status is not looked at
 /// \return the figures; all infinite if any number, given or claimed, is not finite

@@ -49,9 +49,11 @@ ContactProblem complementarity(const ScaledFriction& problem, const VectorXd& co
 ContactState arrived(const ContactProblem& lcp, const SolverOptions& options, Report& report) {
   ContactState state;
   const Index m = lcp.free_gap.size();
+  SolverOptions path = options;  // a path that arrives is about as long as the problem is large
+  if (path.iteration_limit == 0) path.iteration_limit = 100 * m;
   for (Index attempt = 0; attempt < 4 && state.report.status != Status::Solved; ++attempt) {
     const VectorXd covering = VectorXd::LinSpaced(m, 1, static_cast<double>(1 + attempt));
-    state = attempt == 0 ? lemke(lcp, options) : lemke(lcp, covering, options);
+    state = attempt == 0 ? lemke(lcp, path) : lemke(lcp, covering, path);
     append(report, state.report);
   }
   return state;

@@ -5,6 +5,7 @@
 
 #include "signorini/complementarity/closed_pairs.hpp"
 #include "signorini/complementarity/quasi_active_set.hpp"
+#include "signorini/complementarity/report_sum.hpp"
 
 namespace signorini {
 namespace {
@@ -113,11 +114,8 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   SolverOptions rest = options;
   rest.iteration_limit = options.iteration_limit > 0 ? left : 0;
   ContactState other = quasi_active_set(problem, rest);
-  Report& report = other.report;
-  report.iterations += state.report.iterations;
-  report.factorisations += state.report.factorisations;
-  report.history.insert(report.history.begin(), state.report.history.begin(),
-                        state.report.history.end());
+  append(state.report, other.report);
+  other.report = std::move(state.report);
   return other;
 }
 

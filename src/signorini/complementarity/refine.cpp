@@ -25,6 +25,11 @@ void add_to(double& high, double& low, double change) {
   low = rest - (high - sum);
 }
 
+/// A correction over what it corrected; all of it, if nothing is left.
+double relative(double change, double result) {
+  return result == 0 && change > 0 ? 1 : ratio(change, result);
+}
+
 /// The forces of all rows as sums of two doubles.
 struct Forces {
   VectorXd high;
@@ -86,7 +91,7 @@ class Refining {
 
   [[nodiscard]] VectorXd unbalanced();
   Change sweep();
-  /// Moves bodies rigidly. \return what the displacement takes up of it
+  /// Moves bodies rigidly.
   void move(const VectorXd& amplitude);
   /// Whether a change of forces moves more than rounding beside the displacements.
   [[nodiscard]] bool felt(const VectorXd& pushed) const;
@@ -135,7 +140,7 @@ Refining::Change Refining::sweep() {
   result_.movement = gaps(programme_, solution);
   const bool floats = modes_.cols() > 0;
   Change change;
-  change.displacement = ratio(largest(moved), largest(solution.displacement));
+  change.displacement = relative(largest(moved), largest(solution.displacement));
   if (sweeps_ == 1 && !floats) {  // u was a guess: what it misses would be taken for forces
     change.pending = true;
     return change;
@@ -161,8 +166,8 @@ Refining::Change Refining::sweep() {
     moved += modes_ * amplitude;
     move(amplitude);
   }
-  change.force = ratio(largest(pushed), largest(force_.high));
-  change.displacement = ratio(largest(moved), largest(solution.displacement));
+  change.force = relative(largest(pushed), largest(force_.high));
+  change.displacement = relative(largest(moved), largest(solution.displacement));
   return change;
 }
 
@@ -258,12 +263,16 @@ Judgement judge(const QuadraticProgramme& programme, const FrictionLaw& law,
   const double small_force = rounding * largest(force);
   const double small_length =
       rounding * (largest(programme.initial_gap) + largest(refined.solution.displacement));
+  // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.
+  const double contradicted = std::max(small_length, 1e-12 * small_length / rounding);
+  bool closes = true;
   Judgement result{motions, 0, false};
   const auto at = [&](Index i) -> Motion& { return result.motions[static_cast<std::size_t>(i)]; };
   for (Index i = 0; i < pairs; ++i) {
     if (at(i) == Motion::Open && refined.movement(i) < -small_length) at(i) = Motion::Stick;
-    if (motions[static_cast<std::size_t>(i)] != Motion::Open && force(i) < -small_force)
-      at(i) = Motion::Open;
+    if (motions[static_cast<std::size_t>(i)] == Motion::Open) continue;
+    if (force(i) < -small_force) at(i) = Motion::Open;
+    if (std::abs(refined.movement(i)) > contradicted) closes = false;
   }
   for (std::size_t k = 0; k < law.pair.size(); ++k) {
     const Index i = law.pair[k];
@@ -276,7 +285,7 @@ Judgement judge(const QuadraticProgramme& programme, const FrictionLaw& law,
   }
   for (std::size_t i = 0; i < motions.size(); ++i) result.wrong += result.motions[i] != motions[i];
   const bool finite = refined.solution.displacement.allFinite() && force.allFinite();
-  result.confirmed = refined.settled && result.wrong == 0 && finite &&
+  result.confirmed = refined.settled && result.wrong == 0 && finite && closes &&
                      balanced(programme, refined.solution, null_vectors, rounding);
   return result;
 }

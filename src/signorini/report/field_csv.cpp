@@ -121,11 +121,13 @@ std::string deformed_zero_line_csv(const Mesh& mesh, const NodeArray& displaceme
           "deformed_zero_line_csv: need ", mesh.n_nodes(), " displacements and values, got ",
           displacements.rows(), " and ", value.size());
   const NodeArray moved = mesh.nodes + scale * displacements;
+  const double rounding = 1e-12 * (value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0);
   Table line({"x", "y"});
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
     Eigen::Matrix<double, 5, 3> corner;  // x, y, value; the last is the middle
     for (Eigen::Index k = 0; k < 4; ++k)
-      corner.row(k) << moved.row(mesh.cells(cell, k)), value(mesh.cells(cell, k));
+      corner.row(k) << moved.row(mesh.cells(cell, k)),
+          snapped(value(mesh.cells(cell, k)), {0}, rounding);
     corner.row(4) = corner.topRows<4>().colwise().mean();
     for (Eigen::Index k = 0; k < 4; ++k) {
       const Eigen::Index triangle[] = {k, (k + 1) % 4, 4};

@@ -141,6 +141,8 @@ class Road {
   /// Says what the pairs do by what they do: a set whose equations depend on each other, or contradict each
   /// other by as little as the certificate allows, need not be that of its numbers.
   void read_off();
+  /// \return what rigid motions feel of load and strains `n_r`, without contact
+  [[nodiscard]] VectorXd left_along_motions() const;
   /// Refines one set and keeps it if no certificate was better.
   Judgement look(const std::vector<Motion>& motions);
 
@@ -215,11 +217,19 @@ bool Road::settle(std::vector<Motion> motions) {
   }
 }
 
+VectorXd Road::left_along_motions() const {
+  if (modes_.cols() == 0) return {};
+  PrimalDual strained = now_;
+  strained.force.setZero();
+  return -modes_.transpose() * equilibrium_residual(model_.programme, strained);
+}
+
 CertifiedEnd Road::run() {
   // Every pass brings a new set, but sets are too many to try: a pass that does not halve the worst figure of
   // the certificate has no successor but one.
   double best = std::numeric_limits<double>::infinity();
-  for (int idle = 0; idle < 2;) {
+  bool corrected = false;
+  for (int idle = 0; idle < 2; corrected = true) {
     Claim claim;
     {
       const Ledger::Phase phase(ledger_, "contact");
@@ -230,7 +240,15 @@ CertifiedEnd Road::run() {
     end_.reason = claim.reason;
     end_.escape = claim.escape;
     end_.infeasibility = claim.infeasibility;
-    if (!usable(claim)) break;
+    if (!usable(claim)) {
+      // What is proved of the corrected problem is not proved of the one that was posed.
+      if (corrected && claim.report.status == Status::Infeasible) {
+        end_.report.status = Status::Breakdown;
+        end_.escape.resize(0);
+        end_.infeasibility.resize(0);
+      }
+      break;
+    }
     now_.force = claim.force;
     if (modes_.cols() > 0 && claim.report.status == Status::Solved) {
       add_rigid(now_, modes_ * (claim.amplitude - amplitude_));
@@ -241,10 +259,7 @@ CertifiedEnd Road::run() {
     const double worst = end_.certificate.worst();
     idle = worst < 0.5 * best ? 0 : idle + 1;
     best = std::min(best, worst);
-    PrimalDual strained = now_;
-    strained.force.setZero();
-    asked_.correct(refined_, amplitude_,
-                   -modes_.transpose() * equilibrium_residual(model_.programme, strained));
+    asked_.correct(refined_, amplitude_, left_along_motions());
   }
   if (end_.certificate.holds()) {
     if (!confirmed_) read_off();

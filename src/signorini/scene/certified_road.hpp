@@ -28,8 +28,9 @@ struct CertifiedEnd {
 /// What the pairs do is the claim; displacements and forces follow from the original data, see
 /// refine(). Pairs that are then on the wrong side change, as long as they become fewer. Else the
 /// condensed problem is corrected, so that it gives the refined movements, and solved again. The road ends
-/// when all signs are right, or when a set of pairs comes back: rounding cannot decide between
-/// such sets, and the best certificate says whether it matters. A method that ends without a solution
+/// when all signs are right; when a set of pairs comes back, between which rounding cannot decide; when
+/// refinement does not settle; or at the second pass in a row that does not halve the worst figure of the
+/// certificate. The best certificate then says whether that matters. A method that ends without a solution
 /// is asked the same way: what it looked at last may be right.
 /// \param model      from build()
 /// \param condensed  from condense() of it

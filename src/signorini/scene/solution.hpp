@@ -54,8 +54,9 @@ struct FrictionOutcome {
   FrictionState state;
 };
 
-/// Everything that is known at the end. Unless `contact.report.status` is Solved or Breakdown, it has
-/// the report, the ledger and the state of the solver only, and no certificate.
+/// Everything that is known at the end. Unless `contact.report.status` is Solved it is no solution: it then has
+/// the best set of pairs that could be refined, with its certificate, or, if none could, the report, what was
+/// proved and the ledger only.
 struct Solution {
   std::vector<NodeArray> displacements;  ///< `n_nodes x 2` of each body [length]
   ContactState contact;                  ///< refined forces, gaps and status per pair

@@ -72,7 +72,7 @@ std::string escape_in_words(const Model& model, const VectorXd& escape) {
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
 void note_open_motions(const Model& model, const std::vector<Motion>& motions,
                        const VectorXd& force, Solution& solution) {
-  if (model.modes.empty()) return;
+  if (model.modes.empty() || solution.contact.report.status != Status::Solved) return;
   KnownSet set = known_set(motions, model.law);
   // A pair that touches without a force holds nothing: it stops a motion one way only.
   const double nothing = epsilon * static_cast<double>(set.closed.size() + 1) * largest(force);
@@ -155,7 +155,7 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
     state.report = solution.contact.report;
     state.reason = end.reason;
     state.uniqueness = end.uniqueness;
-    if (end.uniqueness == Uniqueness::Doubtful)
+    if (end.uniqueness == Uniqueness::Doubtful && state.report.status == Status::Solved)
       solution.notes.emplace_back(
           "friction: there may be other solutions of the same loads, this is one of them");
   }
