@@ -261,10 +261,10 @@ Judgement judge(const QuadraticProgramme& programme, const FrictionLaw& law,
   for (const Motion motion : motions) closed += motion != Motion::Open ? 1 : 0;
   const double rounding = epsilon * static_cast<double>(closed);
   const double small_force = rounding * largest(force);
-  const double small_length =
-      rounding * (largest(programme.initial_gap) + largest(refined.solution.displacement));
+  const double length = largest(programme.initial_gap) + largest(refined.solution.displacement);
+  const double small_length = rounding * length;
   // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.
-  const double contradicted = std::max(small_length, 1e-12 * small_length / rounding);
+  const double contradicted = std::max(rounding, 1e-12) * length;
   bool closes = true;
   Judgement result{motions, 0, false};
   const auto at = [&](Index i) -> Motion& { return result.motions[static_cast<std::size_t>(i)]; };
