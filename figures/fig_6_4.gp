@@ -18,8 +18,8 @@ set cbtics 100
 set object 1 rectangle from -0.5,-2.2 to 50.5,-1 fc rgb LIGHT fs solid noborder behind
 set arrow 1 from -0.5,-1 to 50.5,-1 nohead front ls 7
 set label 1 'tension' at 7.5,3.5 center front textcolor rgb 'white'
-set label 2 'pressure' at 7.5,0.6 center front textcolor rgb 'white'
-set label 3 'pressure' at 33,2.6 center front textcolor rgb 'white'
+set label 2 'compression' at 7.5,0.6 center front textcolor rgb 'white'
+set label 3 'compression' at 33,2.6 center front textcolor rgb 'white'
 set label 4 'tension' at 33,0.2 center front textcolor rgb 'white'
 set label 5 'foundation' at 7.5,-1.6 center front
 plot data.'/fig_6_4.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
