@@ -7,11 +7,11 @@
 
 #include "bench/measure.hpp"
 #include "bench/peers/peer.hpp"
-#include "signorini/complementarity/dense_programme.hpp"
-#include "signorini/complementarity/examples.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/programme/dense_programme.hpp"
 #include "signorini/report/program.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "bench/measure.hpp"
-#include "signorini/complementarity/saddle_point_newton.hpp"
+#include "signorini/as_printed/saddle_point_newton.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"

@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "bench/peers/peer.hpp"
-#include "signorini/complementarity/dense_programme.hpp"
-#include "signorini/complementarity/solvers.hpp"
+#include "signorini/programme/dense_programme.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace signorini::bench {
 namespace {

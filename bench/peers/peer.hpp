@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "signorini/complementarity/certificate.hpp"
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace signorini::bench {
 

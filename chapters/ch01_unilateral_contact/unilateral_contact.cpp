@@ -6,7 +6,6 @@
 #include <limits>
 #include <random>
 
-#include "signorini/complementarity/enumerate.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -15,6 +14,7 @@
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/solved.hpp"
+#include "signorini/solvers/enumerate.hpp"
 #include "two_bodies.hpp"
 
 namespace {

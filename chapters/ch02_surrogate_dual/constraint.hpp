@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "signorini/complementarity/surrogate_dual.hpp"
+#include "signorini/as_printed/surrogate_dual.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/results.hpp"

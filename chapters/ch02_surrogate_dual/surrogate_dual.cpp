@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "constraint.hpp"
-#include "signorini/complementarity/weight_iteration.hpp"
+#include "signorini/as_printed/weight_iteration.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/results.hpp"

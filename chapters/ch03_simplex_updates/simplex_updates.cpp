@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "signorini/complementarity/certificate.hpp"
-#include "signorini/complementarity/closed_pairs.hpp"
-#include "signorini/complementarity/dense_programme.hpp"
-#include "signorini/complementarity/examples.hpp"
-#include "signorini/complementarity/weight_iteration.hpp"
+#include "signorini/as_printed/weight_iteration.hpp"
+#include "signorini/closing/closed_pairs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/programme/dense_programme.hpp"
 #include "signorini/report/program.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "exact.hpp"
-#include "signorini/complementarity/dense_programme.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/programme/dense_programme.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {

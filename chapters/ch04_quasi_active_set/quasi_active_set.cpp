@@ -7,11 +7,11 @@
 
 #include "cases.hpp"
 #include "readings.hpp"
-#include "signorini/complementarity/examples.hpp"
-#include "signorini/complementarity/quasi_active_set_literal.hpp"
+#include "signorini/as_printed/quasi_active_set_literal.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/problem/examples.hpp"
 #include "signorini/report/program.hpp"
 #include "sizes.hpp"
 

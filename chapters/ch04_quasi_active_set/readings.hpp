@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "signorini/complementarity/quasi_active_set_literal.hpp"
+#include "signorini/as_printed/quasi_active_set_literal.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/table.hpp"
 

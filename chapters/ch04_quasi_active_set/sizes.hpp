@@ -7,7 +7,7 @@
 
 #include "cases.hpp"
 #include "readings.hpp"
-#include "signorini/complementarity/examples.hpp"
+#include "signorini/problem/examples.hpp"
 
 namespace signorini {
 

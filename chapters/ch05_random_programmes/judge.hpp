@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/complementarity/dense_programme.hpp"
-#include "signorini/complementarity/examples.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/programme/dense_programme.hpp"
 
 namespace ch05 {
 

@@ -7,12 +7,12 @@
 
 #include "../../tests/reference/rosen_suzuki_table_1.hpp"
 #include "judge.hpp"
-#include "signorini/complementarity/examples.hpp"
-#include "signorini/complementarity/lemke.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/problem/examples.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/solvers/lemke.hpp"
 
 namespace {
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "signorini/closed_form/beam.hpp"
-#include "signorini/complementarity/linear_programme.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -22,6 +21,7 @@
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/solved.hpp"
+#include "signorini/solvers/linear_programme.hpp"
 
 namespace {
 

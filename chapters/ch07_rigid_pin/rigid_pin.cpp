@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "signorini/closed_form/pin.hpp"
-#include "signorini/complementarity/solvers.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -20,6 +19,7 @@
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/solved.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace {
 

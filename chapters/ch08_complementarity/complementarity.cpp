@@ -7,13 +7,13 @@
 #include "functions.hpp"
 #include "one_pair.hpp"
 #include "problems.hpp"
-#include "signorini/complementarity/fischer_burmeister.hpp"
-#include "signorini/complementarity/friction_solvers.hpp"
-#include "signorini/complementarity/solvers.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/elasticity/traction.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/solvers/fischer_burmeister.hpp"
+#include "signorini/solvers/friction_solvers.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace {
 

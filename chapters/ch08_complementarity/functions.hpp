@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/complementarity/complementarity_functions.hpp"
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace signorini {
 

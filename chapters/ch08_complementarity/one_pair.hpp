@@ -5,7 +5,7 @@
 #include <Eigen/SVD>
 #include <vector>
 
-#include "signorini/complementarity/complementarity_functions.hpp"
+#include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/complementarity/examples.hpp"
-#include "signorini/complementarity/friction.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/problem/friction.hpp"
 
 namespace signorini {
 

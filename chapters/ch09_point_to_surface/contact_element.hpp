@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "signorini/complementarity/complementarity_functions.hpp"
+#include "signorini/closing/complementarity_functions.hpp"
 
 namespace ch09 {
 

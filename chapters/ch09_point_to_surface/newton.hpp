@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 #include <vector>
 
-#include "signorini/complementarity/complementarity_functions.hpp"
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/closing/complementarity_functions.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace ch09 {
 

@@ -8,7 +8,7 @@
 #include "curves.hpp"
 #include "newton.hpp"
 #include "scenes.hpp"
-#include "signorini/complementarity/saddle_point_newton.hpp"
+#include "signorini/as_printed/saddle_point_newton.hpp"
 #include "signorini/contact/node_to_segment.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"

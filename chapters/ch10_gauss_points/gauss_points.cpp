@@ -7,10 +7,10 @@
 #include "nodal.hpp"
 #include "one_point.hpp"
 #include "possible.hpp"
-#include "signorini/complementarity/friction_solvers.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/solvers/friction_solvers.hpp"
 #include "soft.hpp"
 #include "three_points.hpp"
 

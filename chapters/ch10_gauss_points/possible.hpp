@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "signorini/complementarity/solvers.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/solved.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace ch10 {
 

@@ -1,8 +1,8 @@
 // Gauss points that yield.
 #pragma once
 #include "interfaces.hpp"
-#include "signorini/complementarity/floating.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/solvers/springs.hpp"
 
 namespace ch10 {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-#include "signorini/complementarity/friction.hpp"
+#include "signorini/problem/friction.hpp"
 
 namespace ch10 {
 

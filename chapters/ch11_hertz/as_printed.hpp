@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hertz_scene.hpp"
-#include "signorini/complementarity/complementarity_functions.hpp"
+#include "signorini/closing/complementarity_functions.hpp"
 
 namespace signorini {
 

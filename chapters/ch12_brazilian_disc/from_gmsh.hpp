@@ -6,7 +6,7 @@
 #include "reading.hpp"
 #include "signorini/closed_form/hertz_fit.hpp"
 #include "signorini/core/results.hpp"
-#include "signorini/mesh/gmsh.hpp"
+#include "signorini/gmsh/gmsh.hpp"
 
 namespace ch12 {
 

@@ -9,6 +9,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/mesh/half_space.hpp"
 #include "signorini/scene/solved.hpp"
+#include "signorini/solvers/springs.hpp"
 
 namespace ch13 {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "signorini/complementarity/dense_programme.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/programme/dense_programme.hpp"
 
 namespace command_line {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "signorini/complementarity/certificate.hpp"
-#include "signorini/complementarity/solvers.hpp"
+#include "signorini/problem/certificate.hpp"
 #include "signorini/problem_file/problem_file.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace command_line {
 

@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
-#include "signorini/complementarity/enumerate.hpp"
-#include "signorini/complementarity/primal_dual_active_set.hpp"
+#include "signorini/solvers/enumerate.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
 #include "support/problem_classes.hpp"
 
 using namespace signorini;

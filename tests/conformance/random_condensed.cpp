@@ -4,7 +4,7 @@
 #include <map>
 
 #include "catch_compat.hpp"
-#include "signorini/complementarity/solvers.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 using namespace signorini;
 using namespace signorini_test;

@@ -1,6 +1,6 @@
 // What every member of the family of solvers promises besides the right answer, which classes.cpp asks
 // for: the same bits again, no knowledge of units, and that bad input is refused.
-#include "signorini/complementarity/solvers.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 #include <cmath>
 

@@ -10,12 +10,16 @@ check() ( # the library in $1/src/signorini; a line per fault
         function fault(what) { print "src/signorini/" FILENAME ":" FNR ": " what; bad = 1 }
         BEGIN { # what a room may include besides itself
             below["core"] = ""
-            below["mesh"] = below["complementarity"] = below["closed_form"] = "core"
-            below["problem_file"] = "core complementarity"
+            below["mesh"] = below["closed_form"] = below["problem"] = "core"
+            below["gmsh"] = "core mesh"
+            below["closing"] = below["problem_file"] = "core problem"
+            below["solvers"] = "core problem closing"
+            below["programme"] = "core problem closing solvers"
+            below["as_printed"] = "core problem closing solvers programme"
             below["elasticity"] = "core mesh"
             below["contact"] = "core mesh elasticity"
-            below["scene"] = "core mesh complementarity elasticity contact"
-            below["report"] = "core mesh complementarity problem_file closed_form elasticity contact scene"
+            below["scene"] = "core mesh problem closing solvers programme elasticity contact"
+            below["report"] = "core mesh closed_form problem closing solvers programme as_printed problem_file elasticity contact scene"
         }
         FNR == 1 {
             room = FILENAME
@@ -53,17 +57,22 @@ expect accepted core/errors.hpp '<vector>'
 expect accepted core/errors.hpp '"signorini/core/ledger.hpp"'
 expect accepted report/vtu.cpp '"signorini/closed_form/beam.hpp"'
 expect accepted scene/solve.cpp '"signorini/contact/obstacle.hpp"'
-expect accepted problem_file/two_sided.hpp '"signorini/complementarity/problem.hpp"'
+expect accepted problem_file/two_sided.hpp '"signorini/problem/problem.hpp"'
+expect accepted solvers/lemke.cpp '"signorini/closing/closed_basis.hpp"'
 expect found core/errors.hpp '"signorini/mesh/mesh.hpp"'                              # above
 expect found contact/obstacle.cpp '<signorini/scene/scene.hpp>'
 expect found elasticity/element.hpp '"signorini/contact/obstacle.hpp"'
-expect found complementarity/problem.hpp '"signorini/mesh/mesh.hpp"'                  # beside
-expect found complementarity/refine.cpp '"signorini/elasticity/contact_last_factor.hpp"'
+expect found problem/problem.hpp '"signorini/closing/closed_basis.hpp"'
+expect found closing/closed_basis.hpp '"signorini/solvers/lemke.hpp"'
+expect found solvers/lemke.cpp '"signorini/programme/refine.hpp"'
+expect found scene/solve.cpp '"signorini/as_printed/surrogate_dual.hpp"'
+expect found problem/problem.hpp '"signorini/mesh/mesh.hpp"'                          # beside
+expect found programme/refine.cpp '"signorini/elasticity/contact_last_factor.hpp"'
 expect found problem_file/two_sided.cpp '"signorini/mesh/mesh.hpp"'
-expect found complementarity/problem.hpp '"signorini/problem_file/two_sided.hpp"'
-expect found closed_form/beam.cpp '"signorini/complementarity/problem.hpp"'
-expect found elasticity/assembly.cpp '"signorini/complementarity/problem.hpp"'
-expect found contact/node_to_obstacle.hpp '"signorini/complementarity/problem.hpp"'
+expect found problem/problem.hpp '"signorini/problem_file/two_sided.hpp"'
+expect found closed_form/beam.cpp '"signorini/problem/problem.hpp"'
+expect found elasticity/assembly.cpp '"signorini/problem/problem.hpp"'
+expect found contact/node_to_obstacle.hpp '"signorini/problem/problem.hpp"'
 expect found core/results.cpp '"../mesh/mesh.hpp"'                                    # by another name
 expect found attic/old.hpp '<vector>'                                                 # in no room
 expect found old.hpp '<vector>'

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/gmsh.hpp"
+#include "signorini/gmsh/gmsh.hpp"
 
 namespace signorini_test {
 

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <variant>
 
-#include "signorini/complementarity/certificate.hpp"
-#include "signorini/complementarity/dense_programme.hpp"
-#include "signorini/complementarity/solvers.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/problem/certificate.hpp"
 #include "signorini/problem_file/problem_file.hpp"
+#include "signorini/programme/dense_programme.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace signorini_test {
 

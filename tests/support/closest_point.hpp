@@ -2,7 +2,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace signorini_test {
 

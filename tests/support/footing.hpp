@@ -8,6 +8,7 @@
 #include "signorini/mesh/half_space.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/scene/solved.hpp"
+#include "signorini/solvers/springs.hpp"
 
 namespace signorini_test {
 

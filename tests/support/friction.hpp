@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/complementarity/friction_closure.hpp"
+#include "signorini/closing/friction_closure.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {

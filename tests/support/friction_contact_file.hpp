@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/complementarity/friction.hpp"
+#include "signorini/problem/friction.hpp"
 
 namespace signorini_test {
 

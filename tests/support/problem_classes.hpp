@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "signorini/complementarity/examples.hpp"
-#include "signorini/complementarity/solvers.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace signorini_test {
 

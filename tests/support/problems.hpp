@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/problem/problem.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {

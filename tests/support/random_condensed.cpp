@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/complementarity/certificate.hpp"
-#include "signorini/complementarity/closed_pairs.hpp"
+#include "signorini/closing/closed_pairs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
+#include "signorini/problem/certificate.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace signorini_test {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/complementarity/refine.hpp"
+#include "signorini/programme/refine.hpp"
 
 namespace signorini_test {
 

@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "signorini/complementarity/floating_programme.hpp"
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/programme/floating_programme.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

@@ -3,10 +3,10 @@
 #include <string>
 
 #include "catch_compat.hpp"
-#include "signorini/complementarity/certificate.hpp"
-#include "signorini/complementarity/dense_programme.hpp"
-#include "signorini/complementarity/enumerate.hpp"
-#include "signorini/complementarity/examples.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/programme/dense_programme.hpp"
+#include "signorini/solvers/enumerate.hpp"
 #include "support/problems.hpp"
 
 namespace signorini_test {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/problem/problem.hpp"
 #include "signorini/problem_file/two_sided.hpp"
 
 namespace signorini {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "signorini/complementarity/certificate.hpp"
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace signorini {
 

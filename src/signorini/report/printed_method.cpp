@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "signorini/complementarity/weight_iteration.hpp"
+#include "signorini/as_printed/weight_iteration.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {

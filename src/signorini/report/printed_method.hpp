@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/complementarity/quasi_active_set_literal.hpp"
+#include "signorini/as_printed/quasi_active_set_literal.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace signorini {
 
@@ -28,7 +28,8 @@ struct ProgramOptions {
 ///   (ProblemError, std::invalid_argument), or if what was printed could not be written. Unless it is
 ///   0, one line on the error stream says why and the folder keeps the files that it had
 [[nodiscard]] int run_program(const std::string& name, const std::string& title,
-                const std::filesystem::path& default_out, int argc, const char* const* argv,
-                const std::function<Status(const ProgramOptions&)>& body);
+                              const std::filesystem::path& default_out, int argc,
+                              const char* const* argv,
+                              const std::function<Status(const ProgramOptions&)>& body);
 
 }  // namespace signorini

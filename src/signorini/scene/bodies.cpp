@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "signorini/complementarity/rigid_modes.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/programme/rigid_modes.hpp"
 
 namespace signorini {
 

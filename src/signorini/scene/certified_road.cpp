@@ -6,11 +6,12 @@
 #include <set>
 #include <utility>
 
-#include "signorini/complementarity/friction_solvers.hpp"
-#include "signorini/complementarity/report_sum.hpp"
-#include "signorini/complementarity/rounding.hpp"
-#include "signorini/complementarity/solvers.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/problem/report_sum.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/solvers/friction_solvers.hpp"
+#include "signorini/solvers/solvers.hpp"
+#include "signorini/solvers/springs.hpp"
 
 namespace signorini {
 namespace {

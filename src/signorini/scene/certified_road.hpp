@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/complementarity/refine.hpp"
+#include "signorini/programme/refine.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {

@@ -3,12 +3,12 @@
 #include <ostream>
 #include <set>
 
-#include "signorini/complementarity/friction_solvers.hpp"
-#include "signorini/complementarity/solvers.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/scene.hpp"
+#include "signorini/solvers/friction_solvers.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 namespace {

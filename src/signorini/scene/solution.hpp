@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "signorini/complementarity/certificate.hpp"
-#include "signorini/complementarity/floating.hpp"
-#include "signorini/complementarity/friction.hpp"
 #include "signorini/contact/pairs.hpp"
 #include "signorini/core/ledger.hpp"
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/contact_last_factor.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/elasticity/free_motions.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/problem/floating.hpp"
+#include "signorini/problem/friction.hpp"
 
 namespace signorini {
 

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <utility>
 
-#include "signorini/complementarity/rigid_modes.hpp"
-#include "signorini/complementarity/rounding.hpp"
-#include "signorini/complementarity/solvers.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/programme/rigid_modes.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/certified_road.hpp"
 #include "signorini/scene/scene.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 namespace {

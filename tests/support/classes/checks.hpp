@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "signorini/complementarity/certificate.hpp"
+#include "signorini/problem/certificate.hpp"
 #include "support/problem_classes.hpp"
 
 namespace signorini_test {

@@ -3,8 +3,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "signorini/complementarity/dense_programme.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/programme/dense_programme.hpp"
 #include "support/classes/checks.hpp"
 
 namespace signorini_test {

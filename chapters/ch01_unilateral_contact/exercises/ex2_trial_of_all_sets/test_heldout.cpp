@@ -6,8 +6,8 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/complementarity/enumerate.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/solvers/enumerate.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

@@ -1,5 +1,5 @@
 #include "exercise.hpp"
-#include "signorini/complementarity/surrogate_dual.hpp"
+#include "signorini/as_printed/surrogate_dual.hpp"
 
 namespace ex3_2 {
 

@@ -1,9 +1,9 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/complementarity/enumerate.hpp"
-#include "signorini/complementarity/examples.hpp"
-#include "signorini/complementarity/surrogate_dual.hpp"
+#include "signorini/as_printed/surrogate_dual.hpp"
 #include "signorini/core/random.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/solvers/enumerate.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

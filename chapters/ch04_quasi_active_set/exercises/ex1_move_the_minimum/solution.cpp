@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "exercise.hpp"
-#include "signorini/complementarity/solvers.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace ex4_1 {
 

@@ -3,9 +3,9 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/complementarity/dense_programme.hpp"
-#include "signorini/complementarity/examples.hpp"
-#include "signorini/complementarity/quasi_active_set_literal.hpp"
+#include "signorini/as_printed/quasi_active_set_literal.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/programme/dense_programme.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

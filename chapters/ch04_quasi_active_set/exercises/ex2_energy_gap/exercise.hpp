@@ -3,7 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace ex4_2 {
 

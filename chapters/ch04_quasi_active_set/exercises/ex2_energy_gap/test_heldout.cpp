@@ -2,9 +2,9 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/complementarity/examples.hpp"
-#include "signorini/complementarity/solvers.hpp"
 #include "signorini/core/random.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

@@ -1,5 +1,5 @@
 #include "exercise.hpp"
-#include "signorini/complementarity/closed_pairs.hpp"
+#include "signorini/closing/closed_pairs.hpp"
 
 namespace ex4_3 {
 

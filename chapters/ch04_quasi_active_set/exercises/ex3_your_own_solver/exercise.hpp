@@ -1,11 +1,11 @@
 /// \file
 /// Exercise 4.3 - your own solver. Do not change this file.
 #pragma once
-#include "signorini/complementarity/solvers.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace ex4_3 {
 
-/// The line of the solver table for your method, as in src/signorini/complementarity/solvers.cpp.
+/// The line of the solver table for your method, as in src/signorini/as_printed/solver_table.cpp.
 ///
 /// It may list the traits Asymmetric, Dependent, Infeasible and IllConditioned, and no other: a
 /// positive definite G must be solved, however long it takes, and degenerate pairs as well. `solve`

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "exercise.hpp"
-#include "signorini/complementarity/closed_pairs.hpp"
+#include "signorini/closing/closed_pairs.hpp"
 
 namespace ex4_3 {
 

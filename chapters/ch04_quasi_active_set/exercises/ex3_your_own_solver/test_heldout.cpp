@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/complementarity/enumerate.hpp"
+#include "signorini/solvers/enumerate.hpp"
 #include "support/problems.hpp"
 
 using namespace signorini;

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "signorini/complementarity/problem.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace ex5_1 {
 

@@ -3,9 +3,9 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/complementarity/dense_programme.hpp"
-#include "signorini/complementarity/examples.hpp"
-#include "signorini/complementarity/solvers.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/programme/dense_programme.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

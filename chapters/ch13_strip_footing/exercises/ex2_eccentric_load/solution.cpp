@@ -1,6 +1,6 @@
 #include "exercise.hpp"
-#include "signorini/complementarity/floating.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/solvers/springs.hpp"
 
 namespace ex13_2 {
 

@@ -1,0 +1,337 @@
+#include "signorini/problem/certificate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <ostream>
+#include <sstream>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
+#include "signorini/core/rounding.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Whether u carries a second, smaller part.
+bool has_low(const PrimalDual& solution) { return solution.displacement_low.size() > 0; }
+
+void check_sizes(const QuadraticProgramme& programme, const PrimalDual& solution) {
+  const Index n = programme.load.size();
+  const Index pairs = programme.initial_gap.size();
+  require(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
+              programme.A.rows() == pairs && programme.A.cols() == n,
+          "certify: K must be ", n, " x ", n, " and A ", pairs, " x ", n, ", got ",
+          programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
+          programme.A.rows(), " x ", programme.A.cols());
+  require(solution.displacement.size() == n && solution.force.size() == pairs &&
+              (!has_low(solution) || solution.displacement_low.size() == n) &&
+              (solution.rigid.size() == 0 || solution.rigid.size() == n),
+          "certify: need ", n, " displacements and ", pairs, " forces, got ",
+          solution.displacement.size(), " and ", solution.force.size());
+}
+
+/// u without its rigid part, as the sum of two vectors.
+struct Strained {
+  Eigen::VectorXd high;
+  Eigen::VectorXd low;
+};
+
+Strained split(const PrimalDual& solution) {
+  const Index n = solution.displacement.size();
+  Strained u{solution.displacement,
+             has_low(solution) ? solution.displacement_low : Eigen::VectorXd::Zero(n)};
+  if (solution.rigid.size() == 0) return u;
+  for (Index i = 0; i < n; ++i) {
+    ExactSum difference(solution.displacement(i));
+    difference.add(-solution.rigid(i));
+    u.high(i) = difference.high();
+    u.low(i) += difference.low();
+  }
+  return u;
+}
+
+/// Subtracts one column of the symmetric K times u. K has both triangles, so a column serves as a row.
+void subtract_stiffness_row(const QuadraticProgramme& programme, const Strained& u, Index row,
+                            ExactSum& sum) {
+  double small = 0;
+  for (Eigen::SparseMatrix<double>::InnerIterator entry(programme.stiffness, row); entry; ++entry) {
+    sum.add_product(-entry.value(), u.high(entry.row()));
+    small += entry.value() * u.low(entry.row());
+  }
+  sum.add(-small);
+}
+
+/// Scales of one problem: a length and a force.
+struct Scales {
+  double length = 0;
+  double force = 0;
+};
+
+bool all_finite(const QuadraticProgramme& programme) {
+  const auto finite = [](const auto& matrix) {
+    return matrix.nonZeros() == 0 || std::isfinite(matrix.sum());
+  };
+  return programme.load.allFinite() && programme.initial_gap.allFinite() &&
+         finite(programme.stiffness) && finite(programme.A);
+}
+
+/// Norms of the rows of A; 1 for an empty row.
+Eigen::VectorXd row_norms(const RowMatrix& A) {
+  Eigen::VectorXd norm(A.rows());
+  for (Index pair = 0; pair < A.rows(); ++pair) {
+    norm(pair) = A.row(pair).norm();
+    if (norm(pair) == 0) norm(pair) = 1;
+  }
+  return norm;
+}
+
+/// The largest net force on an unknown, and the largest length: of a displacement towards the obstacle, or
+/// of what the forces at hand would move a node by if its neighbours stood still. Neither counts what
+/// may be large without meaning anything: the gap of a far obstacle, or contact forces that cancel.
+Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution) {
+  const Eigen::VectorXd norm = row_norms(programme.A);
+  const Eigen::VectorXd diagonal = programme.stiffness.diagonal();
+  const Eigen::VectorXd contact = programme.A.transpose() * solution.force;
+  Eigen::VectorXd u = solution.displacement;
+  if (has_low(solution)) u += solution.displacement_low;
+  Scales scale;
+  for (Index j = 0; j < programme.load.size(); ++j)
+    scale.force = std::max({scale.force, std::abs(programme.load(j)), std::abs(contact(j))});
+  for (Index pair = 0; pair < programme.A.rows(); ++pair) {
+    double length = 0;
+    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry) {
+      const Index j = entry.col();
+      length += std::abs(entry.value() * u(j));
+      if (diagonal(j) > 0)
+        length += std::abs(entry.value()) * (std::abs(programme.load(j)) + std::abs(contact(j))) /
+                  diagonal(j);
+    }
+    scale.length = std::max(scale.length, length / norm(pair));
+  }
+  // Without a load, contact forces that u in two doubles cannot resolve are measured by those that the
+  // displacements could make.
+  const double inside = largest(diagonal.cwiseProduct(u));
+  if (largest(programme.load) == 0 && scale.force <= epsilon * epsilon * inside)
+    scale.force = inside;
+  return scale;
+}
+
+/// Whether the part of u that is claimed to be rigid strains a body. Rows are measured by the largest motion of
+/// their own neighbourhood: how far another body moves must hide nothing.
+bool strains(const QuadraticProgramme& programme, const Eigen::VectorXd& rigid) {
+  if (rigid.size() == 0) return false;
+  for (Index row = 0; row < rigid.size(); ++row) {
+    double force = 0;
+    double stiffness = 0;
+    double motion = 0;
+    for (Eigen::SparseMatrix<double>::InnerIterator it(programme.stiffness, row); it; ++it) {
+      force += it.value() * rigid(it.row());
+      stiffness += std::abs(it.value());
+      motion = std::max(motion, std::abs(rigid(it.row())));
+    }
+    if (!(std::abs(force) <= 1e-12 * stiffness * motion)) return true;
+  }
+  return false;
+}
+
+/// Whether a force is claimed for a row of A that is empty and so cannot carry any.
+bool pushes_on_nothing(const QuadraticProgramme& programme, const Eigen::VectorXd& force) {
+  for (Index pair = 0; pair < force.size(); ++pair)
+    if (force(pair) != 0 && programme.A.row(pair).norm() == 0) return true;
+  return false;
+}
+
+/// |u^T K u - p^T u + lambda^T g| over the sum of the energies, or `least` if that is larger; friction
+/// forces count as loads.
+double duality_gap(const QuadraticProgramme& programme, const PrimalDual& solution, Index pairs,
+                   const Eigen::VectorXd& residual, const Eigen::VectorXd& movement, double least) {
+  ExactSum energy;  // as lambda^T gap - u^T (p - K u - A^T lambda)
+  double energies = 0;
+  for (Index pair = 0; pair < pairs; ++pair) {
+    energy.add_product(solution.force(pair), movement(pair));
+    energies += std::abs(solution.force(pair) * programme.initial_gap(pair));
+  }
+  const Index slips = programme.A.rows() - pairs;
+  const Eigen::VectorXd load =
+      programme.load - programme.A.bottomRows(slips).transpose() * solution.force.tail(slips);
+  for (Index i = 0; i < residual.size(); ++i) {
+    energy.add_product(-residual(i), solution.displacement(i));
+    energies += std::abs(load(i) * solution.displacement(i));
+  }
+  return ratio(std::abs(energy.value()), std::max(energies, least));
+}
+
+void raise(double& figure, double value) { figure = std::max(figure, value); }
+
+/// The figures of the pairs that rub.
+void add_friction(const QuadraticProgramme& programme, const PrimalDual& solution,
+                  const FrictionLaw& law, const Eigen::VectorXd& movement, const Scales& scale,
+                  Certificate& certificate) {
+  const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
+  const Eigen::VectorXd norm = row_norms(programme.A);
+  for (std::size_t k = 0; k < law.pair.size(); ++k) {
+    const Index row = static_cast<Index>(k);
+    const Index gap = law.pair[k];
+    const Index slip = pairs + row;
+    const double normal = law.coefficient(row) * std::max(0.0, solution.force(gap));
+    const FrictionViolation violation = friction_violation(
+        normal * norm(slip), law.cohesion(row) * norm(slip), solution.force(slip) * norm(slip),
+        movement(gap) / norm(gap), movement(slip) / norm(slip), scale.length, scale.force);
+    raise(certificate.cone, violation.cone);
+    raise(certificate.sliding, violation.sliding);
+  }
+}
+
+/// The certificate of gaps, of which some are equations, and of slips.
+Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& solution,
+                        const FrictionLaw& law, Index equations) {
+  if (!all_finite(programme) || !solution.displacement.allFinite() || !solution.force.allFinite() ||
+      !solution.displacement_low.allFinite() || pushes_on_nothing(programme, solution.force) ||
+      strains(programme, solution.rigid))
+    return uncertified();
+  const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
+  const Eigen::VectorXd movement = gaps(programme, solution);
+  const Scales scale = scales_of(programme, solution);
+  const Eigen::VectorXd norm = row_norms(programme.A);
+  const Index pairs = movement.size() - static_cast<Index>(law.pair.size());
+
+  Certificate certificate;
+  for (Index pair = 0; pair < pairs; ++pair) {
+    const bool equation = pair < equations;
+    const double gap = movement(pair) / norm(pair);
+    const double length = equation ? -std::abs(gap) : gap;
+    const double force =
+        (equation ? std::abs(solution.force(pair)) : solution.force(pair)) * norm(pair);
+    raise(certificate.penetration, ratio(std::max(0.0, -length), scale.length));
+    raise(certificate.tension, ratio(std::max(0.0, -force), scale.force));
+    raise(certificate.complementarity, ratio(std::abs(length * force), scale.length * scale.force));
+  }
+  add_friction(programme, solution, law, movement, scale, certificate);
+  certificate.equilibrium = ratio(largest(residual), scale.force);
+  certificate.duality_gap =
+      duality_gap(programme, solution, pairs, residual, movement, scale.length * scale.force);
+  return certificate;
+}
+
+}  // namespace
+
+Certificate uncertified() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  return {infinity, infinity, infinity, infinity, infinity, infinity, infinity};
+}
+
+FrictionViolation friction_violation(double normal, double cohesion, double friction, double gap,
+                                     double slip, double length, double force) {
+  const auto against = [&](double bound) {
+    return FrictionViolation{
+        ratio(std::max(0.0, std::abs(friction) - bound), force),
+        std::min(ratio(std::abs(slip), length),
+                 ratio(std::abs(std::copysign(bound, slip) + friction), force))};
+  };
+  const FrictionViolation open = against(normal);
+  if (cohesion == 0) return open;
+  FrictionViolation closed = against(normal + cohesion);
+  closed.cone = std::max(closed.cone, ratio(std::max(0.0, gap), length));
+  return std::max(closed.cone, closed.sliding) < std::max(open.cone, open.sliding) ? closed : open;
+}
+
+double Certificate::worst() const {
+  double most = 0;
+  for (const double figure :
+       {penetration, tension, complementarity, equilibrium, duality_gap, cone, sliding}) {
+    if (std::isnan(figure)) return std::numeric_limits<double>::infinity();
+    most = std::max(most, figure);
+  }
+  return most;
+}
+
+Eigen::VectorXd strained(const PrimalDual& solution) {
+  Eigen::VectorXd u = solution.displacement;
+  if (solution.rigid.size() > 0) u -= solution.rigid;
+  if (has_low(solution)) u += solution.displacement_low;
+  return u;
+}
+
+Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,
+                                     const PrimalDual& solution) {
+  check_sizes(programme, solution);
+  const Strained u = split(solution);
+  std::vector<ExactSum> sum;
+  sum.reserve(static_cast<std::size_t>(programme.load.size()));
+  for (Index i = 0; i < programme.load.size(); ++i) {
+    sum.emplace_back(programme.load(i));
+    subtract_stiffness_row(programme, u, i, sum.back());
+  }
+  for (Index pair = 0; pair < programme.A.rows(); ++pair)
+    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
+      sum[static_cast<std::size_t>(entry.col())].add_product(-entry.value(), solution.force(pair));
+  Eigen::VectorXd residual(programme.load.size());
+  for (Index i = 0; i < residual.size(); ++i)
+    residual(i) = sum[static_cast<std::size_t>(i)].value();
+  return residual;
+}
+
+Eigen::VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solution) {
+  check_sizes(programme, solution);
+  Eigen::VectorXd gap(programme.initial_gap.size());
+  for (Index pair = 0; pair < gap.size(); ++pair) {
+    ExactSum sum(programme.initial_gap(pair));
+    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry) {
+      sum.add_product(-entry.value(), solution.displacement(entry.col()));
+      if (has_low(solution)) sum.add(-entry.value() * solution.displacement_low(entry.col()));
+    }
+    gap(pair) = sum.value();
+  }
+  return gap;
+}
+
+Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
+                    Index equations) {
+  check_sizes(programme, solution);
+  require(equations >= 0 && equations <= programme.initial_gap.size(),
+          "certify: equations must be 0 to ", programme.initial_gap.size(), ", got ", equations);
+  return all_figures(programme, solution, {}, equations);
+}
+
+Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
+                    const FrictionLaw& law) {
+  check_sizes(programme, solution);
+  const Index slips = static_cast<Index>(law.pair.size());
+  require(law.coefficient.size() == slips && law.cohesion.size() == slips &&
+              2 * slips <= programme.A.rows(),
+          "certify: need a coefficient and a cohesion for each of ", slips,
+          " pairs that rub, and as many rows of slips, got ", law.coefficient.size(), " and ",
+          law.cohesion.size(), " and ", programme.A.rows(), " rows in all");
+  Index last = -1;
+  for (Index k = 0; k < slips; ++k) {
+    const Index pair = law.pair[static_cast<std::size_t>(k)];
+    require(pair > last && pair < programme.A.rows() - slips,
+            "certify: pairs that rub must be in "
+            "increasing order and below ",
+            programme.A.rows() - slips, ", got ", pair);
+    require(law.coefficient(k) >= 0 && law.cohesion(k) >= 0 && std::isfinite(law.coefficient(k)) &&
+                std::isfinite(law.cohesion(k)),
+            "certify: coefficient and cohesion must be finite and >= 0, got ", law.coefficient(k),
+            " and ", law.cohesion(k));
+    last = pair;
+  }
+  return all_figures(programme, solution, law, 0);
+}
+
+std::ostream& operator<<(std::ostream& out, const Certificate& certificate) {
+  std::ostringstream line;
+  line << std::scientific << std::setprecision(1) << "penetration " << certificate.penetration
+       << ", tension " << certificate.tension << ", complementarity " << certificate.complementarity
+       << ", equilibrium " << certificate.equilibrium << ", duality gap "
+       << certificate.duality_gap;
+  if (certificate.cone > 0 || certificate.sliding > 0)
+    line << ", cone " << certificate.cone << ", sliding " << certificate.sliding;
+  return out << line.str();
+}
+
+}  // namespace signorini

@@ -1,0 +1,142 @@
+/// \file
+/// The certificate of a solution: a few figures, always recomputed from the original data.
+#pragma once
+#include <Eigen/Core>
+#include <iosfwd>
+
+#include "signorini/problem/problem.hpp"
+
+namespace signorini {
+
+/// How far a claimed solution is from satisfying each condition, made free of units; 0 is perfect.
+///
+/// Lengths are divided by the largest |a_i|(|u| + |v|) of a row, where v is how far load and contact
+/// forces would move each node if its neighbours stood still, and forces by the largest load or net
+/// contact force on an unknown; rows of A are scaled to norm 1. So no figure changes with units or with the
+/// scaling of a row, and terms that cancel hide nothing. Where no load acts, contact forces of rounding size
+/// are measured by the forces that the displacements could make.
+struct Certificate {
+  double penetration = 0;      ///< largest overlap / length
+  double tension = 0;          ///< largest tensile contact force / force
+  double complementarity = 0;  ///< largest |force * gap| / (length * force)
+  double equilibrium = 0;      ///< largest entry of p - K u - A^T lambda / force
+  double duality_gap = 0;      ///< |primal - dual energy| / their size, see certify()
+  double cone = 0;  ///< largest |friction force| beyond its bound / force; 0 without friction
+  /// What a pair slides without being resisted: the smaller of |slip| / length and |friction force minus
+  /// that of its bound| / force, the largest over the pairs; 0 without friction
+  double sliding = 0;
+
+  /// \return the worst of all
+  [[nodiscard]] double worst() const;
+  /// Whether this is good enough.
+  /// \param tolerance  for all of them [-]
+  /// \return whether none exceeds it
+  [[nodiscard]] bool holds(double tolerance = 1e-12) const { return worst() <= tolerance; }
+};
+
+/// The certificate of what was not solved, or holds a number that is not finite.
+/// \return infinity in all
+[[nodiscard]] Certificate uncertified();
+
+/// A claimed solution of a quadratic programme; u is kept as the unevaluated sum of two vectors.
+struct PrimalDual {
+  Eigen::VectorXd displacement;      ///< u `n` [length], rounded to double
+  Eigen::VectorXd displacement_low;  ///< what rounding took away, `n` [length]; empty means zero
+  Eigen::VectorXd force;             ///< lambda `n_c` [force], compression > 0
+  /// The part of u that moves whole bodies `n` [length], empty if there is none. That it strains nothing
+  /// is known beforehand and not computed: K times a motion is rounding, which in a stiff body may exceed
+  /// the loads of all others. So equilibrium is that of u without it.
+  Eigen::VectorXd rigid = {};
+};
+
+/// The displacements that strain the bodies, which stresses are computed from: beside a large motion the
+/// rounding of u may be larger than all the strain of a stiff body.
+/// \param solution  u in two parts, and its rigid part
+/// \return u without the rigid part `n` [length], rounded once
+[[nodiscard]] Eigen::VectorXd strained(const PrimalDual& solution);
+
+/// Certificate of (u, lambda) against K, p, A, g. \PaperEq{XuanLi2002, 6}, \PaperEq{XuanLi2002, 21},
+/// \PaperEq{LinEtAl, 2} to \PaperEq{LinEtAl, 4}
+///
+/// Residuals are summed in twice the working precision. The equilibrium is measured against the
+/// loads and not against |K||u|, which is far larger in a slender body: with u in plain doubles it
+/// cannot be better than about 1e-16 |K||u| / |p|, whatever the solver; `displacement_low` removes
+/// this floor. The energies are measured against the sum of |lambda g| and |p u|, or length * force
+/// if that is larger.
+/// \param programme  K, p, A, g as they were posed
+/// \param solution   u and lambda, from any solver
+/// \param equations  so many of the first rows are equations: both signs of their gap count as
+///   penetration, and no force as tension
+/// \return the figures; all infinite if any number, given or claimed, is not finite, or if the rigid
+///   part strains a body: an entry of K times it exceeds 1e-12 of its terms
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
+                                  Eigen::Index equations = 0);
+
+/// The same with friction: the last rows of A are slips, and their forces obey the law.
+/// \PaperEq{LinEtAl, 6}, \PaperEq{LinEtAl, 9}, \PaperEq{LinEtAl, 10}
+///
+/// A pair may be open or closed, whichever the numbers suit better: open, it has the bound mu lambda
+/// (which `complementarity` makes zero); closed, it has mu lambda + c, and its gap counts in `cone`. The
+/// duality gap is that of contact with the friction forces as loads.
+/// \param programme  K, p, A, g as they were posed, slips in the last rows of A
+/// \param solution   u, and the forces of all rows
+/// \param law        of the pairs that rub
+/// \return the figures, see above
+/// \throws std::invalid_argument if sizes do not fit, the pairs of the law are not in increasing order, or a
+///   coefficient or cohesion is negative or not finite
+[[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
+                                  const FrictionLaw& law);
+
+/// How far a pair is from the law of friction, for both certificates. All numbers are scaled: those of one
+/// pair to its unit, and then length and force to 1.
+struct FrictionViolation {
+  double cone = 0;  ///< what the friction force exceeds its bound by, or the gap of a closed pair
+  double sliding = 0;  ///< what slides without being resisted
+};
+
+/// \param normal    mu lambda+, the bound of an open pair
+/// \param cohesion  what the bound of a closed pair has more
+/// \param friction  tau
+/// \param gap       of the pair
+/// \param slip      of the pair
+/// \param length    that gap and slip are measured by
+/// \param force     that forces are measured by
+/// \return the smaller violation of the two that it has as an open and as a closed pair
+[[nodiscard]] FrictionViolation friction_violation(double normal, double cohesion, double friction,
+                                                   double gap, double slip, double length,
+                                                   double force);
+
+/// Certificate of (lambda, gap) against G and d.
+///
+/// Pair i is measured in gap / sqrt(G_ii) and force sqrt(G_ii), which have one unit: lengths against the
+/// largest overlap without contact, or what forces and rigid motions move in sum, forces against the largest
+/// of them. Any matrix can stand in the place of G, see pair_scales(). The gaps are recomputed; `equilibrium` is the largest difference of the claimed from the recomputed ones.
+/// \param problem  G and d as they were posed, or any M and q
+/// \param state    forces and gaps; its status is not looked at
+/// \return the figures; all infinite if any number, given or claimed, is not finite
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Certificate certify(const ContactProblem& problem, const ContactState& state);
+
+/// The forces that are missing in the equilibrium, summed in twice the working precision.
+/// \param programme  K, p, A
+/// \param solution   u in its two parts, and lambda; K is not applied to the rigid part
+/// \return \f$ p - K u - A^T \lambda \f$ `n` [force]
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,
+                                                   const PrimalDual& solution);
+
+/// The gaps that displacements leave, summed in twice the working precision.
+/// \param programme  A and g
+/// \param solution   u in its two parts
+/// \return \f$ g - A u \f$ `n_c` [length], overlap < 0
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Eigen::VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solution);
+
+/// Prints the figures on one line, those of friction if they are not zero.
+/// \param out          where to
+/// \param certificate  what
+/// \return `out`
+std::ostream& operator<<(std::ostream& out, const Certificate& certificate);
+
+}  // namespace signorini

@@ -1,0 +1,185 @@
+#include "signorini/programme/dense_programme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
+#include "signorini/programme/programme_rows.hpp"
+#include "signorini/solvers/group_active_set.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Rows = std::vector<Index>;
+
+Rows range(Index first, Index last) {
+  Rows rows(static_cast<std::size_t>(last - first));
+  std::iota(rows.begin(), rows.end(), first);
+  return rows;
+}
+
+/// A basis of the equations, and of closed rows after them.
+ClosedBasis basis_of(ProgrammeRows& data, const Rows& closed) {
+  ClosedBasis basis = data.empty_basis();
+  VectorXd gap;
+  VectorXd rounding;
+  data.gaps(basis, gap, rounding);
+  Rows rows = range(0, data.equations());
+  rows.insert(rows.end(), closed.begin(), closed.end());
+  ClosedBasis::Candidates candidates;
+  candidates.rows = rows;
+  data.fetch(gap, rounding, candidates);
+  basis.append(candidates, ClosedBasis::Choice::All, static_cast<Index>(rows.size()));
+  for (Index i = 0; i < data.equations(); ++i)
+    if (std::abs(candidates.gap(i)) > 4 * candidates.rounding(i))
+      throw ProblemError(text("quadratic programme: equation ", i + 1,
+                              " contradicts the others; nothing satisfies them all"));
+  return basis;
+}
+
+/// Sets to 0 what may be rounding alone.
+void without_rounding(VectorXd& gap, const VectorXd& rounding) {
+  for (Index i = 0; i < gap.size(); ++i)
+    if (std::abs(gap(i)) <= rounding(i)) gap(i) = 0;
+}
+
+DenseCondensed condensed_by(ProgrammeRows& data) {
+  const ClosedBasis equations = basis_of(data, {});
+  VectorXd gap;
+  VectorXd rounding;
+  data.gaps(equations, gap, rounding);
+  DenseCondensed condensed{data.factor(), {}, data.displacement()};
+  const Index first = data.equations();
+  condensed.problem.free_gap = gap.tail(data.count() - first);
+  condensed.problem.half.setZero(condensed.free_displacement.size(), data.count() - first);
+  if (first == data.count()) return condensed;
+  ClosedBasis::Candidates rows;
+  rows.rows = range(first, data.count());
+  data.fetch(gap, rounding, rows);
+  const auto Q = equations.directions();
+  rows.columns -= Q * (Q.transpose() * rows.columns).eval();
+  // What is left of a row that depends on the equations, and of a gap that they close, is rounding.
+  for (Index i = 0; i < data.count() - first; ++i)
+    if (rows.columns.col(i).norm() <= equations.smallest_distance()) rows.columns.col(i).setZero();
+  without_rounding(condensed.problem.free_gap, rounding.tail(data.count() - first));
+  condensed.problem.half = rows.columns * data.norms().tail(data.count() - first).asDiagonal();
+  return condensed;
+}
+
+/// Solves the condensed problem, refines, and solves again while the refinement refutes the set.
+DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& solver,
+                              const SolverOptions& options) {
+  ProgrammeRows data(programme);
+  const DenseCondensed condensed = condensed_by(data);
+  const Index first = programme.equations;
+  HalfProblem problem = condensed.problem;
+  DenseSolution solution;
+  std::set<Rows> refuted;
+  VectorXd gap;
+  VectorXd rounding;
+  while (true) {
+    ContactState state = solver.solve_half != nullptr
+                             ? solver.solve_half(problem, options)
+                             : solver.solve(multiplied_out(problem), options);
+    solution.report = std::move(state.report);
+    for (Index& row : state.active) row += first;
+    solution.active = std::move(state.active);
+    solution.gap.setZero(data.count());
+    solution.gap.tail(state.gap.size()) = state.gap;
+    solution.refined.force.setZero(data.count());
+    solution.refined.force.tail(state.force.size()) = state.force;
+    if (state.infeasibility.size() > 0) {
+      solution.infeasibility.setZero(data.count());
+      solution.infeasibility.tail(state.infeasibility.size()) = state.infeasibility;
+    }
+    solution.refined.displacement =
+        condensed.free_displacement -
+        condensed.factor.solve_transposed_half(condensed.problem.half * state.force);
+    if (solution.report.status != Status::Solved) {
+      const ClosedBasis equations = basis_of(data, {});
+      data.balance(equations, solution.refined);
+      if (solution.infeasibility.size() > 0) data.balance(equations, solution.infeasibility);
+      return solution;
+    }
+    ClosedBasis basis = basis_of(data, solution.active);
+    data.gaps(basis, gap, rounding);
+    ProgrammeRows::Refined refined = data.refine(basis);
+    solution.refined = std::move(refined.solution);
+    solution.gap = std::move(refined.gap);
+    const bool pulls = refined.tension.size() > 0 && refined.tension.maxCoeff() > 0;
+    // Rounding cannot decide between sets that come back; the certificate will say whether it matters.
+    if ((!pulls && refined.violated == 0) || !refuted.insert(solution.active).second)
+      return solution;
+    const VectorXd force = solution.refined.force.tail(problem.free_gap.size());
+    const VectorXd moved = problem.half.transpose() * (problem.half * force);
+    problem.free_gap = solution.gap.tail(force.size()) - moved;
+    without_rounding(problem.free_gap, std::numeric_limits<double>::epsilon() * moved.cwiseAbs());
+  }
+}
+
+}  // namespace
+
+DenseCondensed condense(const DenseProgramme& programme) {
+  ProgrammeRows data(programme);
+  return condensed_by(data);
+}
+
+DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
+                    const SolverOptions& options) {
+  DenseSolution solution = solver.solve_programme != nullptr
+                               ? solver.solve_programme(programme, options)
+                               : solve_condensed(programme, solver, options);
+  if (solution.report.status == Status::Infeasible &&
+      !proves_infeasible(programme, solution.infeasibility, solution.refined.displacement)) {
+    solution.report.status = Status::Breakdown;
+    solution.infeasibility.resize(0);
+  }
+  if (solution.report.status != Status::Solved) return solution;
+  for (Index i = programme.equations; i < solution.refined.force.size(); ++i)
+    solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
+  solution.certificate = certify(programme, solution.refined);
+  if (!solution.certificate.holds()) solution.report.status = Status::Breakdown;
+  return solution;
+}
+
+bool proves_infeasible(const DenseProgramme& programme, const VectorXd& y, const VectorXd& u) {
+  const Index m = programme.initial_gap.size();
+  require(u.size() == programme.load.size(), "proves_infeasible: need ", programme.load.size(),
+          " displacements, got ", u.size());
+  if (y.size() != m || !y.allFinite() || (y.tail(m - programme.equations).array() < 0).any())
+    return false;
+  ExactSum work;
+  for (Index i = 0; i < m; ++i) work.add_product(programme.initial_gap(i), y(i));
+  double escape = 0;
+  for (Index j = 0; j < u.size(); ++j) {
+    ExactSum moved;
+    for (Index i = 0; i < m; ++i) moved.add_product(programme.A(i, j), y(i));
+    escape += std::abs(moved.value() * u(j));
+  }
+  const double rounding =
+      std::numeric_limits<double>::epsilon() * programme.initial_gap.cwiseAbs().dot(y.cwiseAbs());
+  return -work.value() > static_cast<double>(m) * rounding &&
+         -work.value() * std::sqrt(std::numeric_limits<double>::epsilon()) > escape;
+}
+
+Certificate certify(const DenseProgramme& programme, const PrimalDual& solution) {
+  return certify(sparse(programme), solution, programme.equations);
+}
+
+QuadraticProgramme sparse(const DenseProgramme& programme) {
+  QuadraticProgramme result;
+  result.stiffness = programme.stiffness.sparseView();
+  result.load = programme.load;
+  result.A = programme.A.sparseView();
+  result.initial_gap = programme.initial_gap;
+  return result;
+}
+
+}  // namespace signorini

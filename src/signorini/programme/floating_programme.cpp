@@ -1,0 +1,122 @@
+#include "signorini/programme/floating_programme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/programme/refine.hpp"
+#include "signorini/programme/rigid_modes.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+void check(const DenseProgramme& programme, const MatrixXd& N) {
+  const Index n = programme.load.size();
+  const Index m = programme.initial_gap.size();
+  require(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
+              programme.A.rows() == m && programme.A.cols() == n && N.rows() == n,
+          "floating programme: K must be ", n, " x ", n, ", A ", m, " x ", n, " and N have ", n,
+          " rows, got ", programme.stiffness.rows(), " x ", programme.stiffness.cols(), ", ",
+          programme.A.rows(), " x ", programme.A.cols(), " and ", N.rows());
+  require(programme.equations == 0, "floating programme: equations have no place here, got ",
+          programme.equations);
+  require(programme.stiffness.allFinite() && programme.load.allFinite() &&
+              programme.A.allFinite() && programme.initial_gap.allFinite() && N.allFinite(),
+          "floating programme: K, p, A, g and N must be finite");
+}
+
+/// Square roots of the diagonal of K: one unit for all unknowns. Where K has nothing, their mean.
+VectorXd unknown_scale(const MatrixXd& K) {
+  const double trace = K.trace();
+  const double mean = trace > 0 ? trace / static_cast<double>(K.rows()) : 1;
+  return K.diagonal().unaryExpr([mean](double k) { return std::sqrt(k > 0 ? k : mean); });
+}
+
+/// Scaled null vectors, orthonormal.
+MatrixXd orthonormal_modes(const MatrixXd& K, const MatrixXd& N, const VectorXd& scale) {
+  const double rounding = static_cast<double>(K.rows() + 1) * epsilon;
+  for (Index j = 0; j < N.cols(); ++j) {
+    const VectorXd stretched = (K * N.col(j)).cwiseQuotient(scale);
+    const VectorXd size = (K.cwiseAbs() * N.col(j).cwiseAbs()).cwiseQuotient(scale);
+    pose(stretched.norm() <= 1e3 * rounding * size.norm() && N.col(j).norm() > 0,
+         "floating programme: column ", j + 1, " of the null vectors is no rigid mode: K N is ",
+         size.norm() > 0 ? stretched.norm() / size.norm() : 0,
+         " of its terms, expected rounding; give vectors with K N = 0");
+  }
+  MatrixXd modes = scale.asDiagonal() * N;
+  for (Index j = 0; j < N.cols(); ++j) modes.col(j).normalize();
+  if (N.cols() == 0) return modes;
+  ColumnSpan span = column_span(modes, rounding);
+  pose(span.rank == N.cols(), "floating programme: the ", N.cols(),
+       " null vectors are dependent, of rank ", span.rank, "; leave out those that repeat others");
+  return span.basis;
+}
+
+}  // namespace
+
+FloatingCondensed condense(const DenseProgramme& programme, const MatrixXd& null_vectors) {
+  check(programme, null_vectors);
+  const VectorXd scale = unknown_scale(programme.stiffness);
+  const MatrixXd C =
+      scale.asDiagonal() * orthonormal_modes(programme.stiffness, null_vectors, scale);
+  MatrixXd grounded = programme.stiffness;
+  grounded.selfadjointView<Eigen::Lower>().rankUpdate(C);
+  const VectorXd diagonal = grounded.diagonal();
+  FloatingCondensed condensed{CholeskyFactor(grounded), {}, {}};
+  const VectorXd pivots = condensed.factor.lower().diagonal().cwiseAbs2();
+  const double tiny = static_cast<double>(diagonal.size() + 1) * epsilon;
+  pose(condensed.factor.positive() && (pivots.array() > tiny * diagonal.array()).all(),
+       "floating programme: K with ", null_vectors.cols(),
+       " grounded modes is not positive definite; the body can move in more ways than the null "
+       "vectors say, or K is indefinite");
+  condensed.free_displacement = condensed.factor.solve(programme.load);
+  MatrixXd half = programme.A.transpose();
+  solve_lower_columns(condensed.factor.lower(), half);
+  condensed.problem = floating_problem(
+      sparse(programme),
+      multiplied_out({half, programme.initial_gap - programme.A * condensed.free_displacement}),
+      null_vectors);
+  return condensed;
+}
+
+FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vectors,
+                       const Solver& solver, const SolverOptions& options) {
+  const FloatingCondensed condensed = condense(programme, null_vectors);
+  FloatingState state = solve(condensed.problem, solver, options);
+  FloatingSolution solution;
+  DenseSolution& dense = solution.dense;
+  dense.report = std::move(state.contact.report);
+  dense.active = std::move(state.contact.active);
+  dense.gap = std::move(state.contact.gap);
+  dense.infeasibility = std::move(state.contact.infeasibility);
+  dense.refined.force = std::move(state.contact.force);
+  solution.amplitude = std::move(state.amplitude);
+  solution.escape = std::move(state.escape);
+  dense.refined.displacement =
+      condensed.factor.solve(programme.load - programme.A.transpose() * dense.refined.force) +
+      null_vectors * solution.amplitude;
+  dense.refined.displacement_low = VectorXd::Zero(dense.refined.displacement.size());
+  if (dense.report.status != Status::Solved) return solution;
+  const QuadraticProgramme original = sparse(programme);
+  Refinement better = refine(
+      original, [&](const VectorXd& load) { return VectorXd(condensed.factor.solve(load)); },
+      condensed.problem.contact.compliance, std::move(dense.refined), {dense.active, {}},
+      null_vectors);
+  dense.refined = std::move(better.solution);
+  solution.amplitude += better.amplitude;
+  dense.refined.force = dense.refined.force.cwiseMax(0.0);  // what is negative is of rounding size
+  dense.gap = gaps(original, dense.refined);
+  dense.gap(dense.active).setZero();
+  dense.certificate = certify(programme, dense.refined);
+  if (!dense.certificate.holds()) dense.report.status = Status::Breakdown;
+  return solution;
+}
+
+}  // namespace signorini

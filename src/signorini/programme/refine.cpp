@@ -1,0 +1,293 @@
+#include "signorini/programme/refine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "signorini/core/exact_sum.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/programme/rigid_modes.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// high + low += change, with high the rounded sum.
+void add_to(double& high, double& low, double change) {
+  const double sum = high + change;
+  const double part = sum - high;
+  const double rest = ((high - (sum - part)) + (change - part)) + low;
+  high = sum + rest;
+  low = rest - (high - sum);
+}
+
+/// A correction over what it corrected; all of it, if nothing is left.
+double relative(double change, double result) {
+  return result == 0 && change > 0 ? 1 : ratio(change, result);
+}
+
+/// The forces of all rows as sums of two doubles.
+struct Forces {
+  VectorXd high;
+  VectorXd low;
+};
+
+/// Puts every force that the set fixes where it belongs: tau = slope lambda + offset, others 0.
+void impose(const KnownSet& set, Forces& force) {
+  std::vector<bool> carries(static_cast<std::size_t>(force.high.size()), false);
+  for (const Index row : set.closed) carries[static_cast<std::size_t>(row)] = true;
+  for (const SlidingPair& pair : set.sliding) {
+    ExactSum tau(pair.offset);
+    tau.add_product(pair.slope, force.high(pair.gap));
+    tau.add(pair.slope * force.low(pair.gap));
+    force.high(pair.slip) = tau.value();
+    tau.add(-force.high(pair.slip));
+    force.low(pair.slip) = tau.value();
+    carries[static_cast<std::size_t>(pair.slip)] = true;
+  }
+  for (Index row = 0; row < force.high.size(); ++row)
+    if (!carries[static_cast<std::size_t>(row)]) force.high(row) = force.low(row) = 0;
+}
+
+/// One refinement from beginning to end.
+class Refining {
+ public:
+  Refining(const QuadraticProgramme& programme,
+           const std::function<VectorXd(const VectorXd&)>& solve_stiffness,
+           const MatrixXd& compliance, PrimalDual start, const KnownSet& set, const MatrixXd& modes)
+      : programme_(programme),
+        solve_stiffness_(solve_stiffness),
+        compliance_(compliance),
+        set_(set),
+        modes_(modes),
+        closing_(
+            compliance,
+            modes.cols() > 0 ? rigid_gaps(programme.A, modes) : MatrixXd(programme.A.rows(), 0),
+            set) {
+    PrimalDual& solution = result_.solution;
+    solution = std::move(start);
+    const Index n = solution.displacement.size();
+    if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
+    if (modes.cols() > 0 && solution.rigid.size() == 0) solution.rigid.setZero(n);
+    force_ = {solution.force, VectorXd::Zero(solution.force.size())};
+    impose(set_, force_);
+    result_.amplitude.setZero(modes.cols());
+  }
+
+  Refinement run();
+
+ private:
+  /// Corrections of one sweep, relative to what they correct.
+  struct Change {
+    double displacement = 0;
+    double force = 0;
+    bool pending = false;  // whether forces have changed what displacements do not feel yet
+    [[nodiscard]] double worst() const { return std::max(displacement, force); }
+  };
+
+  [[nodiscard]] VectorXd unbalanced();
+  Change sweep();
+  /// Moves bodies rigidly.
+  void move(const VectorXd& amplitude);
+  /// Whether a change of forces moves more than rounding beside the displacements.
+  [[nodiscard]] bool felt(const VectorXd& pushed) const;
+
+  const QuadraticProgramme& programme_;
+  const std::function<VectorXd(const VectorXd&)>& solve_stiffness_;
+  const MatrixXd& compliance_;
+  const KnownSet& set_;
+  const MatrixXd& modes_;
+  Closing closing_;
+  Forces force_;
+  Refinement result_;
+  Index sweeps_ = 0;
+  bool slow_ = false;  // whether a sweep leaves more than the root of rounding
+};
+
+/// Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
+/// sweeps mend it; what they move is so small that it may as well strain the bodies.
+constexpr Index rigid_sweeps = 2;
+
+VectorXd Refining::unbalanced() {
+  result_.solution.force = force_.high;
+  return equilibrium_residual(programme_, result_.solution) - programme_.A.transpose() * force_.low;
+}
+
+bool Refining::felt(const VectorXd& pushed) const {
+  return largest(compliance_ * pushed) > 0.25 * epsilon * largest(result_.solution.displacement);
+}
+
+void Refining::move(const VectorXd& amplitude) {
+  const VectorXd moved = modes_ * amplitude;
+  result_.amplitude += amplitude;
+  if (sweeps_ <= rigid_sweeps)
+    add_rigid(result_.solution, moved);
+  else
+    add_displacement(result_.solution, moved);
+}
+
+Refining::Change Refining::sweep() {
+  ++sweeps_;
+  PrimalDual& solution = result_.solution;
+  const VectorXd residual = unbalanced();
+  VectorXd moved = solve_stiffness_(residual);
+  ++result_.solves;
+  add_displacement(solution, moved);
+  result_.movement = gaps(programme_, solution);
+  const bool floats = modes_.cols() > 0;
+  Change change;
+  change.displacement = relative(largest(moved), largest(solution.displacement));
+  if (sweeps_ == 1 && !floats) {  // u was a guess: what it misses would be taken for forces
+    change.pending = true;
+    return change;
+  }
+  const VectorXd lacking = floats ? VectorXd(-modes_.transpose() * residual) : VectorXd();
+  const auto [closes, amplitude] = closing_.solve(result_.movement, lacking);
+  const Forces last = force_;
+  for (std::size_t k = 0; k < closing_.rows().size(); ++k) {
+    const Index row = closing_.rows()[k];
+    add_to(force_.high(row), force_.low(row), closes(static_cast<Index>(k)));
+  }
+  impose(set_, force_);
+  const VectorXd pushed = (force_.high - last.high) + (force_.low - last.low);
+  change.pending = felt(pushed);
+  if (slow_ && change.pending) {
+    const VectorXd back = solve_stiffness_(-(programme_.A.transpose() * pushed));
+    ++result_.solves;
+    add_displacement(solution, back);
+    moved += back;
+    change.pending = false;
+  }
+  if (floats) {
+    moved += modes_ * amplitude;
+    move(amplitude);
+  }
+  change.force = relative(largest(pushed), largest(force_.high));
+  change.displacement = relative(largest(moved), largest(solution.displacement));
+  return change;
+}
+
+Refinement Refining::run() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Change best{infinity, infinity, false};
+  Change last = best;
+  double rate = 1;
+  for (int worse = 0; worse < 2;) {
+    const Change now = sweep();
+    if (!std::isfinite(now.worst())) break;
+    // A sweep shrinks the error of u by the error of the factor, which shows where no change of forces
+    // adds to it; so the next correction is known beforehand. Not by the first sweep, and not while the
+    // rigid part is rounded anew.
+    const bool steady = sweeps_ > (modes_.cols() > 0 ? rigid_sweeps : 1);
+    if (steady) rate = std::min(slow_ ? 1 : rate, ratio(now.displacement, last.displacement));
+    const double next =
+        std::max(now.displacement * rate,
+                 now.force * (last.force > 0 ? std::min(1.0, now.force / last.force) : rate));
+    result_.settled = !now.pending && next <= 0.25 * epsilon;
+    if (result_.settled) break;
+    const bool better = now.displacement < 0.5 * best.displacement || now.force < 0.5 * best.force;
+    worse = better || !slow_ ? 0 : worse + 1;
+    slow_ = slow_ || !better || (steady && rate > std::sqrt(epsilon));
+    best.displacement = std::min(best.displacement, now.displacement);
+    best.force = std::min(best.force, now.force);
+    last = now;
+    result_.settled =
+        !now.pending && now.worst() <= epsilon * static_cast<double>(set_.closed.size() + 1);
+  }
+  result_.solution.force = force_.high;
+  result_.movement = gaps(programme_, result_.solution);
+  return std::move(result_);
+}
+
+/// Whether no force is left along a rigid mode but what rounding makes of the terms; in K u, of as many as
+/// K has in a row.
+bool balanced(const QuadraticProgramme& programme, const PrimalDual& solution,
+              const MatrixXd& modes, double rounding) {
+  if (modes.cols() == 0) return true;
+  const double row = static_cast<double>(programme.stiffness.nonZeros()) /
+                     static_cast<double>(programme.stiffness.rows());
+  const VectorXd left = modes.transpose() * equilibrium_residual(programme, solution);
+  const VectorXd size = modes.cwiseAbs().transpose() *
+                        VectorXd(programme.load.cwiseAbs() +
+                                 programme.stiffness.cwiseAbs() * strained(solution).cwiseAbs() +
+                                 programme.A.cwiseAbs().transpose() * solution.force.cwiseAbs());
+  return (left.array().abs() <= (rounding + row * epsilon) * size.array()).all();
+}
+
+/// What a pair that rubs would rather do, if it is closed.
+Motion rubbing(Motion motion, double bound, double friction, double slip, double force,
+               double length) {
+  if (motion == Motion::Stick)
+    return std::abs(friction) <= bound + force ? Motion::Stick
+           : friction > 0                      ? Motion::Backward
+                                               : Motion::Forward;
+  return bound > 0 && friction_sign(motion) * slip > length ? Motion::Stick : motion;
+}
+
+}  // namespace
+
+void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
+  for (Index i = 0; i < change.size(); ++i)
+    add_to(solution.displacement(i), solution.displacement_low(i), change(i));
+}
+
+void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change) {
+  const Index n = change.size();
+  if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
+  if (solution.rigid.size() == 0) solution.rigid.setZero(n);
+  const VectorXd last = solution.rigid;
+  solution.rigid += change;
+  add_displacement(solution, solution.rigid - last);
+}
+
+Refinement refine(const QuadraticProgramme& programme,
+                  const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
+                  const Eigen::MatrixXd& compliance, PrimalDual start, const KnownSet& set,
+                  const Eigen::MatrixXd& null_vectors) {
+  return Refining(programme, solve_stiffness, compliance, std::move(start), set, null_vectors)
+      .run();
+}
+
+Judgement judge(const QuadraticProgramme& programme, const FrictionLaw& law,
+                const Refinement& refined, const std::vector<Motion>& motions,
+                const Eigen::MatrixXd& null_vectors) {
+  const Index pairs = static_cast<Index>(motions.size());
+  const VectorXd& force = refined.solution.force;
+  Index closed = 1;
+  for (const Motion motion : motions) closed += motion != Motion::Open ? 1 : 0;
+  const double rounding = epsilon * static_cast<double>(closed);
+  const double small_force = rounding * largest(force);
+  const double length = largest(programme.initial_gap) + largest(refined.solution.displacement);
+  const double small_length = rounding * length;
+  // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.
+  const double contradicted = std::max(rounding, 1e-12) * length;
+  bool closes = true;
+  Judgement result{motions, 0, false};
+  const auto at = [&](Index i) -> Motion& { return result.motions[static_cast<std::size_t>(i)]; };
+  for (Index i = 0; i < pairs; ++i) {
+    if (at(i) == Motion::Open && refined.movement(i) < -small_length) at(i) = Motion::Stick;
+    if (motions[static_cast<std::size_t>(i)] == Motion::Open) continue;
+    if (force(i) < -small_force) at(i) = Motion::Open;
+    if (std::abs(refined.movement(i)) > contradicted) closes = false;
+  }
+  for (std::size_t k = 0; k < law.pair.size(); ++k) {
+    const Index i = law.pair[k];
+    const Index row = static_cast<Index>(k);
+    if (law.coefficient(row) == 0 && law.cohesion(row) == 0) continue;
+    if (at(i) == Motion::Open || motions[static_cast<std::size_t>(i)] == Motion::Open) continue;
+    const double bound = law.coefficient(row) * std::max(0.0, force(i)) + law.cohesion(row);
+    at(i) = rubbing(at(i), bound, force(pairs + row), refined.movement(pairs + row),
+                    (1 + law.coefficient(row)) * small_force, small_length);
+  }
+  for (std::size_t i = 0; i < motions.size(); ++i) result.wrong += result.motions[i] != motions[i];
+  const bool finite = refined.solution.displacement.allFinite() && force.allFinite();
+  result.confirmed = refined.settled && result.wrong == 0 && finite && closes &&
+                     balanced(programme, refined.solution, null_vectors, rounding);
+  return result;
+}
+
+}  // namespace signorini

@@ -1,0 +1,72 @@
+#include "signorini/programme/rigid_modes.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
+#include "signorini/core/rounding.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// A sum of products, 0 where the rounding of the factors can make as much.
+class Entry {
+ public:
+  void add_product(double a, double b) {
+    if (a == 0 || b == 0) return;
+    sum_.add_product(a, b);
+    size_ += std::abs(a * b);
+    ++terms_;
+  }
+  [[nodiscard]] double value() const {
+    const double rounding = static_cast<double>(64 + terms_) * epsilon;
+    return std::abs(sum_.value()) <= rounding * size_ ? 0 : sum_.value();
+  }
+
+ private:
+  ExactSum sum_;
+  double size_ = 0;
+  Index terms_ = 0;
+};
+
+}  // namespace
+
+Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
+                           const Eigen::MatrixXd& null_vectors) {
+  require(A.cols() == null_vectors.rows() || null_vectors.cols() == 0, "rigid modes: A has ",
+          A.cols(), " columns and N ", null_vectors.rows(), " rows");
+  Eigen::MatrixXd R(A.rows(), null_vectors.cols());
+  for (Index j = 0; j < R.cols(); ++j)
+    for (Index pair = 0; pair < R.rows(); ++pair) {
+      Entry opened;
+      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator at(A, pair); at; ++at)
+        opened.add_product(-at.value(), null_vectors(at.col(), j));
+      R(pair, j) = opened.value();
+    }
+  return R;
+}
+
+FloatingProblem floating_problem(const QuadraticProgramme& programme, ContactProblem grounded,
+                                 const Eigen::MatrixXd& null_vectors) {
+  const Index n = programme.load.size();
+  const Index pairs = programme.A.rows();
+  require(programme.A.cols() == n && null_vectors.rows() == n, "rigid modes: A must be ", pairs,
+          " x ", n, " and N have ", n, " rows, got ", pairs, " x ", programme.A.cols(), " and ",
+          null_vectors.rows());
+  require(grounded.free_gap.size() == pairs && grounded.compliance.rows() == pairs,
+          "rigid modes: expected a compliance and gaps of ", pairs, " pairs, got ",
+          grounded.compliance.rows(), " and ", grounded.free_gap.size());
+  FloatingProblem problem{std::move(grounded), rigid_gaps(programme.A, null_vectors),
+                          Eigen::VectorXd(null_vectors.cols())};
+  for (Index j = 0; j < null_vectors.cols(); ++j) {
+    Entry work;
+    for (Index i = 0; i < n; ++i) work.add_product(-programme.load(i), null_vectors(i, j));
+    problem.resultant(j) = work.value();
+  }
+  return problem;
+}
+
+}  // namespace signorini

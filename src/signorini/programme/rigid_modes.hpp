@@ -1,0 +1,45 @@
+/// \file
+/// Rigid modes of a sparse programme: from K, p, A and g to the floating problem.
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include "signorini/problem/floating.hpp"
+#include "signorini/problem/problem.hpp"
+
+namespace signorini {
+
+/// What rigid modes open the gaps by.
+///
+/// A mode that opens no gap, like a slide along a plane, must get zeros and not their rounding, or this
+/// would be taken for a hold: an entry counts as zero if the rounding of its terms can make it. Factors
+/// are taken to be right to some sixty roundings, as normals and modes are that a few steps computed.
+/// \param A             `n_c x n`, gap = g - A u
+/// \param null_vectors  N `n x n_r`, rigid modes
+/// \return R = -A N `n_c x n_r`, the one test of this library of whether a mode moves a pair
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
+                                         const Eigen::MatrixXd& null_vectors);
+
+/// The floating problem of a programme whose bodies contact alone holds.
+///
+/// K is singular, so the caller grounds it: K_g = K + C C^T with one spring per mode, N^T C regular.
+/// For forces f in balance, N^T f = 0, the springs carry nothing and K (K_g^-1 f) = f; so
+/// \f$ u = K_g^{-1}(p - A^T\lambda) + N a \f$ holds wherever the springs are, and with \f$ gap = g - A u \f$
+///
+/// \f[ d = g - A K_g^{-1} p,\quad G = A K_g^{-1} A^T,\quad R = -A N,\quad r = -N^T p. \f]
+///
+/// R is that of rigid_gaps(), and an entry of r too counts as zero if the rounding of its terms can make it.
+///
+/// A rotation should turn its body about a point inside: about a far one it is mostly a shift, and what
+/// remains of the two when they cancel is rounded as they are.
+/// \param programme     p and A; K and g have gone into `grounded`
+/// \param grounded      G and d with K_g in the place of K
+/// \param null_vectors  N `n x n_r`, independent columns with K N = 0; none if it is empty
+/// \return G, d, R and r
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] FloatingProblem floating_problem(const QuadraticProgramme& programme,
+                                               ContactProblem grounded,
+                                               const Eigen::MatrixXd& null_vectors);
+
+}  // namespace signorini

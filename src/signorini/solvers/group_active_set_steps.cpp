@@ -1,0 +1,110 @@
+// What a group of pairs does step by step: where a force vanishes on the way, its pair opens.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "signorini/core/rounding.hpp"
+#include "signorini/solvers/group_active_set.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+/// Drops rows and their entries in the forces.
+void GroupActiveSet::open_vanished(const std::vector<Index>& positions) {
+  for (auto k = positions.rbegin(); k != positions.rend(); ++k)
+    for (Index i = *k + 1; i < force_.size(); ++i) force_(i - 1) = force_(i);
+  drop(positions);
+}
+
+/// Moves from forces that do not pull towards the best for all closed rows; where a force vanishes
+/// first, its row opens and the target changes. The dual energy rises all the way.
+void GroupActiveSet::step_by_step() {
+  while (true) {
+    solve();
+    const std::vector<Index> negative = pulling();
+    if (negative.empty()) break;
+    const auto share = [&](Index k) {
+      return force_(k) > 0 ? force_(k) / (force_(k) - target_(k)) : 0.0;
+    };
+    double step = 1;
+    for (const Index k : negative) step = std::min(step, share(k));
+    std::vector<Index> vanished;
+    for (const Index k : negative)
+      if (share(k) <= step) vanished.push_back(k);
+    const Index size = basis_.size();
+    force_.head(size) += step * (target_.head(size) - force_.head(size));
+    open_vanished(vanished);
+  }
+  force_.head(basis_.size()) = target_.head(basis_.size());
+}
+
+/// The closed row whose force vanishes first when the forces change by -response, and the step to there; -1
+/// if none does. A response so small that without this row the new one would still depend on the others
+/// is rounding.
+std::pair<Index, double> GroupActiveSet::first_to_open(const VectorXd& response) const {
+  std::vector<Index> yielding;
+  for (Index k = 0; k < basis_.size(); ++k)
+    if (response(k) > 0 && basis_.rows()[at(k)] >= rows_.equations) yielding.push_back(k);
+  const auto step = [&](Index k) { return force_(k) / response(k); };
+  std::sort(yielding.begin(), yielding.end(),
+            [&](Index a, Index b) { return step(a) < step(b) || (step(a) == step(b) && a < b); });
+  for (const Index k : yielding)
+    if (response(k) * basis_.distance_from_others(k) > basis_.smallest_distance())
+      return {k, step(k)};
+  return {-1, 0};
+}
+
+/// How much overlap of a row that depends on the closed ones can be rounding, its own or theirs.
+double GroupActiveSet::grazing(Index row, const VectorXd& response) const {
+  const double distance = basis_.smallest_distance();
+  const double weight = (*rows_.weight)(row);
+  double rounding = rounding_(row);
+  for (Index k = 0; k < basis_.size() && weight > 0; ++k) {
+    const Index closed = basis_.rows()[at(k)];
+    rounding += std::abs(response(k)) * rounding_(closed) * (*rows_.weight)(closed) / weight;
+  }
+  return std::max(2 * rounding, rounding_(row) / epsilon * distance * distance);
+}
+
+/// A violated row depends on the closed ones: presses it, while they yield, until the first one opens.
+Status GroupActiveSet::exchange(Index row) {
+  fetch(row);
+  const VectorXd response = basis_.response(candidates_);
+  const Index size = basis_.size();
+  const auto [first, press] = first_to_open(response);
+  if (first < 0) {
+    if (-gap_(row) <= grazing(row, response)) {  // it only touches, as far as rounding can tell
+      mark_fruitless({row});
+      return Status::Solved;
+    }
+    proof_.setZero(rows_.count);
+    for (Index k = 0; k < size; ++k) {
+      const Index closed = basis_.rows()[at(k)];
+      proof_(closed) = closed < rows_.equations ? -response(k) : std::max(0.0, -response(k));
+    }
+    proof_(row) = 1;
+    pressed_ = row;
+    return Status::Infeasible;
+  }
+  // Rounding may leave forces of rows that yield faster a little below zero.
+  force_.head(size) -= press * response;
+  for (Index k = 0; k < size; ++k)
+    if (basis_.rows()[at(k)] >= rows_.equations) force_(k) = std::max(0.0, force_(k));
+  open_vanished({first});
+  rows_.gaps(basis_, gap_, rounding_);
+  fetch(row);
+  if (basis_.append(candidates_, ClosedBasis::Choice::All, 1) == 0) return Status::Breakdown;
+  force_(size - 1) = press;
+  state_[at(row)] = Row::Closed;
+  step_by_step();
+  return Status::Solved;
+}
+
+}  // namespace signorini

@@ -1,0 +1,179 @@
+#include "signorini/solvers/lemke.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/solvers/dictionary.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// Pairs in the order of falling weight, those without weight left out.
+std::vector<Index> by_weight(const Eigen::VectorXd& weight) {
+  std::vector<Index> order;
+  for (Index i = 0; i < weight.size(); ++i)
+    if (weight(i) > 0) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index i, Index j) { return weight(i) > weight(j); });
+  return order;
+}
+
+/// The proof that nothing solves a problem, if forces in a ratio of these give one; otherwise empty.
+Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direction) {
+  // Some of the smallest entries may be rounding; they are left out digit by digit.
+  for (double small = std::numeric_limits<double>::epsilon(); small < 1; small *= 10) {
+    const double least = small * direction.maxCoeff();
+    std::vector<Index> support =
+        by_weight(direction.unaryExpr([=](double x) { return x > least ? x : 0; }));
+    if (support.empty()) break;
+    const Index pair = support.front();
+    support.erase(support.begin());
+    Eigen::VectorXd y = contradiction(scaled, support, pair);
+    if (y.size() > 0) return y;
+  }
+  return {};
+}
+
+/// Forces and gaps of the last basis, from the data.
+ContactState closed_basis(const ScaledProblem& scaled, const Dictionary& dictionary,
+                          Report report) {
+  const Index n = scaled.free_gap.size();
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
+  std::vector<Index> active;
+  for (Index i = 0; i < n; ++i)
+    if (dictionary.basic(i) >= n) {
+      active.push_back(dictionary.basic(i) - n);
+      force(active.back()) = dictionary.value()(i);
+    }
+  std::sort(active.begin(), active.end());
+  ClosedPairs closed = close_pairs(scaled, active);
+  report.factorisations = active.empty() ? 0 : 1;
+  report.status = solves(scaled, closed) ? Status::Solved : Status::Breakdown;
+  if (report.status == Status::Solved || !scaled.symmetric) {
+    if (!closed.solvable) closed.gap = scaled.free_gap;
+    return unscaled(scaled, closed, active, report);
+  }
+  // Rounding took a pair that touches without force into the basis, or one that depends on the others.
+  if (closed.solvable) force = closed.force;
+  if (auto found = confirmed(scaled, by_weight(force))) {
+    report.status = Status::Solved;
+    return unscaled(scaled, found->first, found->second, report);
+  }
+  const Eigen::VectorXd y = proof(scaled, force);
+  if (y.size() > 0) report.status = Status::Infeasible;
+  closed.gap = scaled.free_gap + scaled.compliance * closed.force;
+  ContactState state = unscaled(scaled, closed, active, report);
+  state.infeasibility = y;
+  return state;
+}
+
+/// Where the path stands, which is no solution; from here it would go on along `direction`.
+ContactState last_point(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering,
+                        const Report& report, Eigen::VectorXd& direction) {
+  const Index n = scaled.free_gap.size();
+  direction.setZero(n);
+  ClosedPairs last;
+  last.force.setZero(n);
+  if (entering >= n) direction(entering - n) = 1;
+  const Eigen::VectorXd growth = dictionary.column(entering);
+  for (Index i = 0; i < n; ++i) {
+    const Index force = dictionary.basic(i) - n;
+    if (force < 0 || force == n) continue;
+    direction(force) = growth(i);
+    last.force(force) = std::max(dictionary.value()(i), 0.0);
+  }
+  last.gap = scaled.free_gap + scaled.compliance * last.force;
+  ContactState state = unscaled(scaled, last, by_weight(last.force), report);
+  std::sort(state.active.begin(), state.active.end());
+  return state;
+}
+
+/// The state when nothing blocks the entering variable.
+ContactState ray(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering,
+                 Report report) {
+  report.status = Status::Ray;
+  Eigen::VectorXd direction;
+  ContactState state = last_point(scaled, dictionary, entering, report, direction);
+  if (!scaled.symmetric) return state;
+  state.infeasibility = proof(scaled, direction);
+  if (state.infeasibility.size() > 0) state.report.status = Status::Infeasible;
+  return state;
+}
+
+Index limit_of(Index n, const SolverOptions& options) {
+  return options.iteration_limit > 0 ? options.iteration_limit
+                                     : (Index{1} << std::min<Index>(n, 20)) + 100 * n;
+}
+
+/// One path, of at most `limit` pivots.
+ContactState pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index limit) {
+  const Index n = scaled.free_gap.size();
+  Report report;
+  Dictionary dictionary(scaled, covering);
+  if (n == 0 || (scaled.free_gap.array() >= 0).all())
+    return closed_basis(scaled, dictionary, report);
+  Index entering = dictionary.artificial();
+  Index row = dictionary.first_row();
+  while (true) {
+    const Index leaving = dictionary.basic(row);
+    dictionary.pivot(row, entering);
+    ++report.iterations;
+    if (leaving == dictionary.artificial()) return closed_basis(scaled, dictionary, report);
+    entering = dictionary.partner(leaving);
+    row = dictionary.blocking_row(entering);
+    if (row < 0) return ray(scaled, dictionary, entering, report);
+    if (report.iterations == limit) break;
+  }
+  report.status = Status::IterationLimit;
+  Eigen::VectorXd direction;
+  return last_point(scaled, dictionary, entering, report, direction);
+}
+
+/// Ones first; then entries from 1 to 2 in the order of the multiples of the golden section, which are spread
+/// evenly, shifted from path to path.
+Eigen::VectorXd covering_of_path(Index n, Index path) {
+  const double golden = (std::sqrt(5.0) - 1) / 2;
+  Eigen::VectorXd covering = Eigen::VectorXd::Ones(n);
+  for (Index i = 0; i < n && path > 0; ++i) {
+    const double multiple = golden * static_cast<double>(n * (path - 1) + i + 1);
+    covering(i) += multiple - std::floor(multiple);
+  }
+  return covering;
+}
+
+}  // namespace
+
+ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& covering,
+                   const SolverOptions& options) {
+  const ScaledProblem scaled = equilibrate_any(problem);
+  const Index n = problem.free_gap.size();
+  require(covering.size() == n && covering.allFinite() && (covering.array() > 0).all(),
+          "lemke: the covering vector must have ", n, " positive entries, one per pair, got ",
+          covering.size(), covering.size() > 0 ? text(", the least ", covering.minCoeff()) : "");
+  return certified(problem,
+                   pivoted(scaled, scaled.scale.cwiseProduct(covering), limit_of(n, options)));
+}
+
+ContactState lemke(const ContactProblem& problem, const SolverOptions& options) {
+  const ScaledProblem scaled = equilibrate_any(problem);
+  const Index n = problem.free_gap.size();
+  const Index limit = limit_of(n, options);
+  Index pivots = 0;
+  Index length = n * n + 100 * n;
+  for (Index path = 0;; ++path) {
+    ContactState state =
+        pivoted(scaled, covering_of_path(n, path), std::min(length, limit - pivots));
+    pivots = state.report.iterations += pivots;
+    if (state.report.status != Status::IterationLimit || pivots >= limit)
+      return certified(problem, std::move(state));
+    length *= 2;
+  }
+}
+
+}  // namespace signorini

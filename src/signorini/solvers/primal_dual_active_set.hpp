@@ -1,0 +1,32 @@
+/// \file
+/// Primal-dual active set method with a safeguard that makes it finite.
+#pragma once
+#include "signorini/problem/problem.hpp"
+
+namespace signorini {
+
+/// Solves a contact problem by exchanging all wrong pairs at once.
+///
+/// Take the pairs that overlap as closed, compute the forces that close them exactly, release every
+/// pair in tension, close every pair that now overlaps, and repeat
+/// [\ref HintermuellerItoKunisch2002]. This is fast but can run in circles. When a set of closed
+/// pairs comes back, only the wrong pair with the lowest number changes sides from then on, which
+/// for a positive definite G ends after finitely many steps [\ref Murty1974]. A pair counts as
+/// wrong only beyond the rounding errors of its own force or gap.
+///
+/// Two things keep pairs that depend on each other from stopping it. Of a set with a singular block only
+/// independent pairs are closed, those that overlapped most first. And where the exchange does not arrive
+/// - single pairs change sides and meet a singular block, or 10 n_c + 10 sets were not enough, or rounding
+/// hides the answer, or there is none - quasi_active_set() takes over from the start: its dual energy rises
+/// at every step, so that it needs no regular block to end.
+///
+/// \param problem  G positive semidefinite, and d
+/// \param options  `iteration_limit` for both methods together; 0 stands for 10 n_c + 10 and what
+///   quasi_active_set() takes
+/// \return `Solved` with forces and gaps >= 0; otherwise what quasi_active_set() says, or
+///   `IterationLimit`. `iterations` and `history` are those of both methods, one behind the other
+/// \throws std::invalid_argument as check_problem()
+[[nodiscard]] ContactState primal_dual_active_set(const ContactProblem& problem,
+                                                  const SolverOptions& options = {});
+
+}  // namespace signorini

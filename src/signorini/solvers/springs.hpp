@@ -1,0 +1,40 @@
+/// \file
+/// Floating problems by any member of the family: springs hold the rigid modes and let go of them.
+#pragma once
+#include "signorini/problem/floating.hpp"
+#include "signorini/solvers/solvers.hpp"
+
+namespace signorini {
+
+/// Solves a floating problem with any member of the family.
+///
+/// Springs on the modes, of compliance rho and anchored at a, turn it into a contact problem with
+/// \f$ G + \rho R P R^T \f$ and \f$ d + R (a - \rho P r) \f$. Its forces and the new amplitude
+/// \f$ a + \rho P (R^T\lambda - r) \f$ satisfy every condition but one: the springs still carry
+/// \f$ R^T\lambda - r \f$. So the anchor is moved there, and again: the method of multipliers
+/// [\ref Rockafellar1976], akin to the minimum that Xuan and Li move. As soon as a new set of closed
+/// pairs W appears,
+///
+/// \f[ \begin{pmatrix} G_{WW} & R_W \\ R_W^T & 0 \end{pmatrix}
+///     \begin{pmatrix} \lambda_W \\ a \end{pmatrix} =
+///     \begin{pmatrix} -d_W \\ r \end{pmatrix} \f]
+///
+/// is solved and refined; if all signs are right beyond rounding, that is the solution, and no spring
+/// is left in it. A member with `solve_floating` first tries the whole problem at once, and the springs
+/// come in where that fails. Nothing is to be tuned: on equilibrated data \f$ P = (R^T R)^{-1} \f$ and rho is the
+/// trace of G, twice as much after each pass that did not halve the spring forces. The first anchor is
+/// where the body meets the first obstacle when it follows its load.
+///
+/// Whether forces >= 0 can balance r at all is decided before, by the point of the cone of all
+/// \f$ R^T\lambda \f$ that is closest to r: what is missing there is the direction of escape.
+/// \param problem  G, d, R, r
+/// \param solver   a member of solvers()
+/// \param options  handed to it
+/// \return `Solved`; `Infeasible` with `escape` if the load pulls the body away, or with the vector y of
+///   ContactState, for which also R^T y = 0, if gaps contradict each other; `IterationLimit` after 100
+///   passes; else what the solver said. If fewer pairs close than there are modes, the amplitude is one of many
+/// \throws std::invalid_argument as check_problem() and the solver, or if R or r do not fit
+[[nodiscard]] FloatingState solve(const FloatingProblem& problem, const Solver& solver,
+                                  const SolverOptions& options = {});
+
+}  // namespace signorini

@@ -1,0 +1,198 @@
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "catch_compat.hpp"
+#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/solvers/solvers.hpp"
+#include "support/message.hpp"
+#include "support/problems.hpp"
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using namespace signorini;
+using signorini_test::argument_message;
+
+namespace {
+
+std::string complaint(const Eigen::MatrixXd& G, const Eigen::VectorXd& d) {
+  return argument_message([&] { check_problem({G, d}); });
+}
+
+Matrix2d matrix(double a, double b, double c, double d) {
+  Matrix2d m;
+  m << a, b, c, d;
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("every status has its word", "[problem]") {
+  CHECK(std::string(to_string(Status::Solved)) == "solved");
+  CHECK(std::string(to_string(Status::Infeasible)) == "infeasible");
+  CHECK(std::string(to_string(Status::Ray)) == "ray");
+  CHECK(std::string(to_string(Status::IterationLimit)) == "iteration limit");
+  CHECK(std::string(to_string(Status::Breakdown)) == "breakdown");
+}
+
+TEST_CASE("a report that nobody filled in does not say solved", "[problem]") {
+  CHECK(ContactState{}.report.status != Status::Solved);
+}
+
+TEST_CASE("a problem that is not one is refused", "[problem]") {
+  CHECK(complaint(matrix(2, 1, 1, 2), Vector2d(0, 1)).empty());
+  CHECK(complaint(Eigen::MatrixXd(0, 0), Eigen::VectorXd(0)).empty());
+  CHECK_THAT(complaint(matrix(2, 1, 1, 2), Eigen::Vector3d(0, 1, 2)),
+             ContainsSubstring("must be 3 x 3 (one row per pair), got 2 x 2"));
+  CHECK_THAT(complaint(matrix(2, 1, 0.5, 2), Vector2d(0, 1)),
+             ContainsSubstring("symmetric") && ContainsSubstring("0.25 of its diagonal"));
+  CHECK_THAT(complaint(matrix(2, 1, 1, -3), Vector2d(0, 1)),
+             ContainsSubstring("diagonal entry -3"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THAT(complaint(matrix(2, nan, nan, 2), Vector2d(0, 1)), ContainsSubstring("finite"));
+  CHECK_THAT(complaint(matrix(2, 1, 1, 2), Vector2d(0, nan)), ContainsSubstring("finite"));
+}
+
+TEST_CASE("numbers near overflow or underflow are refused, except small ones beside the diagonal",
+          "[problem]") {
+  const std::string wanted = "numbers beyond 1e102 or below 1e-102 in magnitude";
+  CHECK(complaint(matrix(1e102, 0, 0, 1e-102), Vector2d(1e102, -1e-102)).empty());
+  CHECK(complaint(matrix(1, 1e-200, 1e-200, 1), Vector2d(0, 1)).empty());
+  CHECK(complaint(matrix(0, 0, 0, 1), Vector2d(0, 1)).empty());
+  CHECK_THAT(complaint(matrix(1, 0, 0, 1e103), Vector2d(0, 1)),
+             ContainsSubstring(wanted) && ContainsSubstring("pair 2"));
+  CHECK_THAT(complaint(matrix(1e-103, 0, 0, 1), Vector2d(0, 1)), ContainsSubstring("pair 1"));
+  CHECK_THAT(complaint(matrix(1, 1e103, 1e103, 1), Vector2d(0, 1)), ContainsSubstring(wanted));
+  CHECK_THAT(complaint(matrix(1, 0, 0, 1), Vector2d(0, -5e-324)), ContainsSubstring(wanted));
+  CHECK_THAT(complaint(matrix(1, 0, 0, 1), Vector2d(-1e300, 0)), ContainsSubstring(wanted));
+}
+
+TEST_CASE("a complementarity problem without symmetry has a certificate too", "[certificate]") {
+  // Murty's matrix: z = (0, 1), w = (1, 0) solves it, z = (1, 0), w = (0, 1) only its transpose.
+  const ContactProblem problem{matrix(1, 2, 0, 1), Vector2d(-1, -1)};
+  CHECK(certify(problem, {Vector2d(0, 1), Vector2d(1, 0), {}, {}}).worst() == 0);
+  CHECK_FALSE(certify(problem, {Vector2d(1, 0), Vector2d(0, 1), {}, {}}).holds(0.1));
+  // With a negative entry on the diagonal.
+  const ContactProblem odd{matrix(-1, 0, 2, 1), Vector2d(3, -1)};
+  CHECK(certify(odd, {Vector2d(0, 1), Vector2d(3, 0), {}, {}}).worst() == 0);
+}
+
+TEST_CASE("a difference of rounding size between the triangles is accepted", "[problem]") {
+  CHECK(complaint(matrix(2, 1 + 1e-15, 1, 2), Vector2d(0, 1)).empty());
+}
+
+TEST_CASE("equilibration gives a unit diagonal and goes back", "[closed_pairs]") {
+  const ContactProblem problem{matrix(4, 3, 3, 25), Vector2d(-8, 10)};
+  const ScaledProblem scaled = equilibrate(problem);
+  CHECK((scaled.compliance - matrix(1, 0.3, 0.3, 1)).norm() < 1e-15);
+  CHECK((scaled.free_gap - Vector2d(-4, 2)).norm() < 1e-15);
+  const ContactState state = unscaled(scaled, close_pairs(scaled, {0}), {0}, {});
+  CHECK((state.force - Vector2d(2, 0)).norm() < 1e-15);
+  CHECK((state.gap - Vector2d(0, 16)).norm() < 1e-14);
+}
+
+TEST_CASE("the equilibrated problem does not know units or the scale of a row",
+          "[closed_pairs][units]") {
+  signorini_test::Random random(4);
+  const ContactProblem problem = signorini_test::random_problem(random, 5);
+  const ScaledProblem scaled = equilibrate(problem);
+  Eigen::VectorXd row(5);
+  row << 0x1p-20, 0x1p20, 1, 0x1p10, 0x1p-5;  // powers of two: without rounding
+  const ScaledProblem rows = equilibrate(signorini_test::with_rows(problem, row));
+  CHECK((rows.compliance - scaled.compliance).norm() < 1e-15);
+  CHECK((rows.free_gap - scaled.free_gap).norm() < 1e-15 * scaled.free_gap.norm());
+}
+
+TEST_CASE("closing pairs leaves no gap in them and no force elsewhere", "[closed_pairs]") {
+  signorini_test::Random random(6);
+  const ContactProblem problem = signorini_test::random_problem(random, 7);
+  const ScaledProblem scaled = equilibrate(problem);
+  const std::vector<Eigen::Index> active = {1, 2, 5};
+  const ClosedPairs closed = close_pairs(scaled, active);
+  REQUIRE(closed.solvable);
+  const Eigen::VectorXd gap = scaled.free_gap + scaled.compliance * closed.force;
+  for (const Eigen::Index i : {0, 3, 4, 6}) {
+    CHECK(closed.force(i) == 0);
+    CHECK(closed.gap(i) == Approx(gap(i)).epsilon(1e-12));
+  }
+  for (const Eigen::Index i : active) {
+    CHECK(closed.gap(i) == 0);
+    CHECK(std::abs(gap(i)) < 1e-14);
+  }
+}
+
+TEST_CASE("a nearly singular block is solved to the last digits", "[closed_pairs]") {
+  // G_ij = 1 - |i - j| 2^-22 has a condition number of 1e8; forces are whole, so d is exact.
+  const Eigen::Index n = 6;
+  Eigen::MatrixXd G(n, n);
+  Eigen::VectorXd force(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    force(i) = static_cast<double>(1 + i * i % 5);
+    for (Eigen::Index j = 0; j < n; ++j)
+      G(i, j) = 1 - static_cast<double>(std::abs(i - j)) * 0x1p-22;
+  }
+  const ClosedPairs closed = close_pairs(equilibrate({G, -G * force}), {0, 1, 2, 3, 4, 5});
+  REQUIRE(closed.solvable);
+  CHECK((closed.force - force).cwiseAbs().maxCoeff() < 1e-14);
+}
+
+TEST_CASE("a block that repeats a row is called singular, not solved", "[closed_pairs]") {
+  const ScaledProblem scaled = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -1)});
+  CHECK_FALSE(close_pairs(scaled, {0, 1}).solvable);
+  CHECK(close_pairs(scaled, {1}).solvable);
+  const ScaledProblem nothing =
+      equilibrate({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Ones(1)});
+  CHECK_FALSE(close_pairs(nothing, {0}).solvable);
+}
+
+TEST_CASE("a dependent block is found out, whatever rounding leaves of its last pivot",
+          "[closed_pairs]") {
+  // Six rows of length 1 in a space of four dimensions: G is exact and singular, its factor is rounded.
+  signorini_test::Random random(14);
+  int found = 0;
+  for (int sample = 0; sample < 200; ++sample) {
+    Eigen::MatrixXd V(6, 4);
+    for (Eigen::Index k = 0; k < V.size(); ++k) V.data()[k] = random.whole(0, 1) - 0.5;
+    const ScaledProblem scaled = equilibrate({V * V.transpose(), -Eigen::VectorXd::Ones(6)});
+    found += close_pairs(scaled, {0, 1, 2, 3, 4, 5}).solvable ? 0 : 1;
+  }
+  CHECK(found == 200);
+}
+
+TEST_CASE("a singular block that rounding lets pass gives no solution", "[closed_pairs]") {
+  // Rows 0, 2 and 3 satisfy a_0 + (a_2 + a_3) / 2 = 0 and contradict each other: the last pivot is 2e-15,
+  // the forces are 1e15, and gaps of the size of the overlaps are rounding.
+  Eigen::Matrix3d G;
+  G << 5, -5, -5, -5, 9, 1, -5, 1, 9;
+  const ContactProblem problem{G, Eigen::Vector3d(-1, -4, 0)};
+  const ScaledProblem scaled = equilibrate(problem);
+  CHECK_FALSE(solves(scaled, close_pairs(scaled, {0, 1, 2})));
+  CHECK_FALSE(confirmed(scaled, {0, 1, 2}).has_value());
+  CHECK(find_solver("enumerate").solve(problem, {}).report.status == Status::Infeasible);
+  CHECK(find_solver("primal_dual_active_set").solve(problem, {}).report.status != Status::Solved);
+}
+
+TEST_CASE("a solver is found by its name, an unknown one is answered with the family",
+          "[solvers]") {
+  CHECK(std::string(find_solver("enumerate").name) == "enumerate");
+  CHECK_THAT(signorini_test::problem_message([] { static_cast<void>(find_solver("guess")); }),
+             ContainsSubstring("unknown solver 'guess'") &&
+                 ContainsSubstring("primal_dual_active_set, enumerate"));
+}
+
+TEST_CASE("what is solved only before scaling back is not called solved", "[closed_pairs][hard]") {
+  // Both matrices are singular but for rounding; found among random problems.
+  Eigen::MatrixXd first(4, 4);
+  first << 10, 0, -5, -7, 0, 9, -2, -6, -5, -2, 10, 4, -7, -6, 4, 9;
+  Eigen::MatrixXd second(5, 5);
+  second << 7, -7, 6, 0, -1, -7, 14, -6, 3, -2, 6, -6, 17, 7, -5, 0, 3, 7, 14, -8, -1, -2, -5, -8,
+      5;
+  const ContactProblem problems[] = {{first, Eigen::Vector4d(-3, -1, 0, -3)},
+                                     {second, (Eigen::VectorXd(5) << 0, 0, -1, -3, 0).finished()}};
+  for (const ContactProblem& problem : problems)
+    for (const char* name : {"primal_dual_active_set", "enumerate", "surrogate_dual"}) {
+      const ContactState state = find_solver(name).solve(problem, {});
+      if (state.report.status == Status::Solved) CHECK(certify(problem, state).holds());
+    }
+}

@@ -1,0 +1,90 @@
+// Dense programmes: condensation by hand, recovery of u, every solver from K, p, A, g to a certificate.
+#include <Eigen/Dense>
+#include <limits>
+
+#include "catch_compat.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/programme/dense_programme.hpp"
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using namespace signorini;
+
+namespace {
+
+/// u* = (1, -1, 2), lambda = (2, 3, 0), least energy -7.5.
+DenseProgramme small_programme() {
+  DenseProgramme programme{MatrixXd(3, 3), VectorXd(3), MatrixXd(3, 3), VectorXd(3)};
+  programme.stiffness << 4, 1, 0, 1, 3, 1, 0, 1, 2;
+  programme.load << 5, 5, 6;
+  programme.A << 1, 1, 0, 0, 1, 1, 1, 0, -1;
+  programme.initial_gap << 0, 1, 3;
+  return programme;
+}
+
+}  // namespace
+
+TEST_CASE("condensation eliminates the displacements of a small programme",
+          "[dense_programme][closed-form][XuanLi2002-20]") {
+  const DenseProgramme programme = small_programme();
+  const DenseCondensed condensed = condense(programme);
+  const Eigen::Vector3d u0 = Eigen::Vector3d(21, 6, 51) / 18.0;  // Cramer, det K = 18
+  CHECK((programme.stiffness * u0 - programme.load).norm() < 1e-14);
+  CHECK((condensed.free_displacement - u0).norm() < 1e-14);
+  const MatrixXd G = multiplied_out(condensed.problem).compliance;
+  const MatrixXd exact = programme.A * programme.stiffness.inverse() * programme.A.transpose();
+  CHECK((G - exact).norm() < 1e-14);
+  CHECK(G == G.transpose());
+  CHECK((condensed.problem.free_gap - (programme.initial_gap - programme.A * u0)).norm() < 1e-14);
+}
+
+TEST_CASE("every solver takes the small programme to its known solution",
+          "[dense_programme][closed-form][XuanLi2002-22]") {
+  for (const Solver& solver : solvers()) {
+    const DenseSolution solution = solve(small_programme(), solver);
+    CAPTURE(solver.name, to_string(solution.report.status));
+    if (may_fail(solver, Trait::Ordinary) || may_fail(solver, Trait::Several)) continue;
+    REQUIRE(solution.report.status == Status::Solved);
+    CHECK(solution.certificate.holds());
+    const VectorXd u = small_programme().stiffness.ldlt().solve(
+        small_programme().load - small_programme().A.transpose() * solution.refined.force);
+    CHECK((u - Eigen::Vector3d(1, -1, 2)).norm() < 1e-13);
+    CHECK((solution.refined.displacement - Eigen::Vector3d(1, -1, 2)).norm() < 1e-13);
+    CHECK((solution.refined.force - Eigen::Vector3d(2, 3, 0)).norm() < 1e-12);
+    CHECK((solution.gap - Eigen::Vector3d(0, 0, 4)).norm() < 1e-13);
+  }
+}
+
+TEST_CASE("the programme of Rosen and Suzuki is known to rounding", "[dense_programme]") {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const KnownProgramme known = rosen_suzuki(10, 20, seed);
+    CHECK(certify(known.programme, {known.displacement, {}, known.force}).worst() < 1e-14);
+    CHECK((known.force.array() > 0).count() == 5);
+    const VectorXd u = known.displacement;
+    CHECK(known.energy ==
+          Approx(0.5 * u.dot(known.programme.stiffness * u) - known.programme.load.dot(u))
+              .epsilon(1e-14)
+              .margin(0));
+  }
+  // A seed names one problem on every machine.
+  CHECK(rosen_suzuki(10, 20, 1).displacement == rosen_suzuki(10, 20, 1).displacement);
+  CHECK(rosen_suzuki(10, 20, 1).displacement != rosen_suzuki(10, 20, 2).displacement);
+  CHECK_THROWS_AS(rosen_suzuki(0, 3, 1), std::invalid_argument);
+}
+
+TEST_CASE("what is no programme is refused and says what was expected", "[dense_programme]") {
+  DenseProgramme programme = small_programme();
+  programme.A.resize(2, 3);
+  CHECK_THROWS_AS(condense(programme), std::invalid_argument);
+  programme = small_programme();
+  programme.load(1) = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(condense(programme), std::invalid_argument);
+  programme = small_programme();
+  programme.equations = 4;
+  CHECK_THROWS_AS(condense(programme), std::invalid_argument);
+  programme = small_programme();
+  programme.stiffness(2, 2) = -1;
+  CHECK_THROWS_AS(condense(programme), ProblemError);
+}

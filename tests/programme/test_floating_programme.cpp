@@ -1,0 +1,160 @@
+#include <Eigen/QR>
+#include <algorithm>
+#include <string>
+
+#include "catch_compat.hpp"
+#include "signorini/programme/floating_programme.hpp"
+#include "support/message.hpp"
+#include "support/problems.hpp"
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using namespace signorini;
+using namespace signorini_test;
+
+namespace {
+
+/// A body with rigid modes and a solution that is known: K = Z B Z^T with Z orthogonal to N.
+struct KnownFloating {
+  DenseProgramme programme;
+  MatrixXd null_vectors;
+  VectorXd displacement;
+  VectorXd force;
+};
+
+MatrixXd random_matrix(Random& random, Index rows, Index cols) {
+  MatrixXd matrix(rows, cols);
+  for (Index k = 0; k < matrix.size(); ++k) matrix.data()[k] = random.uniform(-1, 1);
+  return matrix;
+}
+
+KnownFloating known_floating(Random& random, double softest, double far) {
+  const Index n = random.whole(6, 14);
+  const Index m = random.whole(4, 10);
+  const Index modes = random.whole(1, 3);
+  KnownFloating known;
+  known.null_vectors = random_matrix(random, n, modes);
+  const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(known.null_vectors).householderQ();
+  const MatrixXd Z = Q.rightCols(n - modes);
+  const MatrixXd V =
+      Eigen::HouseholderQR<MatrixXd>(random_matrix(random, n - modes, n - modes)).householderQ();
+  VectorXd stiffness(n - modes);
+  for (Index i = 0; i < n - modes; ++i) stiffness(i) = random.uniform(0.5, 2);
+  stiffness(0) = softest;
+  MatrixXd& K = known.programme.stiffness;
+  K = Z * V * stiffness.asDiagonal() * V.transpose() * Z.transpose();
+  K = (0.5 * (K + K.transpose())).eval();
+  known.programme.A = random_matrix(random, m, n);
+  known.displacement = far * random_matrix(random, n, 1);
+  known.force.setZero(m);
+  VectorXd gap(m);
+  for (Index i = 0; i < m; ++i) gap(i) = random.uniform(0.1, 2);
+  for (Index i = random.whole(static_cast<int>(modes), static_cast<int>(std::min(m, n - 1)));
+       i-- > 0;) {
+    gap(i) = 0;
+    known.force(i) = random.uniform(0.1, 2);
+  }
+  known.programme.load = K * known.displacement + known.programme.A.transpose() * known.force;
+  known.programme.initial_gap = known.programme.A * known.displacement + gap;
+  return known;
+}
+
+bool accepts(const Solver& solver, Index n) { return solver.largest == 0 || n <= solver.largest; }
+
+}  // namespace
+
+TEST_CASE("every solver: floating bodies built backwards from their answer", "[floating]") {
+  for (const Solver& solver : solvers()) {
+    Random random(7);
+    for (int sample = 0; sample < 40; ++sample) {
+      const KnownFloating known = known_floating(random, 0.5, sample % 2 == 0 ? 1 : 100);
+      if (!accepts(solver, known.force.size())) continue;
+      const FloatingSolution solution = solve(known.programme, known.null_vectors, solver);
+      CAPTURE(solver.name, sample);
+      // Not those that leave even plain problems unsolved; springs raise the condition of G by 1e2 or more.
+      const bool promised = !may_fail(solver, Trait::Ordinary) &&
+                            !may_fail(solver, Trait::Several) && !may_fail(solver, Trait::Slow);
+      if (!promised && solution.dense.report.status != Status::Solved) continue;
+      REQUIRE(solution.dense.report.status == Status::Solved);
+      CHECK(solution.dense.certificate.worst() <= 1e-13);
+      CHECK((solution.dense.refined.displacement - known.displacement).norm() <=
+            1e-11 * known.displacement.norm());
+    }
+  }
+}
+
+TEST_CASE("a soft body and other units: the certificate stays, the passes too",
+          "[floating][units]") {
+  const Solver& solver = find_solver("primal_dual_active_set");
+  Random random(8);
+  for (int sample = 0; sample < 40; ++sample) {
+    const KnownFloating known = known_floating(random, 1e-8, 1);  // condition 1e8 without the modes
+    const FloatingSolution solution = solve(known.programme, known.null_vectors, solver);
+    CAPTURE(sample);
+    REQUIRE(solution.dense.report.status == Status::Solved);
+    CHECK(solution.dense.certificate.worst() <= 1e-12);
+
+    FloatingProblem problem = condense(known.programme, known.null_vectors).problem;
+    const FloatingState state = solve(problem, solver);
+    REQUIRE(certify(problem, state).worst() <= 1e-12);
+    problem.contact = in_units(problem.contact, 0x1p20, 0x1p-20);  // exact in binary
+    problem.rigid.col(0) *= 0x1p10;                                // a mode in other units, too
+    problem.resultant *= 0x1p-20;
+    problem.resultant(0) *= 0x1p10;
+    const FloatingState other = solve(problem, solver);
+    CHECK(other.passes == state.passes);
+    CHECK(other.contact.active == state.contact.active);
+    CHECK((0x1p20 * other.contact.force - state.contact.force).norm() <=
+          1e-12 * state.contact.force.norm());
+  }
+}
+
+TEST_CASE("a bar of two springs pressed on a wall: force and sink in closed form",
+          "[floating][closed-form]") {
+  // Three nodes in a row, springs of stiffness 2 and 4, pushed by 3 at the far end; a wall 0.5 ahead.
+  DenseProgramme row;
+  row.stiffness.resize(3, 3);
+  row.stiffness << 2, -2, 0, -2, 6, -4, 0, -4, 4;
+  row.load = Eigen::Vector3d(3, 0, 0);
+  row.A = Eigen::RowVector3d(0, 0, 1);
+  row.initial_gap = VectorXd::Constant(1, 0.5);
+  for (const double length : {1.0, 1000.0, -0.01}) {  // the length of a null vector says nothing
+    const FloatingSolution solution =
+        solve(row, VectorXd::Constant(3, length), find_solver("primal_dual_active_set"));
+    REQUIRE(solution.dense.report.status == Status::Solved);
+    CHECK(solution.dense.refined.force(0) == Approx(3).epsilon(1e-15));
+    const Eigen::Vector3d u(0.5 + 0.75 + 1.5, 0.5 + 0.75, 0.5);
+    CHECK((solution.dense.refined.displacement - u).norm() <= 1e-15 * u.norm());
+    CHECK(solution.dense.certificate.worst() <= 1e-15);
+  }
+  row.load *= -1;
+  const FloatingSolution away =
+      solve(row, VectorXd::Ones(3), find_solver("primal_dual_active_set"));
+  CHECK(away.dense.report.status == Status::Infeasible);
+  REQUIRE(away.escape.size() == 1);
+  CHECK(away.escape(0) < 0);  // away from the wall
+}
+
+TEST_CASE("null vectors that are none, repeat others or miss one are refused", "[floating]") {
+  DenseProgramme two;  // two free springs: 1-2 and 3-4
+  two.stiffness.setZero(4, 4);
+  for (const Index i : {0, 2}) two.stiffness.block(i, i, 2, 2) << 1, -1, -1, 1;
+  two.load = VectorXd::Ones(4);
+  two.A = MatrixXd::Identity(2, 4);
+  two.initial_gap = VectorXd::Ones(2);
+  const auto complaint = [&](const MatrixXd& N) {
+    return problem_message([&] { static_cast<void>(condense(two, N)); });
+  };
+  MatrixXd both(4, 2);
+  both << 1, 0, 1, 0, 0, 1, 0, 1;
+  CHECK(complaint(both).empty());
+  CHECK_THAT(complaint(VectorXd::Unit(4, 0)),
+             ContainsSubstring("column 1") && ContainsSubstring("no rigid mode"));
+  CHECK_THAT(complaint(VectorXd::Ones(4)), ContainsSubstring("not positive definite"));
+  MatrixXd repeated(4, 2);
+  repeated << 1, 2, 1, 2, 1, 2, 1, 2;
+  CHECK_THAT(complaint(repeated), ContainsSubstring("dependent, of rank 1"));
+  CHECK_THAT(argument_message([&] { static_cast<void>(condense(two, MatrixXd::Ones(3, 1))); }),
+             ContainsSubstring("N have 4 rows"));
+}

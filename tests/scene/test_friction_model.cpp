@@ -1,0 +1,151 @@
+// What a model with friction keeps of the one without, and what is said when friction is not solved.
+#include "catch_compat.hpp"
+#include "signorini/as_printed/saddle_point_newton.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/solved.hpp"
+#include "support/cantilever.hpp"
+#include "support/hertz.hpp"
+#include "support/message.hpp"
+
+using Eigen::Index;
+using namespace signorini;
+using namespace signorini_test;
+
+namespace {
+
+Scene rough_beam(double coefficient) {
+  Scene scene = cantilever("q4_incompatible", 20, 2);
+  scene.contacts[0].friction = Friction{coefficient, 0};
+  return scene;
+}
+
+std::string complaint(const Scene& scene) {
+  return problem_message([&] { static_cast<void>(plan(scene)); });
+}
+
+std::string failure(const Scene& scene) {
+  return message_of<NotSolved>([&] { static_cast<void>(solved(scene, "the beam")); });
+}
+
+}  // namespace
+
+TEST_CASE(
+    "programme and condensed problem of a model with friction have slips behind the gaps of that "
+    "without",
+    "[friction][model]") {
+  Ledger ledger;
+  const Model rough = build(rough_beam(0.3), ledger);
+  const Model smooth = build(rough_beam(0), ledger);
+  const Index pairs = smooth.programme.A.rows();
+  CHECK(smooth.law.pair.empty());
+  REQUIRE(rough.law.pair.size() == static_cast<std::size_t>(pairs));
+  REQUIRE(rough.programme.A.rows() == 2 * pairs);  // gaps, then slips
+  CHECK((rough.programme.A.topRows(pairs) - smooth.programme.A).norm() == 0);
+  CHECK(rough.programme.initial_gap.head(pairs) == smooth.programme.initial_gap);
+
+  // The factor eliminates in another order, for more unknowns are in contact: equal but for rounding.
+  const Condensed with = condense(rough, ledger);
+  const Condensed without = condense(smooth, ledger);
+  REQUIRE(with.friction);
+  CHECK_FALSE(without.friction);
+  const ContactProblem& same = without.problem;
+  CHECK((with.problem.compliance - same.compliance).norm() <= 1e-10 * same.compliance.norm());
+  CHECK((with.problem.free_gap - same.free_gap).norm() <= 1e-10 * same.free_gap.norm());
+  CHECK(with.friction->compliance.rows() == 2 * pairs);
+  CHECK(with.friction->free_gap == with.problem.free_gap);
+
+  // A method for gaps alone finds the smooth solution from the first rows.
+  QuadraticProgramme gaps_alone = rough.programme;
+  gaps_alone.A = NodalRows(rough.programme.A.topRows(pairs));
+  gaps_alone.initial_gap = rough.programme.initial_gap.head(pairs);
+  const Solution expected = solve(smooth, without, ledger);
+  const SaddlePointSolution found = saddle_point_newton(gaps_alone);
+  REQUIRE(found.report.status == Status::Solved);
+  CHECK((found.solution.force - expected.contact.force).norm() <=
+        1e-10 * expected.contact.force.norm());
+}
+
+TEST_CASE("bodies that float keep their frictionless balance beside that with friction",
+          "[friction][model][floating]") {
+  Ledger ledger;
+  Scene scene = scene_of(HertzProblem());
+  const Condensed smooth = condense(build(scene, ledger), ledger);
+  scene.contacts[0].friction = Friction{0.3, 0};
+  const Condensed rough = condense(build(scene, ledger), ledger);
+  CHECK(rough.rigid.rows() == smooth.rigid.rows());
+  CHECK((rough.rigid - smooth.rigid).norm() <= 1e-14 * smooth.rigid.norm());
+  CHECK((rough.resultant - smooth.resultant).norm() == 0);
+  CHECK(rough.friction->rigid.rows() == 2 * smooth.rigid.rows());
+}
+
+TEST_CASE("nothing but the friction of a scene chooses the family of solvers",
+          "[friction][model]") {
+  Ledger ledger;
+  for (const double coefficient : {0.0, 0.3}) {
+    const Scene scene = rough_beam(coefficient);
+    CHECK(plan(scene).solver == (coefficient > 0 ? scene.friction_solver : scene.solver));
+    const Model model = build(scene, ledger);
+    const Solution solution = solve(model, condense(model, ledger), ledger);
+    CHECK_NOTHROW(require_solved(solution, "the beam"));
+    CHECK(solution.friction.has_value() == (coefficient > 0));
+  }
+}
+
+TEST_CASE("friction that is not solved says why", "[friction][model]") {
+  Scene scene = rough_beam(0.3);
+  scene.friction_solver = "friction_split_literal";  // fails where a pair opens, see there
+  const Solution solution = solve(scene);
+  REQUIRE(solution.contact.report.status != Status::Solved);
+  REQUIRE(solution.friction);
+  const std::string& reason = solution.friction->state.reason;
+  REQUIRE_FALSE(reason.empty());
+  CHECK_THAT(failure(scene), ContainsSubstring("the beam was not solved: breakdown after") &&
+                                 ContainsSubstring(reason));
+  CHECK_FALSE(solution.certificate.holds());
+}
+
+TEST_CASE("a solution beside which others may exist says so", "[friction][model]") {
+  const Solution likely = solve(rough_beam(0.3));
+  CHECK(likely.notes.empty());
+  const Solution doubtful = solve(rough_beam(3));  // mu so high that a pair can lock by itself
+  REQUIRE(doubtful.friction);
+  CHECK(doubtful.friction->state.uniqueness == Uniqueness::Doubtful);
+  REQUIRE(doubtful.notes.size() == 1);
+  CHECK_THAT(doubtful.notes[0], ContainsSubstring("may be other solutions"));
+}
+
+TEST_CASE("names that nothing needs yet are refused too, and idle choices noted", "[plan][input]") {
+  Scene scene = rough_beam(0);
+  scene.friction_solver = "magic";
+  CHECK_THAT(complaint(scene), ContainsSubstring("magic"));
+  scene = rough_beam(0.3);
+  scene.solver = "magic";
+  CHECK_THAT(complaint(scene), ContainsSubstring("magic"));
+  scene = rough_beam(0);
+  scene.contacts[0].gap_operator = "motar";
+  CHECK_THAT(complaint(scene), ContainsSubstring("motar"));
+
+  scene = rough_beam(0);
+  CHECK(plan(scene).notes.empty());
+  scene.contacts[0].gap_operator = "node_to_segment";
+  scene.contacts[0].points = 2;
+  REQUIRE(plan(scene).notes.size() == 1);
+  CHECK_THAT(plan(scene).notes[0], ContainsSubstring("for a rigid obstacle: gap_operator, points"));
+
+  scene = scene_of(HertzProblem());
+  ContactSpec& contact = scene.contacts[0];
+  contact.points = 2;
+  for (const auto& [name, idle] : {std::pair("mortar", ""), std::pair("gauss_points", "quadrature"),
+                                   std::pair("node_to_segment", "points, quadrature")}) {
+    CAPTURE(name);
+    contact.gap_operator = name;
+    contact.quadrature = Quadrature::SourceEdges;
+    std::string notes;
+    for (const std::string& note : plan(scene).notes)
+      if (note.find("without meaning") != std::string::npos) notes += note;
+    if (std::string(idle).empty())
+      CHECK(notes.empty());
+    else
+      CHECK_THAT(notes, ContainsSubstring(text(name, ": ", idle)));
+  }
+}

@@ -1,0 +1,192 @@
+#include <cmath>
+#include <set>
+
+#include "catch_compat.hpp"
+#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/problem/examples.hpp"
+#include "signorini/solvers/enumerate.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
+#include "support/problems.hpp"
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using namespace signorini;
+using namespace signorini_test;
+
+TEST_CASE("enumeration and the active set method agree on 600 random problems",
+          "[active_set][enumerate]") {
+  Random random(2026);
+  Index exchanges = 0;
+  for (int sample = 0; sample < 600; ++sample) {
+    const ContactProblem problem = random_problem(random, random.whole(1, 8));
+    const ContactState found = primal_dual_active_set(problem);
+    const ContactState sure = enumerate(problem);
+    CAPTURE(sample, problem.free_gap.size());
+    REQUIRE(sure.report.status == Status::Solved);
+    REQUIRE(found.report.status == Status::Solved);
+    CHECK(found.active == sure.active);
+    CHECK((found.force - sure.force).norm() <= 1e-12 * sure.force.norm());
+    CHECK(certify(problem, found).worst() < 1e-13);
+    exchanges = std::max(exchanges, found.report.iterations);
+  }
+  CHECK(exchanges > 3);  // the sample is not trivial
+}
+
+TEST_CASE("neither the scale of rows nor units change a decision or an iteration",
+          "[active_set][units]") {
+  Random random(7);
+  for (int sample = 0; sample < 200; ++sample) {
+    const ContactProblem problem = random_problem(random, random.whole(2, 8));
+    Eigen::VectorXd row(problem.free_gap.size());
+    for (Index i = 0; i < row.size(); ++i) row(i) = std::pow(10.0, random.uniform(-8, 8));
+    const double length = std::pow(10.0, random.uniform(-6, 6));
+    const double force = std::pow(10.0, random.uniform(-6, 6));
+    const ContactState plain = primal_dual_active_set(problem);
+    const ContactState other =
+        primal_dual_active_set(in_units(with_rows(problem, row), length, force));
+    CAPTURE(sample);
+    REQUIRE(other.report.status == Status::Solved);
+    CHECK(other.active == plain.active);
+    CHECK(other.report.iterations == plain.report.iterations);
+    const Eigen::VectorXd back = other.force.cwiseProduct(row) / force;
+    CHECK((back - plain.force).norm() <= 1e-11 * plain.force.norm());
+  }
+}
+
+namespace {
+
+/// Exchanges every wrong pair at once, without a safeguard; true if a set of closed pairs comes back.
+bool group_exchange_cycles(const ContactProblem& problem) {
+  const ScaledProblem scaled = equilibrate(problem);
+  const Index n = problem.free_gap.size();
+  std::vector<bool> closed;
+  for (Index i = 0; i < n; ++i) closed.push_back(problem.free_gap(i) < 0);
+  std::set<std::vector<bool>> seen;
+  while (seen.insert(closed).second) {
+    std::vector<Index> active;
+    for (Index i = 0; i < n; ++i)
+      if (closed[static_cast<std::size_t>(i)]) active.push_back(i);
+    const ClosedPairs now = close_pairs(scaled, active);
+    bool changed = false;
+    for (Index i = 0; i < n; ++i) {
+      const bool is_closed = closed[static_cast<std::size_t>(i)];
+      if (is_closed ? now.force(i) >= 0 : now.gap(i) >= 0) continue;
+      closed[static_cast<std::size_t>(i)].flip();
+      changed = true;
+    }
+    if (!changed) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("three pairs that make plain group exchanges run in circles are solved",
+          "[active_set][hard]") {
+  const ContactProblem problem = cycling_problem();
+  REQUIRE(group_exchange_cycles(problem));
+  const ContactState state = primal_dual_active_set(problem);
+  REQUIRE(state.report.status == Status::Solved);
+  CHECK(state.active == std::vector<Index>{1});
+  CHECK((state.force - Vector3d(0, 0.4, 0)).norm() < 1e-15);
+  CHECK((state.gap - Vector3d(0.6, 0, 2.2)).norm() < 1e-14);
+  CHECK(state.report.iterations <= 40);
+}
+
+TEST_CASE("Fathi's family, on which pivoting is exponential, takes few iterations",
+          "[active_set][hard]") {
+  for (const Index n : {1, 2, 5, 8, 10}) {
+    CAPTURE(n);
+    const ContactProblem problem = fathi(n);
+    const ContactState state = primal_dual_active_set(problem);
+    REQUIRE(state.report.status == Status::Solved);
+    CHECK((state.force - Eigen::VectorXd::Unit(n, 0)).norm() < 1e-12);
+    CHECK(state.report.iterations <= 10 * n + 10);
+    CHECK(certify(problem, state).worst() < 1e-13);
+  }
+}
+
+TEST_CASE("nearly dependent pairs are still decided rightly", "[active_set][hard]") {
+  // G = 1 + 1e-9 I: the pairs act almost as one, and the one with the deepest overlap takes the force.
+  const Index n = 6;
+  const Eigen::MatrixXd G = Eigen::MatrixXd::Ones(n, n) + 1e-9 * Eigen::MatrixXd::Identity(n, n);
+  Eigen::VectorXd d(n);
+  d << -1, -0.5, -2, 0.3, -1.9, -1.99;
+  const ContactState state = primal_dual_active_set({G, d});
+  REQUIRE(state.report.status == Status::Solved);
+  CHECK(state.active == std::vector<Index>{2});
+  CHECK(state.force(2) == Approx(2 / (1 + 1e-9)).epsilon(1e-15));
+}
+
+TEST_CASE("on a string over a wave the sets shrink to the answer without going back",
+          "[active_set]") {
+  // The inverse of G has no positive entry off its diagonal: closed pairs never pull others shut, so
+  // that from the first set on, pairs only open, at most n times.
+  const ContactProblem problem = string_problem(60);
+  const ContactState state = primal_dual_active_set(problem);
+  REQUIRE(state.report.status == Status::Solved);
+  CHECK(state.report.iterations <= 60);
+  CHECK(certify(problem, state).worst() < 1e-13);
+  REQUIRE(state.report.history.size() == static_cast<std::size_t>(state.report.iterations));
+  for (std::size_t k = 1; k < state.report.history.size(); ++k)
+    CHECK(state.report.history[k].active <= state.report.history[k - 1].active);
+  CHECK(state.report.history.back().changes == 0);
+}
+
+TEST_CASE("a limit on iterations is kept and reported, not called solved", "[active_set]") {
+  const ContactState state = primal_dual_active_set(cycling_problem(), {2});
+  CHECK(state.report.status == Status::IterationLimit);
+  CHECK(state.report.iterations == 2);
+  CHECK(primal_dual_active_set(cycling_problem(), {1000}).report.status == Status::Solved);
+}
+
+TEST_CASE("pairs that depend on each other are solved, or refuted with a proof",
+          "[active_set][hard]") {
+  Eigen::Matrix2d G;
+  G << 1, 1, 1, 1;
+  CHECK(primal_dual_active_set({G, Eigen::Vector2d(-1, -1)}).report.status == Status::Solved);
+  G << 1, -1, -1, 1;  // pushing one pair opens the other: no forces can close both
+  const ContactProblem wedged{G, Eigen::Vector2d(-1, -0.5)};
+  for (const ContactState& state : {primal_dual_active_set(wedged), enumerate(wedged)}) {
+    CHECK(state.report.status == Status::Infeasible);
+    REQUIRE(state.infeasibility.size() == 2);
+    CHECK(state.infeasibility(0) > 0);
+    CHECK(state.infeasibility(0) == Approx(state.infeasibility(1)).epsilon(1e-15));
+  }
+  const ContactState rigid =
+      primal_dual_active_set({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Constant(1, -1)});
+  CHECK(rigid.report.status == Status::Infeasible);
+  CHECK(rigid.infeasibility.size() == 1);
+}
+
+TEST_CASE("enumeration prefers the set with fewest pairs and passes over singular ones",
+          "[enumerate]") {
+  Eigen::Matrix2d G;
+  G << 1, 1, 1, 1;  // one pair written twice
+  const ContactState twice = enumerate({G, Eigen::Vector2d(-1, -1)});
+  REQUIRE(twice.report.status == Status::Solved);
+  CHECK(twice.active.size() == 1);
+  CHECK(twice.force.sum() == Approx(1).epsilon(1e-15));
+  G << 2, 0, 0, 2;  // the second pair just touches
+  CHECK(enumerate({G, Eigen::Vector2d(-2, 0)}).active == std::vector<Index>{0});
+}
+
+TEST_CASE("enumeration refuses what it cannot finish", "[enumerate]") {
+  const Index n = largest_enumeration + 1;
+  CHECK_THROWS_AS(enumerate({Eigen::MatrixXd::Identity(n, n), Eigen::VectorXd::Zero(n)}),
+                  std::invalid_argument);
+}
+
+TEST_CASE("the report counts what was done", "[active_set]") {
+  const ContactState open =
+      primal_dual_active_set({Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(1, 2)});
+  CHECK(open.report.iterations == 1);
+  CHECK(open.report.factorisations == 0);
+  const ContactState closed =
+      primal_dual_active_set({Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(-1, 2)});
+  CHECK(closed.report.factorisations == 1);
+  REQUIRE(closed.report.history.size() == 1);
+  CHECK(closed.report.history[0].active == 1);
+  CHECK(closed.report.history[0].penetration == 0);
+}

@@ -1,0 +1,154 @@
+// Condensed problems on which a solver once failed or was wrong, in tests/data/found.
+#include <Eigen/Core>
+#include <string>
+#include <variant>
+
+#include "catch_compat.hpp"
+#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/refutation.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/problem_file/problem_file.hpp"
+#include "signorini/solvers/enumerate.hpp"
+#include "signorini/solvers/fischer_burmeister.hpp"
+#include "signorini/solvers/lemke.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
+#include "signorini/solvers/projected_gauss_seidel.hpp"
+#include "signorini/solvers/quasi_active_set.hpp"
+#include "support/problems.hpp"
+
+using Eigen::Index;
+using Eigen::Matrix2d;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+using namespace signorini;
+using namespace signorini_test;
+
+namespace {
+
+using Method = ContactState (*)(const ContactProblem&, const SolverOptions&);
+
+ContactProblem read(const std::string& name) {
+  const ProblemFile file = read_problem(std::string(SIGNORINI_TEST_DATA) + "/" + name);
+  return std::get<std::vector<FiledProblem>>(file).front().problem;
+}
+
+}  // namespace
+
+TEST_CASE("two equal rows are one pair for the exchange of sets", "[found][active_set]") {
+  const ContactProblem problem = read("found/dup.txt");
+  const ContactState state = primal_dual_active_set(problem);
+  REQUIRE(state.report.status == Status::Solved);
+  CHECK(state.report.iterations == 1);  // without a second method
+  CHECK(state.active.size() == 1);
+  CHECK(state.force.sum() == Approx(1).epsilon(1e-15));
+  // The deeper one of two equal rows is the one that closes.
+  const ContactState deeper = primal_dual_active_set({problem.compliance, Vector2d(-1, -2)});
+  REQUIRE(deeper.report.status == Status::Solved);
+  CHECK(deeper.active == std::vector<Index>{1});
+  CHECK(deeper.gap(0) == Approx(1).epsilon(1e-15));
+}
+
+TEST_CASE("what can be solved but for rounding is not called infeasible", "[found][enumerate]") {
+  const ContactProblem problem = read("found/lcp_311.txt");
+  const ContactState sure = enumerate(problem);
+  CHECK(sure.report.status != Status::Infeasible);
+  CHECK(sure.infeasibility.size() == 0);
+  for (const Method method : {Method(quasi_active_set), Method(primal_dual_active_set)}) {
+    const ContactState state = method(problem, {});
+    REQUIRE(state.report.status == Status::Solved);
+    CHECK(certify(problem, state).worst() <= 1e-14);
+  }
+}
+
+TEST_CASE("rows that are nearly equal do not change places for ever", "[found][quasi_active_set]") {
+  const ContactProblem problem = read("found/lcp_2669.txt");
+  const ContactState state = quasi_active_set(problem);
+  REQUIRE(state.report.status == Status::Solved);
+  CHECK(state.report.iterations <= problem.free_gap.size());
+  const ContactState sure = enumerate(problem);
+  CHECK((state.gap - sure.gap).norm() <= 1e-12 * problem.free_gap.norm());
+  CHECK(certify(problem, state).worst() <= 1e-13);
+}
+
+TEST_CASE("Lemke's method leaves a path that grows too long", "[found][lemke]") {
+  const ContactProblem problem = read("siconos_lcp/lcp_tobenna.dat");
+  const Index n = problem.free_gap.size();
+  const Index first = n * n + 100 * n;
+  const ContactState state = lemke(problem);
+  REQUIRE(state.report.status == Status::Solved);
+  CHECK(certify(problem, state).worst() <= 1e-14);
+  CHECK(state.report.iterations <= first + 10 * n);
+  // The covering vector of a caller is the only one: its path goes on.
+  CHECK(lemke(problem, VectorXd::Ones(n), {first + 10 * n}).report.status ==
+        Status::IterationLimit);
+  // The limit of a caller holds for all paths together.
+  CHECK(lemke(problem, {first + 10}).report.iterations == first + 10);
+}
+
+TEST_CASE("a pair without a diagonal entry has one scale for every method",
+          "[found][fischer_burmeister]") {
+  Matrix2d M;
+  M << 1, -2, 3, 0;
+  const Vector2d force(0.5, 0.75);
+  const Vector2d q = -M * force;
+  const ContactState plain = fischer_burmeister({M, q});
+  REQUIRE(plain.report.status == Status::Solved);
+  const ContactState other = fischer_burmeister(with_rows({M, q}, Vector2d(1, 1e-6)));
+  REQUIRE(other.report.status == Status::Solved);
+  CHECK(other.report.iterations == plain.report.iterations);
+  CHECK((other.force - Vector2d(0.5, 0.75e6)).norm() <= 1e-12 * 0.75e6);
+}
+
+TEST_CASE("a singular matrix without symmetry never ends in numbers that are none",
+          "[found][fischer_burmeister][projected_gauss_seidel]") {
+  const ContactProblem problem = read("siconos_lcp/lcp_tobenna.dat");
+  for (const Method method : {Method(fischer_burmeister), Method(projected_gauss_seidel)})
+    for (const Index limit : {1, 5, 50}) {
+      const ContactState state = method(problem, {limit});
+      CHECK(state.force.allFinite());
+      CHECK(state.gap.allFinite());
+    }
+}
+
+TEST_CASE("a proof that nothing solves a problem is checked on its own data", "[found][proof]") {
+  Matrix2d G;
+  G << 1, -1, -1, 1;
+  const Vector2d y(1, 1);
+  const ContactProblem wedged{G, Vector2d(-1, 0.5)};
+  CHECK(refutes(wedged, y));
+  CHECK_FALSE(refutes(wedged, VectorXd()));
+  CHECK_FALSE(refutes(wedged, Vector2d(1, -1)));                        // a negative weight
+  CHECK_FALSE(refutes(wedged, Vector2d(1, 0.999)));                     // G y is not 0
+  CHECK_FALSE(refutes(ContactProblem{G, Vector2d(-1, 1)}, y));          // the gaps sum to 0
+  CHECK_FALSE(refutes(ContactProblem{G, Vector2d(-1, 1 - 1e-15)}, y));  // but for rounding
+  CHECK_FALSE(refutes(ContactProblem{Matrix2d(-G), Vector2d(1, -0.5)},
+                      Vector2d(0, 0)));  // nothing is summed
+  // Rows that are not quite opposite: a force of 1e5 opens both.
+  G(0, 0) += 1e-5;
+  CHECK_FALSE(refutes(ContactProblem{G, Vector2d(-1, 0.5)}, y));
+  // Neither units nor the scale of a row matter.
+  G(0, 0) = 1;
+  const Vector2d row(1e-8, 1e8);
+  CHECK(refutes(with_rows({G, Vector2d(-1, 0.5)}, row), y.cwiseQuotient(row)));
+  MatrixXd half(1, 2);
+  half << 1, -1;
+  CHECK(refutes(HalfProblem{half, Vector2d(-1, 0.5)}, y));
+  CHECK_FALSE(refutes(HalfProblem{half, Vector2d(-1, 1.5)}, y));
+  half(0) += 1e-3;
+  CHECK_FALSE(refutes(HalfProblem{half, Vector2d(-1, 0.5)}, y));
+}
+
+TEST_CASE("a claim without a proof that holds is withdrawn", "[found][proof]") {
+  Matrix2d G;
+  G << 1, -1, -1, 1;
+  const ContactProblem wedged{G, Vector2d(-1, 0.5)};
+  ContactState claim{Vector2d(0, 0), wedged.free_gap, {}, {}};
+  claim.report.status = Status::Infeasible;
+  CHECK(certified(wedged, claim).report.status == Status::Breakdown);
+  claim.infeasibility = Vector2d(1, 0.5);
+  CHECK(certified(wedged, claim).report.status == Status::Breakdown);
+  CHECK(certified(wedged, claim).infeasibility.size() == 0);
+  claim.infeasibility = Vector2d(2, 2);
+  CHECK(certified(wedged, claim).report.status == Status::Infeasible);
+}
