@@ -51,7 +51,7 @@ inline DenseProgramme floating(const exact::Programme& q) {
 }
 
 inline ContactProblem condensed(const DenseProgramme& q) {
-  return multiplied_out(condense(q).problem);
+  return condense(q).problem;
 }
 
 inline Eigen::VectorXd displacement(const DenseProgramme& q, const ContactState& state) {  // K = I

@@ -12,7 +12,6 @@
 #include "signorini/elasticity/traction.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
-#include "signorini/solvers/friction_solvers.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace {
@@ -136,28 +135,28 @@ void friction(const ProgramOptions& run, Results& results) {
 void compare_friction(const ProgramOptions& run, Results& results) {
   const auto one = [](double x) { return VectorXd::Constant(1, x); };
   const OnePair& lifted = one_pairs.back().pair;
-  const std::vector<FrictionProblem> all = {
-      {Eigen::MatrixXd::Identity(2, 2), one(lifted.free_gap), one(lifted.free_slip), one(lifted.mu),
-       one(lifted.cohesion)},
+  const std::vector<ContactProblem> all = {
+      {Eigen::MatrixXd::Identity(2, 2), one(lifted.free_gap), one(lifted.free_slip),
+       law_of_all(one(lifted.mu), one(lifted.cohesion))},
       sheared(0.02),
       sheared(0.05),
       sheared(0.1)};
   Table table({"", "open, cohesion", "shift 0.02", "shift 0.05", "shift 0.1"});
   std::vector<std::string> counts = {"open, stick, slide"};
-  for (const FrictionSolver& solver : friction_solvers()) {
+  for (const Solver& solver : friction_solvers()) {
     std::vector<std::string> row = {solver.name};
-    for (const FrictionProblem& problem : all) {
-      const FrictionState state = solver.solve(problem, {});
+    for (const ContactProblem& problem : all) {
+      const ContactState state = solver.solve(problem, {});
       const bool solved = state.report.status == Status::Solved;
       row.push_back(solved ? std::to_string(state.report.iterations)
                            : to_string(state.report.status));
       if (&solver != &friction_solvers().front()) continue;
-      const auto of = [&](PairStatus s) {
-        return std::count(state.status.begin(), state.status.end(), s);
+      const auto of = [&](Motion s) {
+        return std::count(state.motion.begin(), state.motion.end(), s);
       };
-      counts.push_back(
-          text(of(PairStatus::Open), ", ", of(PairStatus::Stick), ", ", of(PairStatus::Slip)));
-      results.add(text("open_pairs_", counts.size() - 1), static_cast<double>(of(PairStatus::Open)),
+      counts.push_back(text(of(Motion::Open), ", ", of(Motion::Stick), ", ",
+                            of(Motion::Forward) + of(Motion::Backward)));
+      results.add(text("open_pairs_", counts.size() - 1), static_cast<double>(of(Motion::Open)),
                   "-");
     }
     table.row(row);

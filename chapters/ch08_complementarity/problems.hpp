@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "signorini/problem/examples.hpp"
-#include "signorini/problem/friction.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace signorini {
 
@@ -40,12 +40,12 @@ inline const std::vector<Named> problems = {
 /// The half-plane, dragged along by a shift of the punch with mu = 0.3. A half-plane that does not change its
 /// volume gives way along its surface as it does across it, and the two do not mix.
 // [sheared]
-inline FrictionProblem sheared(double shift) {
+inline ContactProblem sheared(double shift) {
   const ContactProblem pressed = half_plane_indentation(40).problem;
   const Eigen::Index n = pressed.free_gap.size();
-  FrictionProblem problem{Eigen::MatrixXd::Zero(2 * n, 2 * n), pressed.free_gap,
-                          Eigen::VectorXd::Constant(n, shift), Eigen::VectorXd::Constant(n, 0.3),
-                          Eigen::VectorXd::Zero(n)};
+  ContactProblem problem{Eigen::MatrixXd::Zero(2 * n, 2 * n), pressed.free_gap,
+                         Eigen::VectorXd::Constant(n, shift),
+                         law_of_all(Eigen::VectorXd::Constant(n, 0.3), Eigen::VectorXd::Zero(n))};
   problem.compliance.topLeftCorner(n, n) = pressed.compliance;
   problem.compliance.bottomRightCorner(n, n) = pressed.compliance;
   return problem;

@@ -10,7 +10,7 @@
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
-#include "signorini/solvers/friction_solvers.hpp"
+#include "signorini/solvers/solvers.hpp"
 #include "soft.hpp"
 #include "three_points.hpp"
 
@@ -203,7 +203,7 @@ void friction(const ProgramOptions& run, Results& results) {
   results.add("stick_slip", on.stick.slip.cwiseAbs().maxCoeff(), "-", Repeats::No);
   results.add("stick_friction", on.stick.friction(0), "-");
   results.add("slide_slip", on.slide.slip(2), "-");
-  const FrictionState alone = find_friction_solver("friction_active_set").solve(on.nodes, {});
+  const ContactState alone = find_solver("primal_dual_active_set").solve(on.nodes, {});
   results.add("nodes_unique", alone.uniqueness == Uniqueness::Proved ? 1 : 0, "-");
   Table table({"forces of", "their sum", "sum of friction", "largest pressure", "largest shear"});
   for (const Sampling& by :
@@ -217,7 +217,7 @@ void friction(const ProgramOptions& run, Results& results) {
     scene.contacts[0].friction = Friction{0.3, 0};
     // [dragged]
     const SolvedScene now = solved(scene, "blocks with friction");
-    const FrictionState& state = now.solution.friction->state;
+    const ContactState& state = now.solution.contact;
     const VectorXd shear = state.friction.cwiseQuotient(now.model.pairs.weight).cwiseAbs();
     table.row({by.points == 0 ? "nodes" : "2 points an edge", number(state.force.sum(), "%.4f"),
                number(state.friction.sum(), "%.4f"),

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/programme/active_set_programme.hpp"
 #include "signorini/scene/solved.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace ch10 {
 
@@ -49,8 +49,9 @@ inline ClosedPoints closed_points(const SolvedScene& run) {
 inline Eigen::VectorXd pulled(const ClosedPoints& closed, const Eigen::VectorXd& pull) {
   const double scale = closed.pressure.maxCoeff();
   const Eigen::VectorXd start = closed.root.cwiseProduct(closed.pressure) / scale;
-  const HalfProblem walls{closed.free.transpose(), start + closed.free * pull};
-  const ContactState state = find_solver("goldfarb_idnani").solve_half(walls, {});
+  const Eigen::Index n = pull.size();
+  const DenseProgramme walls{Eigen::MatrixXd::Identity(n, n), pull, -closed.free, start};
+  const DenseSolution state = goldfarb_idnani(walls);
   if (state.report.status != Status::Solved) throw NotSolved("possible pressures: not found");
   return scale * state.gap.cwiseQuotient(closed.root);
 }

@@ -20,12 +20,12 @@ inline Soft soft_points(const Scene& scene, double alpha) {
   // [soft]
   const double h = HertzMeshSpec().core / static_cast<double>(HertzMeshSpec().disc_cells);
   const double yielding = alpha * h / hertz_contact.modulus;  // overlap per pressure
-  FloatingProblem soft{condensed.problem, condensed.rigid, condensed.resultant};
-  soft.contact.compliance.diagonal() += yielding * weight.cwiseInverse();
-  const FloatingState state = solve(soft, find_solver(scene.solver));
+  ContactProblem soft = condensed.problem;
+  soft.compliance.diagonal() += yielding * weight.cwiseInverse();
+  const ContactState state = solve(soft, find_solver(scene.solver));
   // [soft]
-  if (state.contact.report.status != Status::Solved) throw NotSolved(text("alpha = ", alpha));
-  const Eigen::VectorXd p = state.contact.force.cwiseQuotient(weight);
+  if (state.report.status != Status::Solved) throw NotSolved(text("alpha = ", alpha));
+  const Eigen::VectorXd p = state.force.cwiseQuotient(weight);
   const double b = hertz_half_width(hertz_contact);
   return {against_hertz(model.pairs.position, weight, p),
           yielding * p.maxCoeff() * 2 * hertz_contact.radius / (b * b)};

@@ -139,12 +139,13 @@ inline Base rigid_base(const EdgeBlockSpec& soil) {
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);
   const Index n = condensed.problem.free_gap.size();
-  const FloatingProblem problem{condensed.problem, /*rigid*/ -Eigen::MatrixXd::Ones(n, 1),
-                                /*resultant*/ VectorXd::Constant(1, -strip.force / 2)};
-  const FloatingState state = solve(problem, find_solver(scene.solver));
+  ContactProblem problem = condensed.problem;
+  problem.rigid = -Eigen::MatrixXd::Ones(n, 1);
+  problem.resultant = VectorXd::Constant(1, -strip.force / 2);
+  const ContactState state = solve(problem, find_solver(scene.solver));
   // [rigid]
-  if (state.contact.report.status != Status::Solved) throw NotSolved("the rigid footing");
-  return compared(model.pairs.position.col(0).reverse(), state.contact.force.reverse(),
+  if (state.report.status != Status::Solved) throw NotSolved("the rigid footing");
+  return compared(model.pairs.position.col(0).reverse(), state.force.reverse(),
                   state.amplitude(0));
 }
 

@@ -1,9 +1,10 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/problem/certificate.hpp"
 #include "signorini/as_printed/friction_split.hpp"
-#include "signorini/solvers/friction_active_set.hpp"
-#include "signorini/solvers/friction_newton.hpp"
+#include "signorini/solvers/fischer_burmeister.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
 #include "support/friction.hpp"
 
 using Eigen::Index;
@@ -19,9 +20,9 @@ TEST_CASE("the split as printed: no pair may have both u+ > 0, u- > 0 and no bou
   int singular = 0;
   int right = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    const FrictionProblem problem = random_friction(random, 1 + trial % 8, 0.5);
-    const FrictionState printed = friction_split_literal(problem);
-    const FrictionState repaired = friction_split(problem);
+    const ContactProblem problem = random_friction(random, 1 + trial % 8, 0.5);
+    const ContactState printed = friction_split_literal(problem);
+    const ContactState repaired = friction_split(problem);
     CAPTURE(trial, repaired.reason);
     REQUIRE(repaired.report.status == Status::Solved);
     CHECK(repaired.report.iterations <= 12);
@@ -42,11 +43,11 @@ TEST_CASE("the split as printed depends on units, the repaired one does not",
   Random random(32);
   int differ = 0;
   for (int trial = 0; trial < 40; ++trial) {
-    const FrictionProblem problem = random_friction(random, 1 + trial % 4, 0.5);
-    FrictionProblem other = problem;
+    const ContactProblem problem = random_friction(random, 1 + trial % 4, 0.5);
+    ContactProblem other = problem;
     other.compliance *= 1e-6;  // forces a million times larger
-    const FrictionState one = friction_split(problem);
-    const FrictionState two = friction_split(other);
+    const ContactState one = friction_split(problem);
+    const ContactState two = friction_split(other);
     REQUIRE(one.report.status == Status::Solved);
     CHECK(one.report.iterations == two.report.iterations);
     CHECK((forces(two) * 1e-6 - forces(one)).norm() <= 1e-12 * forces(one).norm());
@@ -60,15 +61,15 @@ TEST_CASE("the split as printed depends on units, the repaired one does not",
 
 TEST_CASE("Newton's method lowers its residual with every step, and says how far it got",
           "[friction][newton]") {
-  const FrictionProblem problem = cylinder(100, 0.3, 0.6);
+  const ContactProblem problem = cylinder(100, 0.3, 0.6);
   SolverOptions options;
   options.iteration_limit = 3;
-  for (const auto& solve : {friction_newton, friction_split}) {
-    const FrictionState short_run = solve(problem, options);
+  for (const auto& solve : {fischer_burmeister, friction_split}) {
+    const ContactState short_run = solve(problem, options);
     CHECK(short_run.report.status == Status::IterationLimit);
     CHECK(short_run.report.iterations == 3);
     CHECK_FALSE(short_run.reason.empty());
-    const FrictionState state = solve(problem, {});
+    const ContactState state = solve(problem, {});
     REQUIRE(state.report.status == Status::Solved);
     double last = 1;
     for (const Iteration& step : state.report.history) {
@@ -77,16 +78,16 @@ TEST_CASE("Newton's method lowers its residual with every step, and says how far
     }
   }
   options.iteration_limit = 2;
-  CHECK(friction_active_set(problem, options).report.status == Status::IterationLimit);
+  CHECK(primal_dual_active_set(problem, options).report.status == Status::IterationLimit);
 }
 
 TEST_CASE("nothing to do: no pairs, no contact, no load", "[friction][edges]") {
-  FrictionProblem none{Eigen::MatrixXd(0, 0), VectorXd(0), VectorXd(0), VectorXd(0), VectorXd(0)};
-  FrictionProblem apart = one_pair(Matrix2d::Identity(), 1, 5, 0.3);
-  FrictionProblem touching = one_pair(Matrix2d::Identity(), 0, 0, 0.3);
-  for (const auto& solve : {friction_active_set, friction_newton, friction_split})
-    for (const FrictionProblem* problem : {&none, &apart, &touching}) {
-      const FrictionState state = solve(*problem, {});
+  ContactProblem none{Eigen::MatrixXd(0, 0), VectorXd(0), VectorXd(0), VectorXd(0), VectorXd(0)};
+  ContactProblem apart = one_pair(Matrix2d::Identity(), 1, 5, 0.3);
+  ContactProblem touching = one_pair(Matrix2d::Identity(), 0, 0, 0.3);
+  for (const auto& solve : {friction_active_set, fischer_burmeister, friction_split})
+    for (const ContactProblem* problem : {&none, &apart, &touching}) {
+      const ContactState state = solve(*problem, {});
       REQUIRE(state.report.status == Status::Solved);
       CHECK(state.force.isZero(0));
       CHECK(state.friction.isZero(0));

@@ -64,7 +64,7 @@ TEST_CASE("one step or never: with all violated rows a loop ends after one step 
   };
   for (const auto& [n, m] : {std::pair<Index, Index>{10, 10}, {10, 40}, {20, 20}, {50, 25}})
     for (std::uint64_t seed = 1; seed <= 100; ++seed)
-      check(multiplied_out(condense(rosen_suzuki(n, m, seed).programme).problem));
+      check(condense(rosen_suzuki(n, m, seed).programme).problem);
   Random random(2);
   for (int sample = 0; sample < 300; ++sample) check(whole_numbers(random).problem());
   CHECK((one > 200 && never > 200));  // both happen

@@ -109,8 +109,9 @@ TEST_CASE("a pair that depends on the others does not join", "[closed_basis]") {
     ClosedBasis::Candidates all = candidates(rows, basis, {0, 1, 2, 3}, columns);
     CHECK(basis.append(all, ClosedBasis::Choice::All, 4) == 3);
     const ClosedBasis::Candidates last = candidates(rows, basis, {3}, columns);
-    const VectorXd response = basis.response(last);
-    CHECK((rows.H.leftCols(3) * response - rows.H.col(3)).norm() < 1e-14);
+    const ClosedBasis::Response response = basis.response(last);
+    CHECK((rows.H.leftCols(3) * response.yield - rows.H.col(3)).norm() < 1e-14);
+    CHECK(response.opening == 0);
   }
 }
 

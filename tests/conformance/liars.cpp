@@ -155,14 +155,3 @@ TEST_CASE("the judge hears exceptions and missing refusals", "[conformance][judg
              ContainsSubstring("does not refuse"));
   CHECK(verdict(primal_dual_active_set, turned, {Trait::Asymmetric}).empty());
 }
-
-TEST_CASE("the judge looks at the product form as well", "[conformance][judge]") {
-  Instance instance = solvable();
-  instance.half = instance.problem.compliance.llt().matrixU();
-  Solver solver{"liar", "right for G, wrong for H^T H", enumerate, 0, {}};
-  CHECK(complaint(solver, {}, instance).empty());
-  solver.solve_half = [](const HalfProblem& problem, const SolverOptions& options) {
-    return says<Status::Solved>(multiplied_out(problem), options);
-  };
-  CHECK_THAT(complaint(solver, {}, instance), ContainsSubstring("H^T H"));
-}

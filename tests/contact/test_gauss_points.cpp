@@ -4,7 +4,7 @@
 #include "catch_compat.hpp"
 #include "signorini/contact/gauss_points.hpp"
 #include "signorini/elasticity/element.hpp"
-#include "signorini/problem/friction.hpp"
+#include "signorini/problem/certificate.hpp"
 #include "support/interfaces.hpp"
 #include "support/message.hpp"
 
@@ -111,21 +111,21 @@ TEST_CASE("with friction, three points on a side have solutions that move the no
       N(row, node) = up(pairs.opening, row, node);
       S(row, node) = along(pairs.sliding, row, node);
     }
-  FrictionProblem problem;
+  ContactProblem problem;
   problem.compliance = MatrixXd::Zero(6, 6);
   problem.compliance.topLeftCorner(3, 3) = N * N.transpose();
   problem.compliance.bottomRightCorner(3, 3) = S * S.transpose();
   problem.free_gap = N * Eigen::Vector2d(-1, -1);
   problem.free_slip = S * Eigen::Vector2d(-0.2, 0.2);
-  problem.coefficient = Eigen::Vector3d(0.3, 0.3, 0.3);
-  problem.cohesion = Eigen::Vector3d::Zero();
+  problem.law.coefficient = Eigen::Vector3d(0.3, 0.3, 0.3);
+  problem.law.cohesion = Eigen::Vector3d::Zero();
   const double held = 0.2 / std::sqrt(0.6);
-  FrictionState ends, middle;
+  ContactState ends, middle;
   ends.force = Eigen::Vector3d(1, 0, 1);
   ends.friction = Eigen::Vector3d(held, 0, -held);
   middle.force = Eigen::Vector3d(0, 2, 0);
   middle.friction = Eigen::Vector3d::Zero();
-  for (FrictionState* state : {&ends, &middle}) {
+  for (ContactState* state : {&ends, &middle}) {
     state->gap = problem.free_gap + N * (N.transpose() * state->force);
     state->slip = problem.free_slip + S * (S.transpose() * state->friction);
     CHECK(certify(problem, *state).worst() < 1e-14);

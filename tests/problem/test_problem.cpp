@@ -3,7 +3,7 @@
 #include <string>
 
 #include "catch_compat.hpp"
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/closing.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/solvers/solvers.hpp"
 #include "support/message.hpp"
@@ -86,8 +86,9 @@ TEST_CASE("equilibration gives a unit diagonal and goes back", "[closed_pairs]")
   const ContactProblem problem{matrix(4, 3, 3, 25), Vector2d(-8, 10)};
   const ScaledProblem scaled = equilibrate(problem);
   CHECK((scaled.compliance - matrix(1, 0.3, 0.3, 1)).norm() < 1e-15);
-  CHECK((scaled.free_gap - Vector2d(-4, 2)).norm() < 1e-15);
-  const ContactState state = unscaled(scaled, close_pairs(scaled, {0}), {0}, {});
+  CHECK((scaled.free - Vector2d(-4, 2)).norm() < 1e-15);
+  const ContactState state =
+      finished(problem, scaled, close(scaled, KnownSet{{0}}), motions_of({0}, 2), {});
   CHECK((state.force - Vector2d(2, 0)).norm() < 1e-15);
   CHECK((state.gap - Vector2d(0, 16)).norm() < 1e-14);
 }
@@ -101,7 +102,7 @@ TEST_CASE("the equilibrated problem does not know units or the scale of a row",
   row << 0x1p-20, 0x1p20, 1, 0x1p10, 0x1p-5;  // powers of two: without rounding
   const ScaledProblem rows = equilibrate(signorini_test::with_rows(problem, row));
   CHECK((rows.compliance - scaled.compliance).norm() < 1e-15);
-  CHECK((rows.free_gap - scaled.free_gap).norm() < 1e-15 * scaled.free_gap.norm());
+  CHECK((rows.free - scaled.free).norm() < 1e-15 * scaled.free.norm());
 }
 
 TEST_CASE("closing pairs leaves no gap in them and no force elsewhere", "[closed_pairs]") {
@@ -109,15 +110,15 @@ TEST_CASE("closing pairs leaves no gap in them and no force elsewhere", "[closed
   const ContactProblem problem = signorini_test::random_problem(random, 7);
   const ScaledProblem scaled = equilibrate(problem);
   const std::vector<Eigen::Index> active = {1, 2, 5};
-  const ClosedPairs closed = close_pairs(scaled, active);
+  const Closure closed = close(scaled, KnownSet{active});
   REQUIRE(closed.solvable);
-  const Eigen::VectorXd gap = scaled.free_gap + scaled.compliance * closed.force;
+  const Eigen::VectorXd gap = scaled.free + scaled.compliance * closed.force;
   for (const Eigen::Index i : {0, 3, 4, 6}) {
     CHECK(closed.force(i) == 0);
-    CHECK(closed.gap(i) == Approx(gap(i)).epsilon(1e-12));
+    CHECK(closed.movement(i) == Approx(gap(i)).epsilon(1e-12));
   }
   for (const Eigen::Index i : active) {
-    CHECK(closed.gap(i) == 0);
+    CHECK(closed.movement(i) == 0);
     CHECK(std::abs(gap(i)) < 1e-14);
   }
 }
@@ -132,18 +133,27 @@ TEST_CASE("a nearly singular block is solved to the last digits", "[closed_pairs
     for (Eigen::Index j = 0; j < n; ++j)
       G(i, j) = 1 - static_cast<double>(std::abs(i - j)) * 0x1p-22;
   }
-  const ClosedPairs closed = close_pairs(equilibrate({G, -G * force}), {0, 1, 2, 3, 4, 5});
+  const Closure closed = close(equilibrate({G, -G * force}), KnownSet{{0, 1, 2, 3, 4, 5}});
   REQUIRE(closed.solvable);
   CHECK((closed.force - force).cwiseAbs().maxCoeff() < 1e-14);
 }
 
-TEST_CASE("a block that repeats a row is called singular, not solved", "[closed_pairs]") {
-  const ScaledProblem scaled = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -1)});
-  CHECK_FALSE(close_pairs(scaled, {0, 1}).solvable);
-  CHECK(close_pairs(scaled, {1}).solvable);
+TEST_CASE("of rows that repeat each other the first is kept, and closes the others if it can",
+          "[closed_pairs]") {
+  const std::vector<Motion> both = motions_of({0, 1}, 2);
+  const ScaledProblem same = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -1)});
+  for (const Eigen::Index first : {0, 1}) {
+    const Closure kept = close(same, KnownSet{{first, 1 - first}});
+    CHECK(kept.rows == std::vector<Eigen::Index>{first});
+    CHECK(kept.force(first) == 1);
+    CHECK(solves(same, both, kept));
+  }
+  const ScaledProblem apart = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -0.5)});
+  CHECK(solves(apart, motions_of({0}, 2), close(apart, KnownSet{{0, 1}})));
+  CHECK_FALSE(solves(apart, both, close(apart, KnownSet{{0, 1}})));  // the other is open
   const ScaledProblem nothing =
       equilibrate({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Ones(1)});
-  CHECK_FALSE(close_pairs(nothing, {0}).solvable);
+  CHECK(close(nothing, KnownSet{{0}}).rows.empty());
 }
 
 TEST_CASE("a dependent block is found out, whatever rounding leaves of its last pivot",
@@ -155,7 +165,7 @@ TEST_CASE("a dependent block is found out, whatever rounding leaves of its last 
     Eigen::MatrixXd V(6, 4);
     for (Eigen::Index k = 0; k < V.size(); ++k) V.data()[k] = random.whole(0, 1) - 0.5;
     const ScaledProblem scaled = equilibrate({V * V.transpose(), -Eigen::VectorXd::Ones(6)});
-    found += close_pairs(scaled, {0, 1, 2, 3, 4, 5}).solvable ? 0 : 1;
+    found += close(scaled, KnownSet{{0, 1, 2, 3, 4, 5}}).rows.size() < 6 ? 1 : 0;
   }
   CHECK(found == 200);
 }
@@ -167,7 +177,7 @@ TEST_CASE("a singular block that rounding lets pass gives no solution", "[closed
   G << 5, -5, -5, -5, 9, 1, -5, 1, 9;
   const ContactProblem problem{G, Eigen::Vector3d(-1, -4, 0)};
   const ScaledProblem scaled = equilibrate(problem);
-  CHECK_FALSE(solves(scaled, close_pairs(scaled, {0, 1, 2})));
+  CHECK_FALSE(solves(scaled, motions_of({0, 1, 2}, 3), close(scaled, KnownSet{{0, 1, 2}})));
   CHECK_FALSE(confirmed(scaled, {0, 1, 2}).has_value());
   CHECK(find_solver("enumerate").solve(problem, {}).report.status == Status::Infeasible);
   CHECK(find_solver("primal_dual_active_set").solve(problem, {}).report.status != Status::Solved);

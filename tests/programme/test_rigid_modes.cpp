@@ -26,8 +26,8 @@ struct Floating {
 
 /// K_g^-1, and what a floating body makes of it.
 struct Solved {
-  FloatingProblem problem;
-  FloatingState state;
+  ContactProblem problem;
+  ContactState state;
   Refined refined;
 };
 
@@ -41,12 +41,12 @@ Solved solved(const Floating& body) {
   const MatrixXd G = 0.5 * (half + half.transpose());
   const VectorXd u0 = factor.solve(body.programme.load);
   Solved result;
-  result.problem =
-      floating_problem(body.programme, {G, body.programme.initial_gap - A * u0}, body.modes);
+  result.problem = {G, body.programme.initial_gap - A * u0};
+  add_rigid_modes(body.programme, body.modes, result.problem);
   result.state = solve(result.problem, find_solver("primal_dual_active_set"));
   result.refined = refined(
       body.programme, [&](const VectorXd& f) { return VectorXd(factor.solve(f)); }, G,
-      {u0, {}, result.state.contact.force}, result.state.contact.active, body.modes);
+      {u0, {}, result.state.force}, result.state.active, body.modes);
   return result;
 }
 
@@ -191,8 +191,8 @@ TEST_CASE("a slide along an inclined plane is free, whatever its rounding", "[ri
     programme.A = MatrixXd(-normal.transpose()).sparseView();
     programme.initial_gap = VectorXd::Ones(1);
     const MatrixXd modes = (MatrixXd(2, 2) << normal, Vector2d(normal(1), -normal(0))).finished();
-    const FloatingProblem problem =
-        floating_problem(programme, {MatrixXd::Ones(1, 1), VectorXd::Ones(1)}, modes);
+    ContactProblem problem{MatrixXd::Ones(1, 1), VectorXd::Ones(1)};
+    add_rigid_modes(programme, modes, problem);
     CAPTURE(degrees);
     CHECK(problem.rigid(0, 1) == 0);
     CHECK(problem.resultant(1) == 0);

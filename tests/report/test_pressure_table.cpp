@@ -56,7 +56,7 @@ TEST_CASE("friction counts in the resultants, and notes stand in front of the ta
           "[pressure_table][friction]") {
   Solution solution = three_forces();
   solution.friction = FrictionOutcome{};
-  solution.friction->state.friction = Eigen::Vector3d(-5, 2, 0);
+  solution.contact.friction = Eigen::Vector3d(-5, 2, 0);
   // Tangents (0.8, -0.6) and (1, 0): friction adds (-4, 3) at (0, 1) and (2, 0) at (2, 0).
   const Resultants sum = resultants(three_gaps(), solution);
   CHECK((sum.force - Eigen::Vector2d(6 - 4 + 2, 11 + 3)).norm() <= 1e-14);

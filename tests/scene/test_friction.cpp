@@ -93,7 +93,7 @@ TEST_CASE("a block pressed on a rough plane: its mesh's own displacements, force
              -1.404927e6}}) {
     const Scene scene = rough_block(expected.element, 1);
     const SolvedScene run = solved(scene, "the block");
-    const FrictionState& state = run.solution.friction->state;
+    const ContactState& state = run.solution.contact;
     CHECK(run.solution.certificate.holds());
     CHECK(state.report.iterations <= 25);
     const Index at[5] = {0, 1, 4, 6, 9};
@@ -103,8 +103,8 @@ TEST_CASE("a block pressed on a rough plane: its mesh's own displacements, force
     CHECK(state.force.sum() == Approx(expected.normal).epsilon(1e-6).margin(0));
     CHECK(state.friction.sum() == Approx(expected.tangential).epsilon(1e-6).margin(0));
     for (Index k = 0; k < 32; ++k) {
-      const PairStatus status = state.status[static_cast<std::size_t>(k)];
-      CHECK(status == (k < 3 ? PairStatus::Open : k < 24 ? PairStatus::Slip : PairStatus::Stick));
+      const Motion status = state.motion[static_cast<std::size_t>(k)];
+      CHECK(status == (k < 3 ? Motion::Open : k < 24 ? Motion::Slip : Motion::Stick));
     }
     const NodeArray forces = support_forces(scene, run.model, run.solution);
     const NodeArray contact = contact_forces(run.model, run.solution);
@@ -130,7 +130,7 @@ TEST_CASE("no coefficient and no cohesion is no friction", "[friction]") {
 TEST_CASE("a slab that nothing but friction holds sticks, and slides off when dragged too hard",
           "[friction][floating]") {
   const SolvedScene held = solved(dragged_block(10, 2, {0.5, 0}), "the slab");
-  const FrictionState& state = held.solution.friction->state;
+  const ContactState& state = held.solution.contact;
   CHECK(held.solution.certificate.holds());
   CHECK(state.force.sum() == Approx(20).epsilon(1e-12));
   CHECK(state.friction.sum() == Approx(-4).epsilon(1e-12));
@@ -156,8 +156,8 @@ TEST_CASE("friction in other units is the same friction", "[friction][units]") {
     return Eigen::Vector2d(2e-3, 0);
   };
   second.contacts[0].friction->cohesion *= 1e-3;
-  const FrictionState a = solved(first, "the slab").solution.friction->state;
-  const FrictionState b = solved(second, "the slab").solution.friction->state;
+  const ContactState a = solved(first, "the slab").solution.contact;
+  const ContactState b = solved(second, "the slab").solution.contact;
   CHECK((b.friction / (1e-3 * length) - a.friction).norm() <= 1e-10 * a.friction.norm());
   CHECK((b.slip / length - a.slip).norm() <= 1e-10 * a.slip.norm());
   CHECK(b.status == a.status);
@@ -169,7 +169,7 @@ TEST_CASE("a friction law that is none is refused", "[friction][input]") {
   Scene scene = rough_block("q4", 1);
   scene.friction_solver = "magic";
   CHECK_THROWS_WITH(plan(scene),
-                    ContainsSubstring("magic") && ContainsSubstring("friction_active_set"));
+                    ContainsSubstring("magic") && ContainsSubstring("primal_dual_active_set"));
 }
 
 TEST_CASE("slender plates with friction are certified from K, p, A and g",

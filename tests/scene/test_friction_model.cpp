@@ -97,7 +97,7 @@ TEST_CASE("friction that is not solved says why", "[friction][model]") {
   const Solution solution = solve(scene);
   REQUIRE(solution.contact.report.status != Status::Solved);
   REQUIRE(solution.friction);
-  const std::string& reason = solution.friction->state.reason;
+  const std::string& reason = solution.contact.reason;
   REQUIRE_FALSE(reason.empty());
   CHECK_THAT(failure(scene), ContainsSubstring("the beam was not solved: breakdown after") &&
                                  ContainsSubstring(reason));
@@ -109,7 +109,7 @@ TEST_CASE("a solution beside which others may exist says so", "[friction][model]
   CHECK(likely.notes.empty());
   const Solution doubtful = solve(rough_beam(3));  // mu so high that a pair can lock by itself
   REQUIRE(doubtful.friction);
-  CHECK(doubtful.friction->state.uniqueness == Uniqueness::Doubtful);
+  CHECK(doubtful.contact.uniqueness == Uniqueness::Doubtful);
   REQUIRE(doubtful.notes.size() == 1);
   CHECK_THAT(doubtful.notes[0], ContainsSubstring("may be other solutions"));
 }

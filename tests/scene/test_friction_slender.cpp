@@ -48,13 +48,13 @@ TEST_CASE("pairs that stick do not slip, however slender the body", "[friction][
         for (const char* element : {"q4_incompatible", "q8"}) {
           const Solution solution =
               solved_strip(strip(length, coefficient, cells, element)).solution;
-          CAPTURE(length, coefficient, cells, element, solution.friction->state.reason);
+          CAPTURE(length, coefficient, cells, element, solution.contact.reason);
           REQUIRE(solution.contact.report.status == Status::Solved);
           CHECK(solution.certificate.worst() <= 1e-13);
           const double most = solution.displacements[0].cwiseAbs().maxCoeff();
-          const FrictionState& state = solution.friction->state;
+          const ContactState& state = solution.contact;
           for (Index pair = 0; pair < state.slip.size(); ++pair)
-            if (state.status[static_cast<std::size_t>(pair)] == PairStatus::Stick) {
+            if (state.motion[static_cast<std::size_t>(pair)] == Motion::Stick) {
               REQUIRE(std::abs(state.slip(pair)) <= 1e-15 * most);
               REQUIRE(std::abs(state.gap(pair)) <= 1e-15 * most);
             }
@@ -64,14 +64,14 @@ TEST_CASE("pairs that stick do not slip, however slender the body", "[friction][
 TEST_CASE("the certificate sees a slip that nothing resists, and a force beyond its bound",
           "[friction][certificate]") {
   const Run run = solved_strip(strip(5, 0.2, 12, "q4_incompatible"));
-  const FrictionState& state = run.solution.friction->state;
+  const ContactState& state = run.solution.contact;
   REQUIRE(run.solution.contact.report.status == Status::Solved);
   const Index pairs = state.force.size();
   Index sticks = -1;
   Index slides = -1;
   for (Index pair = 0; pair < pairs; ++pair) {
-    if (state.status[static_cast<std::size_t>(pair)] == PairStatus::Stick) sticks = pair;
-    if (state.status[static_cast<std::size_t>(pair)] == PairStatus::Slip) slides = pair;
+    if (state.motion[static_cast<std::size_t>(pair)] == Motion::Stick) sticks = pair;
+    if (state.motion[static_cast<std::size_t>(pair)] /*S*/) slides = pair;
   }
   REQUIRE((sticks >= 0 && slides >= 0));
   const auto figures = [&](const PrimalDual& claim) {

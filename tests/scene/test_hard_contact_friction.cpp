@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/solvers/friction_solvers.hpp"
+#include "signorini/solvers/solvers.hpp"
 #include "support/hertz.hpp"
 #include "support/two_bodies.hpp"
 
@@ -40,7 +40,7 @@ TEST_CASE("hardly any friction, and friction that nothing overcomes", "[contact]
   for (const bool floats : {true, false}) {
     const auto scene_with = [&](double mu) { return floats ? stiffer_disc(mu) : pulled_block(mu); };
     const SolvedScene smooth = solved(scene_with(0), "without friction");
-    for (const char* solver : {"friction_active_set", "friction_newton", "friction_lemke"}) {
+    for (const char* solver : {"primal_dual_active_set", "fischer_burmeister", "lemke"}) {
       CAPTURE(floats, solver);
       const auto run = [&](double mu) {
         Scene scene = scene_with(mu);
@@ -48,18 +48,18 @@ TEST_CASE("hardly any friction, and friction that nothing overcomes", "[contact]
         return solved(scene, "with friction");
       };
       const SolvedScene little = run(1e-6);
-      const FrictionState& slides = little.solution.friction->state;
+      const ContactState& slides = little.solution.contact;
       CHECK(little.solution.certificate.worst() <= 1e-13);
       CHECK((slides.force - smooth.solution.contact.force).norm() <= 2e-6 * slides.force.norm());
       CHECK(slides.friction.cwiseAbs().maxCoeff() > 0);
       CHECK(((slides.friction.cwiseAbs() - 1e-6 * slides.force).array() <= 1e-20).all());
 
       const SolvedScene much = run(1e4);
-      const FrictionState& sticks = much.solution.friction->state;
+      const ContactState& sticks = much.solution.contact;
       CHECK(much.solution.certificate.worst() <= 1e-13);
       for (Index pair = 0; pair < sticks.force.size(); ++pair)
         if (sticks.force(pair) > 0) CHECK(std::abs(sticks.slip(pair)) <= 1e-14);
-      const Eigen::VectorXd one = run(1).solution.friction->state.friction;
+      const Eigen::VectorXd one = run(1).solution.contact.friction;
       CHECK((sticks.friction - one).norm() <= 1e-9 * one.norm());
     }
   }
@@ -79,14 +79,14 @@ TEST_CASE("friction of bodies that float is certified on fine meshes too",
 
 // On the axis of a half-model nothing slides and any friction force would do; a whole model has none there.
 TEST_CASE("a pair that supports keep from sliding has no friction", "[contact][hard][friction]") {
-  for (const char* solver : {"friction_active_set", "friction_lemke", "friction_split"}) {
+  for (const char* solver : {"primal_dual_active_set", "lemke", "friction_split"}) {
     CAPTURE(solver);
     Scene scene = stiffer_disc(0.3);
     scene.friction_solver = solver;
     const SolvedScene run = solved(scene, "the disc");
     REQUIRE(run.model.pairs.position(0, 0) == 0);
     CHECK(run.solution.contact.force(0) > 0);
-    CHECK(run.solution.friction->state.friction(0) == 0);
+    CHECK(run.solution.contact.friction(0) == 0);
     const NodeArray on_disc = contact_forces(run.model, run.solution, 0);
     const Index pole = run.model.pairs.node[0];
     CHECK(std::abs(on_disc(pole, 0)) <= 1e-15);

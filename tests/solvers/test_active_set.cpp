@@ -2,7 +2,7 @@
 #include <set>
 
 #include "catch_compat.hpp"
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/closing.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/examples.hpp"
 #include "signorini/solvers/enumerate.hpp"
@@ -67,11 +67,11 @@ bool group_exchange_cycles(const ContactProblem& problem) {
     std::vector<Index> active;
     for (Index i = 0; i < n; ++i)
       if (closed[static_cast<std::size_t>(i)]) active.push_back(i);
-    const ClosedPairs now = close_pairs(scaled, active);
+    const Closure now = close(scaled, KnownSet{active});
     bool changed = false;
     for (Index i = 0; i < n; ++i) {
       const bool is_closed = closed[static_cast<std::size_t>(i)];
-      if (is_closed ? now.force(i) >= 0 : now.gap(i) >= 0) continue;
+      if (is_closed ? now.force(i) >= 0 : now.movement(i) >= 0) continue;
       closed[static_cast<std::size_t>(i)].flip();
       changed = true;
     }

@@ -4,8 +4,8 @@
 #include <variant>
 
 #include "catch_compat.hpp"
-#include "signorini/closing/closed_pairs.hpp"
-#include "signorini/closing/refutation.hpp"
+#include "signorini/closing/closing.hpp"
+#include "signorini/closing/proofs.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem_file/problem_file.hpp"
 #include "signorini/solvers/enumerate.hpp"
@@ -131,24 +131,20 @@ TEST_CASE("a proof that nothing solves a problem is checked on its own data", "[
   G(0, 0) = 1;
   const Vector2d row(1e-8, 1e8);
   CHECK(refutes(with_rows({G, Vector2d(-1, 0.5)}, row), y.cwiseQuotient(row)));
-  MatrixXd half(1, 2);
-  half << 1, -1;
-  CHECK(refutes(HalfProblem{half, Vector2d(-1, 0.5)}, y));
-  CHECK_FALSE(refutes(HalfProblem{half, Vector2d(-1, 1.5)}, y));
-  half(0) += 1e-3;
-  CHECK_FALSE(refutes(HalfProblem{half, Vector2d(-1, 0.5)}, y));
 }
 
 TEST_CASE("a claim without a proof that holds is withdrawn", "[found][proof]") {
   Matrix2d G;
   G << 1, -1, -1, 1;
   const ContactProblem wedged{G, Vector2d(-1, 0.5)};
-  ContactState claim{Vector2d(0, 0), wedged.free_gap, {}, {}};
-  claim.report.status = Status::Infeasible;
-  CHECK(certified(wedged, claim).report.status == Status::Breakdown);
-  claim.infeasibility = Vector2d(1, 0.5);
-  CHECK(certified(wedged, claim).report.status == Status::Breakdown);
-  CHECK(certified(wedged, claim).infeasibility.size() == 0);
-  claim.infeasibility = Vector2d(2, 2);
-  CHECK(certified(wedged, claim).report.status == Status::Infeasible);
+  const auto claimed = [&](const VectorXd& proof) {
+    const ScaledProblem scaled = equilibrate(wedged);
+    Report report;
+    report.status = Status::Infeasible;
+    return finished(wedged, scaled, close(scaled, KnownSet{}), motions_of({}, 2), report, proof);
+  };
+  CHECK(claimed({}).report.status == Status::Breakdown);
+  CHECK(claimed(Vector2d(1, 0.5)).report.status == Status::Breakdown);
+  CHECK(claimed(Vector2d(1, 0.5)).infeasibility.size() == 0);
+  CHECK(claimed(Vector2d(2, 2)).report.status == Status::Infeasible);
 }

@@ -1,7 +1,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/solvers/friction_solvers.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/solvers/solvers.hpp"
 #include "signorini/solvers/goldfarb_idnani.hpp"
 #include "support/friction.hpp"
 
@@ -14,8 +15,8 @@ using namespace signorini_test;
 
 namespace {
 
-FrictionState solved(const FrictionProblem& problem) {
-  FrictionState state = friction_solvers().front().solve(problem, {});
+ContactState solved(const ContactProblem& problem) {
+  ContactState state = friction_solvers().front().solve(problem, {});
   CAPTURE(state.reason);
   REQUIRE(state.report.status == Status::Solved);
   CHECK(certify(problem, state).holds());
@@ -27,22 +28,22 @@ FrictionState solved(const FrictionProblem& problem) {
 TEST_CASE("one pair, uncoupled: open, stick and slip either way",
           "[friction][closed-form][LinEtAl-9][LinEtAl-10][LinEtAl-15][LinEtAl-16]") {
   const Matrix2d F = Eigen::Vector2d(2, 4).asDiagonal();
-  for (const FrictionSolver& solver : friction_solvers()) {
+  for (const Solver& solver : friction_solvers()) {
     CAPTURE(solver.name);
     // Pressed by 3 with mu = 0.5: the bound is 1.5; it takes 1 to hold a slip of -4, and 2 for 8.
-    const FrictionState stick = solver.solve(one_pair(F, -6, -4, 0.5), {});
+    const ContactState stick = solver.solve(one_pair(F, -6, -4, 0.5), {});
     REQUIRE(stick.report.status == Status::Solved);
-    CHECK(stick.status[0] == PairStatus::Stick);
+    CHECK(stick.motion[0] == Motion::Stick);
     CHECK(stick.force(0) == Approx(3).epsilon(1e-14));
     CHECK(stick.friction(0) == Approx(1).epsilon(1e-14));
     for (const double way : {1.0, -1.0}) {
-      const FrictionState slip = solver.solve(one_pair(F, -6, 8 * way, 0.5), {});
+      const ContactState slip = solver.solve(one_pair(F, -6, 8 * way, 0.5), {});
       REQUIRE(slip.report.status == Status::Solved);
-      CHECK(slip.status[0] == PairStatus::Slip);
+      CHECK(slip.motion[0] == (way > 0 ? Motion::Forward : Motion::Backward));
       CHECK(slip.friction(0) == Approx(-1.5 * way).epsilon(1e-14));
       CHECK(slip.slip(0) == Approx(2 * way).epsilon(1e-14));
     }
-    const FrictionState glued = solver.solve(one_pair(F, -6, 8, 0.5, 1), {});
+    const ContactState glued = solver.solve(one_pair(F, -6, 8, 0.5, 1), {});
     REQUIRE(glued.report.status == Status::Solved);
     CHECK(glued.friction(0) == Approx(-2).epsilon(1e-14));  // of 2.5 that it could carry
   }
@@ -51,12 +52,12 @@ TEST_CASE("one pair, uncoupled: open, stick and slip either way",
 TEST_CASE("an open pair carries no cohesion, except in the equations as printed",
           "[friction][LinEtAl-29][erratum]") {
   const Matrix2d F = Eigen::Vector2d(2, 4).asDiagonal();
-  const FrictionProblem lifted = one_pair(F, 1, 8, 0.5, 1);
-  const FrictionState state = solved(lifted);
-  CHECK(state.status[0] == PairStatus::Open);
+  const ContactProblem lifted = one_pair(F, 1, 8, 0.5, 1);
+  const ContactState state = solved(lifted);
+  CHECK(state.motion[0] == Motion::Open);
   CHECK(state.friction(0) == 0);
   CHECK(state.slip(0) == 8);
-  const FrictionState printed = find_friction_solver("friction_split_literal").solve(lifted, {});
+  const ContactState printed = find_solver("friction_split_literal").solve(lifted, {});
   CHECK(printed.report.status == Status::Breakdown);
   CHECK(printed.friction(0) == Approx(-1));  // across a gap of 1
   CHECK(certify(lifted, printed).cone >= 0.1);
@@ -65,9 +66,9 @@ TEST_CASE("an open pair carries no cohesion, except in the equations as printed"
 TEST_CASE("without friction and cohesion it is the frictionless problem", "[friction][identity]") {
   Random random(11);
   for (int trial = 0; trial < 40; ++trial) {
-    FrictionProblem problem = random_friction(random, 1 + trial % 8, 0);
+    ContactProblem problem = random_friction(random, 1 + trial % 8, 0);
     const Index n = problem.free_gap.size();
-    const FrictionState state = solved(problem);
+    const ContactState state = solved(problem);
     const ContactState plain =
         goldfarb_idnani(ContactProblem{problem.compliance.topLeftCorner(n, n), problem.free_gap});
     CHECK((state.force - plain.force).norm() <= 1e-12 * (1 + plain.force.norm()));
@@ -79,29 +80,28 @@ TEST_CASE("without friction and cohesion it is the frictionless problem", "[fric
 TEST_CASE("with endless cohesion every closed pair sticks", "[friction][identity]") {
   Random random(12);
   for (int trial = 0; trial < 40; ++trial) {
-    FrictionProblem problem = random_friction(random, 1 + trial % 8, 0.5);
+    ContactProblem problem = random_friction(random, 1 + trial % 8, 0.5);
     problem.free_gap = -problem.free_gap.cwiseAbs();
     problem.compliance.topRightCorner(problem.free_gap.size(), problem.free_gap.size()).setZero();
     problem.compliance.bottomLeftCorner(problem.free_gap.size(), problem.free_gap.size()).setZero();
-    problem.cohesion.setConstant(1e6);
-    const FrictionState state = solved(problem);
-    for (std::size_t i = 0; i < state.status.size(); ++i)
-      CHECK(state.status[i] != PairStatus::Slip);
+    problem.law.cohesion.setConstant(1e6);
+    const ContactState state = solved(problem);
+    for (const Motion motion : state.motion) CHECK(friction_sign(motion) == 0);
   }
 }
 
 TEST_CASE("other units change forces by rounding only", "[friction][identity]") {
   Random random(13);
   for (int trial = 0; trial < 20; ++trial) {
-    const FrictionProblem problem = random_friction(random, 1 + trial % 8, 0.6);
+    const ContactProblem problem = random_friction(random, 1 + trial % 8, 0.6);
     const VectorXd before = forces(solved(problem));
     for (const double length : {1e-6, 1.0, 1e6})
       for (const double force : {1e-6, 1.0, 1e6}) {
-        FrictionProblem other = problem;
+        ContactProblem other = problem;
         other.compliance *= length / force;
         other.free_gap *= length;
         other.free_slip *= length;
-        other.cohesion *= force;
+        other.law.cohesion *= force;
         CHECK((forces(solved(other)) / force - before).norm() <= 1e-12 * before.norm());
       }
   }
@@ -111,29 +111,30 @@ TEST_CASE("the order of the pairs changes nothing, and a second run not one bit"
           "[friction][identity]") {
   Random random(14);
   for (int trial = 0; trial < 20; ++trial) {
-    const FrictionProblem problem = random_friction(random, 2 + trial % 7, 0.6);
+    const ContactProblem problem = random_friction(random, 2 + trial % 7, 0.6);
     const Index n = problem.free_gap.size();
     std::vector<Index> order;
     for (Index i = n; i > 0; --i) order.push_back(i - 1);
     std::vector<Index> rows = order;
     for (const Index i : order) rows.push_back(n + i);
-    const FrictionProblem turned{problem.compliance(rows, rows), problem.free_gap(order),
-                                 problem.free_slip(order), problem.coefficient(order),
-                                 problem.cohesion(order)};
+    const ContactProblem turned{problem.compliance(rows, rows), problem.free_gap(order),
+                                problem.free_slip(order),
+                                law_of_all(problem.law.coefficient(order),
+                                           problem.law.cohesion(order))};
     const VectorXd before = forces(solved(problem));
     CHECK((forces(solved(turned)) - before(rows)).norm() <= 1e-12 * before.norm());
-    for (const FrictionSolver& solver : friction_solvers())
+    for (const Solver& solver : friction_solvers())
       CHECK((forces(solver.solve(problem, {})).array() == forces(solver.solve(problem, {})).array())
                 .all());
   }
 }
 
 TEST_CASE("each figure of the certificate sees its own forgery", "[friction][certificate]") {
-  const FrictionProblem problem = one_pair(Eigen::Vector2d(2, 4).asDiagonal(), -6, 8, 0.5, 0.25);
-  const FrictionState good = solved(problem);  // lambda 3, tau -1.75, slip 1
+  const ContactProblem problem = one_pair(Eigen::Vector2d(2, 4).asDiagonal(), -6, 8, 0.5, 0.25);
+  const ContactState good = solved(problem);  // lambda 3, tau -1.75, slip 1
   CHECK(certify(problem, good).worst() <= 1e-15);
   const auto forged = [&](double force, double friction) {
-    FrictionState state = good;
+    ContactState state = good;
     state.force(0) = force;
     state.friction(0) = friction;
     state.gap(0) = -6 + 2 * force;
@@ -146,7 +147,7 @@ TEST_CASE("each figure of the certificate sees its own forgery", "[friction][cer
   CHECK(forged(3, -1.85).cone > 1e-3);
   CHECK(forged(3, -1.65).sliding > 1e-3);
   CHECK(forged(3, 1.75).sliding > 1e-1);
-  FrictionState moved = good;
+  ContactState moved = good;
   moved.slip(0) += 0.1;
   CHECK(certify(problem, moved).equilibrium > 1e-3);
   moved.slip(0) = std::nan("");
@@ -154,10 +155,10 @@ TEST_CASE("each figure of the certificate sees its own forgery", "[friction][cer
 }
 
 TEST_CASE("problems that do not fit are refused with their sizes", "[friction][errors]") {
-  FrictionProblem problem = one_pair(Matrix2d::Identity(), -1, 0, 0.5);
-  problem.coefficient(0) = -0.1;
+  ContactProblem problem = one_pair(Matrix2d::Identity(), -1, 0, 0.5);
+  problem.law.coefficient(0) = -0.1;
   CHECK_THROWS_AS(friction_solvers().front().solve(problem, {}), std::invalid_argument);
-  problem.coefficient(0) = 0.1;
+  problem.law.coefficient(0) = 0.1;
   problem.compliance(0, 1) = 0.5;  // not symmetric
   CHECK_THROWS_AS(friction_solvers().front().solve(problem, {}), std::invalid_argument);
   problem.compliance = MatrixXd::Identity(3, 3);

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/solvers/friction_solvers.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/solvers/solvers.hpp"
 #include "support/friction.hpp"
 
 using Eigen::Index;
@@ -23,10 +24,10 @@ double half_ellipse(double x, double width) {
 }
 
 /// Half the width of all pairs with a status.
-double half_width(const FrictionState& state, bool stick_only) {
+double half_width(const ContactState& state, bool stick_only) {
   double width = 0;
-  for (const PairStatus status : state.status)
-    if (status == PairStatus::Stick || (!stick_only && status == PairStatus::Slip)) width += h / 2;
+  for (const Motion motion : state.motion)
+    if (motion == Motion::Stick || (!stick_only && motion != Motion::Open)) width += h / 2;
   return width;
 }
 
@@ -37,8 +38,8 @@ TEST_CASE("a cylinder in partial slip: stick zone and traction of Cattaneo and M
   for (const double part : {0.1, 0.6, 0.95}) {
     const double mu = 0.3;
     const double c = std::sqrt(1 - part);
-    const FrictionState state =
-        find_friction_solver("friction_active_set").solve(cylinder(n, mu, part), {});
+    const ContactState state =
+        find_solver("primal_dual_active_set").solve(cylinder(n, mu, part), {});
     CAPTURE(part);
     REQUIRE(state.report.status == Status::Solved);
     CHECK(certify(cylinder(n, mu, part), state).worst() <= 1e-14);
@@ -62,10 +63,10 @@ TEST_CASE("a cylinder in partial slip: stick zone and traction of Cattaneo and M
 
 TEST_CASE("every method finds the same partial slip, the split as printed does not",
           "[friction][conformance]") {
-  const FrictionProblem problem = cylinder(100, 0.3, 0.6);
-  const FrictionState first = friction_solvers().front().solve(problem, {});
-  for (const FrictionSolver& solver : friction_solvers()) {
-    const FrictionState state = solver.solve(problem, {});
+  const ContactProblem problem = cylinder(100, 0.3, 0.6);
+  const ContactState first = friction_solvers().front().solve(problem, {});
+  for (const Solver& solver : friction_solvers()) {
+    const ContactState state = solver.solve(problem, {});
     CAPTURE(solver.name, state.reason);
     if (std::string(solver.name) == "friction_split_literal") {
       CHECK(state.report.status == Status::Breakdown);
@@ -73,23 +74,23 @@ TEST_CASE("every method finds the same partial slip, the split as printed does n
       continue;
     }
     REQUIRE(state.report.status == Status::Solved);
-    CHECK(state.status == first.status);
+    CHECK(state.motion == first.motion);
     CHECK((forces(state) - forces(first)).norm() <= 1e-12 * forces(first).norm());
     // Pivots go one by one; all others settle in few steps.
-    CHECK(state.report.iterations <= (std::string(solver.name) == "friction_lemke" ? 300 : 12));
+    CHECK(state.report.iterations <= (std::string(solver.name) == "lemke" ? 300 : 12));
   }
 }
 
 TEST_CASE("tiny and huge coefficients of friction: the same stick zone, within 25 steps",
           "[friction][hard]") {
   // Without coupling, tau / mu depends on Q / (mu P) alone.
-  const FrictionState plain = friction_solvers().front().solve(cylinder(n, 0.3, 0.6), {});
+  const ContactState plain = friction_solvers().front().solve(cylinder(n, 0.3, 0.6), {});
   for (const double mu : {1e-6, 1e4}) {
-    const FrictionState state = friction_solvers().front().solve(cylinder(n, mu, 0.6), {});
+    const ContactState state = friction_solvers().front().solve(cylinder(n, mu, 0.6), {});
     CAPTURE(mu);
     REQUIRE(state.report.status == Status::Solved);
     CHECK(state.report.iterations <= 25);
-    CHECK(state.status == plain.status);
+    CHECK(state.motion == plain.status);
     CHECK((state.friction / mu - plain.friction / 0.3).norm() <=
           1e-10 * plain.friction.norm() / 0.3);
   }
@@ -97,9 +98,9 @@ TEST_CASE("tiny and huge coefficients of friction: the same stick zone, within 2
 
 TEST_CASE("a push beyond mu P finds no equilibrium, and the way out is shown",
           "[friction][floating]") {
-  const FrictionProblem problem = cylinder(60, 0.3, 1 + 1e-9);
-  for (const FrictionSolver& solver : friction_solvers()) {
-    const FrictionState state = solver.solve(problem, {});
+  const ContactProblem problem = cylinder(60, 0.3, 1 + 1e-9);
+  for (const Solver& solver : friction_solvers()) {
+    const ContactState state = solver.solve(problem, {});
     CAPTURE(solver.name);
     CHECK(state.report.status != Status::Solved);
     if (std::string(solver.name) == "friction_split_literal") continue;
@@ -113,9 +114,9 @@ TEST_CASE("a push beyond mu P finds no equilibrium, and the way out is shown",
   // Just below, and with cohesion to take up the rest, it holds.
   CHECK(friction_solvers().front().solve(cylinder(60, 0.3, 1 - 1e-9), {}).report.status ==
         Status::Solved);
-  FrictionProblem glued = problem;
+  ContactProblem glued = problem;
   glued.cohesion.setConstant(1e-3);
-  const FrictionState state = friction_solvers().front().solve(glued, {});
+  const ContactState state = friction_solvers().front().solve(glued, {});
   REQUIRE(state.report.status == Status::Solved);
   CHECK(certify(glued, state).holds());
 }

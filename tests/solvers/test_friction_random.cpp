@@ -1,8 +1,9 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/solvers/friction_proofs.hpp"
-#include "signorini/solvers/friction_solvers.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/closing/proofs.hpp"
+#include "signorini/solvers/solvers.hpp"
 #include "support/friction.hpp"
 
 using Eigen::Index;
@@ -22,8 +23,8 @@ bool among(const VectorXd& force, const std::vector<VectorXd>& solutions) {
 }
 
 /// A bound on the iterations of a method on up to 8 pairs with moderate friction.
-Index most_iterations(const FrictionSolver& solver) {
-  return std::string(solver.name) == "friction_lemke" ? 60 : 12;
+Index most_iterations(const Solver& solver) {
+  return std::string(solver.name) == "lemke" ? 60 : 12;
 }
 
 }  // namespace
@@ -32,18 +33,18 @@ TEST_CASE("moderate friction: one solution, found by all methods that promise it
           "[friction][conformance]") {
   Random random(21);
   for (int trial = 0; trial < 200; ++trial) {
-    const FrictionProblem problem = random_friction(random, 1 + trial % 8, 0.5);
+    const ContactProblem problem = random_friction(random, 1 + trial % 8, 0.5);
     const std::vector<VectorXd> solutions =
         problem.free_gap.size() <= 4 ? all_solutions(problem) : std::vector<VectorXd>();
     if (problem.free_gap.size() <= 4) CHECK(solutions.size() == 1);
-    for (const FrictionSolver& solver : friction_solvers()) {
-      const FrictionState state = solver.solve(problem, {});
+    for (const Solver& solver : friction_solvers()) {
+      const ContactState state = solver.solve(problem, {});
       CAPTURE(trial, solver.name, state.reason);
-      if (!solver.may_fail) REQUIRE(state.report.status == Status::Solved);
+      if (!may_fail(solver, Trait::Friction)) REQUIRE(state.report.status == Status::Solved);
       if (state.report.status != Status::Solved) continue;
       CHECK(certify(problem, state).holds());
       if (!solutions.empty()) CHECK(among(forces(state), solutions));
-      if (!solver.may_fail) CHECK(state.report.iterations <= most_iterations(solver));
+      if (!may_fail(solver, Trait::Friction)) CHECK(state.report.iterations <= most_iterations(solver));
     }
   }
 }
@@ -54,14 +55,14 @@ TEST_CASE("strong friction: several solutions, of which one is found; never call
   int several = 0;
   for (int trial = 0; trial < 200; ++trial) {
     const double mu = trial % 2 == 0 ? 3 : 1e4;
-    const FrictionProblem problem = random_friction(random, 1 + trial % 4, mu);
+    const ContactProblem problem = random_friction(random, 1 + trial % 4, mu);
     const std::vector<VectorXd> solutions = all_solutions(problem);
     REQUIRE_FALSE(solutions.empty());
     several += solutions.size() > 1 ? 1 : 0;
-    for (const FrictionSolver& solver : friction_solvers()) {
-      const FrictionState state = solver.solve(problem, {});
+    for (const Solver& solver : friction_solvers()) {
+      const ContactState state = solver.solve(problem, {});
       CAPTURE(trial, solver.name, state.reason);
-      if (!solver.may_fail) REQUIRE(state.report.status == Status::Solved);
+      if (!may_fail(solver, Trait::Friction)) REQUIRE(state.report.status == Status::Solved);
       if (state.report.status != Status::Solved) continue;
       CHECK(among(forces(state), solutions));
       if (solutions.size() > 1) CHECK(state.uniqueness != Uniqueness::Proved);
@@ -75,10 +76,10 @@ TEST_CASE("cohesion of closed pairs only: solved if and only if a solution exist
   Random random(23);
   int none = 0;
   for (int trial = 0; trial < 150; ++trial) {
-    const FrictionProblem problem = random_friction(random, 1 + trial % 4, 0.5, 0.3);
+    const ContactProblem problem = random_friction(random, 1 + trial % 4, 0.5, 0.3);
     const std::vector<VectorXd> solutions = all_solutions(problem);
     none += solutions.empty() ? 1 : 0;
-    const FrictionState state = friction_solvers().front().solve(problem, {});
+    const ContactState state = friction_solvers().front().solve(problem, {});
     CAPTURE(trial, state.reason);
     CHECK((state.report.status == Status::Solved) == !solutions.empty());
     if (state.report.status == Status::Solved) CHECK(among(forces(state), solutions));
@@ -94,14 +95,14 @@ TEST_CASE("a body that is free to move: solved if and only if a solution exists"
   Random random(24);
   int none = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    const FrictionProblem problem = random_floating(random, 1 + trial % 4, 0.5);
+    const ContactProblem problem = random_floating(random, 1 + trial % 4, 0.5);
     const std::vector<VectorXd> solutions = all_solutions(problem);
     none += solutions.empty() ? 1 : 0;
-    for (const FrictionSolver& solver : friction_solvers()) {
-      const FrictionState state = solver.solve(problem, {});
+    for (const Solver& solver : friction_solvers()) {
+      const ContactState state = solver.solve(problem, {});
       CAPTURE(trial, solver.name, state.reason);
       CHECK(state.report.status != Status::Infeasible);
-      if (!solver.may_fail) CHECK((state.report.status == Status::Solved) == !solutions.empty());
+      if (!may_fail(solver, Trait::Friction)) CHECK((state.report.status == Status::Solved) == !solutions.empty());
       if (state.report.status == Status::Solved) CHECK(among(forces(state), solutions));
     }
   }
@@ -115,9 +116,9 @@ TEST_CASE("a pair that only its cohesion would pull open has no solution",
   // overlaps; closed, it would need a tensile force.
   Matrix2d F;
   F << 1, -0.5, -0.5, 1;
-  const FrictionProblem problem = one_pair(F, -0.1, 3, 0, 1);
+  const ContactProblem problem = one_pair(F, -0.1, 3, 0, 1);
   CHECK(all_solutions(problem).empty());
-  for (const FrictionSolver& solver : friction_solvers())
+  for (const Solver& solver : friction_solvers())
     CHECK(solver.solve(problem, {}).report.status != Status::Solved);
 }
 
@@ -125,9 +126,9 @@ TEST_CASE("one node with several solutions: one is found, with the warning", "[f
   // tests/data/generated/coulomb_one_node_nonunique.txt
   Matrix2d F;
   F << 1, 2, 2, 9;
-  for (const FrictionSolver& solver : friction_solvers()) {
-    const FrictionState unique = solver.solve(one_pair(F, 0.1, 3, 0.3), {});
-    const FrictionState state = solver.solve(one_pair(F, 0.1, 3, 0.6), {});
+  for (const Solver& solver : friction_solvers()) {
+    const ContactState unique = solver.solve(one_pair(F, 0.1, 3, 0.3), {});
+    const ContactState state = solver.solve(one_pair(F, 0.1, 3, 0.6), {});
     CAPTURE(solver.name);
     REQUIRE(state.report.status == Status::Solved);
     CHECK(certify(one_pair(F, 0.1, 3, 0.6), state).worst() <= 1e-15);
@@ -158,11 +159,12 @@ TEST_CASE("the warning starts where one node stops being unique", "[friction][cl
 TEST_CASE("a solution on the turned branch warns of the others", "[friction][hard]") {
   Matrix2d F;
   F << 1, 2, 2, 9;
-  const FrictionProblem problem = one_pair(F, 0.1, 3, 0.6);
-  const ScaledFriction scaled = equilibrate(problem);
+  const ContactProblem problem = one_pair(F, 0.1, 3, 0.6);
+  const ScaledProblem scaled = equilibrate(problem);
   const auto reversed = [&](Motion motion) {
-    const FrictionClosure end = close_friction(scaled, {motion}, VectorXd::Zero(2), VectorXd(0));
-    CHECK(end.confirmed);
+    const std::vector<Motion> motions = {motion};
+    const Closure end = close(scaled, motions);
+    CHECK(solves(scaled, motions, end));
     return end.reversed;
   };
   CHECK_FALSE(reversed(Motion::Open));

@@ -4,7 +4,8 @@
 #include <string>
 
 #include "catch_compat.hpp"
-#include "signorini/solvers/friction_solvers.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/solvers/solvers.hpp"
 #include "support/friction.hpp"
 #include "support/friction_contact_file.hpp"
 
@@ -13,7 +14,7 @@ using namespace signorini_test;
 
 namespace {
 
-FrictionProblem from_file(const std::string& name) {
+ContactProblem from_file(const std::string& name) {
   return read_friction_contact(std::string(SIGNORINI_TEST_DATA) + "/siconos_fc2d/" + name + ".dat");
 }
 
@@ -29,9 +30,9 @@ TEST_CASE("plane problems of Siconos: the figures of its sweeps", "[friction][da
   for (const Known& known :
        {Known{"FrictionContactProblem00031", 0.00063460885615, 0.00063460887884, 0.236118273128},
         Known{"FrictionContactProblem00374", 1624.542732095, 514.649024451, 127.435638165}}) {
-    const FrictionProblem problem = from_file(known.name);
-    for (const FrictionSolver& solver : friction_solvers()) {
-      const FrictionState state = solver.solve(problem, {});
+    const ContactProblem problem = from_file(known.name);
+    for (const Solver& solver : friction_solvers()) {
+      const ContactState state = solver.solve(problem, {});
       CAPTURE(known.name, solver.name, state.reason);
       REQUIRE(state.report.status == Status::Solved);
       CHECK(certify(problem, state).worst() <= 1e-14);
@@ -45,8 +46,8 @@ TEST_CASE("plane problems of Siconos: the figures of its sweeps", "[friction][da
 }
 
 TEST_CASE("data that are rounding only: an answer as small", "[friction][data]") {
-  const FrictionProblem problem = from_file("FrictionContactProblem00394");
-  const FrictionState state = friction_solvers().front().solve(problem, {});
+  const ContactProblem problem = from_file("FrictionContactProblem00394");
+  const ContactState state = friction_solvers().front().solve(problem, {});
   REQUIRE(state.report.status == Status::Solved);
   CHECK(certify(problem, state).worst() <= 1e-14);
   CHECK(forces(state).norm() <= 1e-14);

@@ -59,39 +59,20 @@ TEST_CASE("sweeps raise the dual energy, and what they say is right", "[gauss_se
   Random random(13);
   int solved = 0;
   for (int sample = 0; sample < 2000; ++sample) {
-    const HalfProblem half = whole_problem(random);
-    const ContactProblem problem = multiplied_out(half);
+    const ContactProblem problem = whole_problem(random);
     CAPTURE(sample, problem.free_gap.size());
-    for (const bool product : {false, true}) {
-      const ContactState state =
-          product ? projected_gauss_seidel(half, {300}) : projected_gauss_seidel(problem, {300});
-      const std::vector<Iteration>& history = state.report.history;
-      for (std::size_t k = 1; k < history.size(); ++k)
-        CHECK(history[k].dual_energy >= history[k - 1].dual_energy * (1 - 1e-13));
-      if (state.report.status == Status::Solved) {
-        CHECK(agrees_with_enumeration(problem, state));
-        ++solved;
-      } else {
-        CHECK(state.report.status == Status::IterationLimit);
-      }
+    const ContactState state = projected_gauss_seidel(problem, {300});
+    const std::vector<Iteration>& history = state.report.history;
+    for (std::size_t k = 1; k < history.size(); ++k)
+      CHECK(history[k].dual_energy >= history[k - 1].dual_energy * (1 - 1e-13));
+    if (state.report.status == Status::Solved) {
+      CHECK(agrees_with_enumeration(problem, state));
+      ++solved;
+    } else {
+      CHECK(state.report.status == Status::IterationLimit);
     }
   }
-  CHECK(solved > 2500);  // of 4000, of which some have no solution
-}
-
-TEST_CASE("a sweep with H takes the same steps as one with G", "[gauss_seidel]") {
-  Random random(14);
-  for (int sample = 0; sample < 100; ++sample) {
-    HalfProblem half{MatrixXd(6, 10), VectorXd(10)};
-    for (Index k = 0; k < half.half.size(); ++k) half.half.data()[k] = random.uniform(-1, 1);
-    for (Index i = 0; i < 10; ++i) half.free_gap(i) = random.uniform(-1, 1);
-    const ContactState product = projected_gauss_seidel(half, {40});
-    const ContactState given = projected_gauss_seidel(multiplied_out(half), {40});
-    CAPTURE(sample);
-    CHECK(product.report.iterations == given.report.iterations);
-    CHECK(product.report.status == given.report.status);
-    CHECK((product.gap - given.gap).norm() <= 1e-9 * (1 + given.gap.norm()));
-  }
+  CHECK(solved > 1250);  // of 2000, of which some have no solution
 }
 
 TEST_CASE("an asymmetric matrix with a dominant diagonal", "[gauss_seidel][enumerate]") {

@@ -2,7 +2,7 @@
 // counts as a proof.
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/programme/quasi_active_set_programme.hpp"
+#include "signorini/programme/active_set_programme.hpp"
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

@@ -103,16 +103,17 @@ inline RigidRest rigid_on(const signorini::EdgeBlockSpec& spec,
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);
   const Eigen::VectorXd x = model.pairs.position.col(0);
-  FloatingProblem problem{condensed.problem, -Eigen::MatrixXd::Ones(x.size(), 1),
-                          Eigen::VectorXd::Constant(1, -footing_load * footing_half)};
+  ContactProblem problem = condensed.problem;
+  problem.rigid = -Eigen::MatrixXd::Ones(x.size(), 1);
+  problem.resultant = Eigen::VectorXd::Constant(1, -footing_load * footing_half);
   if (eccentricity != nullptr) {
     problem.rigid.conservativeResize(Eigen::NoChange, 2);
     problem.rigid.col(1) = -x;
     problem.resultant = -2 * footing_load * footing_half * Eigen::Vector2d(1, *eccentricity);
   }
-  const FloatingState state = solve(problem, find_solver(scene.solver));
-  if (state.contact.report.status != Status::Solved) throw NotSolved("the rigid footing");
-  return {x.reverse(), state.contact.force.reverse(), state.amplitude(0),
+  const ContactState state = solve(problem, find_solver(scene.solver));
+  if (state.report.status != Status::Solved) throw NotSolved("the rigid footing");
+  return {x.reverse(), state.force.reverse(), state.amplitude(0),
           eccentricity == nullptr ? 0 : state.amplitude(1)};
 }
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/closing/friction_closure.hpp"
+#include "signorini/closing/closing.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {
 
 /// F = C C^T + 0.1 I with a random C, gaps of both signs, slips, coefficients up to `coefficient` and
 /// cohesion up to `cohesion`.
-inline signorini::FrictionProblem random_friction(Random& random, Eigen::Index n,
+inline signorini::ContactProblem random_friction(Random& random, Eigen::Index n,
                                                   double coefficient, double cohesion = 0) {
   const Eigen::MatrixXd C =
       Eigen::MatrixXd::NullaryExpr(2 * n, 2 * n, [&] { return random.uniform(-1, 1); });
@@ -19,19 +19,19 @@ inline signorini::FrictionProblem random_friction(Random& random, Eigen::Index n
     return Eigen::VectorXd(
         Eigen::VectorXd::NullaryExpr(n, [&] { return random.uniform(low, high); }));
   };
-  signorini::FrictionProblem problem;
+  signorini::ContactProblem problem;
   problem.compliance = C * C.transpose() + 0.1 * Eigen::MatrixXd::Identity(2 * n, 2 * n);
   problem.free_gap = numbers(-1, 0.5);
   problem.free_slip = numbers(-1, 1);
-  problem.coefficient = numbers(0, coefficient);
-  problem.cohesion = numbers(0, cohesion);
+  const Eigen::VectorXd mu = numbers(0, coefficient);
+  problem.law = signorini::law_of_all(mu, numbers(0, cohesion));
   return problem;
 }
 
 /// The same, free to move both ways, with a load that some forces within their bounds balance.
-inline signorini::FrictionProblem random_floating(Random& random, Eigen::Index n,
+inline signorini::ContactProblem random_floating(Random& random, Eigen::Index n,
                                                   double coefficient) {
-  signorini::FrictionProblem problem = random_friction(random, n, coefficient);
+  signorini::ContactProblem problem = random_friction(random, n, coefficient);
   problem.rigid = Eigen::MatrixXd::Zero(2 * n, 2);
   problem.rigid.col(0).head(n).setOnes();
   problem.rigid.col(1).tail(n).setOnes();
@@ -39,30 +39,29 @@ inline signorini::FrictionProblem random_floating(Random& random, Eigen::Index n
   for (Eigen::Index i = 0; i < n; ++i) {
     const double force = random.uniform(0.1, 1);
     problem.resultant(0) += force;
-    problem.resultant(1) += problem.coefficient(i) * force * random.uniform(-0.9, 0.9);
+    problem.resultant(1) += problem.law.coefficient(i) * force * random.uniform(-0.9, 0.9);
   }
   return problem;
 }
 
 /// One pair.
-inline signorini::FrictionProblem one_pair(const Eigen::Matrix2d& F, double gap, double slip,
+inline signorini::ContactProblem one_pair(const Eigen::Matrix2d& F, double gap, double slip,
                                            double coefficient, double cohesion = 0) {
   const auto one = [](double x) { return Eigen::VectorXd(Eigen::VectorXd::Constant(1, x)); };
-  return {F, one(gap), one(slip), one(coefficient), one(cohesion)};
+  return {F, one(gap), one(slip), signorini::law_of_all(one(coefficient), one(cohesion))};
 }
 
 /// The forces of all solutions: every choice of motions, tried one by one.
-inline std::vector<Eigen::VectorXd> all_solutions(const signorini::FrictionProblem& problem) {
-  const signorini::ScaledFriction scaled = signorini::equilibrate(problem);
+inline std::vector<Eigen::VectorXd> all_solutions(const signorini::ContactProblem& problem) {
+  const signorini::ScaledProblem scaled = signorini::equilibrate(problem);
   const Eigen::Index n = problem.free_gap.size();
   std::vector<Eigen::VectorXd> found;
   for (int choice = 0; choice < 1 << (2 * n); ++choice) {
     std::vector<signorini::Motion> motions;
     for (Eigen::Index i = 0; i < n; ++i)
       motions.push_back(static_cast<signorini::Motion>((choice >> (2 * i)) & 3));
-    const auto closure = signorini::close_friction(scaled, motions, Eigen::VectorXd::Zero(2 * n),
-                                                   Eigen::VectorXd::Zero(scaled.resultant.size()));
-    bool known = !closure.confirmed;
+    const signorini::Closure closure = signorini::close(scaled, motions);
+    bool known = !signorini::solves(scaled, motions, closure);
     for (const Eigen::VectorXd& other : found)
       known = known || (scaled.scale.cwiseInverse().cwiseProduct(other) - closure.force).norm() <=
                            1e-9 * closure.force.norm();
@@ -72,7 +71,7 @@ inline std::vector<Eigen::VectorXd> all_solutions(const signorini::FrictionProbl
 }
 
 /// The forces of a state, normal ones first.
-inline Eigen::VectorXd forces(const signorini::FrictionState& state) {
+inline Eigen::VectorXd forces(const signorini::ContactState& state) {
   Eigen::VectorXd both(2 * state.force.size());
   both << state.force, state.friction;
   return both;
@@ -81,7 +80,7 @@ inline Eigen::VectorXd forces(const signorini::FrictionState& state) {
 /// A rigid cylinder of radius 1 pressed by P on a half-plane with E* = 1 until it touches on |x| < 1, and
 /// pushed along by Q = part * mu * P: n elements of constant traction on |x| < 1.3. Bodies alike, so that
 /// pressure does not make them slide; free to move both ways.
-inline signorini::FrictionProblem cylinder(Eigen::Index n, double coefficient, double part) {
+inline signorini::ContactProblem cylinder(Eigen::Index n, double coefficient, double part) {
   const double pi = 3.14159265358979323846;
   const double h = 2.6 / static_cast<double>(n);
   const auto primitive = [](double x) { return x == 0 ? 0 : x * std::log(std::abs(x)) - x; };
@@ -94,14 +93,14 @@ inline signorini::FrictionProblem cylinder(Eigen::Index n, double coefficient, d
       G(i, j) = -2 / pi * ((primitive(far + h / 2) - primitive(far - h / 2)) / h - std::log(10.0));
     }
   }
-  signorini::FrictionProblem problem;
+  signorini::ContactProblem problem;
   problem.compliance = Eigen::MatrixXd::Zero(2 * n, 2 * n);
   problem.compliance.topLeftCorner(n, n) = G;
   problem.compliance.bottomRightCorner(n, n) = G;
   problem.free_gap = x.cwiseAbs2() / 2;
   problem.free_slip = Eigen::VectorXd::Zero(n);
-  problem.coefficient = Eigen::VectorXd::Constant(n, coefficient);
-  problem.cohesion = Eigen::VectorXd::Zero(n);
+  problem.law = signorini::law_of_all(Eigen::VectorXd::Constant(n, coefficient),
+                                      Eigen::VectorXd::Zero(n));
   problem.rigid = Eigen::MatrixXd::Zero(2 * n, 2);
   problem.rigid.col(0).head(n).setOnes();
   problem.rigid.col(1).tail(n).setOnes();

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/problem/friction.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace signorini_test {
 
@@ -53,7 +53,7 @@ inline Eigen::MatrixXd blocks(std::istream& in, Eigen::Index size) {
 }  // namespace detail
 
 /// Reads u = W r + q, normal and tangential in turns: gaps and slips u, forces r.
-inline signorini::FrictionProblem read_friction_contact(const std::string& path) {
+inline signorini::ContactProblem read_friction_contact(const std::string& path) {
   std::ifstream in(path);
   if (!in || detail::number(in) != 2) throw std::runtime_error("no plane friction file: " + path);
   const auto n = static_cast<Eigen::Index>(detail::number(in));
@@ -65,12 +65,12 @@ inline signorini::FrictionProblem read_friction_contact(const std::string& path)
   for (Eigen::Index i = 0; i < n; ++i) order.push_back(2 * i);
   for (Eigen::Index i = 0; i < n; ++i) order.push_back(2 * i + 1);
   const Eigen::VectorXd free = Eigen::Map<const Eigen::VectorXd>(q.data(), 2 * n)(order);
-  signorini::FrictionProblem problem;
+  signorini::ContactProblem problem;
   problem.compliance = W(order, order);
   problem.free_gap = free.head(n);
   problem.free_slip = free.tail(n);
-  problem.coefficient = Eigen::Map<const Eigen::VectorXd>(mu.data(), n);
-  problem.cohesion = Eigen::VectorXd::Zero(n);
+  problem.law = signorini::law_of_all(Eigen::Map<const Eigen::VectorXd>(mu.data(), n),
+                                      Eigen::VectorXd::Zero(n));
   return problem;
 }
 

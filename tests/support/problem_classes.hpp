@@ -22,7 +22,6 @@ struct Instance {
   Eigen::VectorXd gap = {};                                ///< the only gaps
   double accuracy = 1e-10;    ///< allowed error of both, relative to the largest entry
   bool may_be_ray = false;    ///< no theorem says that a method along a ray finds the solution
-  Eigen::MatrixXd half = {};  ///< H with G = H^T H, for those who solve that form
   std::optional<signorini::DenseProgramme> programme = {};  ///< where G and d come from
   Eigen::VectorXd displacement = {};                        ///< the only u of the programme
 };

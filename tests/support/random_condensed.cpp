@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/closing.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/problem/certificate.hpp"

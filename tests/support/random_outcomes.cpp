@@ -52,7 +52,7 @@ Trial try_scene(std::uint64_t seed, RandomScenes kind, const std::string& solver
     trial.text += text("\n  ", to_string(solution.contact.report.status), " after ",
                        solution.contact.report.iterations, " of ", model.pairs.weight.size(),
                        " pairs, ", solution.certificate, ' ', solution.escape);
-    if (solution.friction) trial.text += solution.friction->state.reason;
+    trial.text += solution.contact.reason;
     if (trial.outcome == Outcome::Solved) {
       if (change != nullptr) change(solution);
       trial.errors = check_scene(model, solution);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "signorini/programme/refine.hpp"
+#include "signorini/programme/rigid_modes.hpp"
 
 namespace signorini_test {
 
@@ -24,12 +25,14 @@ inline Refined refined(const signorini::QuadraticProgramme& programme,
                        const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve,
                        const Eigen::MatrixXd& compliance, signorini::PrimalDual start,
                        const std::vector<Eigen::Index>& closed, const Eigen::MatrixXd& modes = {}) {
-  std::vector<signorini::Motion> motions(static_cast<std::size_t>(start.force.size()),
-                                         signorini::Motion::Open);
-  for (const Eigen::Index pair : closed)
-    motions[static_cast<std::size_t>(pair)] = signorini::Motion::Stick;
-  Refined result{signorini::refine(programme, solve, compliance, std::move(start),
-                                   signorini::known_set(motions, {}), modes)};
+  const Eigen::Index pairs = start.force.size();
+  signorini::ContactProblem condensed{compliance, Eigen::VectorXd::Zero(pairs)};
+  if (modes.cols() > 0) {
+    condensed.rigid = signorini::rigid_gaps(programme.A, modes);
+    condensed.resultant = Eigen::VectorXd::Zero(modes.cols());
+  }
+  const std::vector<signorini::Motion> motions = signorini::motions_of(closed, pairs);
+  Refined result{signorini::refine(programme, solve, condensed, std::move(start), motions, modes)};
   result.confirmed = signorini::judge(programme, {}, result, motions, modes).confirmed;
   return result;
 }

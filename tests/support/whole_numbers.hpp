@@ -11,17 +11,29 @@
 
 namespace signorini_test {
 
-/// H with entries of -3 to 3, often with fewer rows than columns or a column twice, and d of -3 to 3, often
-/// all equal.
-inline signorini::HalfProblem whole_problem(Random& random) {
+/// K = I, A = H^T with entries of -3 to 3, often with fewer unknowns than rows or a row twice, and g of -3 to 3,
+/// often all equal.
+inline signorini::DenseProgramme whole_programme(Random& random) {
   const int n = random.whole(1, 7);
-  signorini::HalfProblem problem{Eigen::MatrixXd(random.whole(1, n + 1), n), Eigen::VectorXd(n)};
-  for (Eigen::Index k = 0; k < problem.half.size(); ++k)
-    problem.half.data()[k] = random.whole(-3, 3);
-  if (n > 1 && random.whole(0, 1) == 0) problem.half.col(n - 1) = problem.half.col(0);
-  for (Eigen::Index i = 0; i < n; ++i) problem.free_gap(i) = random.whole(-3, 3);
-  if (random.whole(0, 4) == 0) problem.free_gap.setConstant(-1);
-  return problem;
+  Eigen::MatrixXd half(random.whole(1, n + 1), n);
+  Eigen::VectorXd gap(n);
+  for (Eigen::Index k = 0; k < half.size(); ++k) half.data()[k] = random.whole(-3, 3);
+  if (n > 1 && random.whole(0, 1) == 0) half.col(n - 1) = half.col(0);
+  for (Eigen::Index i = 0; i < n; ++i) gap(i) = random.whole(-3, 3);
+  if (random.whole(0, 4) == 0) gap.setConstant(-1);
+  return {Eigen::MatrixXd::Identity(half.rows(), half.rows()), Eigen::VectorXd::Zero(half.rows()),
+          half.transpose(), gap, 0};
+}
+
+/// \param programme  with K = I and no load
+/// \return G = A A^T and d = g, of whole numbers as those are
+inline signorini::ContactProblem whole_problem(const signorini::DenseProgramme& programme) {
+  return {programme.A * programme.A.transpose(), programme.initial_gap};
+}
+
+/// The same as a condensed problem.
+inline signorini::ContactProblem whole_problem(Random& random) {
+  return whole_problem(whole_programme(random));
 }
 
 /// Whether y proves that nothing solves a problem: y >= 0, G y = 0 and d^T y < 0.

@@ -1,7 +1,7 @@
 /// \file
 /// Friction with two unknowns per slip, u+ and u-: as in Lin et al., and so that it works.
 #pragma once
-#include "signorini/problem/friction.hpp"
+#include "signorini/problem/problem.hpp"
 
 namespace signorini {
 
@@ -22,7 +22,7 @@ namespace signorini {
 /// \return `Solved` only if the certificate of contact holds; `Breakdown` with the pair in `reason` where
 ///   the Jacobian is singular, or if the equations are solved, but not contact; `IterationLimit`
 /// \throws std::invalid_argument as check_problem()
-[[nodiscard]] FrictionState friction_split_literal(const FrictionProblem& problem,
+[[nodiscard]] ContactState friction_split_literal(const ContactProblem& problem,
                                                    const SolverOptions& options = {});
 
 /// The same split, repaired.
@@ -30,14 +30,14 @@ namespace signorini {
 /// All arguments are scaled; only pairs whose force exceeds their gap carry cohesion; every step goes as
 /// far as the residual falls; the diagonal of u+ and u- in the Jacobian, whose entries lie between
 /// -2 and 0, is lowered by 1e-10, which moves no solution and makes it regular; and once it is settled what every
-/// pair does, that is solved exactly, as in friction_newton(). Of these repairs the shift matters least: with
+/// pair does, that is solved exactly, as in fischer_burmeister(). Of these repairs the shift matters least: with
 /// the others in place, hundreds of random problems take as many steps without it. There is no fallback.
 /// \param problem  F, d, s, mu, c, R, r
 /// \param options  `iteration_limit` 0 stands for 25
 /// \return `Solved`; `Infeasible` with `escape` if no forces balance r; `IterationLimit`; `Breakdown` if no
 ///   step lowers the residual any more
 /// \throws std::invalid_argument as check_problem()
-[[nodiscard]] FrictionState friction_split(const FrictionProblem& problem,
+[[nodiscard]] ContactState friction_split(const ContactProblem& problem,
                                            const SolverOptions& options = {});
 
 }  // namespace signorini

@@ -8,7 +8,8 @@
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/solvers/friction_descent.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/solvers/newton.hpp"
 
 namespace signorini {
 namespace {
@@ -24,70 +25,93 @@ struct Iterate {
   VectorXd residual;
 };
 
-/// \PaperEq{LinEtAl, 30}
-void evaluate(const FrictionProblem& problem, Iterate& now) {
-  const Index n = problem.free_gap.size();
-  const Index k = problem.resultant.size();
-  const Index plus = 2 * n + k;
-  now.movement << problem.free_gap, problem.free_slip;
-  now.movement.noalias() += problem.compliance * now.x.head(2 * n);
-  if (k > 0) {
-    now.movement.noalias() += problem.rigid * now.x.segment(2 * n, k);
-    now.residual.segment(2 * n, k) = -problem.resultant;
-    now.residual.segment(2 * n, k).noalias() += problem.rigid.transpose() * now.x.head(2 * n);
+/// Where the parts of x begin, and the bound c + mu lambda of slip k.
+struct Layout {
+  explicit Layout(const ContactProblem& problem)
+      : pairs(problem.free_gap.size()),
+        slips(problem.free_slip.size()),
+        modes(problem.resultant.size()),
+        law(problem.law) {}
+  [[nodiscard]] Index rows() const { return pairs + slips; }
+  [[nodiscard]] Index plus() const { return rows() + modes; }
+  [[nodiscard]] Index size() const { return plus() + 2 * slips; }
+  [[nodiscard]] Index pair(Index k) const { return law.pair[static_cast<std::size_t>(k)]; }
+  [[nodiscard]] double bound(const VectorXd& x, Index k) const {
+    return law.cohesion(k) + law.coefficient(k) * x(pair(k));
   }
-  for (Index i = 0; i < n; ++i) {
-    const double tau = now.x(n + i);
-    const double ahead = now.x(plus + i);
-    const double back = now.x(plus + n + i);
-    const double bound = problem.cohesion(i) + problem.coefficient(i) * now.x(i);
+  Index pairs;
+  Index slips;
+  Index modes;
+  const FrictionLaw& law;
+};
+
+/// \PaperEq{LinEtAl, 30}
+void evaluate(const ContactProblem& problem, Iterate& now) {
+  const Layout at(problem);
+  now.movement = free_movement(problem);
+  now.movement.noalias() += problem.compliance * now.x.head(at.rows());
+  if (at.modes > 0) {
+    now.movement.noalias() += problem.rigid * now.x.segment(at.rows(), at.modes);
+    now.residual.segment(at.rows(), at.modes) = -problem.resultant;
+    now.residual.segment(at.rows(), at.modes).noalias() +=
+        problem.rigid.transpose() * now.x.head(at.rows());
+  }
+  for (Index i = 0; i < at.pairs; ++i)
     now.residual(i) = fischer_burmeister(now.movement(i), now.x(i));  // LinEtAl 28
-    now.residual(n + i) = now.movement(n + i) - ahead + back;         // LinEtAl 19
-    now.residual(plus + i) = fischer_burmeister(ahead, bound + tau);  // LinEtAl 29
-    now.residual(plus + n + i) = fischer_burmeister(back, bound - tau);
+  for (Index k = 0; k < at.slips; ++k) {
+    const Index row = at.pairs + k;
+    const double ahead = now.x(at.plus() + k);
+    const double back = now.x(at.plus() + at.slips + k);
+    const double bound = at.bound(now.x, k);
+    now.residual(row) = now.movement(row) - ahead + back;                          // LinEtAl 19
+    now.residual(at.plus() + k) = fischer_burmeister(ahead, bound + now.x(row));  // LinEtAl 29
+    now.residual(at.plus() + at.slips + k) = fischer_burmeister(back, bound - now.x(row));
   }
 }
 
 /// \PaperEq{LinEtAl, 31}, without the displacements
-void jacobian(const FrictionProblem& problem, const Iterate& now, MatrixXd& J) {
-  const Index n = problem.free_gap.size();
-  const Index k = problem.resultant.size();
-  const Index plus = 2 * n + k;
+void jacobian(const ContactProblem& problem, const Iterate& now, MatrixXd& J) {
+  const Layout at(problem);
   J.setZero();
-  J.topLeftCorner(2 * n, 2 * n) = problem.compliance;
-  if (k > 0) {
-    J.block(0, 2 * n, 2 * n, k) = problem.rigid;
-    J.block(2 * n, 0, k, 2 * n) = problem.rigid.transpose();
+  J.topLeftCorner(at.rows(), at.rows()) = problem.compliance;
+  if (at.modes > 0) {
+    J.block(0, at.rows(), at.rows(), at.modes) = problem.rigid;
+    J.block(at.rows(), 0, at.modes, at.rows()) = problem.rigid.transpose();
   }
-  for (Index i = 0; i < n; ++i) {
-    const double mu = problem.coefficient(i);
-    const double bound = problem.cohesion(i) + mu * now.x(i);
+  for (Index i = 0; i < at.pairs; ++i) {
     const auto normal = fischer_burmeister_slope(now.movement(i), now.x(i));
-    const auto ahead = fischer_burmeister_slope(now.x(plus + i), bound + now.x(n + i));
-    const auto back = fischer_burmeister_slope(now.x(plus + n + i), bound - now.x(n + i));
     J.row(i) *= normal.a;
     J(i, i) += normal.b;
-    J(n + i, plus + i) = -1;
-    J(n + i, plus + n + i) = 1;
-    J(plus + i, plus + i) = ahead.a;
-    J(plus + i, n + i) = ahead.b;
-    J(plus + i, i) = mu * ahead.b;
-    J(plus + n + i, plus + n + i) = back.a;
-    J(plus + n + i, n + i) = -back.b;
-    J(plus + n + i, i) = mu * back.b;
+  }
+  for (Index k = 0; k < at.slips; ++k) {
+    const Index row = at.pairs + k;
+    const Index plus = at.plus() + k;
+    const Index minus = plus + at.slips;
+    const double mu = at.law.coefficient(k);
+    const double bound = at.bound(now.x, k);
+    const auto ahead = fischer_burmeister_slope(now.x(plus), bound + now.x(row));
+    const auto back = fischer_burmeister_slope(now.x(minus), bound - now.x(row));
+    J(row, plus) = -1;
+    J(row, minus) = 1;
+    J(plus, plus) = ahead.a;
+    J(plus, row) = ahead.b;
+    J(plus, at.pair(k)) = mu * ahead.b;
+    J(minus, minus) = back.a;
+    J(minus, row) = -back.b;
+    J(minus, at.pair(k)) = mu * back.b;
   }
 }
 
 /// In words, what makes the Jacobian singular: a pair whose two slip equations do not know u+ and u-.
-std::string singular(const FrictionProblem& problem, const Iterate& now) {
-  const Index n = problem.free_gap.size();
-  const Index plus = 2 * n + problem.resultant.size();
+std::string singular(const ContactProblem& problem, const Iterate& now) {
+  const Layout at(problem);
   const auto free = [](double slope) { return std::abs(slope) < 1e-6; };
-  for (Index i = 0; i < n; ++i) {
-    const double bound = problem.cohesion(i) + problem.coefficient(i) * now.x(i);
-    if (free(fischer_burmeister_slope(now.x(plus + i), bound + now.x(n + i)).a) &&
-        free(fischer_burmeister_slope(now.x(plus + n + i), bound - now.x(n + i)).a))
-      return text("the Jacobian is singular: pair ", i + 1, " has c + mu f_n = ", bound,
+  for (Index k = 0; k < at.slips; ++k) {
+    const double bound = at.bound(now.x, k);
+    const double tau = now.x(at.pairs + k);
+    if (free(fischer_burmeister_slope(now.x(at.plus() + k), bound + tau).a) &&
+        free(fischer_burmeister_slope(now.x(at.plus() + at.slips + k), bound - tau).a))
+      return text("the Jacobian is singular: pair ", at.pair(k) + 1, " has c + mu f_n = ", bound,
                   ", where u+ and u- enter only by their difference");
   }
   return "the Jacobian is singular, and not by u+ and u-: too few pairs are closed for the rigid "
@@ -95,33 +119,36 @@ std::string singular(const FrictionProblem& problem, const Iterate& now) {
          "or pairs repeat each other";
 }
 
-FrictionState state_of(const FrictionProblem& problem, const Iterate& now) {
-  const Index n = problem.free_gap.size();
-  FrictionState state;
-  state.force = now.x.head(n);
-  state.friction = now.x.segment(n, n);
-  state.amplitude = now.x.segment(2 * n, problem.resultant.size());
-  state.gap = now.movement.head(n);
-  state.slip = now.movement.tail(n);
-  for (Index i = 0; i < n; ++i) {
-    const double bound = problem.cohesion(i) + problem.coefficient(i) * state.force(i);
-    const double reserve = bound - std::abs(state.friction(i));
-    state.status.push_back(state.force(i) <= state.gap(i)      ? PairStatus::Open
-                           : reserve > std::abs(state.slip(i)) ? PairStatus::Stick
-                                                               : PairStatus::Slip);
+ContactState state_of(const ContactProblem& problem, const Iterate& now) {
+  const Layout at(problem);
+  ContactState state;
+  state.force = now.x.head(at.pairs);
+  state.friction = now.x.segment(at.pairs, at.slips);
+  state.amplitude = now.x.segment(at.rows(), at.modes);
+  state.gap = now.movement.head(at.pairs);
+  state.slip = now.movement.tail(at.slips);
+  for (Index i = 0; i < at.pairs; ++i)
+    if (state.force(i) > state.gap(i)) state.active.push_back(i);
+  state.rubbing = at.law.pair;
+  for (Index k = 0; k < at.slips; ++k) {
+    const double reserve = at.bound(now.x, k) - std::abs(state.friction(k));
+    const double slip = state.slip(k);
+    state.motion.push_back(state.force(at.pair(k)) <= state.gap(at.pair(k)) ? Motion::Open
+                           : reserve > std::abs(slip)                      ? Motion::Stick
+                           : slip > 0                                      ? Motion::Forward
+                                                                           : Motion::Backward);
   }
   return state;
 }
 
-/// No displacement and no force; or for bodies with rigid modes the forces of friction_start(), since from
+/// No displacement and no force; or for bodies with rigid modes the forces of first_attempt(), since from
 /// no force at all no pair would hold the modes.
-Iterate first_iterate(const FrictionProblem& problem) {
-  const Index n = problem.free_gap.size();
-  const Index size = 4 * n + problem.resultant.size();
-  Iterate now{VectorXd::Zero(size), VectorXd(2 * n), VectorXd(size)};
-  if (problem.resultant.size() > 0) {
-    const ScaledFriction scaled = equilibrate(problem);
-    now.x.head(2 * n) = scaled.scale.cwiseProduct(friction_start(scaled).closure.force);
+Iterate first_iterate(const ContactProblem& problem) {
+  const Layout at(problem);
+  Iterate now{VectorXd::Zero(at.size()), VectorXd(at.rows()), VectorXd(at.size())};
+  if (at.modes > 0) {
+    const ScaledProblem scaled = equilibrate(problem);
+    now.x.head(at.rows()) = scaled.scale.cwiseProduct(first_attempt(scaled).closure.force);
   }
   evaluate(problem, now);
   return now;
@@ -129,7 +156,7 @@ Iterate first_iterate(const FrictionProblem& problem) {
 
 /// Newton's method until the residual, once below the tolerance, falls no more: its steps are cheap there.
 /// \return why it ended, if not there
-std::string iterate(const FrictionProblem& problem, const SolverOptions& options, Iterate& now,
+std::string iterate(const ContactProblem& problem, const SolverOptions& options, Iterate& now,
                     Report& report) {
   const Index n = problem.free_gap.size();
   const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 50;
@@ -162,13 +189,13 @@ std::string iterate(const FrictionProblem& problem, const SolverOptions& options
 
 }  // namespace
 
-FrictionState friction_split_literal(const FrictionProblem& problem, const SolverOptions& options) {
+ContactState friction_split_literal(const ContactProblem& problem, const SolverOptions& options) {
   check_problem(problem);
   Iterate now = first_iterate(problem);
   const double first = now.residual.norm();
   Report report;
   std::string reason = iterate(problem, options, now, report);
-  FrictionState state = state_of(problem, now);
+  ContactState state = state_of(problem, now);
   if (now.residual.norm() <= options.tolerance * first) {
     const bool contact = certify(problem, state).holds();
     report.status = contact ? Status::Solved : Status::Breakdown;

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "signorini/as_printed/surrogate_dual.hpp"
 #include "signorini/closing/closed_basis.hpp"
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/closing.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -32,69 +31,72 @@ class LiteralMethod {
 
  private:
   /// VIO: pairs that overlap.
-  [[nodiscard]] std::vector<Index> violated(const ClosedPairs& point) const;
+  [[nodiscard]] std::vector<Index> violated(const Closure& point) const;
   /// QAS, chosen among these. \PaperEq{XuanLi2002, 37}
   [[nodiscard]] std::vector<Index> quasi_active(std::vector<Index> rows) const;
   /// Puts the largest overlap first; overlaps that differ by rounding only keep their order.
   void sort_by_violation(std::vector<Index>& rows) const;
   /// Pairs without gap.
-  [[nodiscard]] std::vector<Index> tight(const ClosedPairs& point) const;
+  [[nodiscard]] std::vector<Index> tight(const Closure& point) const;
   /// Gaps that belong to the forces.
-  void place(ClosedPairs& point) const;
+  void place(Closure& point) const;
   /// One entry of the history.
-  void note(const ClosedPairs& point, Index overlapping);
+  void note(const Closure& point, Index overlapping);
   /// The problem with some rows alone and given gaps of them: forces that are never tensile.
   /// The paper's (28) does not converge, so the weights are found exactly.
   /// \PaperEq{XuanLi2002, 38}, \PaperEq{XuanLi2002, 39}
-  bool solve(const std::vector<Index>& rows, const VectorXd& gap, ClosedPairs& best);
+  bool solve(const std::vector<Index>& rows, const VectorXd& gap, Closure& best);
   /// u^0, u^1, ..., u^k: \PaperEq{XuanLi2002, 30} to \PaperEq{XuanLi2002, 32}, moved by
   /// \PaperEq{XuanLi2002, 36}.
   bool outer_loop();
   /// Whether the present point is the best one for the pairs that are tight at it.
-  [[nodiscard]] bool close_to(const ClosedPairs& best) const;
+  [[nodiscard]] bool close_to(const Closure& best) const;
   /// The tight pairs alone and the way there. \PaperEq{XuanLi2002, 33} to \PaperEq{XuanLi2002, 35}
   bool last_step();
   /// The end is the solution if the rows that are tight there have no better one.
   void judge();
 
+  const ContactProblem& problem_;
   ScaledProblem scaled_;
   QuasiActiveRows choice_;
   double tolerance_;
   double largest_overlap_;  // without contact
   Index limit_;
-  ClosedPairs now_;
+  Closure now_;
   QuasiActiveRun way_;
   Report report_;
 };
 
 LiteralMethod::LiteralMethod(const ContactProblem& problem, const SolverOptions& options,
                              QuasiActiveRows rows)
-    : scaled_(equilibrate(problem)), choice_(rows), tolerance_(options.tolerance) {
-  const Index n = scaled_.free_gap.size();
+    : problem_(problem),
+      scaled_(equilibrate(problem)),
+      choice_(rows), tolerance_(options.tolerance) {
+  const Index n = scaled_.free.size();
   limit_ = options.iteration_limit > 0 ? options.iteration_limit : 100 * n + 1000;
-  largest_overlap_ = n > 0 ? std::max(0.0, -scaled_.free_gap.minCoeff()) : 0;
+  largest_overlap_ = n > 0 ? std::max(0.0, -scaled_.free.minCoeff()) : 0;
   now_.force.setZero(n);
   place(now_);
 }
 
-void LiteralMethod::place(ClosedPairs& point) const {  // with unit diagonal no |G_ij| exceeds 1
+void LiteralMethod::place(Closure& point) const {  // with unit diagonal no |G_ij| exceeds 1
   const double unit =
       static_cast<double>(point.force.size() + 1) * std::numeric_limits<double>::epsilon();
-  point.gap = scaled_.free_gap + scaled_.compliance * point.force;
-  point.gap_rounding = unit * (scaled_.free_gap.array().abs() + point.force.sum());
+  point.movement = scaled_.free + scaled_.compliance * point.force;
+  point.movement_rounding = unit * (scaled_.free.array().abs() + point.force.sum());
 }
 
-std::vector<Index> LiteralMethod::violated(const ClosedPairs& point) const {
+std::vector<Index> LiteralMethod::violated(const Closure& point) const {
   std::vector<Index> rows;
-  for (Index i = 0; i < point.gap.size(); ++i)
-    if (point.gap(i) < -std::max(point.gap_rounding(i), tolerance_ * largest_overlap_))
+  for (Index i = 0; i < point.movement.size(); ++i)
+    if (point.movement(i) < -std::max(point.movement_rounding(i), tolerance_ * largest_overlap_))
       rows.push_back(i);
   return rows;
 }
 
 void LiteralMethod::sort_by_violation(std::vector<Index>& rows) const {
   const auto larger = [this](Index one, Index other) {
-    return now_.gap(one) + now_.gap_rounding(one) + now_.gap_rounding(other) < now_.gap(other);
+    return now_.movement(one) + now_.movement_rounding(one) + now_.movement_rounding(other) < now_.movement(other);
   };
   for (auto first = rows.begin(); first != rows.end(); ++first) {
     auto worst = first;
@@ -110,8 +112,8 @@ std::vector<Index> LiteralMethod::quasi_active(std::vector<Index> rows) const {
   if (choice_ == QuasiActiveRows::MostViolated) return {rows.front()};
   ClosedBasis basis(0, static_cast<Index>(rows.size()));
   ClosedBasis::Candidates candidates{rows,
-                                     now_.gap(rows),
-                                     now_.gap_rounding(rows),
+                                     now_.movement(rows),
+                                     now_.movement_rounding(rows),
                                      {},
                                      Eigen::MatrixXd(0, rows.size()),
                                      scaled_.compliance(rows, rows)};
@@ -121,31 +123,31 @@ std::vector<Index> LiteralMethod::quasi_active(std::vector<Index> rows) const {
   return rows;
 }
 
-std::vector<Index> LiteralMethod::tight(const ClosedPairs& point) const {
+std::vector<Index> LiteralMethod::tight(const Closure& point) const {
   const double small = std::sqrt(tolerance_) * largest_overlap_;
   std::vector<Index> rows;
-  for (Index i = 0; i < point.gap.size(); ++i)
-    if (point.gap(i) <= std::max(point.gap_rounding(i), small)) rows.push_back(i);
+  for (Index i = 0; i < point.movement.size(); ++i)
+    if (point.movement(i) <= std::max(point.movement_rounding(i), small)) rows.push_back(i);
   return rows;
 }
 
-void LiteralMethod::note(const ClosedPairs& point, Index overlapping) {
-  const VectorXd gap = point.gap.cwiseQuotient(scaled_.scale);
-  const double dual_energy = -0.5 * point.force.dot(scaled_.free_gap + point.gap);
+void LiteralMethod::note(const Closure& point, Index overlapping) {
+  const VectorXd gap = point.movement.cwiseQuotient(scaled_.scale);
+  const double dual_energy = -0.5 * point.force.dot(scaled_.free + point.movement);
   report_.history.push_back({(point.force.array() > 0).count(), overlapping,
                              std::max(0.0, gap.size() > 0 ? -gap.minCoeff() : 0.0), 0,
                              dual_energy});
 }
 
-bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap, ClosedPairs& best) {
-  best.force.setZero(scaled_.free_gap.size());
+bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap, Closure& best) {
+  best.force.setZero(scaled_.free.size());
   if (!rows.empty()) {
     const ContactProblem part{scaled_.compliance(rows, rows), gap(rows)};
     const ContactState state = surrogate_dual(part, WeightRule::FullyCorrective);
     report_.factorisations += state.report.factorisations;
     if (state.report.status == Status::Infeasible) {
       report_.status = Status::Infeasible;
-      way_.state.infeasibility.setZero(scaled_.free_gap.size());
+      way_.state.infeasibility.setZero(scaled_.free.size());
       way_.state.infeasibility(rows) = scaled_.scale(rows).cwiseProduct(state.infeasibility);
     } else {
       report_.status = Status::Breakdown;
@@ -164,7 +166,7 @@ bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap, C
 }
 
 bool LiteralMethod::outer_loop() {
-  for (ClosedPairs step;; ++way_.outer_steps) {
+  for (Closure step;; ++way_.outer_steps) {
     const std::vector<Index> overlapping = violated(now_);
     note(now_, static_cast<Index>(overlapping.size()));
     if (overlapping.empty()) return true;
@@ -174,7 +176,7 @@ bool LiteralMethod::outer_loop() {
     }
     const std::vector<Index> rows = quasi_active(overlapping);
     // (31): with the moved objective the free gaps are the present ones.
-    if (!solve(rows, now_.gap, step)) return false;
+    if (!solve(rows, now_.movement, step)) return false;
     way_.steps.push_back({overlapping, rows, pressed(step.force)});
     now_.force += step.force;  // (36)
     place(now_);
@@ -183,30 +185,30 @@ bool LiteralMethod::outer_loop() {
 
 bool LiteralMethod::last_step() {
   way_.tight = tight(now_);
-  ClosedPairs next;  // (33), with the first objective
-  if (!solve(way_.tight, scaled_.free_gap, next)) return false;
+  Closure next;  // (33), with the first objective
+  if (!solve(way_.tight, scaled_.free, next)) return false;
   place(next);
   way_.optimal = close_to(next);
   way_.left_over = violated(next);
   for (const Index i : way_.left_over)  // (34)
-    way_.fraction = std::min(way_.fraction, now_.gap(i) / (now_.gap(i) - next.gap(i)));
+    way_.fraction = std::min(way_.fraction, now_.movement(i) / (now_.movement(i) - next.movement(i)));
   now_.force += way_.fraction * (next.force - now_.force);  // (35)
   place(now_);
   note(now_, static_cast<Index>(violated(now_).size()));
   return true;
 }
 
-bool LiteralMethod::close_to(const ClosedPairs& best) const {
-  const double distance = (best.force - now_.force).dot(best.gap - now_.gap);  // squared
-  const double energy = -0.5 * best.force.dot(scaled_.free_gap + best.gap);
+bool LiteralMethod::close_to(const Closure& best) const {
+  const double distance = (best.force - now_.force).dot(best.movement - now_.movement);  // squared
+  const double energy = -0.5 * best.force.dot(scaled_.free + best.movement);
   return distance <= tolerance_ * energy;
 }
 
 void LiteralMethod::judge() {
   report_.status = Status::Feasible;
   const Report so_far = report_;
-  ClosedPairs best;
-  if (!solve(tight(now_), scaled_.free_gap, best)) {
+  Closure best;
+  if (!solve(tight(now_), scaled_.free, best)) {
     report_ = so_far;
     way_.state.infeasibility.resize(0);
     return;
@@ -216,17 +218,19 @@ void LiteralMethod::judge() {
   if (!violated(best).empty() || !close_to(best)) return;
   auto found = confirmed(scaled_, pressed(best.force));
   report_.status = found ? Status::Solved : Status::Breakdown;
-  if (found) std::tie(now_, way_.state.active) = std::move(*found);
+  if (found) {
+    now_ = std::move(found->first);
+    way_.state.active = closed_pairs(found->second);
+  }
 }
 
 QuasiActiveRun LiteralMethod::run() {
   if (outer_loop() && last_step()) judge();
   report_.iterations = static_cast<Index>(report_.history.size());
-  std::vector<Index> closed =
+  const std::vector<Index> closed =
       report_.status == Status::Solved ? way_.state.active : pressed(now_.force);
-  const VectorXd proof = way_.state.infeasibility;
-  way_.state = unscaled(scaled_, now_, std::move(closed), std::move(report_));
-  way_.state.infeasibility = proof;
+  way_.state = finished(problem_, scaled_, now_, motions_of(closed, now_.force.size()),
+                        std::move(report_), std::move(way_.state.infeasibility));
   return std::move(way_);
 }
 
@@ -238,7 +242,8 @@ QuasiActiveRun run_quasi_active_set_literal(const ContactProblem& problem,
 }
 
 ContactState quasi_active_set_literal(const ContactProblem& problem, const SolverOptions& options) {
-  return certified(problem, run_quasi_active_set_literal(problem, options).state);
+  check_plain(problem, "quasi_active_set_literal");
+  return run_quasi_active_set_literal(problem, options).state;
 }
 
 double energy_gap(const ContactState& state) { return state.force.dot(state.gap); }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "signorini/as_printed/weight_iteration.hpp"
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/closing.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -36,14 +36,13 @@ std::vector<Index> guess(const WeightIteration& run) {
 }
 
 /// Closes the candidates, without those that would have to pull.
-std::optional<std::pair<ClosedPairs, std::vector<Index>>> without_tension(
-    const ScaledProblem& scaled, std::vector<Index> candidates) {
+Confirmed without_tension(const ScaledProblem& scaled, std::vector<Index> candidates) {
   while (true) {
     if (auto found = confirmed(scaled, candidates)) return found;
-    const ClosedPairs now = close_pairs(scaled, candidates);
+    const Closure now = close(scaled, KnownSet{candidates});
     const auto pulls = [&now](Index i) { return now.force(i) <= 0; };
     const auto kept = std::remove_if(candidates.begin(), candidates.end(), pulls);
-    if (!now.solvable || kept == candidates.end()) return std::nullopt;
+    if (now.rows.size() < candidates.size() || kept == candidates.end()) return std::nullopt;
     candidates.erase(kept, candidates.end());
   }
 }
@@ -71,18 +70,19 @@ bool is_proof(const ContactProblem& unit, const Eigen::VectorXd& y) {
 }
 
 /// The present forces, which are no solution.
-ContactState unfinished(const ScaledProblem& scaled, const WeightIteration& run, Report report) {
-  ClosedPairs now;
+ContactState unfinished(const ContactProblem& problem, const ScaledProblem& scaled,
+                        const WeightIteration& run, Report report) {
+  Closure now;
   const double total = std::isfinite(run.total_force()) ? run.total_force() : 0;
   now.force = total * run.weights();
-  now.gap = -run.overlap();
+  now.movement = -run.overlap();
   std::vector<Index> active;
   for (Index i = 0; i < now.force.size(); ++i)
     if (now.force(i) > 0) active.push_back(i);
-  ContactState state = unscaled(scaled, now, std::move(active), std::move(report));
-  if (state.report.status == Status::Infeasible)
-    state.infeasibility = scaled.scale.cwiseProduct(run.infeasibility());
-  return state;
+  Eigen::VectorXd proof;
+  if (report.status == Status::Infeasible) proof = scaled.scale.cwiseProduct(run.infeasibility());
+  return finished(problem, scaled, now, motions_of(active, now.force.size()), std::move(report),
+                  std::move(proof));
 }
 
 }  // namespace
@@ -131,8 +131,9 @@ double best_step(const WeightLine& line, double largest) {
 
 ContactState surrogate_dual(const ContactProblem& problem, WeightRule rule,
                             const SolverOptions& options) {
+  check_plain(problem, "surrogate_dual");
   const ScaledProblem scaled = equilibrate(problem);
-  const ContactProblem unit{scaled.compliance, scaled.free_gap};
+  const ContactProblem unit{scaled.compliance, scaled.free};
   const Index n = problem.free_gap.size();
   const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 100 * n + 1000;
   const bool ends_by_itself = rule == WeightRule::FullyCorrective;
@@ -155,13 +156,13 @@ ContactState surrogate_dual(const ContactProblem& problem, WeightRule rule,
     if (const auto found = moved ? confirmed(scaled, tried) : without_tension(scaled, tried)) {
       report.status = Status::Solved;
       report.factorisations += run.factorisations();
-      return certified(problem, unscaled(scaled, found->first, found->second, report));
+      return finished(problem, scaled, found->first, found->second, std::move(report));
     }
   }
   report.factorisations += run.factorisations();
   if (run.end() == WeightEnd::Unbounded)
     report.status = is_proof(unit, run.infeasibility()) ? Status::Infeasible : Status::Breakdown;
-  return certified(problem, unfinished(scaled, run, report));
+  return unfinished(problem, scaled, run, std::move(report));
 }
 
 }  // namespace signorini

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/scaled.hpp"
 
 namespace signorini {
 
@@ -147,7 +147,7 @@ void WeightIteration::move(const Direction& along, double step) {
 std::vector<std::vector<Index>> weight_supports(const ContactProblem& problem, WeightRule rule,
                                                 Index limit) {
   const ScaledProblem scaled = equilibrate(problem);
-  const ContactProblem unit{scaled.compliance, scaled.free_gap};
+  const ContactProblem unit{scaled.compliance, scaled.free};
   WeightIteration run(unit, rule);
   std::vector<std::vector<Index>> supports;
   do {

@@ -135,17 +135,24 @@ void ClosedBasis::solve(Eigen::VectorXd& force) const {
   solve_lower_transposed(L_, force.head(size()));
 }
 
-Eigen::VectorXd ClosedBasis::response(const Candidates& candidates) const {
+ClosedBasis::Response ClosedBasis::response(const Candidates& candidates) const {
   const auto L = L_.topLeftCorner(size(), size()).triangularView<Eigen::Lower>();
-  Eigen::VectorXd r(size());
+  Response answer;
+  VectorXd& r = answer.yield;
   if (Q_.rows() > 0) {
-    r.noalias() = Q_.leftCols(size()).transpose() * candidates.columns.col(0);
+    VectorXd rest = candidates.columns.col(0);
+    r.noalias() = directions().transpose() * rest;
+    rest -= directions() * r;
+    rest -= directions() * VectorXd(directions().transpose() * rest);  // what rounding left behind
+    answer.opening = rest.squaredNorm();
   } else {
     r = candidates.cross.col(0);
     L.solveInPlace(r);
+    answer.opening = candidates.block(0, 0) - r.squaredNorm();
   }
   L.transpose().solveInPlace(r);
-  return r;
+  if (answer.opening <= smallest_distance() * smallest_distance()) answer.opening = 0;
+  return answer;
 }
 
 double ClosedBasis::distance_from_others(Index position) const {

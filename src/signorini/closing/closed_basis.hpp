@@ -70,10 +70,14 @@ class ClosedBasis {
   /// \param force  the first `size` entries are set to \f$ L^{-T} y \f$ [sqrt(energy)], tension < 0
   void solve(Eigen::VectorXd& force) const;
 
-  /// How the forces of the basis change to keep its pairs closed when one more pair is pressed.
-  /// \param candidates  one of them, as for append()
-  /// \return \f$ r = G_{WW}^{-1} G_{Wp} \f$ `size` [-]: forces change by -r per unit force
-  [[nodiscard]] Eigen::VectorXd response(const Candidates& candidates) const;
+  /// How the basis answers when one more pair p is pressed while its own pairs stay closed.
+  struct Response {
+    Eigen::VectorXd yield;  ///< \f$ r = G_{WW}^{-1} G_{Wp} \f$ `size` [-]: forces change by -r per unit force
+    double opening = 0;     ///< of the gap of p per unit force [-]; 0 if p depends on W to rounding
+  };
+  /// \param candidates  one pair, as for append()
+  /// \return the answer
+  [[nodiscard]] Response response(const Candidates& candidates) const;
 
   /// How independent a pair of the basis is.
   /// \param position  in rows()

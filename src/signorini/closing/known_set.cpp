@@ -1,58 +1,37 @@
-#include "signorini/closing/known_set.hpp"
+// What the motions of pairs mean, and what numbers say of them.
+#include <algorithm>
+#include <cmath>
 
-#include <optional>
-
-#include "signorini/closing/bordered_system.hpp"
-#include "signorini/core/dense.hpp"
+#include "signorini/closing/closing.hpp"
+#include "signorini/closing/proofs.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/certificate.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-ScaledFloating scaled_rows(const MatrixXd& compliance, const MatrixXd& rigid) {
-  return equilibrate(FloatingProblem{
-      {compliance, VectorXd::Zero(compliance.rows())}, rigid, VectorXd::Zero(rigid.cols())});
-}
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// The system with friction forces that follow normal ones: not symmetric.
-MatrixXd sliding_system(const ScaledFloating& scaled, const KnownSet& set) {
-  const Index m = static_cast<Index>(set.closed.size());
-  const Index k = scaled.span.cols();
-  MatrixXd M = MatrixXd::Zero(m + k, m + k);
-  M.topLeftCorner(m, m) = scaled.contact.compliance(set.closed, set.closed);
-  M.topRightCorner(m, k) = scaled.span(set.closed, Eigen::all);
-  M.bottomLeftCorner(k, m) = M.topRightCorner(m, k).transpose();
-  const VectorXd& scale = scaled.contact.scale;
-  std::size_t column = 0;
-  for (const SlidingPair& pair : set.sliding) {
-    while (set.closed[column] != pair.gap) ++column;
-    const double slope = pair.slope * scale(pair.gap) / scale(pair.slip);
-    M.col(static_cast<Index>(column)).head(m) +=
-        slope * scaled.contact.compliance(set.closed, pair.slip);
-    M.col(static_cast<Index>(column)).tail(k) += slope * scaled.span.row(pair.slip).transpose();
-  }
-  return M;
-}
-
-bool symmetric(const KnownSet& set) {
-  for (const SlidingPair& pair : set.sliding)
-    if (pair.slope != 0) return false;
-  return true;
+/// What a closed pair that rubs does. \param tau, slip, bound  of the pair, in one unit
+/// \param slack  how far tau of a sticking pair may exceed the bound by rounding \param still  a slip that is rounding
+Motion rubbing(Motion last, double tau, double slip, double bound, double slack, double still) {
+  const bool slides = friction_sign(last) != 0;
+  if (slides && still > 0 && (bound == 0 || friction_sign(last) * slip <= still)) return last;
+  const double pulled = tau - slip;
+  const double allowed = bound + (last == Motion::Stick ? slack : 0);
+  return pulled > allowed ? Motion::Backward : pulled < -allowed ? Motion::Forward : Motion::Stick;
 }
 
 }  // namespace
 
 KnownSet known_set(const std::vector<Motion>& motions, const FrictionLaw& law) {
   const Index pairs = static_cast<Index>(motions.size());
-  KnownSet set;
-  for (Index i = 0; i < pairs; ++i)
-    if (motions[static_cast<std::size_t>(i)] != Motion::Open) set.closed.push_back(i);
+  KnownSet set{closed_pairs(motions)};
   for (std::size_t k = 0; k < law.pair.size(); ++k) {
-    const Motion motion = motions[static_cast<std::size_t>(law.pair[k])];
+    const Motion motion = motions[at(law.pair[k])];
     const Index row = static_cast<Index>(k);
     const double sign = friction_sign(motion);
     const bool rubs = law.coefficient(row) > 0 || law.cohesion(row) > 0;
@@ -64,51 +43,133 @@ KnownSet known_set(const std::vector<Motion>& motions, const FrictionLaw& law) {
   return set;
 }
 
-struct Closing::System {
-  ScaledFloating scaled;
-  std::vector<Index> rows;
-  std::optional<BorderedSystem> bordered;  // of a symmetric system
-  LuFactor factor;                         // of one with sliding pairs
-  MatrixXd inverse;                        // its pseudo-inverse where that is singular
-};
-
-Closing::Closing(const MatrixXd& compliance, const MatrixXd& rigid, const KnownSet& set) {
-  const auto made = std::make_shared<System>();
-  System& system = *made;
-  system_ = made;
-  system.scaled = scaled_rows(compliance, rigid);
-  if (symmetric(set)) {
-    system.bordered.emplace(system.scaled, set.closed);
-    system.rows = system.bordered->pairs();
-    return;
-  }
-  system.rows = set.closed;
-  const MatrixXd M = sliding_system(system.scaled, set);
-  system.factor = LuFactor(M);
-  const bool regular = system.factor.rcond() > static_cast<double>(M.rows() + 1) * epsilon;
-  if (!regular) system.inverse = pseudo_inverse(M);
+std::vector<Motion> motions_of(const std::vector<Index>& active, Index pairs) {
+  std::vector<Motion> motions(at(pairs), Motion::Open);
+  for (const Index i : active) motions[at(i)] = Motion::Stick;
+  return motions;
 }
 
-const std::vector<Index>& Closing::rows() const { return system_->rows; }
+std::vector<Motion> all_motions(const ContactState& state) {
+  std::vector<Motion> motions = motions_of(state.active, state.force.size());
+  for (std::size_t k = 0; k < state.motion.size(); ++k) motions[at(state.rubbing[k])] = state.motion[k];
+  return motions;
+}
 
-std::pair<VectorXd, VectorXd> Closing::solve(const VectorXd& movement,
-                                             const VectorXd& resultant) const {
-  const System& system = *system_;
-  const VectorXd scale = system.scaled.contact.scale(system.rows);
-  const VectorXd top = -scale.cwiseProduct(movement(system.rows));
-  const VectorXd& unit = system.scaled.amplitude_scale;
-  const VectorXd bottom = unit.cwiseProduct(resultant);
-  if (system.bordered) {
-    const auto [force, amplitude] = system.bordered->solve(top, bottom);
-    return {scale.cwiseProduct(force), unit.cwiseProduct(amplitude)};
+std::vector<Index> closed_pairs(const std::vector<Motion>& motions) {
+  std::vector<Index> closed;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (motions[i] != Motion::Open) closed.push_back(static_cast<Index>(i));
+  return closed;
+}
+
+Index predict(const ScaledProblem& problem, const Closure& closure, double reach,
+              std::vector<Motion>& motions) {
+  const Index pairs = problem.pairs();
+  const std::vector<Motion> last = motions;
+  const bool exact = closure.movement_rounding.size() == 0;
+  const auto rounding = [&](Index row) { return exact ? 0 : closure.movement_rounding(row); };
+  const double force_rounding = exact ? 0 : reach * closure.force_rounding;
+  const auto pressed = [&](Index i) { return reach * closure.force(i) - closure.movement(i); };
+  for (Index i = 0; i < pairs; ++i) {
+    const bool closed = exact || last[at(i)] == Motion::Open ? pressed(i) > rounding(i)
+                                                             : pressed(i) >= -force_rounding;
+    motions[at(i)] = closed ? Motion::Stick : Motion::Open;
   }
-  const Index m = top.size();
-  const MatrixXd& inverse = system.scaled.inverse;
-  VectorXd right(m + inverse.cols());
-  right << top, inverse.transpose() * bottom;
-  const VectorXd both =
-      system.inverse.size() > 0 ? VectorXd(system.inverse * right) : system.factor.solve(right);
-  return {scale.cwiseProduct(both.head(m)), unit.cwiseProduct(inverse * both.tail(inverse.cols()))};
+  for (std::size_t k = 0; k < problem.law.pair.size(); ++k) {
+    const Index i = problem.law.pair[k];
+    if (motions[at(i)] == Motion::Open) continue;
+    const Index row = static_cast<Index>(k);
+    const double mu = problem.law.coefficient(row);
+    const double bound = mu * std::max(pressed(i), 0.0) + reach * problem.law.cohesion(row);
+    motions[at(i)] = rubbing(last[at(i)], reach * closure.force(pairs + row),
+                             closure.movement(pairs + row), bound, (1 + mu) * force_rounding,
+                             rounding(pairs + row));
+  }
+  Index changes = 0;
+  for (std::size_t i = 0; i < motions.size(); ++i) changes += motions[i] != last[i] ? 1 : 0;
+  return changes;
+}
+
+bool solves(const ScaledProblem& problem, const std::vector<Motion>& motions,
+            const Closure& closure) {
+  std::vector<Motion> next = motions;
+  if (!closure.solvable || predict(problem, closure, 1, next) != 0) return false;
+  for (const Index row : known_set(motions, problem.law).closed)
+    if (!closure.closes(row)) return false;
+  const Index pairs = problem.pairs();
+  const Index slips = closure.force.size() - pairs;
+  ContactState state{closure.force.head(pairs).cwiseMax(0.0),
+                     closure.movement.head(pairs).cwiseMax(0.0),
+                     {},
+                     {},
+                     {},
+                     closure.force.tail(slips),
+                     closure.movement.tail(slips),
+                     {},
+                     closure.amplitude};
+  // Its bound is 1e-12; in the units of the problem every number is rounded once more.
+  return certify(as_posed(problem), state).holds(0.25e-12);
+}
+
+Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& candidates,
+                    const Closure* start) {
+  Closure closure = close(problem, KnownSet{candidates}, start);
+  std::vector<Motion> motions = motions_of(closure.rows, problem.pairs());
+  if (!solves(problem, motions, closure)) return std::nullopt;
+  return std::make_pair(std::move(closure), std::move(motions));
+}
+
+Iteration summary(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                  const Closure& closure, Index changes) {
+  Iteration entry{0, changes, 0, 0};
+  for (Index i = 0; i < problem.pairs(); ++i)
+    if (motions[at(i)] == Motion::Open) {
+      entry.penetration = std::max(entry.penetration, -closure.movement(i) / problem.scale(i));
+    } else {
+      ++entry.active;
+      entry.tension = std::max(entry.tension, -closure.force(i) * problem.scale(i));
+    }
+  // gap = d + G lambda, so -d.lambda - 1/2 lambda.G lambda = -1/2 lambda.(d + gap)
+  if (problem.rigid.cols() == 0 && problem.law.pair.empty())
+    entry.dual_energy = -0.5 * closure.force.dot(problem.free + closure.movement);
+  return entry;
+}
+
+ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
+                      const Closure& closure, const std::vector<Motion>& motions, Report report,
+                      VectorXd proof) {
+  const Index pairs = scaled.pairs();
+  const Index slips = scaled.free.size() - pairs;
+  const VectorXd force = scaled.scale.cwiseProduct(closure.force);
+  VectorXd movement = closure.movement.cwiseQuotient(scaled.scale);
+  ContactState state;
+  if (report.status == Status::Solved)
+    for (const Index row : known_set(motions, scaled.law).closed) movement(row) = 0;
+  state.force = force.head(pairs);
+  state.gap = movement.head(pairs);
+  state.friction = force.tail(slips);
+  state.slip = movement.tail(slips);
+  if (report.status == Status::Solved) {  // what is negative is of rounding size
+    state.force = state.force.cwiseMax(0.0);
+    state.gap = state.gap.cwiseMax(0.0);
+  }
+  state.active = closed_pairs(motions);
+  state.rubbing = scaled.law.pair;
+  for (const Index pair : scaled.law.pair) state.motion.push_back(motions[at(pair)]);
+  if (problem.resultant.size() > 0)
+    state.amplitude = closure.amplitude.size() > 0 ? VectorXd(scaled.inverse * closure.amplitude)
+                                                   : VectorXd::Zero(problem.resultant.size());
+  state.report = std::move(report);
+  state.infeasibility = std::move(proof);
+  if (state.report.status == Status::Solved && !certify(problem, state).holds()) {
+    state.report.status = Status::Breakdown;
+    state.reason = "the end of the method does not hold in the units of the problem";
+  }
+  if (state.report.status == Status::Infeasible && !refutes(problem, state.infeasibility)) {
+    state.report.status = Status::Breakdown;
+    state.infeasibility.resize(0);
+  }
+  return state;
 }
 
 }  // namespace signorini

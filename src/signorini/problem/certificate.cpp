@@ -302,24 +302,7 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
                     const FrictionLaw& law) {
   check_sizes(programme, solution);
   const Index slips = static_cast<Index>(law.pair.size());
-  require(law.coefficient.size() == slips && law.cohesion.size() == slips &&
-              2 * slips <= programme.A.rows(),
-          "certify: need a coefficient and a cohesion for each of ", slips,
-          " pairs that rub, and as many rows of slips, got ", law.coefficient.size(), " and ",
-          law.cohesion.size(), " and ", programme.A.rows(), " rows in all");
-  Index last = -1;
-  for (Index k = 0; k < slips; ++k) {
-    const Index pair = law.pair[static_cast<std::size_t>(k)];
-    require(pair > last && pair < programme.A.rows() - slips,
-            "certify: pairs that rub must be in "
-            "increasing order and below ",
-            programme.A.rows() - slips, ", got ", pair);
-    require(law.coefficient(k) >= 0 && law.cohesion(k) >= 0 && std::isfinite(law.coefficient(k)) &&
-                std::isfinite(law.cohesion(k)),
-            "certify: coefficient and cohesion must be finite and >= 0, got ", law.coefficient(k),
-            " and ", law.cohesion(k));
-    last = pair;
-  }
+  check_law(law, programme.A.rows() - slips, slips);
   return all_figures(programme, solution, law, 0);
 }
 

@@ -107,13 +107,15 @@ struct FrictionViolation {
                                                    double gap, double slip, double length,
                                                    double force);
 
-/// Certificate of (lambda, gap) against G and d.
+/// Certificate of forces, gaps, slips and amplitudes against a condensed problem.
 ///
-/// Pair i is measured in gap / sqrt(G_ii) and force sqrt(G_ii), which have one unit: lengths against the
+/// Row i is measured in movement / sqrt(F_ii) and force sqrt(F_ii), which have one unit: lengths against the
 /// largest overlap without contact, or what forces and rigid motions move in sum, forces against the largest
-/// of them. Any matrix can stand in the place of G, see pair_scales(). The gaps are recomputed; `equilibrium` is the largest difference of the claimed from the recomputed ones.
-/// \param problem  G and d as they were posed, or any M and q
-/// \param state    forces and gaps; its status is not looked at
+/// of them. Any matrix can stand in the place of G, see pair_scales(). The movements are recomputed in twice the
+/// working precision; `equilibrium` is the largest difference of the claimed from the recomputed ones, or the
+/// largest R^T f - r over its terms. With friction there is no duality gap; open or closed as for a programme.
+/// \param problem  as it was posed, or any M and q
+/// \param state    forces, gaps, friction forces, slips and amplitudes; nothing else is looked at
 /// \return the figures; all infinite if any number, given or claimed, is not finite
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Certificate certify(const ContactProblem& problem, const ContactState& state);

@@ -44,23 +44,53 @@ const double allowed_asymmetry = 1e3 * std::numeric_limits<double>::epsilon();
 }  // namespace
 
 void check_finite(const ContactProblem& problem) {
-  const Eigen::MatrixXd& G = problem.compliance;
-  const Eigen::Index n = problem.free_gap.size();
-  require(G.rows() == n && G.cols() == n, "contact problem: compliance must be ", n, " x ", n,
-          " (one row per pair), got ", G.rows(), " x ", G.cols());
-  require(G.allFinite() && problem.free_gap.allFinite(),
-          "contact problem: compliance and free_gap must be finite");
+  const Eigen::MatrixXd& F = problem.compliance;
+  const Eigen::Index pairs = problem.free_gap.size();
+  const Eigen::Index slips = problem.free_slip.size();
+  const Eigen::Index n = pairs + slips;
+  const Eigen::Index modes = problem.resultant.size();
+  require(F.rows() == n && F.cols() == n, "contact problem: compliance must be ", n, " x ", n,
+          " (one row per gap, then one per slip), got ", F.rows(), " x ", F.cols());
+  check_law(problem.law, pairs, slips);
+  require(problem.rigid.cols() == modes && (modes == 0 || problem.rigid.rows() == n),
+          "contact problem: rigid must be ", n, " x ", modes,
+          " (one row per gap and slip, one column per entry of resultant), got ",
+          problem.rigid.rows(), " x ", problem.rigid.cols());
+  require(F.allFinite() && problem.free_gap.allFinite() && problem.free_slip.allFinite() &&
+              problem.rigid.allFinite() && problem.resultant.allFinite(),
+          "contact problem: compliance, free_gap, free_slip, rigid and resultant must be finite");
   // Forces are quotients of these numbers and energies products of those: beyond, they would overflow.
   const double largest = 0x1p340;
   const double smallest = 1 / largest;
   const auto fits = [&](double x) {
     return x == 0 || (std::abs(x) >= smallest && std::abs(x) <= largest);
   };
-  for (Eigen::Index j = 0; j < n; ++j)
-    require(fits(problem.free_gap(j)) && fits(G(j, j)) && G.col(j).cwiseAbs().maxCoeff() <= largest,
-            "contact problem: pair ", j + 1,
-            " has numbers beyond 1e102 or below 1e-102 in magnitude; "
-            "change the units");
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const bool gap = j < pairs;
+    require(fits(gap ? problem.free_gap(j) : problem.free_slip(j - pairs)) && fits(F(j, j)) &&
+                F.col(j).cwiseAbs().maxCoeff() <= largest,
+            "contact problem: ", gap ? "pair " : "slip ", gap ? j + 1 : j - pairs + 1,
+            " has numbers beyond 1e102 or below 1e-102 in magnitude; change the units");
+  }
+}
+
+void check_law(const FrictionLaw& law, Eigen::Index pairs, Eigen::Index slips) {
+  require(static_cast<Eigen::Index>(law.pair.size()) == slips && law.coefficient.size() == slips &&
+              law.cohesion.size() == slips && slips <= pairs,
+          "friction: need a pair, a coefficient and a cohesion for each of ", slips, " slips of ",
+          pairs, " pairs, got ", law.pair.size(), ", ", law.coefficient.size(), " and ",
+          law.cohesion.size());
+  Eigen::Index last = -1;
+  for (Eigen::Index k = 0; k < slips; ++k) {
+    const Eigen::Index pair = law.pair[static_cast<std::size_t>(k)];
+    require(pair > last && pair < pairs, "friction: pairs must be in increasing order and below ",
+            pairs, ", got ", pair, " after ", last);
+    require(law.coefficient(k) >= 0 && law.cohesion(k) >= 0 && std::isfinite(law.coefficient(k)) &&
+                std::isfinite(law.cohesion(k)),
+            "friction: pair ", pair + 1, " has the coefficient ", law.coefficient(k),
+            " and the cohesion ", law.cohesion(k), "; both must be finite and >= 0");
+    last = pair;
+  }
 }
 
 bool is_symmetric(const ContactProblem& problem) {
@@ -95,14 +125,38 @@ Eigen::VectorXd pair_scales(const Eigen::MatrixXd& M) {
   return scale;
 }
 
-ContactProblem multiplied_out(const HalfProblem& problem) {
-  const Eigen::Index n = problem.free_gap.size();
-  require(problem.half.cols() == n, "contact problem: half must have ", n,
-          " columns (one per pair), got ", problem.half.cols());
-  ContactProblem product{Eigen::MatrixXd::Zero(n, n), problem.free_gap};
-  product.compliance.selfadjointView<Eigen::Lower>().rankUpdate(problem.half.transpose());
-  product.compliance.triangularView<Eigen::StrictlyUpper>() = product.compliance.transpose();
+void check_plain(const ContactProblem& problem, const char* solver) {
+  require(problem.law.pair.empty() && problem.free_slip.size() == 0, solver,
+          ": takes no friction, but ", problem.free_slip.size(),
+          " pairs rub; primal_dual_active_set, fischer_burmeister and lemke take it");
+  require(problem.resultant.size() == 0, solver, ": takes no rigid modes, got ",
+          problem.resultant.size(), "; solve(problem, solver) holds them by springs");
+}
+
+FrictionLaw law_of_all(const Eigen::VectorXd& coefficient, const Eigen::VectorXd& cohesion) {
+  FrictionLaw law{{}, coefficient, cohesion};
+  for (Eigen::Index i = 0; i < coefficient.size(); ++i) law.pair.push_back(i);
+  return law;
+}
+
+Eigen::VectorXd free_movement(const ContactProblem& problem) {
+  Eigen::VectorXd free(problem.free_gap.size() + problem.free_slip.size());
+  free << problem.free_gap, problem.free_slip;
+  return free;
+}
+
+Eigen::MatrixXd gram(const Eigen::MatrixXd& half) {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(half.cols(), half.cols());
+  product.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
+  product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
   return product;
+}
+
+void append(Report& total, const Report& run) {
+  total.status = run.status;
+  total.iterations += run.iterations;
+  total.factorisations += run.factorisations;
+  total.history.insert(total.history.end(), run.history.begin(), run.history.end());
 }
 
 }  // namespace signorini

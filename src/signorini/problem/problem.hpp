@@ -26,6 +26,13 @@ struct FrictionLaw {
   Eigen::VectorXd cohesion;        ///< c times the weight `n_s` >= 0 [force], of closed pairs only
 };
 
+/// A law for pairs that all rub.
+/// \param coefficient  mu `n_c` >= 0 [-]
+/// \param cohesion     c times the weight `n_c` >= 0 [force]
+/// \return the law
+[[nodiscard]] FrictionLaw law_of_all(const Eigen::VectorXd& coefficient,
+                                     const Eigen::VectorXd& cohesion);
+
 /// A quadratic programme with dense matrices, as in mathematical programming: the same least energy,
 /// where the first rows may be equations.
 ///
@@ -38,23 +45,47 @@ struct DenseProgramme {
   Eigen::Index equations = 0;   ///< so many rows at the top hold with =, their forces have any sign
 };
 
-/// The same problem with the displacements eliminated: find forces >= 0 with
-/// gap = free_gap + compliance * force >= 0 and force * gap = 0 pair by pair.
+/// The same problem with the displacements eliminated: \PaperEq{XuanLi2002, 6} after condensation,
 ///
-/// \PaperEq{XuanLi2002, 6} after condensation: \f$ d = g - A u^0,\ G = A K^{-1} A^T \f$. With any
-/// square matrix in the place of G it is the linear complementarity problem w = M z + q; the solvers
-/// that do not list Trait::Asymmetric accept that.
+/// \f[ \begin{pmatrix} gap \\ slip \end{pmatrix} = \begin{pmatrix} d \\ s \end{pmatrix}
+///     + F \begin{pmatrix} \lambda \\ \tau \end{pmatrix} + R a,\qquad
+///     R^T \begin{pmatrix} \lambda \\ \tau \end{pmatrix} = r, \f]
+///
+/// with \f$ F = A K^{-1} A^T \f$ and \f$ d = g - A u^0 \f$: lambda >= 0, gap >= 0, lambda gap = 0. An empty
+/// block is an absent effect: smooth pairs have no slips, held bodies no rigid modes, and what is left is G and
+/// d. With any square matrix in the place of G that is the linear complementarity problem w = M z + q; the
+/// solvers that do not list Trait::Asymmetric accept it.
+///
+/// Of a pair that rubs, \f$ |\tau| \le b = \mu\lambda + c \f$ where it is closed, 0 where it is open; it slides only
+/// against a friction force at its bound: slip > 0 needs tau = -b, slip < 0 needs tau = b.
+/// \PaperEq{LinEtAl, 6}, \PaperEq{LinEtAl, 8}
+///
+/// With c > 0 a solution need not exist: a pair that only the friction force of its cohesion would
+/// pull open has no force to stay closed with, and once open no friction force that pulls. With rigid
+/// modes it need not exist either: pairs that could balance r may not be pressed hard enough. For held
+/// bodies without cohesion and a positive definite F there is one for every mu, see lemke().
 struct ContactProblem {
-  Eigen::MatrixXd compliance;  ///< G `n_c x n_c`, symmetric positive semidefinite [length/force]
-  Eigen::VectorXd free_gap;    ///< d `n_c` [length]: the gap when contact is ignored, overlap < 0
+  Eigen::MatrixXd compliance;     ///< F `n_c + n_s` square, symmetric; gaps first [length/force]
+  Eigen::VectorXd free_gap;       ///< d `n_c` [length]: the gap when contact is ignored, overlap < 0
+  Eigen::VectorXd free_slip = {};  ///< s `n_s` [length] of the pairs that rub
+  FrictionLaw law = {};            ///< of the pairs that rub
+  Eigen::MatrixXd rigid = {};      ///< R `n_c + n_s` x `n_r` [length/amplitude]
+  Eigen::VectorXd resultant = {};  ///< r `n_r` [force*length/amplitude]
 };
 
-/// The condensed problem with G = H^T H left as a product: for many pairs of a small body H is far
-/// smaller than G, and only the columns of pairs that close are ever needed.
-struct HalfProblem {
-  Eigen::MatrixXd half;      ///< H = L^-1 A^T `n x n_c`, where K = L L^T [sqrt(length/force)]
-  Eigen::VectorXd free_gap;  ///< d `n_c` [length]: the gap when contact is ignored, overlap < 0
+/// What a pair does, with the direction in which it slides: \PaperEq{LinEtAl, 13}, \PaperEq{LinEtAl, 14}
+enum class Motion : signed char {
+  Open,     ///< no force at all
+  Stick,    ///< no gap and, if the pair rubs, no slip
+  Forward,  ///< slip > 0, tau = -b
+  Backward  ///< slip < 0, tau = b
 };
+
+/// \param motion  of a pair
+/// \return the sign of tau at its bound, 0 where the pair does not slide
+[[nodiscard]] inline double friction_sign(Motion motion) {
+  return motion == Motion::Forward ? -1 : motion == Motion::Backward ? 1 : 0;
+}
 
 /// How a solver ended. Nothing but `Solved` may be called a solution.
 enum class Status {
@@ -90,6 +121,18 @@ struct Report {
   std::vector<Iteration> history;     ///< one entry per iteration, or empty
 };
 
+/// Adds a run to those before it.
+/// \param[in,out] total  of the runs before: gets the status of `run`, the sum of the counts and both histories
+/// \param run            the last run
+void append(Report& total, const Report& run);
+
+/// Whether other forces would do as well.
+enum class Uniqueness {
+  Proved,   ///< no other solution exists, for any free gaps and slips
+  Unknown,  ///< nothing was found that speaks for another solution, or against it
+  Doubtful  ///< a warning: others may exist, see uniqueness()
+};
+
 /// Forces, gaps and status of all pairs. Unless `report.status` is Solved, these are the last ones
 /// that the method looked at and no solution.
 struct ContactState {
@@ -97,9 +140,18 @@ struct ContactState {
   Eigen::VectorXd gap;               ///< `n_c` [length], open > 0
   std::vector<Eigen::Index> active;  ///< closed pairs, in increasing order
   Report report;                     ///< how the solver got there
+  std::vector<Eigen::Index> rubbing = {};  ///< `n_s` pairs that the next three belong to
+  Eigen::VectorXd friction = {};     ///< tau `n_s` [force], on the source along the tangent
+  Eigen::VectorXd slip = {};         ///< `n_s` [length], of the source along the tangent
+  std::vector<Motion> motion = {};   ///< `n_s` what these pairs do
+  Eigen::VectorXd amplitude = {};    ///< a `n_r`
+  Uniqueness uniqueness = Uniqueness::Unknown;  ///< of a solution with friction
+  std::string reason = {};  ///< what stopped the solver, in words; may be empty
   /// Proof that nothing solves the problem, or empty: y `n_c` >= 0 with G y = 0 and d^T y < 0. For any
   /// forces, \f$ y^T(d + G\lambda) = d^T y < 0 \f$, so some gap stays negative.
   Eigen::VectorXd infeasibility = {};
+  /// Proof that no forces balance r, or empty: the body would move along a `n_r` for ever, see escape().
+  Eigen::VectorXd escape = {};
 };
 
 /// Choices that every solver understands.
@@ -110,23 +162,40 @@ struct SolverOptions {
   double tolerance = 1e-12;
 };
 
+/// Checks a law of friction.
+/// \param law    of the pairs that rub
+/// \param pairs  n_c
+/// \param slips  n_s
+/// \throws std::invalid_argument unless it has n_s pairs below n_c in increasing order, and mu and c are >= 0
+void check_law(const FrictionLaw& law, Eigen::Index pairs, Eigen::Index slips);
+
 /// Checks what every solver relies on: sizes and numbers.
-/// \param problem  G and d, or any M and q
-/// \throws std::invalid_argument unless G is square, d has its size, both are finite, and the numbers
-///   of G, its diagonal and d are so far from overflow and underflow (2^-340 to 2^340, or 0; small
+/// \param problem  any
+/// \throws std::invalid_argument unless all sizes fit, all numbers are finite, mu and c are >= 0, and the
+///   numbers of F, its diagonal, d and s are so far from overflow and underflow (2^-340 to 2^340, or 0; small
 ///   numbers beside the diagonal do no harm) that forces and energies are too
 void check_finite(const ContactProblem& problem);
 
 /// Checks what the solvers for symmetric problems rely on.
-/// \param problem  G and d
-/// \throws std::invalid_argument unless G is square, symmetric to rounding and without a negative
-///   diagonal entry, d has its size, and both are finite
+/// \param problem  any
+/// \throws std::invalid_argument as check_finite(), or unless F is symmetric to rounding and without a negative
+///   diagonal entry
 void check_problem(const ContactProblem& problem);
 
-/// Whether G equals its transpose to rounding.
-/// \param problem  G and d
-/// \return whether \f$ |G_{ij} - G_{ji}| \f$ is at most 1e3 epsilon times \f$ \sqrt{G_{ii}G_{jj}} \f$
+/// Refuses what a solver for held bodies without friction would overlook.
+/// \param problem  any
+/// \param solver   what the message calls it
+/// \throws std::invalid_argument if the problem has slips or rigid modes
+void check_plain(const ContactProblem& problem, const char* solver);
+
+/// Whether F equals its transpose to rounding.
+/// \param problem  any
+/// \return whether \f$ |F_{ij} - F_{ji}| \f$ is at most 1e3 epsilon times \f$ \sqrt{F_{ii}F_{jj}} \f$
 [[nodiscard]] bool is_symmetric(const ContactProblem& problem);
+
+/// \param problem  any
+/// \return d, then s `n_c + n_s` [length]
+[[nodiscard]] Eigen::VectorXd free_movement(const ContactProblem& problem);
 
 /// The scales of the pairs of w = M z + q, whatever the matrix: \f$ s_i = 1 / \sqrt{|M_{ii}|} \f$.
 ///
@@ -136,9 +205,8 @@ void check_problem(const ContactProblem& problem);
 /// \return s `n_c` > 0
 [[nodiscard]] Eigen::VectorXd pair_scales(const Eigen::MatrixXd& matrix);
 
-/// Multiplies H^T H out.
-/// \param problem  H and d
-/// \return G, exactly symmetric, and d
-[[nodiscard]] ContactProblem multiplied_out(const HalfProblem& problem);
+/// \param half  H `n x n_c`
+/// \return G = H^T H `n_c x n_c`, exactly symmetric
+[[nodiscard]] Eigen::MatrixXd gram(const Eigen::MatrixXd& half);
 
 }  // namespace signorini

@@ -55,10 +55,11 @@ DenseCondensed condensed_by(ProgrammeRows& data) {
   VectorXd gap;
   VectorXd rounding;
   data.gaps(equations, gap, rounding);
-  DenseCondensed condensed{data.factor(), {}, data.displacement()};
+  DenseCondensed condensed{data.factor(), {}, {}, data.displacement()};
   const Index first = data.equations();
   condensed.problem.free_gap = gap.tail(data.count() - first);
-  condensed.problem.half.setZero(condensed.free_displacement.size(), data.count() - first);
+  condensed.half.setZero(condensed.free_displacement.size(), data.count() - first);
+  condensed.problem.compliance.resize(0, 0);
   if (first == data.count()) return condensed;
   ClosedBasis::Candidates rows;
   rows.rows = range(first, data.count());
@@ -69,7 +70,8 @@ DenseCondensed condensed_by(ProgrammeRows& data) {
   for (Index i = 0; i < data.count() - first; ++i)
     if (rows.columns.col(i).norm() <= equations.smallest_distance()) rows.columns.col(i).setZero();
   without_rounding(condensed.problem.free_gap, rounding.tail(data.count() - first));
-  condensed.problem.half = rows.columns * data.norms().tail(data.count() - first).asDiagonal();
+  condensed.half = rows.columns * data.norms().tail(data.count() - first).asDiagonal();
+  condensed.problem.compliance = gram(condensed.half);
   return condensed;
 }
 
@@ -79,15 +81,13 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
   ProgrammeRows data(programme);
   const DenseCondensed condensed = condensed_by(data);
   const Index first = programme.equations;
-  HalfProblem problem = condensed.problem;
+  ContactProblem problem = condensed.problem;
   DenseSolution solution;
   std::set<Rows> refuted;
   VectorXd gap;
   VectorXd rounding;
   while (true) {
-    ContactState state = solver.solve_half != nullptr
-                             ? solver.solve_half(problem, options)
-                             : solver.solve(multiplied_out(problem), options);
+    ContactState state = solver.solve(problem, options);
     solution.report = std::move(state.report);
     for (Index& row : state.active) row += first;
     solution.active = std::move(state.active);
@@ -101,7 +101,7 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
     }
     solution.refined.displacement =
         condensed.free_displacement -
-        condensed.factor.solve_transposed_half(condensed.problem.half * state.force);
+        condensed.factor.solve_transposed_half(condensed.half * state.force);
     if (solution.report.status != Status::Solved) {
       const ClosedBasis equations = basis_of(data, {});
       data.balance(equations, solution.refined);
@@ -118,7 +118,7 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
     if ((!pulls && refined.violated == 0) || !refuted.insert(solution.active).second)
       return solution;
     const VectorXd force = solution.refined.force.tail(problem.free_gap.size());
-    const VectorXd moved = problem.half.transpose() * (problem.half * force);
+    const VectorXd moved = condensed.half.transpose() * (condensed.half * force);
     problem.free_gap = solution.gap.tail(force.size()) - moved;
     without_rounding(problem.free_gap, std::numeric_limits<double>::epsilon() * moved.cwiseAbs());
   }

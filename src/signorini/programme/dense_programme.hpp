@@ -14,8 +14,9 @@ namespace signorini {
 /// A dense programme with the displacements, and the forces of the equations, eliminated.
 struct DenseCondensed {
   CholeskyFactor factor;              ///< of K `n x n`; with equations of K + rho A_e^T A_e
-  HalfProblem problem;                ///< H = L^-1 A^T and d = g - A u0, rows of inequalities only;
-                                      ///< with equations, H is orthogonal to theirs
+  Eigen::MatrixXd half;               ///< H = L^-1 A^T `n x n_c`, rows of inequalities only; with
+                                      ///< equations, H is orthogonal to theirs
+  ContactProblem problem;             ///< G = H^T H and d = g - A u0
   Eigen::VectorXd free_displacement;  ///< u0 `n`: K^-1 p, or the minimiser with equations alone
 };
 

@@ -7,8 +7,8 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/programme/refine.hpp"
 #include "signorini/programme/rigid_modes.hpp"
+#include "signorini/programme/road.hpp"
 
 namespace signorini {
 namespace {
@@ -79,43 +79,39 @@ FloatingCondensed condense(const DenseProgramme& programme, const MatrixXd& null
   condensed.free_displacement = condensed.factor.solve(programme.load);
   MatrixXd half = programme.A.transpose();
   solve_lower_columns(condensed.factor.lower(), half);
-  condensed.problem = floating_problem(
-      sparse(programme),
-      multiplied_out({half, programme.initial_gap - programme.A * condensed.free_displacement}),
-      null_vectors);
+  condensed.problem = {gram(half),
+                       programme.initial_gap - programme.A * condensed.free_displacement};
+  add_rigid_modes(sparse(programme), null_vectors, condensed.problem);
   return condensed;
 }
 
 FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vectors,
                        const Solver& solver, const SolverOptions& options) {
   const FloatingCondensed condensed = condense(programme, null_vectors);
-  FloatingState state = solve(condensed.problem, solver, options);
+  const CondensedProgramme small{
+      condensed.problem, condensed.free_displacement,
+      [&](const VectorXd& load) { return VectorXd(condensed.factor.solve(load)); }};
+  Ledger ledger;
+  CertifiedEnd end =
+      certified_end(sparse(programme), small, null_vectors, solver, options, ledger);
   FloatingSolution solution;
   DenseSolution& dense = solution.dense;
-  dense.report = std::move(state.contact.report);
-  dense.active = std::move(state.contact.active);
-  dense.gap = std::move(state.contact.gap);
-  dense.infeasibility = std::move(state.contact.infeasibility);
-  dense.refined.force = std::move(state.contact.force);
-  solution.amplitude = std::move(state.amplitude);
-  solution.escape = std::move(state.escape);
-  dense.refined.displacement =
-      condensed.factor.solve(programme.load - programme.A.transpose() * dense.refined.force) +
-      null_vectors * solution.amplitude;
-  dense.refined.displacement_low = VectorXd::Zero(dense.refined.displacement.size());
-  if (dense.report.status != Status::Solved) return solution;
-  const QuadraticProgramme original = sparse(programme);
-  Refinement better = refine(
-      original, [&](const VectorXd& load) { return VectorXd(condensed.factor.solve(load)); },
-      condensed.problem.contact.compliance, std::move(dense.refined), {dense.active, {}},
-      null_vectors);
-  dense.refined = std::move(better.solution);
-  solution.amplitude += better.amplitude;
-  dense.refined.force = dense.refined.force.cwiseMax(0.0);  // what is negative is of rounding size
-  dense.gap = gaps(original, dense.refined);
-  dense.gap(dense.active).setZero();
-  dense.certificate = certify(programme, dense.refined);
-  if (!dense.certificate.holds()) dense.report.status = Status::Breakdown;
+  dense.report = std::move(end.state.report);
+  dense.active = std::move(end.state.active);
+  dense.gap = std::move(end.state.gap);
+  dense.infeasibility = std::move(end.state.infeasibility);
+  dense.certificate = end.certificate;
+  dense.refined = std::move(end.solution);
+  if (dense.refined.displacement.size() > 0)
+    solution.amplitude = least_norm_solution(
+        null_vectors, dense.refined.displacement -
+                          condensed.factor.solve(programme.load - programme.A.transpose() *
+                                                                      dense.refined.force));
+  solution.escape = std::move(end.state.escape);
+  if (dense.report.status == Status::Solved) {  // what is negative is of rounding size
+    dense.refined.force = dense.refined.force.cwiseMax(0.0);
+    dense.gap(dense.active).setZero();
+  }
   return solution;
 }
 

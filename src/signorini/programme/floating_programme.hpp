@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 
 #include "signorini/core/dense.hpp"
-#include "signorini/solvers/springs.hpp"
 #include "signorini/programme/dense_programme.hpp"
 
 namespace signorini {
@@ -12,7 +11,7 @@ namespace signorini {
 /// A dense programme with displacements eliminated and rigid modes left as unknowns.
 struct FloatingCondensed {
   CholeskyFactor factor;    ///< of the grounded stiffness K_s `n x n`
-  FloatingProblem problem;  ///< G = A K_s^-1 A^T, d = g - A K_s^-1 p, R = -A N, r = -N^T p
+  ContactProblem problem;  ///< G = A K_s^-1 A^T, d = g - A K_s^-1 p, R = -A N, r = -N^T p
   Eigen::VectorXd free_displacement;  ///< K_s^-1 p `n`, of the grounded body
 };
 
@@ -39,7 +38,7 @@ struct FloatingCondensed {
 struct FloatingSolution {
   DenseSolution dense;        ///< as for a programme without rigid modes
   Eigen::VectorXd amplitude;  ///< a `n_r`, of the columns of N on top of the grounded body
-  Eigen::VectorXd escape;  ///< as in FloatingState: the body would move along N * escape; or empty
+  Eigen::VectorXd escape;  ///< as in ContactState: the body would move along N * escape; or empty
 };
 
 /// Grounds, solves, recovers u, refines u and lambda with residuals of the K that was posed, and

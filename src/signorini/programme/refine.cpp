@@ -7,7 +7,6 @@
 
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/programme/rigid_modes.hpp"
 
 namespace signorini {
 namespace {
@@ -58,16 +57,15 @@ class Refining {
  public:
   Refining(const QuadraticProgramme& programme,
            const std::function<VectorXd(const VectorXd&)>& solve_stiffness,
-           const MatrixXd& compliance, PrimalDual start, const KnownSet& set, const MatrixXd& modes)
+           const ContactProblem& condensed, PrimalDual start, const std::vector<Motion>& motions,
+           const MatrixXd& modes)
       : programme_(programme),
         solve_stiffness_(solve_stiffness),
-        compliance_(compliance),
-        set_(set),
+        compliance_(condensed.compliance),
+        set_(known_set(motions, condensed.law)),
         modes_(modes),
-        closing_(
-            compliance,
-            modes.cols() > 0 ? rigid_gaps(programme.A, modes) : MatrixXd(programme.A.rows(), 0),
-            set) {
+        scaled_(equilibrate(condensed)),
+        closing_(scaled_, known_set(motions, scaled_.law)) {
     PrimalDual& solution = result_.solution;
     solution = std::move(start);
     const Index n = solution.displacement.size();
@@ -90,6 +88,8 @@ class Refining {
   };
 
   [[nodiscard]] VectorXd unbalanced();
+  /// Changes of forces and amplitudes that end the movement of closed rows and what rigid motions feel.
+  [[nodiscard]] std::pair<VectorXd, VectorXd> closed(const VectorXd& residual) const;
   Change sweep();
   /// Moves bodies rigidly.
   void move(const VectorXd& amplitude);
@@ -99,8 +99,9 @@ class Refining {
   const QuadraticProgramme& programme_;
   const std::function<VectorXd(const VectorXd&)>& solve_stiffness_;
   const MatrixXd& compliance_;
-  const KnownSet& set_;
+  KnownSet set_;
   const MatrixXd& modes_;
+  ScaledProblem scaled_;
   Closing closing_;
   Forces force_;
   Refinement result_;
@@ -115,6 +116,18 @@ constexpr Index rigid_sweeps = 2;
 VectorXd Refining::unbalanced() {
   result_.solution.force = force_.high;
   return equilibrium_residual(programme_, result_.solution) - programme_.A.transpose() * force_.low;
+}
+
+std::pair<VectorXd, VectorXd> Refining::closed(const VectorXd& residual) const {
+  const std::vector<Index>& rows = closing_.rows();
+  const VectorXd scale = scaled_.scale(rows);
+  VectorXd bottom;
+  if (modes_.cols() > 0)  // of orthonormal modes; inverse takes their amplitudes to those of N
+    bottom = -(modes_ * scaled_.inverse).transpose() * residual;
+  const auto [force, amplitude] =
+      closing_.solve(-scale.cwiseProduct(VectorXd(result_.movement(rows))), bottom);
+  return {scale.cwiseProduct(force), modes_.cols() > 0 ? VectorXd(scaled_.inverse * amplitude)
+                                                       : VectorXd()};
 }
 
 bool Refining::felt(const VectorXd& pushed) const {
@@ -145,8 +158,7 @@ Refining::Change Refining::sweep() {
     change.pending = true;
     return change;
   }
-  const VectorXd lacking = floats ? VectorXd(-modes_.transpose() * residual) : VectorXd();
-  const auto [closes, amplitude] = closing_.solve(result_.movement, lacking);
+  const auto [closes, amplitude] = closed(residual);
   const Forces last = force_;
   for (std::size_t k = 0; k < closing_.rows().size(); ++k) {
     const Index row = closing_.rows()[k];
@@ -246,9 +258,9 @@ void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change) {
 
 Refinement refine(const QuadraticProgramme& programme,
                   const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
-                  const Eigen::MatrixXd& compliance, PrimalDual start, const KnownSet& set,
-                  const Eigen::MatrixXd& null_vectors) {
-  return Refining(programme, solve_stiffness, compliance, std::move(start), set, null_vectors)
+                  const ContactProblem& condensed, PrimalDual start,
+                  const std::vector<Motion>& motions, const Eigen::MatrixXd& null_vectors) {
+  return Refining(programme, solve_stiffness, condensed, std::move(start), motions, null_vectors)
       .run();
 }
 

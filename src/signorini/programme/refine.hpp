@@ -3,7 +3,7 @@
 #pragma once
 #include <functional>
 
-#include "signorini/closing/known_set.hpp"
+#include "signorini/closing/closing.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -27,7 +27,7 @@ struct Refinement {
   bool settled = false;       ///< whether corrections have become as small as rounding
 };
 
-/// Refines \f$ K u + A^T f = p,\ A_W u = g_W \f$ for a known set: rows W that do not move, friction forces at
+/// Refines \f$ K u + A^T f = p,\ A_W u = g_W \f$ for known motions: rows W that do not move, friction forces at
 /// their bounds, no force anywhere else.
 ///
 /// A sweep adds K^-1 times the residual of equilibrium to u, then the forces that close what W still
@@ -43,22 +43,22 @@ struct Refinement {
 /// sweeps are enough; only on badly conditioned problems does it get a solve of its own, which makes the
 /// corrections shrink by the error of the forces in place of that of the factor.
 ///
-/// With rigid modes K is singular, and `solve_stiffness` and `compliance` belong to the grounded K_g of
-/// floating_problem(). Residuals are still those of K; the amplitudes take up what only a rigid
+/// With rigid modes K is singular, and `solve_stiffness` and `condensed` belong to the grounded K_g of
+/// add_rigid_modes(). Residuals are still those of K; the amplitudes take up what only a rigid
 /// motion feels of them, so that no spring takes part.
 /// \param programme        K, p, A, g as they were posed; with friction A has rows of slips, -T, at its end
 /// \param solve_stiffness  K^-1 applied to a vector [force] -> [length]; need not be accurate
-/// \param compliance       of all rows of A, A K^-1 A^T [length/force]; need not be accurate
-/// \param start            where to start: u may still be that without contact; forces that the set
-///                         excludes are dropped
-/// \param set              what is known
+/// \param condensed        of which compliance, law and rigid modes are used; these need not be accurate
+/// \param start            where to start: u may still be that without contact; forces that the motions
+///                         exclude are dropped
+/// \param motions          `n_c`
 /// \param null_vectors     N, or nothing if K is regular
 /// \return the refined numbers; whether all signs are right is for judge() to say
 /// \throws std::invalid_argument if the sizes of `programme`, `start` and N do not fit
 [[nodiscard]] Refinement refine(
     const QuadraticProgramme& programme,
     const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
-    const Eigen::MatrixXd& compliance, PrimalDual start, const KnownSet& set,
+    const ContactProblem& condensed, PrimalDual start, const std::vector<Motion>& motions,
     const Eigen::MatrixXd& null_vectors = {});
 
 /// What refined numbers say of every pair.

@@ -49,24 +49,22 @@ Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A
   return R;
 }
 
-FloatingProblem floating_problem(const QuadraticProgramme& programme, ContactProblem grounded,
-                                 const Eigen::MatrixXd& null_vectors) {
+void add_rigid_modes(const QuadraticProgramme& programme, const Eigen::MatrixXd& null_vectors,
+                     ContactProblem& problem) {
   const Index n = programme.load.size();
-  const Index pairs = programme.A.rows();
-  require(programme.A.cols() == n && null_vectors.rows() == n, "rigid modes: A must be ", pairs,
-          " x ", n, " and N have ", n, " rows, got ", pairs, " x ", programme.A.cols(), " and ",
+  const Index rows = programme.A.rows();
+  require(programme.A.cols() == n && null_vectors.rows() == n, "rigid modes: A must be ", rows,
+          " x ", n, " and N have ", n, " rows, got ", rows, " x ", programme.A.cols(), " and ",
           null_vectors.rows());
-  require(grounded.free_gap.size() == pairs && grounded.compliance.rows() == pairs,
-          "rigid modes: expected a compliance and gaps of ", pairs, " pairs, got ",
-          grounded.compliance.rows(), " and ", grounded.free_gap.size());
-  FloatingProblem problem{std::move(grounded), rigid_gaps(programme.A, null_vectors),
-                          Eigen::VectorXd(null_vectors.cols())};
+  require(problem.compliance.rows() == rows, "rigid modes: expected a compliance of ", rows,
+          " rows, got ", problem.compliance.rows());
+  problem.rigid = rigid_gaps(programme.A, null_vectors);
+  problem.resultant.resize(null_vectors.cols());
   for (Index j = 0; j < null_vectors.cols(); ++j) {
     Entry work;
     for (Index i = 0; i < n; ++i) work.add_product(-programme.load(i), null_vectors(i, j));
     problem.resultant(j) = work.value();
   }
-  return problem;
 }
 
 }  // namespace signorini

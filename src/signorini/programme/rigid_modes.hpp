@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "signorini/problem/floating.hpp"
 #include "signorini/problem/problem.hpp"
 
 namespace signorini {
@@ -21,7 +20,7 @@ namespace signorini {
 [[nodiscard]] Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
                                          const Eigen::MatrixXd& null_vectors);
 
-/// The floating problem of a programme whose bodies contact alone holds.
+/// Adds the rigid modes to the condensed problem of a programme whose bodies contact alone holds.
 ///
 /// K is singular, so the caller grounds it: K_g = K + C C^T with one spring per mode, N^T C regular.
 /// For forces f in balance, N^T f = 0, the springs carry nothing and K (K_g^-1 f) = f; so
@@ -33,13 +32,11 @@ namespace signorini {
 ///
 /// A rotation should turn its body about a point inside: about a far one it is mostly a shift, and what
 /// remains of the two when they cancel is rounded as they are.
-/// \param programme     p and A; K and g have gone into `grounded`
-/// \param grounded      G and d with K_g in the place of K
+/// \param programme     p and A; K and g have gone into `problem`
 /// \param null_vectors  N `n x n_r`, independent columns with K N = 0; none if it is empty
-/// \return G, d, R and r
+/// \param[in,out] problem  condensed with K_g in the place of K; gets R and r
 /// \throws std::invalid_argument if sizes do not fit
-[[nodiscard]] FloatingProblem floating_problem(const QuadraticProgramme& programme,
-                                               ContactProblem grounded,
-                                               const Eigen::MatrixXd& null_vectors);
+void add_rigid_modes(const QuadraticProgramme& programme, const Eigen::MatrixXd& null_vectors,
+                     ContactProblem& problem);
 
 }  // namespace signorini

@@ -22,14 +22,19 @@ void check_solved(const Solution& solution) {
 Resultants resultants(const Pairs& pairs, const Solution& solution) {
   check_solved(solution);
   Resultants sum{Eigen::Vector2d::Zero(), 0, 0, 0};
-  for (Index pair = 0; pair < solution.contact.force.size(); ++pair) {
-    const Eigen::Vector2d normal = pairs.normal.row(pair).transpose();
-    Eigen::Vector2d force = solution.contact.force(pair) * normal;
-    if (solution.friction)
-      force += solution.friction->state.friction(pair) * Eigen::Vector2d(normal.y(), -normal.x());
+  const ContactState& contact = solution.contact;
+  const auto add = [&](Index pair, const Eigen::Vector2d& force) {
     sum.force += force;
     sum.moment += pairs.position(pair, 0) * force.y() - pairs.position(pair, 1) * force.x();
+  };
+  for (Index pair = 0; pair < contact.force.size(); ++pair) {
+    add(pair, contact.force(pair) * pairs.normal.row(pair).transpose());
     sum.peak_pressure = std::max(sum.peak_pressure, solution.pressure(pair));
+  }
+  for (std::size_t k = 0; k < contact.rubbing.size(); ++k) {
+    const auto normal = pairs.normal.row(contact.rubbing[k]);
+    add(contact.rubbing[k], contact.friction(static_cast<Index>(k)) *
+                                Eigen::Vector2d(normal.y(), -normal.x()));
   }
   for (const Index pair : solution.contact.active) sum.closed_weight += pairs.weight(pair);
   return sum;

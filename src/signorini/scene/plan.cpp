@@ -7,7 +7,6 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/scene.hpp"
-#include "signorini/solvers/friction_solvers.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
@@ -56,7 +55,7 @@ void check_names(const Scene& scene) {
 /// Looks up all names, needed or not, and notes choices of a contact that nothing asks for.
 void check_choices(const Scene& scene, Plan& plan) {
   static_cast<void>(find_solver(scene.solver));
-  static_cast<void>(find_friction_solver(scene.friction_solver));
+  static_cast<void>(find_solver(scene.friction_solver));
   const ContactSpec usual;
   for (const ContactSpec& contact : scene.contacts) {
     const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);

@@ -54,7 +54,7 @@ struct Scene {
   std::vector<ContactSpec> contacts;              ///< none by default
   std::string solver = "primal_dual_active_set";  ///< name in solvers()
   /// Name in friction_solvers(), which take over if any contact has friction.
-  std::string friction_solver = "friction_active_set";
+  std::string friction_solver = "primal_dual_active_set";
 };
 
 /// What a scene calls for, found without assembling anything.

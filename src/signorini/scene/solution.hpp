@@ -1,7 +1,6 @@
 /// \file
 /// The model of a scene, the condensed problem, and the solution.
 #pragma once
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +11,6 @@
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/elasticity/free_motions.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/floating.hpp"
-#include "signorini/problem/friction.hpp"
 
 namespace signorini {
 
@@ -41,17 +38,8 @@ struct Model {
 /// The model with all unknowns but the contact forces eliminated.
 struct Condensed {
   ContactLastFactor factor;           ///< of K, or of K and one spring per rigid mode
-  ContactProblem problem;             ///< G = A K^-1 A^T and d = g - A u0, without friction
+  ContactProblem problem;             ///< F = A K^-1 A^T, d, s, the law, R and r
   Eigen::VectorXd free_displacement;  ///< u0 = K^-1 p `n` [length]
-  Eigen::MatrixXd rigid;      ///< R `n_c x n_r` what an amplitude opens, see FloatingProblem
-  Eigen::VectorXd resultant;  ///< r `n_r` what contact forces must add up to [force]
-  std::optional<FrictionProblem> friction = {};  ///< gaps and slips, if the model has friction
-};
-
-/// What friction did, or what stopped the solver.
-struct FrictionOutcome {
-  /// Forces, friction forces, gaps and slips, from the displacements; `reason` if it is not solved.
-  FrictionState state;
 };
 
 /// Everything that is known at the end. Unless `contact.report.status` is Solved it is no solution: it then has
@@ -59,11 +47,9 @@ struct FrictionOutcome {
 /// proved and the ledger only.
 struct Solution {
   std::vector<NodeArray> displacements;  ///< `n_nodes x 2` of each body [length]
-  ContactState contact;                  ///< refined forces, gaps and status per pair
-  Eigen::VectorXd amplitude;             ///< `n_r` of the rigid modes [length]
+  ContactState contact;                  ///< refined forces, gaps, slips and status per pair
   Eigen::VectorXd pressure;              ///< `n_c` force / weight [force/length^2], compression > 0
   PrimalDual refined;                    ///< unknowns in two parts, and the forces of all rows of A
-  std::optional<FrictionOutcome> friction;  ///< if the model has friction, solved or not
   /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
   std::string escape;              ///< if the load pulls a body away: how it moves off
@@ -84,7 +70,7 @@ struct Solution {
 /// problem is solved again with free gaps from the refined solution.
 /// \param model      from build()
 /// \param condensed  from condense() of it
-/// \param solver     name in solvers(), or with friction in friction_solvers()
+/// \param solver     name in solvers(), with friction in friction_solvers()
 /// \param ledger     goes on in the solution, with the phases `contact`, `refinement`, `recovery`
 /// \return the solution; check its `contact.report.status` first, or call require_solved()
 /// \throws ProblemError for an unknown name; std::invalid_argument for more pairs than it accepts

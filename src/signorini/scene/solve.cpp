@@ -5,8 +5,8 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/rigid_modes.hpp"
+#include "signorini/programme/road.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/certified_road.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -35,22 +35,6 @@ ContactLastFactor factor_last(const Model& model, const Eigen::SparseMatrix<doub
   return ContactLastFactor(K, order, static_cast<Index>(last.size()), ledger, describe);
 }
 
-/// Takes the slips out of a condensed problem that was made of gaps and slips.
-void set_friction_apart(const FrictionLaw& law, Condensed& condensed) {
-  const Index pairs = condensed.problem.free_gap.size() - static_cast<Index>(law.pair.size());
-  const ContactProblem& all = condensed.problem;
-  condensed.friction = FrictionProblem{all.compliance,
-                                       all.free_gap.head(pairs),
-                                       all.free_gap.tail(all.free_gap.size() - pairs),
-                                       law.coefficient,
-                                       law.cohesion,
-                                       condensed.rigid,
-                                       condensed.resultant};
-  condensed.problem = {condensed.friction->compliance.topLeftCorner(pairs, pairs),
-                       condensed.friction->free_gap};
-  condensed.rigid = condensed.friction->rigid.topRows(pairs);
-}
-
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
   const NodeArray all = expand(model.unknowns, displacement);
   std::vector<NodeArray> bodies;
@@ -70,9 +54,9 @@ std::string escape_in_words(const Model& model, const VectorXd& escape) {
 }
 
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
-void note_open_motions(const Model& model, const std::vector<Motion>& motions,
-                       const VectorXd& force, Solution& solution) {
+void note_open_motions(const Model& model, const VectorXd& force, Solution& solution) {
   if (model.modes.empty() || solution.contact.report.status != Status::Solved) return;
+  const std::vector<Motion> motions = all_motions(solution.contact);
   KnownSet set = known_set(motions, model.law);
   // A pair that touches without a force holds nothing: it stops a motion one way only.
   const double nothing = epsilon * static_cast<double>(set.closed.size() + 1) * largest(force);
@@ -91,32 +75,11 @@ void note_open_motions(const Model& model, const std::vector<Motion>& motions,
 }
 
 /// What the road found, as readers want it.
-void recover(const Model& model, CertifiedEnd end, Solution& solution) {
-  const Index pairs = model.pairs.weight.size();
-  ContactState& contact = solution.contact;
-  contact.force = end.solution.force.head(pairs);
-  contact.gap = end.movement.head(pairs);
-  for (Index pair = 0; pair < pairs; ++pair)
-    if (end.motions[static_cast<std::size_t>(pair)] != Motion::Open) contact.active.push_back(pair);
-  note_open_motions(model, end.motions, end.solution.force, solution);
-  solution.amplitude = end.amplitude;
-  solution.pressure = contact.force.cwiseQuotient(model.pairs.weight);
-  solution.displacements = displacements_of_bodies(model, end.solution.displacement);
-  if (solution.friction) {
-    FrictionState& state = solution.friction->state;
-    state.force = contact.force;
-    state.gap = contact.gap;
-    state.friction = end.solution.force.tail(pairs);
-    state.slip = end.movement.tail(pairs);
-    state.amplitude = end.amplitude;
-    state.status.clear();
-    for (const Motion motion : end.motions)
-      state.status.push_back(motion == Motion::Open    ? PairStatus::Open
-                             : motion == Motion::Stick ? PairStatus::Stick
-                                                       : PairStatus::Slip);
-  }
-  solution.refined = std::move(end.solution);
-  solution.certificate = end.certificate;
+void recover(const Model& model, PrimalDual refined, Solution& solution) {
+  note_open_motions(model, refined.force, solution);
+  solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
+  solution.displacements = displacements_of_bodies(model, refined.displacement);
+  solution.refined = std::move(refined);
 }
 
 }  // namespace
@@ -127,43 +90,39 @@ Condensed condense(const Model& model, Ledger& ledger) {
   const Eigen::SparseMatrix<double> held =
       floats ? grounded_stiffness(model) : Eigen::SparseMatrix<double>();
   const Eigen::SparseMatrix<double>& K = floats ? held : programme.stiffness;
-  Condensed condensed{factor_last(model, K, contact_unknowns(programme.A), ledger), {}, {}, {}, {}};
+  Condensed condensed{factor_last(model, K, contact_unknowns(programme.A), ledger), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
   condensed.free_displacement = condensed.factor.solve(programme.load);
-  condensed.problem.compliance = condensed.factor.compliance(programme.A);
-  condensed.problem.free_gap =
+  ContactProblem& problem = condensed.problem;
+  problem.compliance = condensed.factor.compliance(programme.A);
+  const VectorXd free =
       gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
-  condensed.rigid.resize(programme.A.rows(), 0);
-  if (floats) {
-    FloatingProblem floating =
-        floating_problem(programme, condensed.problem, mode_shapes(model.modes));
-    condensed.rigid = std::move(floating.rigid);
-    condensed.resultant = std::move(floating.resultant);
-  }
-  if (!model.law.pair.empty()) set_friction_apart(model.law, condensed);
+  problem.law = model.law;
+  const Index slips = static_cast<Index>(model.law.pair.size());
+  problem.free_gap = free.head(free.size() - slips);
+  problem.free_slip = free.tail(slips);
+  if (floats) add_rigid_modes(programme, mode_shapes(model.modes), problem);
   return condensed;
 }
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger) {
+  const CondensedProgramme small{
+      condensed.problem, condensed.free_displacement,
+      [&](const VectorXd& load) { return condensed.factor.solve(load); }};
+  CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),
+                                   find_solver(solver), {}, ledger);
   Solution solution;
-  CertifiedEnd end = certified_end(model, condensed, solver, ledger);
-  solution.contact.report = std::move(end.report);
-  if (!model.law.pair.empty()) {
-    solution.friction.emplace();
-    FrictionState& state = solution.friction->state;
-    state.report = solution.contact.report;
-    state.reason = end.reason;
-    state.uniqueness = end.uniqueness;
-    if (end.uniqueness == Uniqueness::Doubtful && state.report.status == Status::Solved)
-      solution.notes.emplace_back(
-          "friction: there may be other solutions of the same loads, this is one of them");
-  }
-  solution.escape = escape_in_words(model, end.escape);
-  solution.contact.infeasibility = std::move(end.infeasibility);
+  solution.contact = std::move(end.state);
+  solution.certificate = end.certificate;
+  const ContactState& contact = solution.contact;
+  if (contact.uniqueness == Uniqueness::Doubtful && contact.report.status == Status::Solved)
+    solution.notes.emplace_back(
+        "friction: there may be other solutions of the same loads, this is one of them");
+  solution.escape = escape_in_words(model, contact.escape);
   if (end.solution.displacement.size() > 0) {
     const Ledger::Phase phase(ledger, "recovery");
-    recover(model, std::move(end), solution);
+    recover(model, std::move(end.solution), solution);
   }
   solution.ledger = std::move(ledger);
   return solution;
@@ -176,7 +135,7 @@ Solution solve(const Model& model, const Condensed& condensed, Ledger ledger) {
 void require_solved(const Solution& solution, const std::string& what) {
   const Report& report = solution.contact.report;
   if (report.status == Status::Solved) return;
-  const std::string reason = solution.friction ? solution.friction->state.reason : "";
+  const std::string& reason = solution.contact.reason;
   if (!solution.escape.empty())
     throw NotSolved(
         text(what, " was not solved: ",

@@ -23,7 +23,10 @@ NodeArray contact_forces(const Model& model, const Solution& solution, std::size
           "forces on the nodes: the problem was not solved");
   const BodyModel& own = model.bodies.at(body);
   Eigen::VectorXd all = model.pairs.opening.transpose() * solution.contact.force;
-  if (solution.friction) all += model.pairs.sliding.transpose() * solution.friction->state.friction;
+  const ContactState& contact = solution.contact;
+  for (std::size_t k = 0; k < contact.rubbing.size(); ++k)
+    all += contact.friction(static_cast<Eigen::Index>(k)) *
+           model.pairs.sliding.row(contact.rubbing[k]).transpose();
   return Eigen::Map<const NodeArray>(all.data() + 2 * own.first_node, own.mesh.n_nodes(), 2);
 }
 

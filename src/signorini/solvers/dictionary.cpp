@@ -19,7 +19,7 @@ Dictionary::Dictionary(const ScaledProblem& problem, const Eigen::VectorXd& cove
       place_(at(2 * n_ + 1)) {
   rows_.leftCols(n_) = problem.compliance;
   rows_.col(n_) = covering;
-  rows_.col(n_ + 1) = problem.free_gap;
+  rows_.col(n_ + 1) = problem.free;
   std::iota(basic_.begin(), basic_.end(), Index{0});
   std::iota(nonbasic_.begin(), nonbasic_.end(), n_);
   for (Index k = 0; k < n_; ++k) place_[at(basic_[at(k)])] = k;

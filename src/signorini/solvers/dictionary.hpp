@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/scaled.hpp"
 
 namespace signorini {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -21,7 +21,7 @@ std::vector<Index> members(unsigned set, Index n) {
 /// The proof that nothing solves a problem, or nothing: one that no smaller one is part of has independent
 /// pairs and one that depends on them.
 Eigen::VectorXd proof(const ScaledProblem& scaled) {
-  const Index n = scaled.free_gap.size();
+  const Index n = scaled.free.size();
   for (unsigned set = 0; set < (1U << n); ++set)
     for (Index pair = 0; pair < n; ++pair) {
       if ((set >> pair & 1U) != 0) continue;
@@ -34,30 +34,32 @@ Eigen::VectorXd proof(const ScaledProblem& scaled) {
 }  // namespace
 
 ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*options*/) {
+  check_plain(problem, "enumerate");
   const Index n = problem.free_gap.size();
   require(n <= largest_enumeration, "enumerate: accepts at most ", largest_enumeration,
           " pairs, got ", n);
   const ScaledProblem scaled = equilibrate_any(problem);
   Report report;
-  ClosedPairs best;
+  Closure best;
   best.force.setZero(n);
-  best.gap = scaled.free_gap;
+  best.movement = scaled.free;
   std::vector<Index> best_active;
   for (unsigned set = 0; set < (1U << n); ++set) {
     const std::vector<Index> active = members(set, n);
     if (report.status == Status::Solved && active.size() >= best_active.size()) continue;
-    const ClosedPairs now = close_pairs(scaled, active);
+    Closure now = close(scaled, KnownSet{active});
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
-    if (!solves(scaled, now)) continue;
-    best = now;
+    if (now.rows.size() < active.size() || !solves(scaled, motions_of(active, n), now)) continue;
+    best = std::move(now);
     best_active = active;
     report.status = Status::Solved;
   }
-  ContactState state = unscaled(scaled, best, best_active, report);
-  if (report.status != Status::Solved) state.infeasibility = proof(scaled);
-  if (state.infeasibility.size() > 0) state.report.status = Status::Infeasible;
-  return certified(problem, std::move(state));
+  Eigen::VectorXd y;
+  if (report.status != Status::Solved) y = proof(scaled);
+  if (y.size() > 0) report.status = Status::Infeasible;
+  return finished(problem, scaled, best, motions_of(best_active, n), std::move(report),
+                  std::move(y));
 }
 
 }  // namespace signorini

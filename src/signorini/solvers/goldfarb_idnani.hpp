@@ -24,13 +24,4 @@ namespace signorini {
 [[nodiscard]] ContactState goldfarb_idnani(const ContactProblem& problem,
                                            const SolverOptions& options = {});
 
-/// The same for G = H^T H. The factors H_W = Q R, updated by reflections and rotations, take the place of
-/// that of G_WW: a step costs about 4 n^2 + 2 n n_c operations, and G is never formed.
-/// \param problem  H and d
-/// \param options  as above
-/// \return as above
-/// \throws std::invalid_argument unless H has one column per pair and all numbers are finite
-[[nodiscard]] ContactState goldfarb_idnani(const HalfProblem& problem,
-                                           const SolverOptions& options = {});
-
 }  // namespace signorini

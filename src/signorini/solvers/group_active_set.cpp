@@ -22,12 +22,14 @@ bool rises(double now, double before, Index size) {
 
 }  // namespace
 
-GroupActiveSet::GroupActiveSet(const GapRows& rows, ClosedBasis basis, Report& report, Index limit)
+GroupActiveSet::GroupActiveSet(const RowSource& rows, ClosedBasis basis, Report& report, Index limit,
+                               Pace pace)
     : rows_(rows),
       basis_(std::move(basis)),
       saved_(0, 0),
       report_(report),
       limit_(limit),
+      pace_(pace),
       group_((rows.rank + 1) / 2),
       force_(basis_.capacity()),
       state_(at(rows.count), Row::Open) {
@@ -73,7 +75,7 @@ Status GroupActiveSet::close_equations() {
     const double sign = candidates_.gap(i) < 0 ? 1 : -1;
     fetch(i);
     proof_.setZero(rows_.count);
-    const VectorXd response = basis_.response(candidates_);
+    const VectorXd response = basis_.response(candidates_).yield;
     for (Index k = 0; k < response.size(); ++k) proof_(basis_.rows()[at(k)]) = -sign * response(k);
     proof_(i) = sign;
     return Status::Infeasible;
@@ -88,7 +90,7 @@ void GroupActiveSet::find_most_violated() {
   double overlap = 0;
   for (Index i = rows_.equations; i < rows_.count; ++i) {
     if (gap_(i) >= -rounding_(i) || state_[at(i)] == Row::Closed) continue;
-    overlap = std::max(overlap, -gap_(i));
+    overlap = std::max(overlap, -gap_(i) / (rows_.unit != nullptr ? (*rows_.unit)(i) : 1));
     if (state_[at(i)] == Row::Open) violated.push_back(i);
   }
   report_.history.push_back(
@@ -112,17 +114,22 @@ Status GroupActiveSet::run() {
     find_most_violated();
     if (candidates_.rows.empty()) return Status::Solved;
     if (report_.iterations >= limit_) return Status::IterationLimit;
-    ++report_.iterations;
+    if (pace_ == Pace::Groups) ++report_.iterations;
     const Index before = basis_.size();
     const std::vector<Index> closed = basis_.rows();
     const Index worst = candidates_.rows.front();
-    rows_.fetch(basis_, gap_, rounding_, candidates_);
-    if (basis_.append(candidates_, ClosedBasis::Choice::Violated, group_) > 0) {
-      settle(before);
+    Status status = Status::Solved;
+    if (pace_ == Pace::Single) {
+      candidates_.rows.resize(1);
+      status = press(worst);
     } else {
-      const Status status = exchange(worst);
-      if (status != Status::Solved) return status;
+      rows_.fetch(basis_, gap_, rounding_, candidates_);
+      if (basis_.append(candidates_, ClosedBasis::Choice::Violated, group_) > 0)
+        settle(before);
+      else
+        status = exchange(worst);
     }
+    if (status != Status::Solved) return status;
     if (rises(basis_.dual_energy(), highest, basis_.size())) {
       highest = basis_.dual_energy();
       forget_fruitless();

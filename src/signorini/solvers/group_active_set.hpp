@@ -1,40 +1,29 @@
 /// \file
-/// The quasi-active-set method itself, independent of how the gap rows are known.
+/// Dual active sets, in groups or one pair at a time, independent of how the gap rows are known.
 #pragma once
 #include <Eigen/Core>
-#include <functional>
 #include <utility>
 #include <vector>
 
-#include "signorini/closing/closed_basis.hpp"
-#include "signorini/problem/problem.hpp"
+#include "signorini/closing/row_source.hpp"
 
 namespace signorini {
 
-/// What the method asks of the rows of a problem.
-struct GapRows {
-  Eigen::Index count = 0;  ///< number of rows m
-  Eigen::Index equations =
-      0;                  ///< so many of the first are always closed, their forces have any sign
-  Eigen::Index rank = 0;  ///< most rows that can be independent
-  const Eigen::VectorXd* weight = nullptr;  ///< `m` about 1 / |h_i|, to compare overlaps with
-  /// Sets the gaps of all rows `m` and what rounding may have done to each.
-  std::function<void(const ClosedBasis&, Eigen::VectorXd& gap, Eigen::VectorXd& rounding)> gaps;
-  /// Condenses rows, named by `candidates.rows`: \f$ h_i / |h_i| \f$ or the same in products.
-  std::function<void(const ClosedBasis&, const Eigen::VectorXd& gap,
-                     const Eigen::VectorXd& rounding, ClosedBasis::Candidates& candidates)>
-      fetch;
-};
-
-/// One run of the method, which may be taken up again. See quasi_active_set() for its steps.
+/// One run of the method, which may be taken up again. See quasi_active_set() and goldfarb_idnani() for the steps.
 class GroupActiveSet {
  public:
+  enum class Pace {
+    Groups,  ///< violated rows join together
+    Single   ///< the most violated row is pressed until it closes
+  };
   /// Starts with no row closed.
   /// \param rows    must outlive this
   /// \param basis   empty, with room for the rank of the rows
   /// \param report  takes iterations, factorisations and history; must outlive this
   /// \param limit   most iterations
-  GroupActiveSet(const GapRows& rows, ClosedBasis basis, Report& report, Eigen::Index limit);
+  /// \param pace    how many rows join at a time
+  GroupActiveSet(const RowSource& rows, ClosedBasis basis, Report& report, Eigen::Index limit,
+                 Pace pace);
 
   /// Closes the equations, leaving out those that follow from others.
   /// \return Solved, or Infeasible if they contradict each other
@@ -69,6 +58,10 @@ class GroupActiveSet {
   void settle(Eigen::Index before);
   void step_by_step();
   Status exchange(Eigen::Index row);
+  Status press(Eigen::Index row);
+  Status cannot_close(Eigen::Index row, const Eigen::VectorXd& response);
+  bool join(Eigen::Index row, double force);
+  void yield(const Eigen::VectorXd& response, double step);
   [[nodiscard]] double grazing(Eigen::Index row, const Eigen::VectorXd& response) const;
   [[nodiscard]] std::pair<Eigen::Index, double> first_to_open(
       const Eigen::VectorXd& response) const;
@@ -76,11 +69,12 @@ class GroupActiveSet {
   void solve();
   [[nodiscard]] std::vector<Eigen::Index> pulling() const;
 
-  const GapRows& rows_;
+  const RowSource& rows_;
   ClosedBasis basis_;
   ClosedBasis saved_;
   Report& report_;
   Eigen::Index limit_;
+  Pace pace_;
   Eigen::Index group_;
   Eigen::Index pressed_ = -1;
   Eigen::VectorXd gap_;
@@ -92,5 +86,20 @@ class GroupActiveSet {
   std::vector<Row> state_;
   bool any_fruitless_ = false;
 };
+
+/// Solves a problem by this method and closes the last set exactly.
+/// \param problem  G positive semidefinite, and d
+/// \param limit    most iterations
+/// \param pace     how many pairs join at a time
+/// \return as quasi_active_set()
+/// \throws std::invalid_argument as check_problem()
+[[nodiscard]] ContactState grow_active_set(const ContactProblem& problem, Eigen::Index limit,
+                                           GroupActiveSet::Pace pace);
+
+/// \param basis      closed rows
+/// \param equations  so many of the first rows are not wanted
+/// \return the others, in increasing order
+[[nodiscard]] std::vector<Eigen::Index> sorted_rows(const ClosedBasis& basis,
+                                                    Eigen::Index equations = 0);
 
 }  // namespace signorini

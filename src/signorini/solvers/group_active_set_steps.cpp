@@ -73,38 +73,78 @@ double GroupActiveSet::grazing(Index row, const VectorXd& response) const {
   return std::max(2 * rounding, rounding_(row) / epsilon * distance * distance);
 }
 
+/// No force vanishes when a row is pressed that depends on the closed ones.
+Status GroupActiveSet::cannot_close(Index row, const VectorXd& response) {
+  if (-gap_(row) <= grazing(row, response)) {  // it only touches, as far as rounding can tell
+    mark_fruitless({row});
+    return Status::Solved;
+  }
+  proof_.setZero(rows_.count);
+  for (Index k = 0; k < basis_.size(); ++k) {
+    const Index closed = basis_.rows()[at(k)];
+    proof_(closed) = closed < rows_.equations ? -response(k) : std::max(0.0, -response(k));
+  }
+  proof_(row) = 1;
+  pressed_ = row;
+  return Status::Infeasible;
+}
+
+/// Closes a row that carries a force already. \return false if it depends on the closed ones
+bool GroupActiveSet::join(Index row, double force) {
+  rows_.gaps(basis_, gap_, rounding_);
+  fetch(row);
+  if (basis_.append(candidates_, ClosedBasis::Choice::All, 1) == 0) return false;
+  force_(basis_.size() - 1) = force;
+  state_[at(row)] = Row::Closed;
+  return true;
+}
+
+/// Changes the forces of the closed rows by -step * response. Rounding may leave those of rows that yield faster
+/// than the first to open a little below zero.
+void GroupActiveSet::yield(const VectorXd& response, double step) {
+  force_.head(basis_.size()) -= step * response;
+  for (Index k = 0; k < basis_.size(); ++k)
+    if (basis_.rows()[at(k)] >= rows_.equations) force_(k) = std::max(0.0, force_(k));
+}
+
 /// A violated row depends on the closed ones: presses it, while they yield, until the first one opens.
 Status GroupActiveSet::exchange(Index row) {
   fetch(row);
-  const VectorXd response = basis_.response(candidates_);
-  const Index size = basis_.size();
-  const auto [first, press] = first_to_open(response);
-  if (first < 0) {
-    if (-gap_(row) <= grazing(row, response)) {  // it only touches, as far as rounding can tell
-      mark_fruitless({row});
-      return Status::Solved;
-    }
-    proof_.setZero(rows_.count);
-    for (Index k = 0; k < size; ++k) {
-      const Index closed = basis_.rows()[at(k)];
-      proof_(closed) = closed < rows_.equations ? -response(k) : std::max(0.0, -response(k));
-    }
-    proof_(row) = 1;
-    pressed_ = row;
-    return Status::Infeasible;
-  }
-  // Rounding may leave forces of rows that yield faster a little below zero.
-  force_.head(size) -= press * response;
-  for (Index k = 0; k < size; ++k)
-    if (basis_.rows()[at(k)] >= rows_.equations) force_(k) = std::max(0.0, force_(k));
+  const VectorXd response = basis_.response(candidates_).yield;
+  const auto [first, step] = first_to_open(response);
+  if (first < 0) return cannot_close(row, response);
+  yield(response, step);
   open_vanished({first});
-  rows_.gaps(basis_, gap_, rounding_);
-  fetch(row);
-  if (basis_.append(candidates_, ClosedBasis::Choice::All, 1) == 0) return Status::Breakdown;
-  force_(size - 1) = press;
-  state_[at(row)] = Row::Closed;
+  if (!join(row, step)) return Status::Breakdown;
   step_by_step();
   return Status::Solved;
+}
+
+/// Presses a violated row until it closes; closed rows whose force vanishes on the way open.
+Status GroupActiveSet::press(Index row) {
+  double pressed = 0;
+  double lifted = 0;  // of the gap of the normalised row
+  while (report_.iterations < limit_) {
+    fetch(row);
+    const double gap = candidates_.gap(0) + lifted;
+    const auto [response, opening] = basis_.response(candidates_);
+    const auto [first, step] = first_to_open(response);
+    const bool closes = opening > 0 && (first < 0 || -gap <= step * opening);
+    if (!closes && first < 0) return cannot_close(row, response);
+    const double change = closes ? -gap / opening : step;
+    yield(response, change);
+    pressed += change;
+    ++report_.iterations;
+    if (closes) {
+      if (!join(row, pressed)) return Status::Breakdown;
+      solve();
+      force_.head(basis_.size()) = target_.head(basis_.size());
+      return Status::Solved;
+    }
+    lifted += change * opening;
+    open_vanished({first});
+  }
+  return Status::IterationLimit;
 }
 
 }  // namespace signorini

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/solvers/dictionary.hpp"
+#include "signorini/solvers/newton.hpp"
 
 namespace signorini {
 namespace {
@@ -40,10 +42,17 @@ Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direct
   return {};
 }
 
+/// Where a path ended, in scaled numbers.
+struct End {
+  Closure closure;
+  std::vector<Motion> motions;
+  Report report;
+  Eigen::VectorXd proof = {};
+};
+
 /// Forces and gaps of the last basis, from the data.
-ContactState closed_basis(const ScaledProblem& scaled, const Dictionary& dictionary,
-                          Report report) {
-  const Index n = scaled.free_gap.size();
+End closed_basis(const ScaledProblem& scaled, const Dictionary& dictionary, Report report) {
+  const Index n = scaled.free.size();
   Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
   std::vector<Index> active;
   for (Index i = 0; i < n; ++i)
@@ -52,58 +61,52 @@ ContactState closed_basis(const ScaledProblem& scaled, const Dictionary& diction
       force(active.back()) = dictionary.value()(i);
     }
   std::sort(active.begin(), active.end());
-  ClosedPairs closed = close_pairs(scaled, active);
-  report.factorisations = active.empty() ? 0 : 1;
-  report.status = solves(scaled, closed) ? Status::Solved : Status::Breakdown;
-  if (report.status == Status::Solved || !scaled.symmetric) {
-    if (!closed.solvable) closed.gap = scaled.free_gap;
-    return unscaled(scaled, closed, active, report);
-  }
+  End end{close(scaled, KnownSet{active}), motions_of(active, n), std::move(report)};
+  end.report.factorisations = active.empty() ? 0 : 1;
+  end.report.status =
+      solves(scaled, end.motions, end.closure) ? Status::Solved : Status::Breakdown;
+  if (end.report.status == Status::Solved || !scaled.symmetric) return end;
   // Rounding took a pair that touches without force into the basis, or one that depends on the others.
-  if (closed.solvable) force = closed.force;
+  if (end.closure.solvable && end.closure.rows.size() == active.size()) force = end.closure.force;
   if (auto found = confirmed(scaled, by_weight(force))) {
-    report.status = Status::Solved;
-    return unscaled(scaled, found->first, found->second, report);
+    end.report.status = Status::Solved;
+    std::tie(end.closure, end.motions) = std::move(*found);
+    return end;
   }
-  const Eigen::VectorXd y = proof(scaled, force);
-  if (y.size() > 0) report.status = Status::Infeasible;
-  closed.gap = scaled.free_gap + scaled.compliance * closed.force;
-  ContactState state = unscaled(scaled, closed, active, report);
-  state.infeasibility = y;
-  return state;
+  end.proof = proof(scaled, force);
+  if (end.proof.size() > 0) end.report.status = Status::Infeasible;
+  return end;
 }
 
 /// Where the path stands, which is no solution; from here it would go on along `direction`.
-ContactState last_point(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering,
-                        const Report& report, Eigen::VectorXd& direction) {
-  const Index n = scaled.free_gap.size();
+End last_point(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering,
+               const Report& report, Eigen::VectorXd& direction) {
+  const Index n = scaled.free.size();
   direction.setZero(n);
-  ClosedPairs last;
-  last.force.setZero(n);
+  End last{{}, {}, report};
+  last.closure.force.setZero(n);
   if (entering >= n) direction(entering - n) = 1;
   const Eigen::VectorXd growth = dictionary.column(entering);
   for (Index i = 0; i < n; ++i) {
     const Index force = dictionary.basic(i) - n;
     if (force < 0 || force == n) continue;
     direction(force) = growth(i);
-    last.force(force) = std::max(dictionary.value()(i), 0.0);
+    last.closure.force(force) = std::max(dictionary.value()(i), 0.0);
   }
-  last.gap = scaled.free_gap + scaled.compliance * last.force;
-  ContactState state = unscaled(scaled, last, by_weight(last.force), report);
-  std::sort(state.active.begin(), state.active.end());
-  return state;
+  last.closure.movement = scaled.free + scaled.compliance * last.closure.force;
+  last.motions = motions_of(by_weight(last.closure.force), n);
+  return last;
 }
 
 /// The state when nothing blocks the entering variable.
-ContactState ray(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering,
-                 Report report) {
+End ray(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering, Report report) {
   report.status = Status::Ray;
   Eigen::VectorXd direction;
-  ContactState state = last_point(scaled, dictionary, entering, report, direction);
-  if (!scaled.symmetric) return state;
-  state.infeasibility = proof(scaled, direction);
-  if (state.infeasibility.size() > 0) state.report.status = Status::Infeasible;
-  return state;
+  End end = last_point(scaled, dictionary, entering, report, direction);
+  if (!scaled.symmetric) return end;
+  end.proof = proof(scaled, direction);
+  if (end.proof.size() > 0) end.report.status = Status::Infeasible;
+  return end;
 }
 
 Index limit_of(Index n, const SolverOptions& options) {
@@ -112,11 +115,11 @@ Index limit_of(Index n, const SolverOptions& options) {
 }
 
 /// One path, of at most `limit` pivots.
-ContactState pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index limit) {
-  const Index n = scaled.free_gap.size();
+End pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index limit) {
+  const Index n = scaled.free.size();
   Report report;
   Dictionary dictionary(scaled, covering);
-  if (n == 0 || (scaled.free_gap.array() >= 0).all())
+  if (n == 0 || (scaled.free.array() >= 0).all())
     return closed_basis(scaled, dictionary, report);
   Index entering = dictionary.artificial();
   Index row = dictionary.first_row();
@@ -147,31 +150,44 @@ Eigen::VectorXd covering_of_path(Index n, Index path) {
   return covering;
 }
 
+ContactState state_of(const ContactProblem& problem, const ScaledProblem& scaled, End end) {
+  return finished(problem, scaled, end.closure, end.motions, std::move(end.report),
+                  std::move(end.proof));
+}
+
 }  // namespace
 
 ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& covering,
                    const SolverOptions& options) {
+  check_plain(problem, "lemke with a covering vector");
   const ScaledProblem scaled = equilibrate_any(problem);
   const Index n = problem.free_gap.size();
   require(covering.size() == n && covering.allFinite() && (covering.array() > 0).all(),
           "lemke: the covering vector must have ", n, " positive entries, one per pair, got ",
           covering.size(), covering.size() > 0 ? text(", the least ", covering.minCoeff()) : "");
-  return certified(problem,
-                   pivoted(scaled, scaled.scale.cwiseProduct(covering), limit_of(n, options)));
+  return state_of(problem, scaled,
+                  pivoted(scaled, scaled.scale.cwiseProduct(covering), limit_of(n, options)));
 }
 
 ContactState lemke(const ContactProblem& problem, const SolverOptions& options) {
+  if (!problem.law.pair.empty() || problem.resultant.size() > 0) {
+    const ScaledProblem scaled = equilibrate(problem);
+    if (Eigen::VectorXd way = escape(scaled); way.size() > 0)
+      return escaping(problem, scaled, std::move(way));
+    Attempt attempt = first_attempt(scaled);
+    follow_pivots(scaled, options, attempt);
+    return finished(problem, scaled, std::move(attempt));
+  }
   const ScaledProblem scaled = equilibrate_any(problem);
   const Index n = problem.free_gap.size();
   const Index limit = limit_of(n, options);
   Index pivots = 0;
   Index length = n * n + 100 * n;
   for (Index path = 0;; ++path) {
-    ContactState state =
-        pivoted(scaled, covering_of_path(n, path), std::min(length, limit - pivots));
-    pivots = state.report.iterations += pivots;
-    if (state.report.status != Status::IterationLimit || pivots >= limit)
-      return certified(problem, std::move(state));
+    End end = pivoted(scaled, covering_of_path(n, path), std::min(length, limit - pivots));
+    pivots = end.report.iterations += pivots;
+    if (end.report.status != Status::IterationLimit || pivots >= limit)
+      return state_of(problem, scaled, std::move(end));
     length *= 2;
   }
 }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/closing.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 
@@ -22,8 +22,8 @@ class Tableau {
  public:
   /// Starts from the basis that closes some pairs and no others; what is negative there turns artificial.
   Tableau(const ScaledProblem& problem, const std::vector<Index>& closed)
-      : problem_(&problem), n_(problem.free_gap.size()), rows_(n_, 2 * n_ + 1) {
-    rows_ << Eigen::MatrixXd::Identity(n_, n_), -problem.compliance, problem.free_gap;
+      : problem_(&problem), n_(problem.free.size()), rows_(n_, 2 * n_ + 1) {
+    rows_ << Eigen::MatrixXd::Identity(n_, n_), -problem.compliance, problem.free;
     for (Index i = 0; i < n_; ++i) basis_.push_back(i);
     Eigen::MatrixXd B = Eigen::MatrixXd::Identity(n_, n_);
     for (const Index i : closed) {
@@ -94,23 +94,25 @@ class Tableau {
   }
 
   /// Forces and gaps of the basis; an artificial number is an overlap or a tension.
-  [[nodiscard]] ClosedPairs numbers() const {
-    ClosedPairs now{VectorXd::Zero(n_), VectorXd::Zero(n_), {}, {}, false};
+  [[nodiscard]] Closure numbers() const {
+    Closure now;
+    now.force.setZero(n_);
+    now.movement.setZero(n_);
     for (Index row = 0; row < n_; ++row)
-      (basis(row) < n_ ? now.gap : now.force)(basis(row) % n_) =
+      (basis(row) < n_ ? now.movement : now.force)(basis(row) % n_) =
           (1 - 2 * artificial_(row)) * values()(row);
     return now;
   }
 
   [[nodiscard]] Iteration summary(double first_sum) const {
-    const ClosedPairs now = numbers();
+    const Closure now = numbers();
     Iteration entry;
     entry.active = static_cast<Index>(closed().size());
     entry.changes = static_cast<Index>(artificial_.sum());
-    entry.penetration = std::max(0.0, -now.gap.cwiseQuotient(problem_->scale).minCoeff());
+    entry.penetration = std::max(0.0, -now.movement.cwiseQuotient(problem_->scale).minCoeff());
     entry.tension = std::max(0.0, -now.force.cwiseProduct(problem_->scale).minCoeff());
     entry.dual_energy =
-        -now.force.dot(problem_->free_gap + 0.5 * (problem_->compliance * now.force));
+        -now.force.dot(problem_->free + 0.5 * (problem_->compliance * now.force));
     entry.residual = artificial_sum() / first_sum;
     return entry;
   }
@@ -123,7 +125,7 @@ class Tableau {
     const VectorXd moved = problem_->compliance * y;
     const VectorXd size = problem_->compliance.cwiseAbs() * y;
     if ((moved.cwiseAbs().array() > rounding() * size.array()).any()) return {};
-    return problem_->free_gap.dot(y) < -rounding() * problem_->free_gap.cwiseAbs().dot(y)
+    return problem_->free.dot(y) < -rounding() * problem_->free.cwiseAbs().dot(y)
                ? y
                : VectorXd();
   }
@@ -160,19 +162,9 @@ class Tableau {
   double first_sum_ = 0;
 };
 
-/// The state of a basis that is no solution, with the proof that there is none, if there is a proof.
-ContactState unsolved(const ScaledProblem& scaled, const Tableau& tableau, const VectorXd& proof,
-                      Report report) {
-  std::vector<Index> closed = tableau.closed();
-  std::sort(closed.begin(), closed.end());
-  ContactState state = unscaled(scaled, tableau.numbers(), std::move(closed), std::move(report));
-  if (proof.size() > 0) state.infeasibility = scaled.scale.cwiseProduct(proof);
-  return state;
-}
-
-ContactState run(const ScaledProblem& scaled, const std::vector<Index>& start,
-                 const SolverOptions& options) {
-  const Index n = scaled.free_gap.size();
+ContactState run(const ContactProblem& problem, const ScaledProblem& scaled,
+                 const std::vector<Index>& start, const SolverOptions& options) {
+  const Index n = scaled.free.size();
   const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 100 * n + 100;
   Tableau tableau(scaled, start);
   const double first_sum = tableau.artificial_sum();
@@ -196,7 +188,7 @@ ContactState run(const ScaledProblem& scaled, const std::vector<Index>& start,
     report.factorisations += closed.empty() ? 0 : 1;
     if (auto end = confirmed(scaled, closed)) {
       report.status = Status::Solved;
-      return unscaled(scaled, end->first, std::move(end->second), std::move(report));
+      return finished(problem, scaled, end->first, end->second, std::move(report));
     }
     proof = tableau.proof();
     if (proof.size() > 0) {
@@ -209,19 +201,23 @@ ContactState run(const ScaledProblem& scaled, const std::vector<Index>& start,
       pivoted = false;
     }
   }
-  return unsolved(scaled, tableau, proof, std::move(report));
+  if (proof.size() > 0) proof = scaled.scale.cwiseProduct(proof);
+  return finished(problem, scaled, tableau.numbers(), motions_of(tableau.closed(), n),
+                  std::move(report), std::move(proof));
 }
 
 }  // namespace
 
 ContactState linear_programme(const ContactProblem& problem, const SolverOptions& options) {
-  return certified(problem, run(equilibrate(problem), {}, options));
+  check_plain(problem, "linear_programme");
+  return run(problem, equilibrate(problem), {}, options);
 }
 
 std::vector<ContactState> incremental_linear_programme(const ContactProblem& problem,
                                                        const VectorXd& initial_gap,
                                                        Index increments,
                                                        const SolverOptions& options) {
+  check_plain(problem, "incremental_linear_programme");
   ScaledProblem scaled = equilibrate(problem);
   require(initial_gap.size() == problem.free_gap.size() && initial_gap.allFinite(),
           "incremental_linear_programme: need ", problem.free_gap.size(),
@@ -233,10 +229,9 @@ std::vector<ContactState> incremental_linear_programme(const ContactProblem& pro
     const double t = static_cast<double>(k) / static_cast<double>(increments);
     const VectorXd gap =
         k == increments ? problem.free_gap : (1 - t) * initial_gap + t * problem.free_gap;
-    scaled.free_gap = scaled.scale.cwiseProduct(gap);
-    states.push_back(certified(
-        {problem.compliance, gap},
-        run(scaled, states.empty() ? std::vector<Index>() : states.back().active, options)));
+    scaled.free = scaled.scale.cwiseProduct(gap);
+    states.push_back(run({problem.compliance, gap}, scaled,
+                         states.empty() ? std::vector<Index>() : states.back().active, options));
     if (states.back().report.status != Status::Solved) break;
   }
   return states;

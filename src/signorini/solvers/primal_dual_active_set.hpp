@@ -20,11 +20,17 @@ namespace signorini {
 /// hides the answer, or there is none - quasi_active_set() takes over from the start: its dual energy rises
 /// at every step, so that it needs no regular block to end.
 ///
-/// \param problem  G positive semidefinite, and d
-/// \param options  `iteration_limit` for both methods together; 0 stands for 10 n_c + 10 and what
-///   quasi_active_set() takes
-/// \return `Solved` with forces and gaps >= 0; otherwise what quasi_active_set() says, or
-///   `IterationLimit`. `iterations` and `history` are those of both methods, one behind the other
+/// With friction a pair has four motions instead of two, see exchange_motions(): Newton's method for the
+/// conditions written with projections [\ref AlartCurnier1991], which arrives in five to ten steps for hundreds
+/// of pairs, or runs in circles. In that case Newton's method of fischer_burmeister() starts anew, and the pivots of
+/// lemke() end it. With rigid modes the resultant is kept, and the first set are the pairs that would be nearer
+/// than the gap their share of the load makes; there is no safeguard but solve() with springs.
+///
+/// \param problem  any, F positive semidefinite
+/// \param options  `iteration_limit` for the exchange and quasi_active_set() together; 0 stands for 10 n_c + 10
+///   and what that takes, with friction for 50 exchanges, after which nothing else comes if there is a limit
+/// \return `Solved` with forces and gaps >= 0; `Infeasible` with `escape` if no forces balance r; otherwise what the
+///   last method says. `iterations` and `history` are those of all methods, one behind the other
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ContactState primal_dual_active_set(const ContactProblem& problem,
                                                   const SolverOptions& options = {});

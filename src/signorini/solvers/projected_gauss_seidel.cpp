@@ -3,56 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "signorini/closing/closed_pairs.hpp"
-#include "signorini/closing/scaled_half.hpp"
+#include "signorini/closing/closing.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-/// Gaps that follow the forces, G given: all of them are kept.
-class GapsOfCompliance {
- public:
-  explicit GapsOfCompliance(const ScaledProblem& problem)
-      : problem_(problem), gap_(problem.free_gap) {}
-  [[nodiscard]] double gap(Index i) const { return gap_(i); }
-  void press(Index i, double change) { gap_ += change * problem_.compliance.col(i); }
-  void renew(const Eigen::VectorXd& force) {
-    gap_ = problem_.free_gap;
-    gap_.noalias() += problem_.compliance * force;
-  }
-  [[nodiscard]] const Eigen::VectorXd& gaps() const { return gap_; }
-  [[nodiscard]] Eigen::VectorXd stiffness() const { return problem_.compliance.diagonal(); }
-
- private:
-  const ScaledProblem& problem_;
-  Eigen::VectorXd gap_;
-};
-
-/// Gaps that follow the forces, G = H^T H: H lambda is kept, and a gap is found when it is needed.
-class GapsOfHalf {
- public:
-  explicit GapsOfHalf(const ScaledHalf& problem)
-      : problem_(problem), moved_(Eigen::VectorXd::Zero(problem.half.rows())) {}
-  [[nodiscard]] double gap(Index i) const {
-    return problem_.free_gap(i) + problem_.half.col(i).dot(moved_);
-  }
-  void press(Index i, double change) { moved_ += change * problem_.half.col(i); }
-  void renew(const Eigen::VectorXd& force) { moved_.noalias() = problem_.half * force; }
-  [[nodiscard]] Eigen::VectorXd gaps() const {
-    return problem_.free_gap + problem_.half.transpose() * moved_;
-  }
-  [[nodiscard]] Eigen::VectorXd stiffness() const {
-    return problem_.half.colwise().squaredNorm().transpose();
-  }
-
- private:
-  const ScaledHalf& problem_;
-  Eigen::VectorXd moved_;
-};
-
-using Found = std::optional<std::pair<ClosedPairs, std::vector<Index>>>;
+using Eigen::VectorXd;
 
 /// Sweeps 0 to 31, then every second one, every fourth from 64 on, and so on.
 bool is_kept(Index sweep) {
@@ -62,24 +19,23 @@ bool is_kept(Index sweep) {
 }
 
 /// Sweeps over all pairs until the set of those with a force can be closed exactly.
-template <typename Problem, typename Gaps>
 class Sweeps {
  public:
-  explicit Sweeps(const Problem& problem)
+  explicit Sweeps(const ScaledProblem& problem)
       : problem_(problem),
-        gaps_(problem),
-        stiffness_(gaps_.stiffness()),
-        force_(Eigen::VectorXd::Zero(problem.free_gap.size())),
-        closed_(static_cast<std::size_t>(problem.free_gap.size()), false) {}
+        gap_(problem.free),
+        force_(VectorXd::Zero(problem.free.size())),
+        closed_(static_cast<std::size_t>(problem.free.size()), false) {}
 
-  ContactState run(const SolverOptions& options) {
+  ContactState run(const ContactProblem& posed, const SolverOptions& options) {
     const Index n = force_.size();
     const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 1000 + 10 * n;
     Index unchanged = 0;  // sweeps since the set has changed
     while (true) {
       unchanged = sweep() ? 0 : unchanged + 1;
       ++report_.iterations;
-      gaps_.renew(force_);
+      gap_ = problem_.free;  // anew, so that no rounding collects
+      gap_.noalias() += problem_.compliance * force_;
       if (n > 0 && is_kept(report_.iterations - 1)) remember();
       const bool last = report_.iterations == limit;
       // A set that could not be closed is tried again now and then: the order of its forces matters.
@@ -87,11 +43,16 @@ class Sweeps {
       if (!last && (unchanged == 0 || !power_of_two)) continue;
       const std::vector<Index> candidates = by_force();
       report_.factorisations += candidates.empty() ? 0 : 1;
-      if (Found found = confirmed(problem_, candidates)) {
+      if (Confirmed found = confirmed(problem_, candidates)) {
         report_.status = Status::Solved;
-        return unscaled(problem_, found->first, std::move(found->second), report_);
+        return finished(posed, problem_, found->first, found->second, std::move(report_));
       }
-      if (last) return unfinished();
+      if (!last) continue;
+      report_.status = Status::IterationLimit;
+      Closure now;
+      now.force = force_;
+      now.movement = gap_;
+      return finished(posed, problem_, now, motions_of(candidates, n), std::move(report_));
     }
   }
 
@@ -100,9 +61,10 @@ class Sweeps {
   bool sweep() {
     bool changed = false;
     for (Index i = 0; i < force_.size(); ++i) {
-      if (stiffness_(i) == 0) continue;  // no force moves it
-      const double force = std::max(0.0, force_(i) - gaps_.gap(i) / stiffness_(i));
-      if (force != force_(i)) gaps_.press(i, force - force_(i));
+      const double stiffness = problem_.compliance(i, i);
+      if (stiffness == 0) continue;  // no force moves it
+      const double force = std::max(0.0, force_(i) - gap_(i) / stiffness);
+      if (force != force_(i)) gap_ += (force - force_(i)) * problem_.compliance.col(i);
       force_(i) = force;
       const bool closed = force > 0;
       changed = changed || closed != closed_[static_cast<std::size_t>(i)];
@@ -112,11 +74,10 @@ class Sweeps {
   }
 
   void remember() {
-    const Eigen::VectorXd gap = gaps_.gaps();
-    const double overlap = std::max(0.0, -gap.cwiseQuotient(problem_.scale).minCoeff());
+    const double overlap = std::max(0.0, -gap_.cwiseQuotient(problem_.scale).minCoeff());
     report_.history.push_back({(force_.array() > 0).count(),
-                               ((gap.array() < 0) && (force_.array() == 0)).count(), overlap, 0,
-                               -0.5 * force_.dot(problem_.free_gap + gap)});
+                               ((gap_.array() < 0) && (force_.array() == 0)).count(), overlap, 0,
+                               -0.5 * force_.dot(problem_.free + gap_)});
   }
 
   /// Pairs with a force, the largest first.
@@ -129,20 +90,9 @@ class Sweeps {
     return order;
   }
 
-  ContactState unfinished() {
-    report_.status = Status::IterationLimit;
-    ClosedPairs now;
-    now.force = force_;
-    now.gap = gaps_.gaps();
-    std::vector<Index> active = by_force();
-    std::sort(active.begin(), active.end());
-    return unscaled(problem_, now, std::move(active), report_);
-  }
-
-  const Problem& problem_;
-  Gaps gaps_;
-  Eigen::VectorXd stiffness_;
-  Eigen::VectorXd force_;
+  const ScaledProblem& problem_;
+  VectorXd gap_;
+  VectorXd force_;
   std::vector<bool> closed_;
   Report report_;
 };
@@ -150,6 +100,7 @@ class Sweeps {
 }  // namespace
 
 ContactState projected_gauss_seidel(const ContactProblem& problem, const SolverOptions& options) {
+  check_plain(problem, "projected_gauss_seidel");
   const ScaledProblem scaled = equilibrate_any(problem);
   for (Index i = 0; i < problem.free_gap.size(); ++i) {
     const bool zero = problem.compliance.row(i).isZero(0) && problem.compliance.col(i).isZero(0);
@@ -159,12 +110,7 @@ ContactState projected_gauss_seidel(const ContactProblem& problem, const SolverO
     state.gap = problem.free_gap;
     return state;
   }
-  return certified(problem, Sweeps<ScaledProblem, GapsOfCompliance>(scaled).run(options));
-}
-
-ContactState projected_gauss_seidel(const HalfProblem& problem, const SolverOptions& options) {
-  const ScaledHalf scaled = equilibrate(problem);
-  return Sweeps<ScaledHalf, GapsOfHalf>(scaled).run(options);
+  return Sweeps(scaled).run(problem, options);
 }
 
 }  // namespace signorini

@@ -26,12 +26,4 @@ namespace signorini {
 [[nodiscard]] ContactState projected_gauss_seidel(const ContactProblem& problem,
                                                   const SolverOptions& options = {});
 
-/// The same for G = H^T H with H lambda kept up to date: a sweep costs 4 n n_c operations.
-/// \param problem  H and d
-/// \param options  as above
-/// \return as above
-/// \throws std::invalid_argument unless H has one column per pair and all numbers are finite
-[[nodiscard]] ContactState projected_gauss_seidel(const HalfProblem& problem,
-                                                  const SolverOptions& options = {});
-
 }  // namespace signorini

@@ -1,6 +1,7 @@
 #include "signorini/solvers/solvers.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 
@@ -24,6 +25,8 @@ const char* to_string(Trait trait) {
       return "slow";
     case Trait::Several:
       return "several pairs";
+    case Trait::Friction:
+      return "friction";
   }
   return "unknown";
 }
@@ -32,13 +35,70 @@ bool may_fail(const Solver& solver, Trait trait) {
   return std::find(solver.may_fail.begin(), solver.may_fail.end(), trait) != solver.may_fail.end();
 }
 
+Solver Solver::up_to(Eigen::Index pairs) const {
+  Solver member = *this;
+  member.largest = pairs;
+  return member;
+}
+
+Solver Solver::may_fail_on(std::vector<Trait> traits) const {
+  Solver member = *this;
+  member.may_fail = std::move(traits);
+  return member;
+}
+
+Solver Solver::with_friction(Takes takes) const {
+  Solver member = *this;
+  member.friction = takes;
+  return member;
+}
+
+Solver Solver::with_rigid_modes() const {
+  Solver member = *this;
+  member.rigid_modes = true;
+  return member;
+}
+
+Solver Solver::on_programmes(decltype(solve_programme) function) const {
+  Solver member = *this;
+  member.solve_programme = function;
+  return member;
+}
+
+namespace {
+
+/// The members that do not say `no` of friction.
+std::vector<Solver> without(Takes no) {
+  std::vector<Solver> members;
+  for (const Solver& solver : all_solvers())
+    if (solver.friction != no) members.push_back(solver);
+  return members;
+}
+
+}  // namespace
+
+const std::vector<Solver>& solvers() {
+  static const std::vector<Solver> members = without(Takes::Only);
+  return members;
+}
+
+const std::vector<Solver>& friction_solvers() {
+  static const std::vector<Solver> members = without(Takes::No);
+  return members;
+}
+
+std::string names_of(const std::vector<Solver>& family) {
+  std::string names;
+  for (const Solver& solver : family)
+    names += (names.empty() ? "" : ", ") + std::string(solver.name);
+  return names;
+}
+
 const Solver& find_solver(const std::string& name) {
-  std::string known;
-  for (const Solver& solver : solvers()) {
+  for (const Solver& solver : all_solvers())
     if (solver.name == name) return solver;
-    known += (known.empty() ? "" : ", ") + std::string(solver.name);
-  }
-  throw ProblemError(text("unknown solver '", name, "'; known solvers: ", known));
+  throw ProblemError(
+      text("unknown solver '", name, "'; known solvers: ", names_of(all_solvers())));
 }
 
 }  // namespace signorini

@@ -10,8 +10,6 @@
 namespace signorini {
 
 struct DenseSolution;
-struct FloatingProblem;
-struct FloatingState;
 
 /// What can be hard about a problem.
 enum class Trait {
@@ -22,34 +20,49 @@ enum class Trait {
   Degenerate,      ///< pairs that touch without force, or of which only the sum of forces is known
   IllConditioned,  ///< nearly dependent rows, a condition of G above about 1e7
   Slow,            ///< built to make a method take a very long way
-  Several          ///< more than one pair closes
+  Several,         ///< more than one pair closes
+  Friction         ///< pairs rub
 };
 
 /// \param trait  any
 /// \return "ordinary", "asymmetric", "dependent", "infeasible", "degenerate", "ill-conditioned",
-///   "slow" or "several pairs"
+///   "slow", "several pairs" or "friction"
 [[nodiscard]] const char* to_string(Trait trait);
 
-/// One member of the family.
+/// Whether a solver takes an effect.
+enum class Takes {
+  No,    ///< it throws std::invalid_argument
+  Also,  ///< with or without it
+  Only   ///< it is made for nothing else
+};
+
+/// One member of the family. What most members have is the default; the functions below give the others a name.
 struct Solver {
   const char* name;     ///< as in find_solver() and in a scene
   const char* summary;  ///< one line for lists
   /// Solves a problem. It may claim `Solved` only if all conditions hold to rounding, and throws
-  /// std::invalid_argument as check_problem() or for more than `largest` pairs.
+  /// std::invalid_argument as check_problem(), for what it does not take or for more than `largest` pairs.
   ContactState (*solve)(const ContactProblem& problem, const SolverOptions& options);
   Eigen::Index largest = 0;  ///< most pairs it accepts; 0: no bound
   /// Traits of problems on which it may end without a solution, and then says so. One that lists
   /// Asymmetric throws for such a matrix.
   std::vector<Trait> may_fail = {};
-  /// The same for a problem whose G is left as a product, or null: then G is multiplied out.
-  ContactState (*solve_half)(const HalfProblem& problem, const SolverOptions& options) = nullptr;
+  Takes friction = Takes::No;  ///< whether it takes slips
+  bool rigid_modes = false;    ///< whether it takes rigid modes itself, or needs the springs of solve()
   /// The same from K, p, A and g to the refined end, or null: then the programme is condensed.
   DenseSolution (*solve_programme)(const DenseProgramme& programme,
                                    const SolverOptions& options) = nullptr;
-  /// The same with rigid modes as unknowns, or null: then springs hold them. It may end without a
-  /// solution and says so.
-  FloatingState (*solve_floating)(const FloatingProblem& problem,
-                                  const SolverOptions& options) = nullptr;
+
+  /// \param pairs  most that it accepts \return the member with it
+  [[nodiscard]] Solver up_to(Eigen::Index pairs) const;
+  /// \param traits  on which it may fail \return the member with them
+  [[nodiscard]] Solver may_fail_on(std::vector<Trait> traits) const;
+  /// \param takes  whether it takes slips \return the member with it
+  [[nodiscard]] Solver with_friction(Takes takes) const;
+  /// \return the member, taking rigid modes
+  [[nodiscard]] Solver with_rigid_modes() const;
+  /// \param function  for `solve_programme` \return the member with it
+  [[nodiscard]] Solver on_programmes(decltype(solve_programme) function) const;
 };
 
 /// Whether a member says that it may fail on a trait.
@@ -58,11 +71,21 @@ struct Solver {
 /// \return whether its table line lists it
 [[nodiscard]] bool may_fail(const Solver& solver, Trait trait);
 
-/// The family. A scene that names no solver takes `primal_dual_active_set`: with its fall-back it solves the
+/// The whole family: a line each, with names. A scene that names no solver takes `primal_dual_active_set`: with its fall-back it solves the
 /// same random condensed problems as `quasi_active_set`, 99.8 % of the feasible ones, and on ordinary contact
 /// its own few steps are all it needs.
 /// \return all members, in the order of lists and tables
+[[nodiscard]] const std::vector<Solver>& all_solvers();
+
+/// \return the members that take problems without friction
 [[nodiscard]] const std::vector<Solver>& solvers();
+
+/// \return the members that take friction, the one to use first
+[[nodiscard]] const std::vector<Solver>& friction_solvers();
+
+/// \param family  members
+/// \return their names, with commas
+[[nodiscard]] std::string names_of(const std::vector<Solver>& family);
 
 /// Looks up a member.
 /// \param name  of the solver

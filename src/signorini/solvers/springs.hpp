@@ -1,12 +1,11 @@
 /// \file
-/// Floating problems by any member of the family: springs hold the rigid modes and let go of them.
+/// Any problem by any member of the family: springs hold the rigid modes and let go of them.
 #pragma once
-#include "signorini/problem/floating.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 
-/// Solves a floating problem with any member of the family.
+/// Solves a problem of any kind with a member of the family.
 ///
 /// Springs on the modes, of compliance rho and anchored at a, turn it into a contact problem with
 /// \f$ G + \rho R P R^T \f$ and \f$ d + R (a - \rho P r) \f$. Its forces and the new amplitude
@@ -20,21 +19,22 @@ namespace signorini {
 ///     \begin{pmatrix} -d_W \\ r \end{pmatrix} \f]
 ///
 /// is solved and refined; if all signs are right beyond rounding, that is the solution, and no spring
-/// is left in it. A member with `solve_floating` first tries the whole problem at once, and the springs
-/// come in where that fails. Nothing is to be tuned: on equilibrated data \f$ P = (R^T R)^{-1} \f$ and rho is the
+/// is left in it. A member that takes rigid modes first tries the whole problem at once, and the springs
+/// come in where that fails, if nothing rubs. Nothing is to be tuned: on equilibrated data \f$ P = (R^T R)^{-1} \f$ and rho is the
 /// trace of G, twice as much after each pass that did not halve the spring forces. The first anchor is
 /// where the body meets the first obstacle when it follows its load.
 ///
 /// Whether forces >= 0 can balance r at all is decided before, by the point of the cone of all
 /// \f$ R^T\lambda \f$ that is closest to r: what is missing there is the direction of escape.
-/// \param problem  G, d, R, r
-/// \param solver   a member of solvers()
+/// \param problem  any
+/// \param solver   a member
 /// \param options  handed to it
-/// \return `Solved`; `Infeasible` with `escape` if the load pulls the body away, or with the vector y of
-///   ContactState, for which also R^T y = 0, if gaps contradict each other; `IterationLimit` after 100
-///   passes; else what the solver said. If fewer pairs close than there are modes, the amplitude is one of many
-/// \throws std::invalid_argument as check_problem() and the solver, or if R or r do not fit
-[[nodiscard]] FloatingState solve(const FloatingProblem& problem, const Solver& solver,
-                                  const SolverOptions& options = {});
+/// \return what the member says; with rigid modes `Infeasible` with `escape` if the load pulls the body away,
+///   or with the vector y of ContactState if gaps contradict each other; `IterationLimit` after 100 passes. If fewer
+///   pairs close than there are modes, the amplitude is one of many
+/// \throws ProblemError if the member takes no friction and the problem has it
+/// \throws std::invalid_argument as check_problem() and the solver
+[[nodiscard]] ContactState solve(const ContactProblem& problem, const Solver& solver,
+                                 const SolverOptions& options = {});
 
 }  // namespace signorini

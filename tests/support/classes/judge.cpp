@@ -96,10 +96,6 @@ std::string complaint(const Solver& solver, const std::vector<Trait>& traits,
     }
   const bool must = !excused(solver, traits);
   std::string wrong = judge(instance, solver.solve(instance.problem, {}), must);
-  if (wrong.empty() && solver.solve_half != nullptr && instance.half.size() > 0)
-    wrong = prefixed(
-        "H^T H: ",
-        judge(instance, solver.solve_half({instance.half, instance.problem.free_gap}, {}), must));
   if (wrong.empty() && instance.programme)
     wrong = prefixed("K, p, A, g: ", judge(instance, solve(*instance.programme, solver), must));
   return wrong;

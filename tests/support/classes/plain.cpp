@@ -23,8 +23,7 @@ Instance backwards(std::string name, const MatrixXd& G, const VectorXd& force,
 
 Instance from_programme(std::string name, const DenseProgramme& programme) {
   const DenseCondensed condensed = condense(programme);
-  Instance made{std::move(name), multiplied_out(condensed.problem)};
-  made.half = condensed.problem.half;
+  Instance made{std::move(name), condensed.problem};
   made.programme = programme;
   return made;
 }
@@ -35,7 +34,7 @@ DenseProgramme projection(const MatrixXd& A, const VectorXd& point, const Vector
 
 Instances empty_problem() {
   Instance nothing{"no pair", {MatrixXd(0, 0), VectorXd(0)}};
-  nothing.half = MatrixXd(3, 0);
+  nothing.programme = projection(MatrixXd(0, 3), VectorXd::Zero(3), VectorXd(0));
   return {nothing};
 }
 

@@ -72,7 +72,7 @@ Instances whole_numbers(Kind kind) {
     VectorXd d(m);
     for (Index i = 0; i < m; ++i) d(i) = random.whole(-4, 2);
     Instance instance{text("sample ", sample, ", n = ", n, ", m = ", m), {A * A.transpose(), d}};
-    instance.half = A.transpose();
+    instance.programme = {MatrixXd::Identity(n, n), VectorXd::Zero(n), A, d, 0};
     const Whole G = instance.problem.compliance.cast<std::int64_t>();
     instance.gap = exact_gap(G, d.cast<std::int64_t>());
     Whole table(m, m + 1);
@@ -99,7 +99,8 @@ Instances wedged() {
     Eigen::Matrix2d G;
     G << 1, -1, -1, 1;
     made.push_back({text("too wide by ", width), {G, Eigen::Vector2d(-1, 1 - width)}});
-    made.back().half = Eigen::RowVector2d(1, -1);
+    made.back().programme = {MatrixXd::Identity(1, 1), VectorXd::Zero(1), Eigen::Vector2d(1, -1),
+                             Eigen::Vector2d(-1, 1 - width), 0};
   }
   made.push_back({"a pair that cannot move", {MatrixXd::Zero(1, 1), VectorXd::Constant(1, -1)}});
   for (Instance& instance : made) instance.expected = Status::Infeasible;

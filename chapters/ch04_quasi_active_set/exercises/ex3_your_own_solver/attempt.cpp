@@ -1,5 +1,5 @@
 #include "exercise.hpp"
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/closing.hpp"
 
 namespace ex4_3 {
 
@@ -15,13 +15,13 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
   std::vector<Index> active;  // pairs taken as closed
   Report report;
   report.status = Status::IterationLimit;
-  ClosedPairs now = close_pairs(scaled, active);
+  Closure now = close(scaled, KnownSet{active});
   while (report.iterations < limit) {
     ++report.iterations;
     // your code here: close `active`, find the pairs on the wrong side, exchange all or one of them;
     // end as Breakdown if the set cannot be closed, as Solved if nothing is wrong and solves() agrees
   }
-  return unscaled(scaled, now, active, report);
+  return finished(problem, scaled, now, motions_of(active, n), report);
 }
 
 }  // namespace

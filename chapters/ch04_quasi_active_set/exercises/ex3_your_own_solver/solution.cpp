@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "exercise.hpp"
-#include "signorini/closing/closed_pairs.hpp"
+#include "signorini/closing/closing.hpp"
 
 namespace ex4_3 {
 
@@ -10,11 +10,12 @@ using Eigen::Index;
 
 namespace {
 
-std::vector<Index> wrong_pairs(const std::vector<bool>& closed, const ClosedPairs& now) {
+std::vector<Index> wrong_pairs(const std::vector<bool>& closed, const Closure& now) {
   std::vector<Index> wrong;
   for (std::size_t k = 0; k < closed.size(); ++k) {
     const Index i = static_cast<Index>(k);
-    if (closed[k] ? now.force(i) < -now.force_rounding(i) : now.gap(i) < -now.gap_rounding(i))
+    if (closed[k] ? now.force(i) < -now.force_rounding
+                  : now.movement(i) < -now.movement_rounding(i))
       wrong.push_back(i);
   }
   return wrong;
@@ -30,22 +31,21 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
   Index record = n + 1;
   int left = patience;
   Report report;
-  ClosedPairs now;
+  Closure now;
   while (true) {
     active.clear();
     for (Index i = 0; i < n; ++i)
       if (closed[static_cast<std::size_t>(i)]) active.push_back(i);
-    now = close_pairs(scaled, active);
+    now = close(scaled, KnownSet{active});
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
-    if (!now.solvable) {
+    if (now.rows.size() < active.size()) {
       report.status = Status::Breakdown;
-      now.gap = scaled.free_gap;
       break;
     }
     std::vector<Index> wrong = wrong_pairs(closed, now);
     if (wrong.empty()) {
-      report.status = solves(scaled, now) ? Status::Solved : Status::Breakdown;
+      report.status = solves(scaled, motions_of(active, n), now) ? Status::Solved : Status::Breakdown;
       break;
     }
     if (report.iterations >= limit) {
@@ -58,7 +58,7 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
     if (left < 0) wrong.assign(1, wrong.back());  // one pair, the one with the highest number
     for (const Index i : wrong) closed[static_cast<std::size_t>(i)].flip();
   }
-  return unscaled(scaled, now, active, report);
+  return finished(problem, scaled, now, motions_of(active, n), report);
 }
 
 }  // namespace

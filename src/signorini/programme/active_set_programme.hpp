@@ -1,7 +1,8 @@
 /// \file
-/// The quasi-active-set method on a quadratic programme, condensed on demand.
+/// The methods that grow an active set on a quadratic programme, condensed on demand.
 #pragma once
 #include "signorini/programme/dense_programme.hpp"
+#include "signorini/solvers/goldfarb_idnani.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"
 
 namespace signorini {
@@ -16,5 +17,13 @@ namespace signorini {
 /// \throws std::invalid_argument, ProblemError as condense()
 [[nodiscard]] DenseSolution quasi_active_set(const DenseProgramme& programme,
                                              const SolverOptions& options = {});
+
+/// goldfarb_idnani() for a quadratic programme, in the same way.
+/// \param programme  K, p, A, g
+/// \param options    `iteration_limit` 0 stands for 100 m + 100
+/// \return as above
+/// \throws std::invalid_argument, ProblemError as condense()
+[[nodiscard]] DenseSolution goldfarb_idnani(const DenseProgramme& programme,
+                                            const SolverOptions& options = {});
 
 }  // namespace signorini

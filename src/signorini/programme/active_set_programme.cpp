@@ -1,4 +1,4 @@
-#include "signorini/programme/quasi_active_set_programme.hpp"
+#include "signorini/programme/active_set_programme.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -11,14 +11,9 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using Rows = std::vector<Index>;
 
-Index limit_of(const SolverOptions& options, Index count) {
-  return options.iteration_limit > 0 ? options.iteration_limit : 10 * count + 100;
-}
-
-GapRows rows_of(ProgrammeRows& programme) {
-  GapRows rows;
+RowSource rows_of(ProgrammeRows& programme) {
+  RowSource rows;
   rows.count = programme.count();
   rows.equations = programme.equations();
   rows.rank = std::min(programme.unknowns(), rows.count);
@@ -33,22 +28,12 @@ GapRows rows_of(ProgrammeRows& programme) {
   return rows;
 }
 
-Rows sorted_active(const ClosedBasis& basis, Index equations) {
-  Rows active;
-  active.reserve(basis.rows().size());
-  for (const Index row : basis.rows())
-    if (row >= equations) active.push_back(row);
-  std::sort(active.begin(), active.end());
-  return active;
-}
-
-}  // namespace
-
-DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOptions& options) {
+DenseSolution grow_active_set(const DenseProgramme& programme, Index limit,
+                              GroupActiveSet::Pace pace) {
   ProgrammeRows data(programme);
-  const GapRows rows = rows_of(data);
+  const RowSource rows = rows_of(data);
   DenseSolution solution;
-  GroupActiveSet method(rows, data.empty_basis(), solution.report, limit_of(options, rows.count));
+  GroupActiveSet method(rows, data.empty_basis(), solution.report, limit, pace);
   Status status = rows.equations > 0 ? method.close_equations() : Status::Solved;
   if (status != Status::Solved) {  // contradictory equations: where the others are closed
     solution.refined.displacement = data.displacement();
@@ -66,7 +51,7 @@ DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOpti
     if (round == rows.count + 10) status = Status::Breakdown;
     method.release(refined.tension);
   }
-  solution.active = sorted_active(method.basis(), rows.equations);
+  solution.active = sorted_rows(method.basis(), rows.equations);
   solution.report.status = status;
   if (status == Status::Infeasible) {
     solution.infeasibility.setZero(rows.count);
@@ -81,6 +66,20 @@ DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOpti
       solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
   }
   return solution;
+}
+
+}  // namespace
+
+DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOptions& options) {
+  const Index own = 10 * programme.initial_gap.size() + 100;
+  return grow_active_set(programme, options.iteration_limit > 0 ? options.iteration_limit : own,
+                         GroupActiveSet::Pace::Groups);
+}
+
+DenseSolution goldfarb_idnani(const DenseProgramme& programme, const SolverOptions& options) {
+  const Index own = 100 * programme.initial_gap.size() + 100;
+  return grow_active_set(programme, options.iteration_limit > 0 ? options.iteration_limit : own,
+                         GroupActiveSet::Pace::Single);
 }
 
 }  // namespace signorini

@@ -1,0 +1,222 @@
+#include "signorini/closing/closing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "signorini/core/exact_vector.hpp"
+#include "signorini/core/rounding.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Rows = std::vector<Index>;
+
+bool has_slopes(const KnownSet& set) {
+  for (const SlidingPair& pair : set.sliding)
+    if (pair.slope != 0) return true;
+  return false;
+}
+
+/// Positions of the rows of a block that are independent of those before them, by a Cholesky factor that
+/// grows row by row: a squared pivot of rounding size means that a row repeats others.
+Rows independent_rows(const MatrixXd& block, double tiny) {
+  MatrixXd L(block.rows(), block.rows());
+  Rows chosen;
+  for (Index i = 0; i < block.rows(); ++i) {
+    const Index k = static_cast<Index>(chosen.size());
+    VectorXd row = block(chosen, i);
+    L.topLeftCorner(k, k).triangularView<Eigen::Lower>().solveInPlace(row);
+    const double pivot = block(i, i) - row.squaredNorm();
+    if (pivot <= tiny * block(i, i)) continue;
+    L.row(k).head(k) = row.transpose();
+    L(k, k) = std::sqrt(pivot);
+    chosen.push_back(i);
+  }
+  return chosen;
+}
+
+/// Orthonormal columns that span what the rows of a matrix span, to rounding.
+MatrixXd row_space(const MatrixXd& matrix) {
+  if (matrix.size() == 0) return MatrixXd(matrix.cols(), 0);
+  const SingularValues all = singular_values(matrix);
+  const double threshold =
+      static_cast<double>(matrix.rows() + matrix.cols()) * epsilon * all.values(0);
+  return all.V.leftCols((all.values.array() > threshold).count());
+}
+
+/// Puts every friction force that is at its bound there.
+void impose(const KnownSet& set, VectorXd& force) {
+  for (const SlidingPair& pair : set.sliding)  // LinEtAl 15, 16
+    force(pair.slip) = pair.slope * force(pair.gap) + pair.offset;
+}
+
+/// The numbers to start from: no force that the set excludes.
+void begin(const ScaledProblem& problem, const Rows& support, const Closure* start, Closure& now) {
+  now.force.setZero(problem.free.size());
+  now.amplitude.setZero(problem.rigid.cols());
+  if (start == nullptr) return;
+  if (start->amplitude.size() == now.amplitude.size() && start->amplitude.allFinite())
+    now.amplitude = start->amplitude;
+  if (start->force.size() == now.force.size() && start->force.allFinite())
+    now.force(support) = start->force(support);
+}
+
+/// All movements of the forces, what rounding may have done to them, and whether the equations hold.
+void settle(const ScaledProblem& problem, const Rows& support, Closure& now) {
+  const Index modes = problem.rigid.cols();
+  now.movement = problem.free;
+  VectorXd size = problem.free.cwiseAbs();
+  for (const Index j : support) {
+    now.movement += now.force(j) * problem.compliance.col(j);
+    size += std::abs(now.force(j)) * problem.compliance.col(j).cwiseAbs();
+  }
+  for (Index j = 0; j < modes; ++j) {
+    now.movement += now.amplitude(j) * problem.rigid.col(j);
+    size += std::abs(now.amplitude(j)) * problem.rigid.col(j).cwiseAbs();
+  }
+  const double rounding = static_cast<double>(support.size() + modes + 1) * epsilon;
+  now.force_rounding = rounding * largest(now.force);
+  now.movement_rounding = rounding * size;
+  now.solvable = now.force.allFinite() && now.movement.allFinite();
+  for (const Index row : now.rows) {
+    if (!now.closes(row)) now.solvable = false;
+    now.movement(row) = 0;
+  }
+  for (Index j = 0; j < modes; ++j) {
+    const double terms =
+        std::abs(problem.resultant(j)) + problem.rigid.col(j).cwiseAbs().dot(now.force.cwiseAbs());
+    ExactVector left(VectorXd::Constant(1, -problem.resultant(j)));
+    left.add_products(problem.rigid.col(j), now.force);
+    if (std::abs(left.value()(0)) > 2 * rounding * terms) now.solvable = false;
+  }
+}
+
+}  // namespace
+
+Closing::Closing(const ScaledProblem& problem, const KnownSet& set) : rows_(set.closed) {
+  symmetric_ = problem.symmetric && !has_slopes(set);
+  if (symmetric_)
+    factor_symmetric(problem);
+  else
+    factor_general(problem, set);
+}
+
+void Closing::factor_symmetric(const ScaledProblem& problem) {
+  const Index modes = problem.rigid.cols();
+  const double trace = problem.compliance.trace();
+  rho_ = modes > 0 ? (trace > 0 ? trace : 1) : 0;
+  MatrixXd block = problem.compliance(rows_, rows_);
+  if (modes > 0) {
+    rigid_ = problem.rigid(rows_, Eigen::all);
+    block.noalias() += rho_ * rigid_ * rigid_.transpose();
+  }
+  const double tiny = 2 * static_cast<double>(rows_.size() + 1) * epsilon;
+  if (!rows_.empty()) factor_ = CholeskyFactor(block);
+  if (!rows_.empty() &&
+      (!factor_.positive() || (factor_.lower().diagonal().array().square() <=
+                               tiny * block.diagonal().array()).any())) {
+    const Rows chosen = independent_rows(block, tiny);
+    const MatrixXd kept = block(chosen, chosen);
+    factor_ = chosen.empty() ? CholeskyFactor() : CholeskyFactor(kept);
+    Rows rows;
+    for (const Index i : chosen) rows.push_back(rows_[static_cast<std::size_t>(i)]);
+    rows_ = std::move(rows);
+    if (modes > 0) rigid_ = problem.rigid(rows_, Eigen::all);
+  }
+  if (modes == 0) return;
+  held_ = row_space(rigid_);
+  if (held_.cols() == 0) return;
+  MatrixXd half = rigid_ * held_;
+  solve_lower_columns(factor_.lower(), half);
+  schur_ = CholeskyFactor(half.transpose() * half);
+  spread_ = factor_.solve_columns(rigid_ * held_);
+}
+
+void Closing::factor_general(const ScaledProblem& problem, const KnownSet& set) {
+  const Index m = static_cast<Index>(rows_.size());
+  const Index k = problem.rigid.cols();
+  if (m + k == 0) return;
+  MatrixXd M = MatrixXd::Zero(m + k, m + k);
+  M.topLeftCorner(m, m) = problem.compliance(rows_, rows_);
+  if (k > 0) {
+    M.topRightCorner(m, k) = problem.rigid(rows_, Eigen::all);
+    M.bottomLeftCorner(k, m) = M.topRightCorner(m, k).transpose();
+  }
+  for (const SlidingPair& pair : set.sliding) {
+    const Index column = std::find(rows_.begin(), rows_.end(), pair.gap) - rows_.begin();
+    M.col(column).head(m) += pair.slope * problem.compliance(rows_, pair.slip);
+    if (k > 0) M.col(column).tail(k) += pair.slope * problem.rigid.row(pair.slip).transpose();
+  }
+  general_ = LuFactor(M);
+  const bool regular = general_.rcond() > static_cast<double>(m + k + 1) * epsilon;
+  if (!regular) inverse_ = pseudo_inverse(M);
+  // The sign of a determinant, which itself may overflow.
+  const bool odd = (general_.pivots().array() < 0).count() % 2 == 1;
+  const bool negative = odd != (general_.permutation_sign() < 0);
+  reversed_ = regular && negative != (k % 2 == 1);
+}
+
+std::pair<VectorXd, VectorXd> Closing::solve(const VectorXd& top, const VectorXd& bottom) const {
+  const Index m = top.size();
+  if (!symmetric_) {
+    if (m + bottom.size() == 0) return {top, bottom};
+    VectorXd right(m + bottom.size());
+    right << top, bottom;
+    const VectorXd both = inverse_.size() > 0 ? VectorXd(inverse_ * right) : general_.solve(right);
+    return {both.head(m), both.tail(bottom.size())};
+  }
+  VectorXd amplitude = VectorXd::Zero(bottom.size());
+  if (m == 0) return {top, amplitude};
+  if (bottom.size() == 0) return {factor_.solve(top), amplitude};
+  VectorXd load = top + rho_ * (rigid_ * bottom);
+  if (held_.cols() > 0)
+    amplitude = held_ * schur_.solve(spread_.transpose() * load - held_.transpose() * bottom);
+  load -= rigid_ * amplitude;
+  return {factor_.solve(load), amplitude};
+}
+
+Closure close(const ScaledProblem& problem, const KnownSet& set, const Closure* start) {
+  const Closing system(problem, set);
+  const Rows& rows = system.rows();
+  Rows support = set.closed;
+  for (const SlidingPair& pair : set.sliding) support.push_back(pair.slip);
+  Closure now;
+  now.rows = rows;
+  std::sort(now.rows.begin(), now.rows.end());
+  now.reversed = system.reversed();
+  begin(problem, support, start, now);
+  impose(set, now.force);
+  const Index modes = problem.rigid.cols();
+  const MatrixXd columns = problem.compliance(rows, support);
+  const MatrixXd rigid = modes > 0 ? MatrixXd(problem.rigid(rows, Eigen::all)) : MatrixXd();
+  for (int step = 0; step < 4 && !(rows.empty() && modes == 0); ++step) {
+    ExactVector moved(problem.free(rows));
+    for (std::size_t c = 0; c < support.size(); ++c)
+      if (now.force(support[c]) != 0)
+        moved.add_product(columns.col(static_cast<Index>(c)), now.force(support[c]));
+    ExactVector balance(modes > 0 ? VectorXd(-problem.resultant) : VectorXd());
+    if (modes > 0) balance.add_products(problem.rigid, now.force);
+    for (Index j = 0; j < modes; ++j) moved.add_product(rigid.col(j), now.amplitude(j));
+    const auto [change, turn] = system.solve(-moved.value(), -balance.value());
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      now.force(rows[r]) += change(static_cast<Index>(r));
+    now.amplitude += turn;
+    impose(set, now.force);
+    // The first sweep solves, two refine: forces much smaller than the largest need the second as well.
+    if (step >= 2 && largest(change) <= 0.25 * epsilon * largest(now.force) &&
+        largest(turn) <= 0.25 * epsilon * largest(now.amplitude))
+      break;
+  }
+  settle(problem, support, now);
+  return now;
+}
+
+Closure close(const ScaledProblem& problem, const std::vector<Motion>& motions,
+              const Closure* start) {
+  return close(problem, known_set(motions, problem.law), start);
+}
+
+}  // namespace signorini

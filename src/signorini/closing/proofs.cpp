@@ -1,0 +1,241 @@
+#include "signorini/closing/proofs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "signorini/core/exact_sum.hpp"
+#include "signorini/core/rounding.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// What rounding may have done to numbers that a proof rests on.
+constexpr double proof_rounding = 1e3 * epsilon;
+
+/// A^T y for the first rows of A, summed in twice the working precision.
+VectorXd combined(const MatrixXd& A, const VectorXd& y) {
+  VectorXd result(A.cols());
+  for (Index j = 0; j < A.cols(); ++j) {
+    ExactSum sum;
+    for (Index i = 0; i < y.size(); ++i) sum.add_product(A(i, j), y(i));
+    result(j) = sum.value();
+  }
+  return result;
+}
+
+/// The resultants that contact can give: one edge of each friction cone on either side, and then the tangential
+/// direction of each cohesive pair, of which only so much can be had.
+struct Pushes {
+  MatrixXd direction;  ///< `m x k` one row each
+  VectorXd most;       ///< `m`, infinite but for cohesion
+  VectorXd target;     ///< `k`; cohesion counts from -c
+};
+
+Pushes pushes(const ScaledProblem& problem) {
+  const Index pairs = problem.pairs();
+  const Index slips = problem.law.coefficient.size();
+  const Index cohesive = (problem.law.cohesion.array() > 0).count();
+  Pushes all{MatrixXd(pairs + slips + cohesive, problem.rigid.cols()),
+             VectorXd::Constant(pairs + slips + cohesive, std::numeric_limits<double>::infinity()),
+             problem.resultant};
+  all.direction.topRows(pairs) = problem.rigid.topRows(pairs);
+  Index last = pairs + slips;
+  for (Index k = 0; k < slips; ++k) {
+    const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+    const double mu = problem.law.coefficient(k);
+    const double c = problem.law.cohesion(k);
+    all.direction.row(pair) += mu * problem.rigid.row(pairs + k);
+    all.direction.row(pairs + k) = problem.rigid.row(pair) - mu * problem.rigid.row(pairs + k);
+    if (!(c > 0)) continue;
+    all.direction.row(last) = problem.rigid.row(pairs + k);
+    all.target += c * problem.rigid.row(pairs + k).transpose();
+    all.most(last++) = 2 * c;
+  }
+  return all;
+}
+
+/// What the nearest resultant that contact can give lacks of the target: the least |D^T w - t| with
+/// 0 <= w <= most, by an active set of weights that are at no bound.
+VectorXd lacking(const Pushes& all) {
+  const MatrixXd& D = all.direction;
+  VectorXd weight = VectorXd::Zero(D.rows());
+  std::vector<Index> used;
+  const double rounding =
+      static_cast<double>(D.rows() + D.cols()) * epsilon * all.target.norm();
+  while (true) {
+    const VectorXd missing = all.target - D.transpose() * weight;
+    VectorXd gain = D * missing;
+    for (Index i = 0; i < gain.size(); ++i)  // at its upper bound a weight can only fall
+      if (weight(i) > 0) gain(i) = weight(i) == all.most(i) ? -gain(i) : 0;
+    for (const Index i : used) gain(i) = 0;
+    Index next = 0;
+    if (gain.size() == 0 || gain.maxCoeff(&next) <= rounding) break;
+    const VectorXd before = weight;
+    used.push_back(next);
+    for (bool done = false; !done && !used.empty();) {
+      VectorXd rest = all.target;  // what the weights at their bounds leave
+      for (Index i = 0; i < weight.size(); ++i)
+        if (std::find(used.begin(), used.end(), i) == used.end())
+          rest -= weight(i) * D.row(i).transpose();
+      const VectorXd best = least_norm_solution(D(used, Eigen::all).transpose(), rest);
+      double part = 1;
+      for (std::size_t k = 0; k < used.size(); ++k) {
+        const double now = weight(used[k]);
+        const double end = best(static_cast<Index>(k));
+        if (end <= 0) part = std::min(part, now / (now - end));
+        if (end > all.most(used[k]))
+          part = std::min(part, (all.most(used[k]) - now) / (end - now));
+      }
+      std::vector<Index> kept;
+      for (std::size_t k = 0; k < used.size(); ++k) {
+        double& now = weight(used[k]);
+        now += part * (best(static_cast<Index>(k)) - now);
+        const bool low = part < 1 && now <= rounding;
+        const bool high = part < 1 && now >= all.most(used[k]) - rounding;
+        if (low) now = 0;
+        if (high) now = all.most(used[k]);
+        if (!low && !high) kept.push_back(used[k]);
+      }
+      done = kept.size() == used.size();
+      used = std::move(kept);
+    }
+    if ((all.target - D.transpose() * weight).norm() >= missing.norm()) {  // only rounding moved
+      weight = before;
+      break;
+    }
+  }
+  VectorXd way = D.transpose() * weight - all.target;
+  // The difference of two close numbers. What it must be orthogonal to, pushes that are at no bound, gives back
+  // the digits that it lost.
+  if (used.empty()) return way;
+  const MatrixXd Q = column_span(D(used, Eigen::all).transpose()).basis;
+  for (int step = 0; step < 2; ++step) way -= Q * (Q.transpose() * way);
+  return way;
+}
+
+/// Whether a direction proves that nothing balances r.
+bool proves(const ScaledProblem& problem, const VectorXd& way) {
+  const Index pairs = problem.pairs();
+  const VectorXd moved = problem.rigid * way;
+  VectorXd opening = moved.head(pairs);
+  VectorXd rounding = VectorXd::Constant(pairs, proof_rounding * way.norm());
+  double work = problem.resultant.dot(way);
+  double terms = problem.resultant.cwiseAbs().dot(way.cwiseAbs());
+  for (Index k = 0; k < problem.law.coefficient.size(); ++k) {
+    const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+    const double slip = std::abs(moved(pairs + k));
+    opening(pair) -= problem.law.coefficient(k) * slip;
+    rounding(pair) *= 1 + problem.law.coefficient(k);
+    work += problem.law.cohesion(k) * slip;
+    terms += problem.law.cohesion(k) * slip;
+  }
+  return (opening.array() >= -rounding.array()).all() && work < -proof_rounding * terms;
+}
+
+/// G - C T^-1 C^T - mu |T| mu / 4, or nothing if T is not positive definite.
+bool bound_excludes_others(const ScaledProblem& problem) {
+  const MatrixXd& F = problem.compliance;
+  const Index pairs = problem.pairs();
+  const Index slips = F.rows() - pairs;
+  MatrixXd S = F.topLeftCorner(pairs, pairs);
+  if (pairs == 0) return true;
+  if (slips > 0) {
+    const MatrixXd T = F.bottomRightCorner(slips, slips);
+    const CholeskyFactor tangential(T);
+    if (!tangential.positive()) return false;
+    const MatrixXd C = F.topRightCorner(pairs, slips);
+    S.noalias() -= C * tangential.solve_columns(C.transpose());
+    const double largest = symmetric_eigenvalues(T).maxCoeff();
+    for (Index k = 0; k < slips && !C.isZero(0); ++k) {
+      const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+      S(pair, pair) -= 0.25 * largest * std::pow(problem.law.coefficient(k), 2);
+    }
+  }
+  // Rounding of the entries, which are at most 1, must not decide.
+  S.diagonal().array() -= static_cast<double>(pairs) * proof_rounding;
+  return CholeskyFactor(S).positive();
+}
+
+}  // namespace
+
+bool refutes(const ContactProblem& problem, const VectorXd& y) {
+  const VectorXd& d = problem.free_gap;
+  if (y.size() != d.size() || y.size() == 0 || !y.allFinite() || (y.array() < 0).any())
+    return false;
+  ExactSum overlap;
+  for (Index i = 0; i < y.size(); ++i) overlap.add_product(-d(i), y(i));
+  const double lost = static_cast<double>(y.size()) * proof_rounding * d.cwiseAbs().dot(y);
+  if (!(overlap.value() > lost)) return false;
+  const VectorXd scale = pair_scales(problem.compliance);
+  const VectorXd scaled = y.cwiseQuotient(scale.head(y.size()));
+  if (problem.rigid.cols() > 0) {
+    const VectorXd terms = problem.rigid.topRows(y.size()).cwiseAbs().transpose() * y;
+    const VectorXd moved = combined(problem.rigid, y).cwiseAbs();
+    if ((moved.array() > proof_rounding * terms.array()).any()) return false;
+  }
+  const double deepest = -d.cwiseProduct(scale.head(y.size())).minCoeff();
+  const double most =
+      combined(problem.compliance, y).cwiseProduct(scale).cwiseAbs().maxCoeff();
+  return most <= proof_rounding * scaled.sum() &&
+         most * deepest < overlap.value() * std::sqrt(epsilon);
+}
+
+VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& active,
+                       Index pair) {
+  ScaledProblem pressed = problem;
+  pressed.free = problem.compliance.col(pair);
+  if (problem.rigid.cols() > 0) pressed.resultant = -problem.rigid.row(pair).transpose();
+  const Closure held = close(pressed, KnownSet{active});
+  if (!held.solvable || held.rows.size() < active.size()) return {};
+  VectorXd y = held.force.head(problem.pairs()).cwiseMax(0.0);  // what is no rounding shows in G y
+  y(pair) = 1;
+  y /= y.sum();
+  if (!refutes(as_posed(problem), y)) return {};
+  return problem.scale.head(y.size()).cwiseProduct(y);
+}
+
+VectorXd escape(const ScaledProblem& problem) {
+  if (problem.loose.size() > 0) return problem.loose;
+  if (problem.rigid.cols() == 0 || problem.resultant.isZero(0)) return {};
+  const VectorXd way = lacking(pushes(problem));
+  if (!way.allFinite() || !proves(problem, way)) return {};
+  return problem.inverse * way;
+}
+
+ContactState escaping(const ContactProblem& problem, const ScaledProblem& scaled, VectorXd way) {
+  Closure none;
+  none.force = VectorXd::Zero(scaled.free.size());
+  none.movement = scaled.free;
+  none.amplitude = VectorXd::Zero(scaled.rigid.cols());
+  ContactState state =
+      finished(problem, scaled, none, motions_of({}, scaled.pairs()), Report());
+  state.report.status = Status::Infeasible;
+  if (!problem.law.pair.empty())
+    state.reason =
+        "no contact forces within their friction bounds balance the load: the body moves away";
+  state.escape = std::move(way);
+  return state;
+}
+
+Uniqueness uniqueness(const ScaledProblem& problem, const Closure& solution) {
+  const Index pairs = problem.pairs();
+  const FrictionLaw& law = problem.law;
+  if (solution.reversed) return Uniqueness::Doubtful;
+  for (Index k = 0; k < law.coefficient.size(); ++k) {
+    const Index pair = law.pair[static_cast<std::size_t>(k)];
+    if (law.coefficient(k) * std::abs(problem.compliance(pair, pairs + k)) >
+        problem.compliance(pair, pair))
+      return Uniqueness::Doubtful;
+  }
+  const bool rubs = !law.coefficient.isZero(0) || !law.cohesion.isZero(0);
+  if (rubs && (problem.rigid.cols() > 0 || !law.cohesion.isZero(0))) return Uniqueness::Unknown;
+  return bound_excludes_others(problem) ? Uniqueness::Proved : Uniqueness::Unknown;
+}
+
+}  // namespace signorini

@@ -1,0 +1,215 @@
+#include "signorini/programme/road.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "signorini/core/rounding.hpp"
+#include "signorini/solvers/springs.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// The road, one pass of the solver after another.
+class Road {
+ public:
+  Road(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
+       const MatrixXd& modes, Ledger& ledger)
+      : programme_(programme),
+        condensed_(condensed),
+        modes_(modes),
+        ledger_(ledger),
+        problem_(condensed.problem),
+        now_{condensed.free_displacement, {}, {}},
+        amplitude_(VectorXd::Zero(modes.cols())) {}
+
+  CertifiedEnd run(const Solver& solver, const SolverOptions& options);
+
+ private:
+  /// Whether a claim is worth refining.
+  [[nodiscard]] bool usable(const ContactState& claim) const;
+  /// Refines a claim and changes pairs while fewer and fewer are wrong. \return whether all signs are right,
+  /// or nothing new can be tried
+  bool settle(std::vector<Motion> motions);
+  /// Says what the pairs do by what they do: a set whose equations depend on each other, or contradict each
+  /// other by as little as the certificate allows, need not be that of its numbers.
+  void read_off();
+  /// Puts the movements that displacements give in the place of those that the condensed data gave, and what
+  /// K u, which should do no work along rigid motions, does there in the place of the load.
+  void correct();
+  /// Takes over what a solver says about its run.
+  void take_over(const ContactState& claim, bool corrected);
+  /// Fills the end.
+  void conclude();
+  /// Refines one set and keeps it if no certificate was better.
+  Judgement look(const std::vector<Motion>& motions);
+
+  const QuadraticProgramme& programme_;
+  const CondensedProgramme& condensed_;
+  const MatrixXd& modes_;
+  Ledger& ledger_;
+  ContactProblem problem_;  // condensed, corrected from pass to pass
+  PrimalDual now_;
+  VectorXd amplitude_;
+  Refinement refined_;
+  std::set<std::vector<Motion>> seen_;
+  CertifiedEnd end_;
+  VectorXd movement_;            // of end_
+  std::vector<Motion> motions_;  // of end_
+  bool confirmed_ = false;       // whether all signs of end_ are right
+};
+
+bool Road::usable(const ContactState& claim) const {
+  const Status status = claim.report.status;
+  return status != Status::Infeasible && status != Status::Feasible && claim.escape.size() == 0 &&
+         claim.force.allFinite() && claim.friction.allFinite() && claim.amplitude.allFinite() &&
+         claim.force.size() == problem_.free_gap.size();
+}
+
+Judgement Road::look(const std::vector<Motion>& motions) {
+  refined_ = refine(programme_, condensed_.solve_stiffness, problem_, now_, motions, modes_);
+  ledger_.count("sets", 1);
+  ledger_.count("solves", refined_.solves);
+  now_ = refined_.solution;
+  amplitude_ += refined_.amplitude;
+  Judgement verdict = judge(programme_, problem_.law, refined_, motions, modes_);
+  const Certificate certificate = certify(programme_, now_, problem_.law);
+  if (verdict.confirmed || !(end_.certificate.worst() <= certificate.worst())) {
+    confirmed_ = verdict.confirmed;
+    end_.certificate = certificate;
+    end_.solution = now_;
+    end_.state.amplitude = amplitude_;
+    movement_ = refined_.movement;
+    motions_ = motions;
+  }
+  return verdict;
+}
+
+void Road::read_off() {
+  const double small = 1e-12;  // what a certificate lets pass
+  const double small_force = small * largest(end_.solution.force);
+  const double small_length = small * largest(end_.solution.displacement);
+  const Index pairs = static_cast<Index>(motions_.size());
+  for (Index i = 0; i < pairs; ++i)
+    if (movement_(i) > small_length && end_.solution.force(i) <= small_force)
+      motions_[static_cast<std::size_t>(i)] = Motion::Open;
+    else if (motions_[static_cast<std::size_t>(i)] == Motion::Open)
+      motions_[static_cast<std::size_t>(i)] = Motion::Stick;
+  for (std::size_t k = 0; k < problem_.law.pair.size(); ++k) {
+    Motion& motion = motions_[static_cast<std::size_t>(problem_.law.pair[k])];
+    const double slip = movement_(pairs + static_cast<Index>(k));
+    if (motion != Motion::Open && std::abs(slip) > small_length)
+      motion = slip > 0 ? Motion::Forward : Motion::Backward;
+  }
+}
+
+bool Road::settle(std::vector<Motion> motions) {
+  const Ledger::Phase phase(ledger_, "refinement");
+  for (Index last = std::numeric_limits<Index>::max();;) {
+    if (!seen_.insert(motions).second) return last == std::numeric_limits<Index>::max();
+    Judgement verdict = look(motions);
+    if (verdict.confirmed || !now_.displacement.allFinite()) return true;
+    if (!refined_.settled || verdict.wrong == 0 || verdict.wrong >= last) return false;
+    last = verdict.wrong;
+    motions = std::move(verdict.motions);
+  }
+}
+
+void Road::correct() {
+  VectorXd free = refined_.movement - problem_.compliance * refined_.solution.force;
+  if (modes_.cols() > 0) {
+    free -= problem_.rigid * amplitude_;
+    PrimalDual strained = now_;
+    strained.force.setZero();
+    problem_.resultant = -modes_.transpose() * equilibrium_residual(programme_, strained);
+  }
+  const Index pairs = problem_.free_gap.size();
+  problem_.free_gap = free.head(pairs);
+  problem_.free_slip = free.tail(free.size() - pairs);
+}
+
+void Road::take_over(const ContactState& claim, bool corrected) {
+  ContactState& state = end_.state;
+  append(state.report, claim.report);
+  state.uniqueness = claim.uniqueness;
+  state.reason = claim.reason;
+  state.escape = claim.escape;
+  state.infeasibility = claim.infeasibility;
+  // What is proved of the corrected problem is not proved of the one that was posed.
+  if (corrected && claim.report.status == Status::Infeasible) {
+    state.report.status = Status::Breakdown;
+    state.escape.resize(0);
+    state.infeasibility.resize(0);
+  }
+}
+
+CertifiedEnd Road::run(const Solver& solver, const SolverOptions& options) {
+  // Every pass brings a new set, but sets are too many to try: a pass that does not halve the worst figure of
+  // the certificate has no successor but one.
+  double best = std::numeric_limits<double>::infinity();
+  bool corrected = false;
+  for (int idle = 0; idle < 2; corrected = true) {
+    ContactState claim;
+    {
+      const Ledger::Phase phase(ledger_, "contact");
+      claim = solve(problem_, solver, options);
+    }
+    take_over(claim, corrected);
+    if (!usable(claim)) break;
+    now_.force.resize(claim.force.size() + claim.friction.size());
+    now_.force << claim.force, claim.friction;
+    if (modes_.cols() > 0 && claim.report.status == Status::Solved) {
+      add_rigid(now_, modes_ * (claim.amplitude - amplitude_));
+      amplitude_ = claim.amplitude;
+    }
+    if (settle(all_motions(claim))) break;
+    if (!refined_.settled) break;  // nothing to correct the condensed problem with
+    const double worst = end_.certificate.worst();
+    idle = worst < 0.5 * best ? 0 : idle + 1;
+    best = std::min(best, worst);
+    correct();
+  }
+  conclude();
+  return std::move(end_);
+}
+
+void Road::conclude() {
+  ContactState& state = end_.state;
+  if (end_.certificate.holds()) {
+    if (!confirmed_) read_off();
+    state.report.status = Status::Solved;
+    state.reason.clear();
+    state.escape.resize(0);
+    state.infeasibility.resize(0);
+  } else if (state.report.status == Status::Solved) {
+    state.report.status = Status::Breakdown;
+    state.reason = "the forces and displacements found do not fit the original data";
+  }
+  if (motions_.empty() && movement_.size() == 0) return;
+  const Index pairs = problem_.free_gap.size();
+  const Index slips = movement_.size() - pairs;
+  state.force = end_.solution.force.head(pairs);
+  state.friction = end_.solution.force.tail(slips);
+  state.gap = movement_.head(pairs);
+  state.slip = movement_.tail(slips);
+  state.active = closed_pairs(motions_);
+  state.rubbing = problem_.law.pair;
+  for (const Index pair : problem_.law.pair)
+    state.motion.push_back(motions_[static_cast<std::size_t>(pair)]);
+}
+
+}  // namespace
+
+CertifiedEnd certified_end(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
+                           const MatrixXd& null_vectors, const Solver& solver,
+                           const SolverOptions& options, Ledger& ledger) {
+  return Road(programme, condensed, null_vectors, ledger).run(solver, options);
+}
+
+}  // namespace signorini

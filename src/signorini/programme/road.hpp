@@ -1,0 +1,48 @@
+/// \file
+/// The one road from a condensed programme to a certified solution.
+#pragma once
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "signorini/core/ledger.hpp"
+#include "signorini/programme/refine.hpp"
+#include "signorini/solvers/solvers.hpp"
+
+namespace signorini {
+
+/// A programme with the displacements eliminated, and the way back.
+struct CondensedProgramme {
+  const ContactProblem& problem;             ///< F, d, s, law, R, r
+  const Eigen::VectorXd& free_displacement;  ///< u0 = K^-1 p `n` [length]
+  /// K^-1 applied to a vector [force] -> [length]; with rigid modes that of the grounded K
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> solve_stiffness;
+};
+
+/// Where the road ends. Unless `state.report.status` is Solved, the numbers are those of the best set that could
+/// be refined, or empty if none could.
+struct CertifiedEnd {
+  PrimalDual solution;  ///< u in two parts, and the forces of all rows of A
+  ContactState state;   ///< the same forces, gaps, slips and amplitudes, what the pairs do, and the report
+  Certificate certificate = uncertified();  ///< of `solution`, from the original data
+};
+
+/// Solves the condensed problem, refines what the solver claims from the original data, changes pairs that the
+/// refined numbers show on the wrong side while fewer and fewer are, and certifies. Where that ends in no
+/// solution, the condensed problem gets the free movements of the refined numbers, which rounding had
+/// misplaced, and is solved again; and so on as long as certificates become better.
+/// \param programme     K, p, A, g as they were posed; slips in the last rows of A
+/// \param condensed     made of it
+/// \param null_vectors  N `n x n_r`, or nothing
+/// \param solver        a member that takes such problems
+/// \param options       handed to it
+/// \param ledger        gets the phases `contact` and `refinement`, and counts of sets and solves
+/// \return the end
+/// \throws ProblemError, std::invalid_argument as the solver
+[[nodiscard]] CertifiedEnd certified_end(const QuadraticProgramme& programme,
+                                         const CondensedProgramme& condensed,
+                                         const Eigen::MatrixXd& null_vectors, const Solver& solver,
+                                         const SolverOptions& options, Ledger& ledger);
+
+}  // namespace signorini

@@ -1,0 +1,126 @@
+// Friction and rigid modes as one linear complementarity problem, for lemke().
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "signorini/solvers/lemke.hpp"
+#include "signorini/solvers/newton.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// M and q of the linear complementarity problem for (lambda, p, v-, a+, a-), with given cohesion.
+ContactProblem complementarity(const ScaledProblem& problem, const VectorXd& cohesion) {
+  const Index rows = problem.free.size();
+  const Index pairs = problem.pairs();
+  const Index slips = rows - pairs;
+  const Index k = problem.rigid.cols();
+  const Index size = rows + slips + 2 * k;
+  // f = E (lambda, p) - (0, c) with tau = p - mu lambda - c.
+  MatrixXd E = MatrixXd::Identity(rows, rows);
+  VectorXd minus_c = VectorXd::Zero(rows);
+  minus_c.tail(slips) = -cohesion;
+  ContactProblem lcp{MatrixXd::Zero(size, size), VectorXd(size)};
+  MatrixXd& M = lcp.compliance;
+  for (Index j = 0; j < slips; ++j) {
+    const Index pair = problem.law.pair[static_cast<std::size_t>(j)];
+    E(pairs + j, pair) = -problem.law.coefficient(j);
+    M(rows + j, pair) = 2 * problem.law.coefficient(j);
+  }
+  M.topLeftCorner(rows, rows) = problem.compliance * E;
+  M.block(pairs, rows, slips, slips).setIdentity();
+  M.block(rows, pairs, slips, slips) = -MatrixXd::Identity(slips, slips);
+  lcp.free_gap.head(rows) = problem.free + problem.compliance * minus_c;
+  lcp.free_gap.segment(rows, slips) = 2 * cohesion;
+  if (k == 0) return lcp;
+  // a = a+ - a-; r - R^T f >= 0 belongs to a+ and R^T f - r >= 0 to a-.
+  const Index plus = rows + slips;
+  M.block(0, plus, rows, k) = problem.rigid;
+  M.block(0, plus + k, rows, k) = -problem.rigid;
+  M.block(plus, 0, k, rows) = -problem.rigid.transpose() * E;
+  M.block(plus + k, 0, k, rows) = problem.rigid.transpose() * E;
+  lcp.free_gap.segment(plus, k) = problem.resultant - problem.rigid.transpose() * minus_c;
+  lcp.free_gap.tail(k) = -lcp.free_gap.segment(plus, k);
+  return lcp;
+}
+
+/// Runs lemke(), again with other covering vectors if it does not arrive: in exact numbers it would, but
+/// where friction coefficients are huge, rounding can let it leave its path.
+ContactState arrived(const ContactProblem& lcp, const SolverOptions& options, Report& report) {
+  ContactState state;
+  const Index m = lcp.free_gap.size();
+  SolverOptions path = options;  // a path that arrives is about as long as the problem is large
+  if (path.iteration_limit == 0) path.iteration_limit = 100 * m;
+  for (Index attempt = 0; attempt < 4 && state.report.status != Status::Solved; ++attempt) {
+    const VectorXd covering = VectorXd::LinSpaced(m, 1, static_cast<double>(1 + attempt));
+    state = attempt == 0 ? lemke(lcp, path) : lemke(lcp, covering, path);
+    append(report, state.report);
+  }
+  return state;
+}
+
+/// Takes the forces of a linear complementarity problem over, and what they say of each pair.
+void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd& z,
+          Attempt& attempt) {
+  const Index rows = problem.free.size();
+  const Index pairs = problem.pairs();
+  const Index slips = rows - pairs;
+  const Index k = problem.rigid.cols();
+  Closure& now = attempt.closure;
+  now.force = z.head(rows);
+  now.amplitude = z.segment(rows + slips, k) - z.tail(k);
+  const auto bound = [&](Index j) {
+    return problem.law.coefficient(j) * z(problem.law.pair[static_cast<std::size_t>(j)]) +
+           cohesion(j);
+  };
+  for (Index j = 0; j < slips; ++j) now.force(pairs + j) -= bound(j);
+  now.movement = problem.free + problem.compliance * now.force;
+  if (k > 0) now.movement += problem.rigid * now.amplitude;
+  for (Index i = 0; i < pairs; ++i)
+    attempt.motions[static_cast<std::size_t>(i)] =
+        z(i) > now.movement(i) ? Motion::Stick : Motion::Open;
+  for (Index j = 0; j < slips; ++j) {
+    Motion& motion =
+        attempt.motions[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])];
+    const double slip = now.movement(pairs + j);
+    const double forward = z(pairs + j);
+    if (motion == Motion::Open) continue;
+    if (slip > std::max(forward, 0.0)) motion = Motion::Forward;
+    else if (-slip > std::max(2 * bound(j) - forward, 0.0)) motion = Motion::Backward;
+  }
+}
+
+}  // namespace
+
+void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, Attempt& attempt) {
+  VectorXd cohesion = problem.law.cohesion;
+  std::vector<VectorXd> seen;
+  while (std::find(seen.begin(), seen.end(), cohesion) == seen.end()) {
+    seen.push_back(cohesion);
+    const ContactState state = arrived(complementarity(problem, cohesion), options, attempt.report);
+    std::string reason =
+        std::string("Lemke's method ended with '") + to_string(state.report.status) + "'";
+    attempt.reason = reason;
+    if (!state.force.allFinite()) return;
+    take(problem, cohesion, state.force, attempt);
+    exchange_motions(problem, 3, attempt);  // rounding may have the say over pairs that barely touch
+    if (attempt.confirmed) return;
+    attempt.report.status = state.report.status;
+    attempt.reason = std::move(reason);
+    if (state.report.status != Status::Solved) return;
+    for (Index j = 0; j < cohesion.size(); ++j) {
+      const Index pair = problem.law.pair[static_cast<std::size_t>(j)];
+      const bool open = attempt.motions[static_cast<std::size_t>(pair)] == Motion::Open;
+      cohesion(j) = open ? 0 : problem.law.cohesion(j);
+    }
+  }
+  attempt.report.status = Status::Breakdown;
+  attempt.reason = "pairs close only without cohesion and open only with it, or rounding decides";
+}
+
+}  // namespace signorini

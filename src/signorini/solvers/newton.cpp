@@ -1,0 +1,330 @@
+#include "signorini/solvers/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "signorini/closing/complementarity_functions.hpp"
+#include "signorini/closing/proofs.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/solvers/goldfarb_idnani.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// What Armijo's rule asks of a step: this part of the decrease that the slope promises. Any number
+/// below 1/2 lets the full Newton step pass near a solution.
+constexpr double enough = 1e-4;
+
+/// P F P, or F if there are no modes.
+MatrixXd in_balance(const ScaledProblem& problem) {
+  const MatrixXd& U = problem.rigid;
+  const MatrixXd& F = problem.compliance;
+  if (U.cols() == 0) return F;
+  MatrixXd projected = F - U * (U.transpose() * F);
+  projected -= (projected * U).eval() * U.transpose();
+  const double rounding = static_cast<double>(F.rows() + 1) * epsilon;
+  if (reach(projected) <= rounding * reach(F)) projected.setZero();  // only rigid motions
+  return projected;
+}
+
+/// The factor on forces; where no force strains anything, that of the grounded body.
+double reach_of(const ScaledProblem& problem, const MatrixXd& compliance) {
+  return reach(compliance.isZero(0) ? problem.compliance : compliance);
+}
+
+/// Newton's method with memory of its own.
+class Newton {
+ public:
+  Newton(ContactEquations& equations, VectorXd& x)
+      : equations_(equations),
+        x_(x),
+        trial_(x.size()),
+        residual_(x.size()),
+        J_(x.size(), x.size()) {
+    equations_.choose_closed(x_);
+    evaluate();
+  }
+
+  /// \return false if the residual falls no more
+  bool step() {
+    equations_.differentiate(x_, J_);
+    factor_ = LuFactor(J_);
+    gradient_.noalias() = J_.transpose() * residual_;
+    direction_ = -factor_.solve(residual_);
+    // An exactly solved Newton step has the slope -|Phi|^2 = -2 merit; half of it may be lost to rounding.
+    bool moved = direction_.allFinite() && gradient_.dot(direction_) <= -merit_ && search();
+    if (!moved) {  // down the gradient, to the lowest point of the linear model
+      const double curvature = (J_ * gradient_).squaredNorm();
+      if (!(curvature > 0)) return false;
+      direction_ = -(gradient_.squaredNorm() / curvature) * gradient_;
+      moved = search();
+    }
+    equations_.choose_closed(x_);
+    evaluate();
+    return moved;
+  }
+
+  [[nodiscard]] double residual() const { return std::sqrt(2 * merit_); }
+
+ private:
+  void evaluate() {
+    equations_.evaluate(x_, residual_);
+    merit_ = 0.5 * residual_.squaredNorm();
+  }
+  /// Halves the step until the merit falls by enough.
+  bool search() {
+    const double slope = gradient_.dot(direction_);
+    const double merit = merit_;
+    trial_ = x_;
+    for (double length = 1; length > epsilon; length /= 2) {
+      x_ = trial_ + length * direction_;
+      evaluate();
+      if (merit_ <= merit + enough * length * slope && merit_ < merit) return true;
+    }
+    x_ = trial_;
+    evaluate();
+    return false;
+  }
+
+  ContactEquations& equations_;
+  VectorXd& x_;
+  VectorXd trial_;
+  VectorXd residual_;
+  VectorXd gradient_;
+  VectorXd direction_;
+  MatrixXd J_;
+  LuFactor factor_;
+  double merit_ = 0;
+};
+
+/// What motions say is closed, the pairs whose force exceeds their gap most first.
+KnownSet clearest_first(const ScaledProblem& problem, const Attempt& attempt, double reach,
+                        const std::vector<Motion>& motions) {
+  KnownSet set = known_set(motions, problem.law);
+  if (!problem.law.pair.empty()) return set;
+  const VectorXd excess = reach * attempt.closure.force - attempt.closure.movement;
+  std::stable_sort(set.closed.begin(), set.closed.end(),
+                   [&](Index i, Index j) { return excess(i) > excess(j); });
+  return set;
+}
+
+/// The exact end from the motions of an iterate, or from those which that end asks for: of a pair that touches
+/// without force, rounding decides the side.
+bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
+  std::vector<Motion> motions = attempt.motions;
+  Closure start = attempt.closure;
+  const bool rubs = !problem.law.pair.empty();
+  if (!rubs) start.force.setZero();
+  for (int trial = 0; trial < (problem.symmetric ? 2 : 1); ++trial) {
+    const KnownSet set = clearest_first(problem, attempt, reach, motions);
+    attempt.report.factorisations += set.closed.empty() ? 0 : 1;
+    Closure end = close(problem, set, &start);
+    const std::vector<Motion> closed = rubs ? motions : motions_of(end.rows, problem.pairs());
+    if (solves(problem, closed, end)) {
+      attempt.closure = std::move(end);
+      attempt.motions = closed;
+      return attempt.confirmed = true;
+    }
+    motions = closed;
+    if (!end.solvable || predict(problem, end, reach, motions) == 0) return false;
+  }
+  return false;
+}
+
+// The law: phi(tau + b, phi(b - tau, -slip)) = 0.
+void evaluate_nested(const ContactEquations& equations, const VectorXd& x, VectorXd& residual) {
+  for (Index k = 0; k < equations.slips(); ++k) {
+    const Index row = equations.pairs() + k;
+    const double b = equations.bound(x, k);
+    const double inner = fischer_burmeister(b - x(row), -equations.movement()(row));
+    residual(row) = fischer_burmeister(x(row) + b, inner);
+  }
+}
+
+void differentiate_nested(const ContactEquations& equations, const VectorXd& x, MatrixXd& J) {
+  for (Index k = 0; k < equations.slips(); ++k) {
+    const Index row = equations.pairs() + k;
+    const double b = equations.bound(x, k);
+    const double tau = x(row);
+    const double slip = equations.movement()(row);
+    const ComplementaritySlope in = fischer_burmeister_slope(b - tau, -slip);
+    const ComplementaritySlope out =
+        fischer_burmeister_slope(tau + b, fischer_burmeister(b - tau, -slip));
+    J.row(row) *= -out.b * in.b;
+    J(row, row) += out.a - out.b * in.a;
+    J(row, equations.pair(k)) += (out.a + out.b * in.a) * equations.bound_slope(x, k);
+  }
+}
+
+}  // namespace
+
+const Formulation nested_friction = {0, nullptr, evaluate_nested, differentiate_nested};
+
+ContactEquations::ContactEquations(const ScaledProblem& problem, const Formulation& law)
+    : problem_(problem),
+      law_(law),
+      compliance_(in_balance(problem)),
+      free_(problem.free),
+      reach_(reach_of(problem, compliance_)),
+      movement_(problem.free.size()),
+      cohesion_(VectorXd::Zero(slips())) {
+  compliance_ /= reach_;
+  if (modes() == 0) return;
+  const MatrixXd& U = problem.rigid;
+  free_ += problem.compliance * (U * problem.resultant);
+  free_ -= U * (U.transpose() * free_);
+}
+
+VectorXd ContactEquations::unknowns(const Attempt& attempt) {
+  const Closure& now = attempt.closure;
+  VectorXd x = VectorXd::Zero(size());
+  x.head(rows()) = reach_ * now.force;
+  if (modes() > 0)
+    x.segment(rows(), modes()) =
+        now.amplitude +
+        problem_.rigid.transpose() * (problem_.free + problem_.compliance * now.force);
+  choose_closed(x);
+  if (law_.start != nullptr) law_.start(*this, x);
+  return x;
+}
+
+void ContactEquations::read(const VectorXd& x, Closure& closure) const {
+  closure.force = x.head(rows()) / reach_;
+  closure.movement = movement_;
+  closure.amplitude = x.segment(rows(), modes());
+  if (modes() > 0)
+    closure.amplitude -=
+        problem_.rigid.transpose() * (problem_.free + problem_.compliance * closure.force);
+  closure.movement_rounding.resize(0);
+}
+
+void ContactEquations::move(const VectorXd& x) {
+  movement_ = free_;
+  movement_.noalias() += compliance_ * x.head(rows());
+  if (modes() > 0) movement_.noalias() += problem_.rigid * x.segment(rows(), modes());
+}
+
+void ContactEquations::choose_closed(const VectorXd& x) {
+  move(x);
+  for (Index k = 0; k < slips(); ++k)
+    cohesion_(k) = x(pair(k)) > movement_(pair(k)) ? reach_ * problem_.law.cohesion(k) : 0;
+}
+
+double ContactEquations::bound(const VectorXd& x, Index k) const {
+  return problem_.law.coefficient(k) * std::max(x(pair(k)), 0.0) + cohesion_(k);
+}
+
+double ContactEquations::bound_slope(const VectorXd& x, Index k) const {
+  return x(pair(k)) > 0 ? problem_.law.coefficient(k) : 0;
+}
+
+void ContactEquations::evaluate(const VectorXd& x, VectorXd& residual) {
+  move(x);
+  for (Index i = 0; i < pairs(); ++i) residual(i) = fischer_burmeister(movement_(i), x(i));
+  if (modes() > 0) {
+    auto balance = residual.segment(rows(), modes());
+    balance = -reach_ * problem_.resultant;
+    balance.noalias() += problem_.rigid.transpose() * x.head(rows());
+  }
+  law_.evaluate(*this, x, residual);
+}
+
+void ContactEquations::differentiate(const VectorXd& x, MatrixXd& J) const {
+  J.setZero();
+  J.topLeftCorner(rows(), rows()) = compliance_;
+  if (modes() > 0) {
+    J.block(0, rows(), rows(), modes()) = problem_.rigid;
+    J.block(rows(), 0, modes(), rows()) = problem_.rigid.transpose();
+  }
+  for (Index i = 0; i < pairs(); ++i) {
+    const ComplementaritySlope slope = fischer_burmeister_slope(movement_(i), x(i));
+    J.row(i) *= slope.a;
+    J(i, i) += slope.b;
+  }
+  law_.differentiate(*this, x, J);
+}
+
+Attempt first_attempt(const ScaledProblem& problem) {
+  const Index pairs = problem.pairs();
+  const MatrixXd& U = problem.rigid;
+  Attempt attempt;
+  Closure& now = attempt.closure;
+  now.force.setZero(problem.free.size());
+  now.amplitude.setZero(U.cols());
+  double unit = reach(problem.compliance);
+  if (U.cols() > 0) {
+    unit = reach_of(problem, in_balance(problem));
+    now.force = U * problem.resultant;
+    now.amplitude = -U.transpose() * (problem.free + problem.compliance * now.force);
+  } else if (!problem.law.pair.empty()) {
+    const ContactState normal = goldfarb_idnani(
+        {problem.compliance.topLeftCorner(pairs, pairs), problem.free.head(pairs)});
+    if (normal.report.status == Status::Solved) now.force.head(pairs) = normal.force;
+  }
+  now.movement = problem.free + problem.compliance * now.force;
+  if (U.cols() > 0) now.movement += U * now.amplitude;
+  attempt.motions = motions_of({}, pairs);
+  predict(problem, now, unit, attempt.motions);
+  return attempt;
+}
+
+ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled, Attempt attempt) {
+  Report& report = attempt.report;
+  if (attempt.confirmed) {
+    report.status = Status::Solved;
+    attempt.reason.clear();
+  } else if (report.status == Status::Solved) {
+    report.status = Status::Breakdown;  // of another problem that was solved on the way
+  }
+  ContactState state =
+      finished(problem, scaled, attempt.closure, attempt.motions, std::move(report));
+  if (state.reason.empty()) state.reason = std::move(attempt.reason);
+  if (attempt.confirmed && !scaled.law.pair.empty())
+    state.uniqueness = uniqueness(scaled, attempt.closure);
+  return state;
+}
+
+void follow_newton(const ScaledProblem& problem, const Formulation& law, Index limit,
+                   Attempt& attempt) {
+  ContactEquations equations(problem, law);
+  const double unit = equations.reach();
+  VectorXd x = equations.unknowns(attempt);
+  Newton newton(equations, x);
+  Report& report = attempt.report;
+  const auto look = [&] {
+    equations.read(x, attempt.closure);
+    return predict(problem, attempt.closure, unit, attempt.motions);
+  };
+  look();
+  const double first = newton.residual();
+  Index last_changes = 1;  // so that the first motions are tried
+  for (Index changes = 0;;) {
+    const bool limited = report.iterations >= limit;
+    const bool settled = changes == 0 && last_changes > 0;
+    const bool rounding =
+        newton.residual() <= static_cast<double>(problem.free.size()) * epsilon * first;
+    if (!limited && !settled && !rounding && newton.step()) {
+      ++report.iterations;
+      ++report.factorisations;
+      last_changes = changes;
+      changes = look();
+      Iteration entry = summary(problem, attempt.motions, attempt.closure, changes);
+      entry.residual = first == 0 ? 0 : newton.residual() / first;
+      report.history.push_back(entry);
+      continue;
+    }
+    if (ends(problem, unit, attempt)) return;
+    last_changes = 0;
+    report.status = limited ? Status::IterationLimit : Status::Breakdown;
+    attempt.reason = limited ? "Newton's method did not settle on what each pair does"
+                             : "no step lowers the residual any more, at a point that is no solution";
+    if (!settled) return;
+  }
+}
+
+}  // namespace signorini
