@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace ch10 {

@@ -8,7 +8,7 @@
 #include "signorini/closed_form/moduli.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/mesh/half_space.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/springs.hpp"
 
 namespace ch13 {

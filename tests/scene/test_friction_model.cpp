@@ -2,7 +2,7 @@
 #include "catch_compat.hpp"
 #include "signorini/as_printed/saddle_point_newton.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/hertz.hpp"
 #include "support/message.hpp"
