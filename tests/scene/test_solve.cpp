@@ -81,6 +81,14 @@ TEST_CASE("building a plan searches no pairs and has no need of the scene", "[pl
   CHECK(ledger.entries().back().path == "plan");
 }
 
+TEST_CASE("a solution carries the notes of the plan", "[plan][solve]") {
+  Scene scene = cantilever("q4", 10, 2);
+  scene.contacts[0].target = disc({40, -10}, 10.5);
+  const std::vector<std::string> notes = plan(scene).notes;
+  REQUIRE(notes.size() == 1);
+  CHECK(solve(scene).notes == notes);
+}
+
 TEST_CASE("one factorisation of the stiffness serves the whole solution", "[ledger]") {
   const Solution solution = solve(cantilever("q4_incompatible", 50, 5));
   long long factorisations = 0;

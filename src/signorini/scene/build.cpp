@@ -43,6 +43,7 @@ Model build(Plan plan, Ledger& ledger) {
   model.bodies = std::move(plan.bodies);
   model.unknowns = std::move(plan.unknowns);
   model.solver = std::move(plan.solver);
+  model.notes = std::move(plan.notes);
   for (const Effect* effect : plan.effects) effect->add(plan, model);
   ledger.count("unknowns", model.unknowns.count);
   ledger.count("pairs", model.pairs.weight.size());

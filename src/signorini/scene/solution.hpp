@@ -37,6 +37,7 @@ struct Model {
   std::vector<FreeMotion> modes;   ///< `n_r` null vectors of K
   FrictionLaw law;                 ///< of the pairs that rub, empty if none does
   std::string solver;              ///< of the family that the model needs, as the scene names it
+  std::vector<std::string> notes;  ///< of the plan
 };
 
 /// The model with all unknowns but the contact forces eliminated.
@@ -68,7 +69,8 @@ struct Solution {
   /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
   std::string escape;  ///< if the load pulls a body away: how it moves off
-  std::vector<std::string> notes;  ///< what a user should know, such as that others may exist
+  /// What a user should know: the notes of the plan, then such as that others may exist.
+  std::vector<std::string> notes;
   Ledger ledger;  ///< what it cost
 };
 

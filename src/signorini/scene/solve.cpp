@@ -147,6 +147,7 @@ Condensed condense(const Model& model, Ledger& ledger) {
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger) {
   Solution solution;
+  solution.notes = model.notes;
   CertifiedEnd end = certified_end(model, condensed, solver, ledger);
   solution.contact.report = std::move(end.report);
   if (!model.law.pair.empty()) {
