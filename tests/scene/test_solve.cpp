@@ -53,6 +53,17 @@ TEST_CASE("a plan warns of an element that will lock and of overlap before loadi
   CHECK_THAT(plan(scene).notes[0], ContainsSubstring("overlap by 0.5"));
 }
 
+TEST_CASE("sides that touch but for the rounding of positions do not overlap", "[plan]") {
+  Scene scene = cantilever("q4", 10, 2);
+  scene.bodies[0].mesh = moved(scene.bodies[0].mesh, {0, 0.3});
+  for (const double rounding : {0.0, 1e-16, 1e-10}) {
+    CAPTURE(rounding);
+    scene.contacts[0].target = half_plane({0, 0.3 + rounding}, {0, 1});
+    scene.bodies[0].supports = {prescribed("left", Axis::X, 0)};
+    CHECK(plan(scene).notes.empty() == (rounding < 1e-12));
+  }
+}
+
 TEST_CASE("building a plan searches no pairs and has no need of the scene", "[plan][ledger]") {
   int asked = 0;
   const auto height = [&asked](double) { return static_cast<void>(++asked), -1.0; };

@@ -81,7 +81,7 @@ void check_not_supported(const Surface& source, const std::set<Index>& held) {
 /// The pairs that can open or close, of which the others hold no contact force.
 std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openings,
                            const Surface& source, const std::string& what) {
-  const double size = pairs.position.size() > 0 ? pairs.position.cwiseAbs().maxCoeff() : 0;
+  const double rounding = gap_rounding(pairs);
   std::vector<Index> kept;
   std::set<Index> held;
   for (Index pair = 0; pair < pairs.initial_gap.size(); ++pair) {
@@ -91,7 +91,7 @@ std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openi
       continue;
     }
     const double gap = pairs.initial_gap(pair) + opening.held;
-    pose(gap >= -16 * epsilon * size, what, ": the pair at (", pairs.position(pair, 0), ", ",
+    pose(gap >= -rounding, what, ": the pair at (", pairs.position(pair, 0), ", ",
          pairs.position(pair, 1), ") is held by supports and overlaps by ", -gap,
          ". Move one of the two sides or release the node");
     held.insert(pairs.node[static_cast<std::size_t>(pair)]);
@@ -124,6 +124,10 @@ std::vector<Index> joined_lists(std::vector<Index> upper, const std::vector<Inde
 }
 
 }  // namespace
+
+double gap_rounding(const Pairs& pairs) {
+  return 16 * epsilon * (pairs.position.size() > 0 ? pairs.position.cwiseAbs().maxCoeff() : 0);
+}
 
 Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
             const std::string& what) {

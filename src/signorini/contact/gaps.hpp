@@ -21,6 +21,10 @@ struct Gaps {
   Eigen::VectorXd initial_slip;                    ///< `n_c` [length]
 };
 
+/// \param pairs  any
+/// \return by how much sides that touch may seem to overlap for the rounding of positions alone [length]
+[[nodiscard]] double gap_rounding(const Pairs& pairs);
+
 /// Takes the supports out of candidate pairs.
 ///
 /// A pair whose points cannot move along the normal is dropped: no contact force can act between two

@@ -65,6 +65,11 @@ void price_contact(const Scene& scene, Plan& draft) {
   }
 }
 
+/// Number of pairs that overlap by more than rounding.
+Index overlapping(const Plan& plan) {
+  return (plan.gaps.pairs.initial_gap.array() < -gap_rounding(plan.gaps.pairs)).count();
+}
+
 }  // namespace
 
 Effect contact() {
@@ -79,17 +84,15 @@ Effect contact() {
 }
 
 Effect initial_overlap() {
-  return {"initial overlap",
-          [](const Scene& /*scene*/, const Plan& draft) {
-            return (draft.gaps.pairs.initial_gap.array() < 0).any();
-          },
-          [](const Scene& /*scene*/, Plan& draft) {
-            const Eigen::VectorXd& gap = draft.gaps.pairs.initial_gap;
-            draft.on.push_back(text("initial overlap of ", (gap.array() < 0).count(), " pairs"));
-            draft.notes.push_back(
-                text("the two sides overlap by ", -gap.minCoeff(), " before loading"));
-          },
-          [](Plan& /*plan*/, Model& /*model*/) {}};
+  return {
+      "initial overlap",
+      [](const Scene& /*scene*/, const Plan& draft) { return overlapping(draft) > 0; },
+      [](const Scene& /*scene*/, Plan& draft) {
+        draft.on.push_back(text("initial overlap of ", overlapping(draft), " pairs"));
+        draft.notes.push_back(text("the two sides overlap by ",
+                                   -draft.gaps.pairs.initial_gap.minCoeff(), " before loading"));
+      },
+      [](Plan& /*plan*/, Model& /*model*/) {}};
 }
 
 }  // namespace signorini::effect
