@@ -65,6 +65,46 @@ TEST_CASE(
         1e-10 * expected.contact.force.norm());
 }
 
+TEST_CASE("slip rows are those of pairs that can slide and whose own contact rubs",
+          "[friction][model]") {
+  Ledger ledger;
+  Scene scene = rough_beam(0.3);  // its bottom
+  scene.contacts.insert(scene.contacts.begin(), {{"top"}, half_plane({0, 6}, {0, -1})});
+  const Model model = build(scene, ledger);
+  const Index pairs = model.pairs.weight.size();
+  const Index rubbing = pairs / 2;
+  REQUIRE(pairs == 40);
+  REQUIRE(model.law.pair.size() == static_cast<std::size_t>(rubbing));
+  CHECK(model.law.pair.front() == rubbing);
+  CHECK(model.law.pair.back() == pairs - 1);
+  CHECK(model.law.coefficient == Eigen::VectorXd::Constant(rubbing, 0.3));
+  CHECK(model.programme.A.rows() == pairs + rubbing);
+  CHECK(model.programme.initial_gap.size() == pairs + rubbing);
+  CHECK(condense(model, ledger).friction->compliance.rows() == pairs + rubbing);
+
+  // What supports hold along the contact has no slip, and if that is everything there is no friction.
+  scene.bodies[0].supports.push_back(prescribed_at("bottom", {25, 0}, Axis::X));
+  CHECK(plan(scene).law.pair.size() == static_cast<std::size_t>(rubbing - 1));
+  scene.bodies[0].supports.push_back(prescribed("bottom", Axis::X, 0));
+  CHECK(plan(scene).law.pair.empty());
+  CHECK(plan(scene).solver == scene.solver);
+  CHECK(build(scene, ledger).programme.A.rows() == pairs);
+}
+
+TEST_CASE("a smooth contact beside a rough one has no friction forces", "[friction][model]") {
+  Scene scene = rough_beam(0.3);
+  scene.contacts.insert(scene.contacts.begin(), {{"top"}, half_plane({0, 6}, {0, -1})});
+  const Solution both = solve(scene);
+  REQUIRE(both.contact.report.status == Status::Solved);
+  CHECK(both.certificate.holds());
+  const FrictionState& state = both.friction->state;
+  REQUIRE(state.friction.size() == 40);  // of all pairs
+  CHECK(state.friction.head(20).isZero(0));
+  CHECK(both.contact.force.head(20).isZero(0));  // the beam is pressed down and never touches above
+  const Eigen::VectorXd alone = solve(rough_beam(0.3)).friction->state.friction;
+  CHECK((state.friction.tail(20) - alone).norm() <= 1e-10 * alone.norm());
+}
+
 TEST_CASE("bodies that float keep their frictionless balance beside that with friction",
           "[friction][model][floating]") {
   Ledger ledger;
@@ -75,7 +115,8 @@ TEST_CASE("bodies that float keep their frictionless balance beside that with fr
   CHECK(rough.rigid.rows() == smooth.rigid.rows());
   CHECK((rough.rigid - smooth.rigid).norm() <= 1e-14 * smooth.rigid.norm());
   CHECK((rough.resultant - smooth.resultant).norm() == 0);
-  CHECK(rough.friction->rigid.rows() == 2 * smooth.rigid.rows());
+  CHECK(rough.friction->rigid.rows() ==
+        2 * smooth.rigid.rows() - 1);  // the axis keeps one from sliding
 }
 
 TEST_CASE("nothing but the friction of a scene chooses the family of solvers",

@@ -50,14 +50,6 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(Index rows, Index columns,
   return result;
 }
 
-NodalRows kept_rows(const NodalRows& rows, const std::vector<Index>& kept) {
-  Triplets entries;
-  for (std::size_t k = 0; k < kept.size(); ++k)
-    for (NodalRows::InnerIterator it(rows, kept[k]); it; ++it)
-      entries.emplace_back(static_cast<int>(k), static_cast<int>(it.col()), it.value());
-  return matrix(static_cast<Index>(kept.size()), rows.cols(), entries);
-}
-
 template <typename Array>
 Array below_dense(const Array& upper, const Array& lower) {
   Array both(upper.rows() + lower.rows(), lower.cols());
@@ -104,8 +96,8 @@ std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openi
 /// Some of the pairs, with the nodes counted among those of all bodies.
 Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface& source) {
   Pairs some;
-  some.opening = kept_rows(pairs.opening, kept);
-  if (pairs.sliding.rows() > 0) some.sliding = kept_rows(pairs.sliding, kept);
+  some.opening = selected_rows(pairs.opening, kept);
+  if (pairs.sliding.rows() > 0) some.sliding = selected_rows(pairs.sliding, kept);
   some.initial_gap = pairs.initial_gap(kept);
   some.weight = pairs.weight(kept);
   some.position = pairs.position(kept, Eigen::all);
@@ -155,6 +147,14 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
   gaps.A = matrix(n_pairs, unknowns.count, normal);
   gaps.T = matrix(slides ? n_pairs : 0, unknowns.count, tangential);
   return gaps;
+}
+
+NodalRows selected_rows(const NodalRows& rows, const std::vector<Index>& kept) {
+  Triplets entries;
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    for (NodalRows::InnerIterator it(rows, kept[k]); it; ++it)
+      entries.emplace_back(static_cast<int>(k), static_cast<int>(it.col()), it.value());
+  return matrix(static_cast<Index>(kept.size()), rows.cols(), entries);
 }
 
 NodalRows below(const NodalRows& upper, const NodalRows& lower) {

@@ -1,7 +1,6 @@
 // Friction and cohesion: two effects that share the slip rows.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
@@ -32,13 +31,16 @@ bool can_slide(const Gaps& gaps, Index pair) {
   return gaps.initial_slip(pair) != 0 || gaps.T.row(pair).norm() > 0;
 }
 
-/// Slips of all pairs, which friction and cohesion share.
+/// Slips that friction and cohesion share: of the pairs that can slide and whose own contact rubs.
 void take_slips(const Scene& scene, Plan& draft) {
   FrictionLaw& law = draft.law;
   if (!law.pair.empty()) return;
-  law.pair.resize(draft.contact_of.size());
-  std::iota(law.pair.begin(), law.pair.end(), Index{0});
-  law.coefficient = law.cohesion = VectorXd::Zero(draft.gaps.A.rows());
+  for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
+    if (rubs(scene.contacts[draft.contact_of[pair]]) &&
+        can_slide(draft.gaps, static_cast<Index>(pair)))
+      law.pair.push_back(static_cast<Index>(pair));
+  if (law.pair.empty()) return;
+  law.coefficient = law.cohesion = VectorXd::Zero(static_cast<Index>(law.pair.size()));
   draft.solver = scene.friction_solver;
   draft.on.push_back(text("slips of ", law.pair.size(), " pairs"));
 }
@@ -54,19 +56,18 @@ VectorXd price(const Scene& scene, Plan& draft, Constant constant, const std::st
   take_slips(scene, draft);
   VectorXd values(draft.law.coefficient.size());
   for (Index k = 0; k < values.size(); ++k) {
-    const auto pair = static_cast<std::size_t>(draft.law.pair[static_cast<std::size_t>(k)]);
-    values(k) =
-        can_slide(draft.gaps, k) ? value(scene.contacts[draft.contact_of[pair]], constant) : 0;
+    const Index pair = draft.law.pair[static_cast<std::size_t>(k)];
+    values(k) = value(scene.contacts[draft.contact_of[static_cast<std::size_t>(pair)]], constant);
   }
   return values;
 }
 
 void add_slips(Plan& plan, Model& model) {
-  if (!model.law.pair.empty()) return;
+  if (!model.law.pair.empty() || plan.law.pair.empty()) return;
   VectorXd& g = model.programme.initial_gap;
-  model.programme.A = below(model.programme.A, -plan.gaps.T);
+  model.programme.A = below(model.programme.A, -selected_rows(plan.gaps.T, plan.law.pair));
   g.conservativeResize(model.programme.A.rows());
-  g.tail(plan.gaps.initial_slip.size()) = plan.gaps.initial_slip;
+  g.tail(plan.law.coefficient.size()) = plan.gaps.initial_slip(plan.law.pair);
   model.law = std::move(plan.law);
 }
 

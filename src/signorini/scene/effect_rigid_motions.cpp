@@ -7,20 +7,13 @@
 namespace signorini::effect {
 namespace {
 
-/// What contact can stop: gaps from closing, and with friction slips, but not those of smooth contacts.
-NodalRows felt_by_contact(const Plan& plan) {
-  if (plan.law.pair.empty()) return plan.gaps.A;
-  const Eigen::VectorXd law = plan.law.coefficient + plan.law.cohesion;
-  const Eigen::VectorXd rough = (law.array() > 0).cast<double>();
-  return below(plan.gaps.A, NodalRows(rough.asDiagonal() * plan.gaps.T));
-}
-
 /// Motions that supports leave are unknowns if contact can stop them, and errors if not.
 void price(const Scene& scene, Plan& draft) {
   for (const FreeMotion& mode : draft.modes)
     draft.on.push_back(mode.sentence + ": only contact holds it, one amplitude");
+  const NodalRows felt = below(draft.gaps.A, selected_rows(draft.gaps.T, draft.law.pair));
   std::string loose;
-  for (const std::string& motion : motions_without_contact(felt_by_contact(draft), draft.modes))
+  for (const std::string& motion : motions_without_contact(felt, draft.modes))
     loose += (loose.empty() ? "" : "; ") + motion;
   pose(loose.empty(), loose,
        scene.contacts.empty() ? ": add a support" : ", and no contact stops that: add a support");

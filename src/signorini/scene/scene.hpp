@@ -71,8 +71,8 @@ struct Plan {
   std::vector<FreeMotion> modes;        ///< `n_r` rigid motions that supports leave to the bodies
   Gaps gaps;                            ///< `n_c` candidate pairs of all contacts, none without
   std::vector<std::size_t> contact_of;  ///< `n_c` number of the contact of each pair
-  FrictionLaw law;                      ///< of all pairs if any contact has friction, else of none
-  std::string solver;  ///< name: `scene.friction_solver` if anything rubs, else `scene.solver`
+  FrictionLaw law;                      ///< of the pairs that can slide and whose own contact rubs
+  std::string solver;  ///< name: `scene.friction_solver` if `law` has pairs, else `scene.solver`
 };
 
 /// Reads a scene and says what will be computed. \param scene  to be solved

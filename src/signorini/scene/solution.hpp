@@ -32,7 +32,7 @@ struct BodyModel {
 struct Model {
   std::vector<BodyModel> bodies;   ///< as in the scene
   Unknowns unknowns;               ///< `n` of all bodies, one after another
-  QuadraticProgramme programme;    ///< K, p, A, g of the gaps, then of the slips if any pair rubs
+  QuadraticProgramme programme;    ///< K, p, A, g of the gaps, then of the slips of `law`
   Pairs pairs;                     ///< `n_c` that can close; see Gaps
   std::vector<FreeMotion> modes;   ///< `n_r` null vectors of K
   FrictionLaw law;                 ///< of the pairs that rub, empty if none does
