@@ -13,7 +13,7 @@
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "two_bodies.hpp"
 

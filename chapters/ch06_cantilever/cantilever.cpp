@@ -20,7 +20,7 @@
 #include "signorini/report/printed_method.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/linear_programme.hpp"
 
 namespace {

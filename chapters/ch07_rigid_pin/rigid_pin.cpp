@@ -18,7 +18,7 @@
 #include "signorini/report/printed_method.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/vtu.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace {
@@ -84,7 +84,7 @@ struct Bearing {
 Bearing bearing(const Pin& pin, Index cells_radius, const VectorXd& rays) {
   const Scene scene = pin_in_plate(pin, cells_radius, rays);
   SolvedScene run = solved(scene, "the pin");
-  const BoundaryForces hole = boundary_forces(scene, run, {"hole"});  // from the left to the right
+  const BoundaryForces hole = boundary_forces(run, {"hole"});  // from the left to the right
   VectorXd theta = (pin.side() * hole.position.col(0).array() / hole_radius).acos() / degree;
   VectorXd force = hole.force.cwiseProduct(hole.position).rowwise().sum() / hole_radius;
   VectorXd pressure = force.cwiseQuotient(hole.weight);

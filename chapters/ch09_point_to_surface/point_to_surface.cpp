@@ -92,7 +92,7 @@ void patch_test(const ProgramOptions& run, Results& results) {
     for (Index i = 0; i < one.solution.pressure.size(); ++i)
       curve.row({one.model.pairs.position(i, 0), one.solution.pressure(i) / 0.01});
     curve.blank_line();
-    const BoundaryForces under = boundary_forces(scene, one, {"top", "lower"});
+    const BoundaryForces under = boundary_forces(one, {"top", "lower"});
     for (Index i = 0; i < under.weight.size(); ++i)
       curve.row({under.position(i, 0), -under.force(i, 1) / under.weight(i) / 0.01});
     curve.blank_line();

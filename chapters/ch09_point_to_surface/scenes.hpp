@@ -7,7 +7,7 @@
 
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace ch09 {
 

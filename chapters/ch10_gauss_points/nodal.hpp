@@ -52,7 +52,7 @@ inline std::size_t count_segments(Eigen::Index source_edges, Eigen::Index target
 /// Pressures that are nodal forces over the nodes' shares, against the closed form.
 // [lumped]
 inline PressureError lumped_error(const Scene& scene, const SolvedScene& run) {
-  const BoundaryForces nodes = boundary_forces(scene, run, {"rim", scene.bodies[0].mesh.name});
+  const BoundaryForces nodes = boundary_forces(run, {"rim", scene.bodies[0].mesh.name});
   return against_hertz(nodes.position, nodes.weight,
                        nodes.force.col(1).cwiseQuotient(nodes.weight));
 }

@@ -6,7 +6,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/programme/active_set_programme.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace ch10 {
 

@@ -8,7 +8,7 @@
 #include "signorini/core/table.hpp"
 #include "signorini/elasticity/stress.hpp"
 #include "signorini/report/field_csv.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace signorini {
 

@@ -8,7 +8,7 @@
 
 #include "hertz_scene.hpp"
 #include "signorini/closed_form/hertz_fit.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace signorini {
 
@@ -28,7 +28,7 @@ struct HertzRun {
 inline HertzRun solve_hertz(const HertzCase& now) {
   const Scene scene = hertz_scene(now);
   HertzRun out{now, solved(scene, "Hertz's contact"), {}, {}, {}, {}};
-  const BoundaryForces side = boundary_forces(scene, out.run, scene.contacts[0].source);
+  const BoundaryForces side = boundary_forces(out.run, scene.contacts[0].source);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(side.weight.size()));
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {

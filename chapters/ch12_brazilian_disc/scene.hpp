@@ -9,7 +9,7 @@
 #include "signorini/mesh/disc.hpp"
 #include "signorini/mesh/half_space.hpp"
 #include "signorini/mesh/reshape.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace ch12 {
 

@@ -8,7 +8,7 @@
 #include "signorini/closed_form/moduli.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/mesh/half_space.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/springs.hpp"
 
 namespace ch13 {
@@ -145,8 +145,7 @@ inline Base rigid_base(const EdgeBlockSpec& soil) {
   const ContactState state = solve(problem, find_solver(scene.solver));
   // [rigid]
   if (state.report.status != Status::Solved) throw NotSolved("the rigid footing");
-  return compared(model.pairs.position.col(0).reverse(), state.force.reverse(),
-                  state.amplitude(0));
+  return compared(model.pairs.position.col(0).reverse(), state.force.reverse(), state.amplitude(0));
 }
 
 }  // namespace ch13

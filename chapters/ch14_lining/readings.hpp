@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "signorini/elasticity/stress.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace ch14 {
 

@@ -1,6 +1,6 @@
 #include "catch_compat.hpp"
 #include "signorini/as_printed/saddle_point_newton.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 
 using Eigen::MatrixXd;

@@ -2,7 +2,7 @@
 #include "catch_compat.hpp"
 #include "signorini/as_printed/saddle_point_newton.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/hertz.hpp"
 #include "support/message.hpp"
@@ -46,13 +46,12 @@ TEST_CASE(
   // The factor eliminates in another order, for more unknowns are in contact: equal but for rounding.
   const Condensed with = condense(rough, ledger);
   const Condensed without = condense(smooth, ledger);
-  REQUIRE(with.friction);
-  CHECK_FALSE(without.friction);
   const ContactProblem& same = without.problem;
-  CHECK((with.problem.compliance - same.compliance).norm() <= 1e-10 * same.compliance.norm());
+  CHECK(same.free_slip.size() == 0);
+  CHECK((with.problem.compliance.topLeftCorner(pairs, pairs) - same.compliance).norm() <=
+        1e-10 * same.compliance.norm());
   CHECK((with.problem.free_gap - same.free_gap).norm() <= 1e-10 * same.free_gap.norm());
-  CHECK(with.friction->compliance.rows() == 2 * pairs);
-  CHECK(with.friction->free_gap == with.problem.free_gap);
+  CHECK(with.problem.compliance.rows() == 2 * pairs);
 
   // A method for gaps alone finds the smooth solution from the first rows.
   QuadraticProgramme gaps_alone = rough.programme;
@@ -65,38 +64,77 @@ TEST_CASE(
         1e-10 * expected.contact.force.norm());
 }
 
+TEST_CASE("slip rows are those of pairs that can slide and whose own contact rubs",
+          "[friction][model]") {
+  Ledger ledger;
+  Scene scene = rough_beam(0.3);  // its bottom
+  scene.contacts.insert(scene.contacts.begin(), {{"top"}, half_plane({0, 6}, {0, -1})});
+  const Model model = build(scene, ledger);
+  const Index pairs = model.pairs.weight.size();
+  const Index rubbing = pairs / 2;
+  REQUIRE(pairs == 40);
+  REQUIRE(model.law.pair.size() == static_cast<std::size_t>(rubbing));
+  CHECK(model.law.pair.front() == rubbing);
+  CHECK(model.law.pair.back() == pairs - 1);
+  CHECK(model.law.coefficient == Eigen::VectorXd::Constant(rubbing, 0.3));
+  CHECK(model.programme.A.rows() == pairs + rubbing);
+  CHECK(model.programme.initial_gap.size() == pairs + rubbing);
+  CHECK(condense(model, ledger).problem.compliance.rows() == pairs + rubbing);
+
+  // What supports hold along the contact has no slip, and if that is everything there is no friction.
+  scene.bodies[0].supports.push_back(prescribed_at("bottom", {25, 0}, Axis::X));
+  CHECK(plan(scene).law.pair.size() == static_cast<std::size_t>(rubbing - 1));
+  scene.bodies[0].supports.push_back(prescribed("bottom", Axis::X, 0));
+  CHECK(plan(scene).law.pair.empty());
+  CHECK(plan(scene).solver == scene.solver);
+  CHECK(build(scene, ledger).programme.A.rows() == pairs);
+}
+
+TEST_CASE("a smooth contact beside a rough one has no friction forces", "[friction][model]") {
+  Scene scene = rough_beam(0.3);
+  scene.contacts.insert(scene.contacts.begin(), {{"top"}, half_plane({0, 6}, {0, -1})});
+  const Solution both = solve(scene);
+  REQUIRE(both.contact.report.status == Status::Solved);
+  CHECK(both.certificate.holds());
+  const ContactState& state = both.contact;
+  REQUIRE(state.force.size() == 40);
+  REQUIRE(state.friction.size() == 20);  // of the pairs that rub
+  CHECK(state.rubbing.front() == 20);
+  CHECK(state.force.head(20).isZero(0));  // the beam is pressed down and never touches above
+  const Eigen::VectorXd alone = solve(rough_beam(0.3)).contact.friction;
+  CHECK((state.friction - alone).norm() <= 1e-10 * alone.norm());
+}
+
 TEST_CASE("bodies that float keep their frictionless balance beside that with friction",
           "[friction][model][floating]") {
   Ledger ledger;
   Scene scene = scene_of(HertzProblem());
-  const Condensed smooth = condense(build(scene, ledger), ledger);
+  const ContactProblem smooth = condense(build(scene, ledger), ledger).problem;
   scene.contacts[0].friction = Friction{0.3, 0};
-  const Condensed rough = condense(build(scene, ledger), ledger);
-  CHECK(rough.rigid.rows() == smooth.rigid.rows());
-  CHECK((rough.rigid - smooth.rigid).norm() <= 1e-14 * smooth.rigid.norm());
+  const ContactProblem rough = condense(build(scene, ledger), ledger).problem;
+  const Eigen::Index pairs = smooth.free_gap.size();
+  CHECK((rough.rigid.topRows(pairs) - smooth.rigid).norm() <= 1e-14 * smooth.rigid.norm());
   CHECK((rough.resultant - smooth.resultant).norm() == 0);
-  CHECK(rough.friction->rigid.rows() == 2 * smooth.rigid.rows());
+  CHECK(rough.rigid.rows() == 2 * pairs - 1);  // the axis keeps one from sliding
 }
 
-TEST_CASE("nothing but the friction of a scene chooses the family of solvers",
-          "[friction][model]") {
+TEST_CASE("one solver is asked with friction and without", "[friction][model]") {
   Ledger ledger;
   for (const double coefficient : {0.0, 0.3}) {
     const Scene scene = rough_beam(coefficient);
-    CHECK(plan(scene).solver == (coefficient > 0 ? scene.friction_solver : scene.solver));
+    CHECK(plan(scene).solver == scene.solver);
     const Model model = build(scene, ledger);
     const Solution solution = solve(model, condense(model, ledger), ledger);
     CHECK_NOTHROW(require_solved(solution, "the beam"));
-    CHECK(solution.friction.has_value() == (coefficient > 0));
+    CHECK(solution.contact.rubbing.empty() == (coefficient == 0));
   }
 }
 
 TEST_CASE("friction that is not solved says why", "[friction][model]") {
   Scene scene = rough_beam(0.3);
-  scene.friction_solver = "friction_split_literal";  // fails where a pair opens, see there
+  scene.solver = "friction_split_literal";  // fails where a pair opens, see there
   const Solution solution = solve(scene);
   REQUIRE(solution.contact.report.status != Status::Solved);
-  REQUIRE(solution.friction);
   const std::string& reason = solution.contact.reason;
   REQUIRE_FALSE(reason.empty());
   CHECK_THAT(failure(scene), ContainsSubstring("the beam was not solved: breakdown after") &&
@@ -108,7 +146,6 @@ TEST_CASE("a solution beside which others may exist says so", "[friction][model]
   const Solution likely = solve(rough_beam(0.3));
   CHECK(likely.notes.empty());
   const Solution doubtful = solve(rough_beam(3));  // mu so high that a pair can lock by itself
-  REQUIRE(doubtful.friction);
   CHECK(doubtful.contact.uniqueness == Uniqueness::Doubtful);
   REQUIRE(doubtful.notes.size() == 1);
   CHECK_THAT(doubtful.notes[0], ContainsSubstring("may be other solutions"));
@@ -116,7 +153,7 @@ TEST_CASE("a solution beside which others may exist says so", "[friction][model]
 
 TEST_CASE("names that nothing needs yet are refused too, and idle choices noted", "[plan][input]") {
   Scene scene = rough_beam(0);
-  scene.friction_solver = "magic";
+  scene.solver = "magic";
   CHECK_THAT(complaint(scene), ContainsSubstring("magic"));
   scene = rough_beam(0.3);
   scene.solver = "magic";

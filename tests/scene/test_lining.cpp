@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "reference/lining.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"
 #include "support/lining.hpp"
 

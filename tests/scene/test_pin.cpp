@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "reference/pin.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"
 #include "support/pin.hpp"
 
@@ -27,8 +27,7 @@ struct Bearing {
 Bearing bearing(const Scene& scene) {
   const SolvedScene run = solved(scene, "the pin");
   const double side = scene.bodies[0].loads.edges.front().pressure > 0 ? 1 : -1;
-  const BoundaryForces hole =
-      boundary_forces(scene, run, {"hole"});  // from the left pole to the right
+  const BoundaryForces hole = boundary_forces(run, {"hole"});  // from the left pole to the right
   const Index n = hole.weight.size();
   Bearing out{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), 0, 0};
   for (Index k = 0; k < n; ++k) {

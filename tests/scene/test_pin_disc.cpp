@@ -5,7 +5,7 @@
 #include "reference/pin.hpp"
 #include "signorini/closed_form/pin.hpp"
 #include "signorini/mesh/annulus.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 using Eigen::Index;

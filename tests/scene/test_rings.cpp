@@ -5,7 +5,7 @@
 #include "signorini/elasticity/stress.hpp"
 #include "signorini/mesh/annulus.hpp"
 #include "signorini/mesh/reshape.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/lining.hpp"
 
 using Eigen::Index;

@@ -5,7 +5,7 @@
 #include "signorini/as_printed/saddle_point_newton.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"
 #include "support/hertz.hpp"
 #include "support/message.hpp"
@@ -115,8 +115,8 @@ TEST_CASE("forces of contact and supports balance body by body", "[two_bodies]")
   const Scene scene = hertz();
   const SolvedScene run = solved(scene, "the disc");
   for (std::size_t b = 0; b < 2; ++b) {
-    const NodeArray sum = contact_forces(run.model, run.solution, b) +
-                          support_forces(scene, run.model, run.solution, b);
+    const NodeArray sum =
+        contact_forces(run.model, run.solution, b) + support_forces(run.model, run.solution, b);
     CHECK(sum.col(1).sum() == Approx(b == 0 ? hertz_load / 2 : 0).margin(1e-9 * hertz_load));
   }
 }

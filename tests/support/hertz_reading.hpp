@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "signorini/closed_form/hertz_fit.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/hertz.hpp"
 
 namespace signorini_test {

@@ -39,8 +39,7 @@ bool says_undetermined(const Solution& solution) {
 Trial try_scene(std::uint64_t seed, RandomScenes kind, const std::string& solver,
                 void (*change)(Solution& solution)) {
   RandomScene drawn = random_scene(seed, kind);
-  if (!solver.empty())
-    (kind == RandomScenes::Frictional ? drawn.scene.friction_solver : drawn.scene.solver) = solver;
+  if (!solver.empty()) drawn.scene.solver = solver;
   Trial trial;
   trial.text = std::move(drawn.text);
   const auto start = std::chrono::steady_clock::now();

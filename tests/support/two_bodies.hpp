@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "signorini/mesh/block.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace signorini_test {
 

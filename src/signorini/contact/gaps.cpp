@@ -50,14 +50,6 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(Index rows, Index columns,
   return result;
 }
 
-NodalRows kept_rows(const NodalRows& rows, const std::vector<Index>& kept) {
-  Triplets entries;
-  for (std::size_t k = 0; k < kept.size(); ++k)
-    for (NodalRows::InnerIterator it(rows, kept[k]); it; ++it)
-      entries.emplace_back(static_cast<int>(k), static_cast<int>(it.col()), it.value());
-  return matrix(static_cast<Index>(kept.size()), rows.cols(), entries);
-}
-
 template <typename Array>
 Array below_dense(const Array& upper, const Array& lower) {
   Array both(upper.rows() + lower.rows(), lower.cols());
@@ -81,7 +73,7 @@ void check_not_supported(const Surface& source, const std::set<Index>& held) {
 /// The pairs that can open or close, of which the others hold no contact force.
 std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openings,
                            const Surface& source, const std::string& what) {
-  const double size = pairs.position.size() > 0 ? pairs.position.cwiseAbs().maxCoeff() : 0;
+  const double rounding = gap_rounding(pairs);
   std::vector<Index> kept;
   std::set<Index> held;
   for (Index pair = 0; pair < pairs.initial_gap.size(); ++pair) {
@@ -91,7 +83,7 @@ std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openi
       continue;
     }
     const double gap = pairs.initial_gap(pair) + opening.held;
-    pose(gap >= -16 * epsilon * size, what, ": the pair at (", pairs.position(pair, 0), ", ",
+    pose(gap >= -rounding, what, ": the pair at (", pairs.position(pair, 0), ", ",
          pairs.position(pair, 1), ") is held by supports and overlaps by ", -gap,
          ". Move one of the two sides or release the node");
     held.insert(pairs.node[static_cast<std::size_t>(pair)]);
@@ -104,8 +96,8 @@ std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openi
 /// Some of the pairs, with the nodes counted among those of all bodies.
 Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface& source) {
   Pairs some;
-  some.opening = kept_rows(pairs.opening, kept);
-  if (pairs.sliding.rows() > 0) some.sliding = kept_rows(pairs.sliding, kept);
+  some.opening = selected_rows(pairs.opening, kept);
+  if (pairs.sliding.rows() > 0) some.sliding = selected_rows(pairs.sliding, kept);
   some.initial_gap = pairs.initial_gap(kept);
   some.weight = pairs.weight(kept);
   some.position = pairs.position(kept, Eigen::all);
@@ -124,6 +116,10 @@ std::vector<Index> joined_lists(std::vector<Index> upper, const std::vector<Inde
 }
 
 }  // namespace
+
+double gap_rounding(const Pairs& pairs) {
+  return 16 * epsilon * (pairs.position.size() > 0 ? pairs.position.cwiseAbs().maxCoeff() : 0);
+}
 
 Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
             const std::string& what) {
@@ -151,6 +147,14 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
   gaps.A = matrix(n_pairs, unknowns.count, normal);
   gaps.T = matrix(slides ? n_pairs : 0, unknowns.count, tangential);
   return gaps;
+}
+
+NodalRows selected_rows(const NodalRows& rows, const std::vector<Index>& kept) {
+  Triplets entries;
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    for (NodalRows::InnerIterator it(rows, kept[k]); it; ++it)
+      entries.emplace_back(static_cast<int>(k), static_cast<int>(it.col()), it.value());
+  return matrix(static_cast<Index>(kept.size()), rows.cols(), entries);
 }
 
 NodalRows below(const NodalRows& upper, const NodalRows& lower) {

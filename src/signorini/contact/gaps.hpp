@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/SparseCore>
 #include <string>
+#include <vector>
 
 #include "signorini/contact/pairs.hpp"
 #include "signorini/elasticity/unknowns.hpp"
@@ -21,6 +22,10 @@ struct Gaps {
   Eigen::VectorXd initial_slip;                    ///< `n_c` [length]
 };
 
+/// \param pairs  any
+/// \return by how much sides that touch may seem to overlap for the rounding of positions alone [length]
+[[nodiscard]] double gap_rounding(const Pairs& pairs);
+
 /// Takes the supports out of candidate pairs.
 ///
 /// A pair whose points cannot move along the normal is dropped: no contact force can act between two
@@ -34,6 +39,12 @@ struct Gaps {
 ///   side of the source are dropped: the boundary was meant for a support or for contact
 [[nodiscard]] Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
                           const std::string& what);
+
+/// Some rows of a matrix.
+/// \param rows  `m x n`
+/// \param kept  `k` numbers of rows
+/// \return `k x n`, in the order of `kept`
+[[nodiscard]] NodalRows selected_rows(const NodalRows& rows, const std::vector<Eigen::Index>& kept);
 
 /// Puts the rows of two matrices below each other.
 /// \param upper  `m_1 x n`

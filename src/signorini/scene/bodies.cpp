@@ -11,49 +11,39 @@ namespace signorini {
 
 using Eigen::Index;
 
-std::size_t body_index(const Scene& scene, const Side& side) {
-  if (side.body.empty() && scene.bodies.size() == 1) return 0;
+std::size_t body_index(const std::vector<BodyModel>& bodies, const Side& side) {
+  if (side.body.empty() && bodies.size() == 1) return 0;
   std::string names;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    if (scene.bodies[b].mesh.name == side.body) return b;
-    names += (b == 0 ? "'" : ", '") + scene.bodies[b].mesh.name + "'";
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].mesh.name == side.body) return b;
+    names += (b == 0 ? "'" : ", '") + bodies[b].mesh.name + "'";
   }
   throw ProblemError(text("boundary '", side.boundary, "': there is no body '", side.body,
                           "'; the scene has ", names));
 }
 
-Surface surface(const Scene& scene, const Side& side) {
-  const std::size_t own = body_index(scene, side);
-  Index first_node = 0;
-  for (std::size_t b = 0; b < own; ++b) first_node += scene.bodies[b].mesh.n_nodes();
-  static_cast<void>(boundary(scene.bodies[own].mesh, side.boundary));
-  return {scene.bodies[own].mesh, side.boundary, first_node};
+Surface surface(const std::vector<BodyModel>& bodies, const Side& side) {
+  const BodyModel& own = bodies[body_index(bodies, side)];
+  static_cast<void>(boundary(own.mesh, side.boundary));
+  return {own.mesh, side.boundary, own.first_node};
 }
 
-Index count_nodes(const Scene& scene) {
-  Index count = 0;
-  for (const Body& body : scene.bodies) count += body.mesh.n_nodes();
-  return count;
+Index count_nodes(const std::vector<BodyModel>& bodies) {
+  return bodies.back().first_node + bodies.back().mesh.n_nodes();
 }
 
-std::vector<Index> first_unknowns(const std::vector<Unknowns>& unknowns) {
-  std::vector<Index> first;
-  Index count = 0;
-  for (const Unknowns& body : unknowns) {
-    first.push_back(count);
-    count += body.count;
-  }
-  return first;
-}
-
-std::string describe(const Scene& scene, const ContactSpec& contact) {
-  const auto name = [&scene](const Side& side) {
-    return text('\'', side.boundary, "' of '", scene.bodies[body_index(scene, side)].mesh.name,
-                '\'');
+std::string describe(const std::vector<BodyModel>& bodies, const ContactSpec& contact) {
+  const auto name = [&bodies](const Side& side) {
+    return text('\'', side.boundary, "' of '", bodies[body_index(bodies, side)].mesh.name, '\'');
   };
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
     return text("contact of ", name(contact.source), " with a rigid ", obstacle->name);
   return text("contact of ", name(contact.source), " with ", name(std::get<Side>(contact.target)));
+}
+
+bool rubs(const ContactSpec& contact) {
+  return contact.friction &&
+         (contact.friction->coefficient != 0 || contact.friction->cohesion != 0);
 }
 
 Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes) {

@@ -10,32 +10,33 @@
 namespace signorini {
 
 /// Which body a side belongs to.
-/// \param scene  one body or several
-/// \param side   that names it, or leaves the name out if there is one only
-/// \return its number in `scene.bodies`
+/// \param bodies  one or several
+/// \param side    that names it, or leaves the name out if there is one only
+/// \return its number
 /// \throws ProblemError listing the bodies if there is none of that name
-[[nodiscard]] std::size_t body_index(const Scene& scene, const Side& side);
+[[nodiscard]] std::size_t body_index(const std::vector<BodyModel>& bodies, const Side& side);
 
 /// A side as gap operators want it.
-/// \param scene  that must outlive the result
-/// \param side   of one of its bodies
+/// \param bodies  that must outlive the result
+/// \param side    of one of them
 /// \return mesh, boundary and first node
 /// \throws ProblemError as body_index(), or if the body has no such boundary
-[[nodiscard]] Surface surface(const Scene& scene, const Side& side);
+[[nodiscard]] Surface surface(const std::vector<BodyModel>& bodies, const Side& side);
 
-/// \param scene  any
-/// \return number of nodes of all bodies
-[[nodiscard]] Eigen::Index count_nodes(const Scene& scene);
-
-/// \param unknowns  per body
-/// \return number of the first unknown of each body among those of all
-[[nodiscard]] std::vector<Eigen::Index> first_unknowns(const std::vector<Unknowns>& unknowns);
+/// \param bodies  one or several
+/// \return number of their nodes
+[[nodiscard]] Eigen::Index count_nodes(const std::vector<BodyModel>& bodies);
 
 /// What messages call a contact.
-/// \param scene    that has it
+/// \param bodies   of the scene
 /// \param contact  one of its contacts
 /// \return such as "contact of 'rim' of 'disc' with 'top' of 'plate'"
-[[nodiscard]] std::string describe(const Scene& scene, const ContactSpec& contact);
+[[nodiscard]] std::string describe(const std::vector<BodyModel>& bodies,
+                                   const ContactSpec& contact);
+
+/// \param contact  any
+/// \return whether it has friction or cohesion: a law that allows no friction force is none
+[[nodiscard]] bool rubs(const ContactSpec& contact);
 
 /// Rigid motions that open and close no gap.
 /// \param A      `n_c x n` gaps, see Gaps

@@ -47,27 +47,30 @@ struct ContactSpec {
   std::optional<Friction> friction = {};         ///< none by default
 };
 
-/// Elastic bodies and what they may touch. Every effect is an optional entry; one that is absent costs
-/// nothing.
+/// Elastic bodies and what they may touch. Every effect is an optional entry, see effects.hpp; one that is
+/// absent costs nothing.
 struct Scene {
   std::vector<Body> bodies = {{}};                ///< one or more
   std::vector<ContactSpec> contacts;              ///< none by default
   std::string solver = "primal_dual_active_set";  ///< name in solvers()
-  /// Name in friction_solvers(), which take over if any contact has friction.
-  std::string friction_solver = "primal_dual_active_set";
 };
 
-/// What a scene calls for, found without assembling anything.
+struct Effect;
+
+/// What a scene calls for, found without assembling anything. It may be copied, and is all that build() needs.
 struct Plan {
-  std::vector<std::string> on;       ///< effects that are on, one line each
-  std::vector<std::string> off;      ///< effects that are off
+  std::vector<std::string> on;       ///< bodies and effects that are on, one line each
+  std::vector<std::string> off;      ///< names of the effects that are off
   std::vector<std::string> notes;    ///< what a user should know, such as an element that will lock
   std::vector<MeshQuality> quality;  ///< of the worst cells, per body
-  std::vector<Unknowns> unknowns;    ///< per body, numbered from 0 in each
-  std::vector<FreeMotion> modes;     ///< `n_r` rigid motions that only contact can stop
-  Gaps gaps;                         ///< `n_c` candidate pairs of all contacts, none without
-  FrictionLaw law;                   ///< of all pairs if any contact has friction, else of none
-  std::string solver;  ///< name: `scene.friction_solver` if anything rubs, else `scene.solver`
+  std::vector<const Effect*> effects;   ///< that are on, members of effects()
+  std::vector<BodyModel> bodies;        ///< as in the scene
+  Unknowns unknowns;                    ///< `n` of all bodies, one after another
+  std::vector<FreeMotion> modes;        ///< `n_r` rigid motions that supports leave to the bodies
+  Gaps gaps;                            ///< `n_c` candidate pairs of all contacts, none without
+  std::vector<std::size_t> contact_of;  ///< `n_c` number of the contact of each pair
+  FrictionLaw law;                      ///< of the pairs that can slide and whose own contact rubs
+  std::string solver;                   ///< name of the one that the scene asks for
 };
 
 /// Reads a scene and says what will be computed. \param scene  to be solved
@@ -77,7 +80,13 @@ struct Plan {
 ///   that nothing can stop; assemble() finds the rest
 [[nodiscard]] Plan plan(const Scene& scene);
 
-/// Plans and assembles. \param scene  any; plan() need not have been called
+/// Assembles what was planned, without another look at the scene. \param plan  from plan()
+/// \param ledger  receives the phase `assembly`
+/// \return matrices and gaps
+/// \throws ProblemError as assemble()
+[[nodiscard]] Model build(Plan plan, Ledger& ledger);
+
+/// Plans and assembles. \param scene  any
 /// \param ledger  receives the phases `plan` and `assembly`
 /// \return matrices and gaps
 /// \throws ProblemError as plan() and assemble()

@@ -19,6 +19,7 @@ struct BodyModel {
   Mesh mesh;                   ///< of the scene
   Element element;             ///< found by its name
   Material material;           ///< of the scene
+  Loads loads;                 ///< of the scene
   Unknowns unknowns;           ///< of this body, numbered from 0
   Eigen::Index first_node;     ///< number of its first node among those of all bodies
   Eigen::Index first_unknown;  ///< number of its first unknown
@@ -26,13 +27,14 @@ struct BodyModel {
 
 /// Matrices of the bodies and the gaps they may close.
 struct Model {
-  std::vector<BodyModel> bodies;  ///< as in the scene
-  Unknowns unknowns;              ///< `n` of all bodies, one after another
-  QuadraticProgramme programme;   ///< K, p, A, g of the gaps, then of the slips if any pair rubs
-  Pairs pairs;                    ///< `n_c` that can close; see Gaps
-  std::vector<FreeMotion> modes;  ///< `n_r` null vectors of K
-  FrictionLaw law;                ///< of the pairs that rub, empty if none does
-  std::string solver;             ///< of the family that the model needs, as the scene names it
+  std::vector<BodyModel> bodies;   ///< as in the scene
+  Unknowns unknowns;               ///< `n` of all bodies, one after another
+  QuadraticProgramme programme;    ///< K, p, A, g of the gaps, then of the slips of `law`
+  Pairs pairs;                     ///< `n_c` that can close; see Gaps
+  std::vector<FreeMotion> modes;   ///< `n_r` null vectors of K
+  FrictionLaw law;                 ///< of the pairs that rub, empty if none does
+  std::string solver;              ///< of the family that the model needs, as the scene names it
+  std::vector<std::string> notes;  ///< of the plan
 };
 
 /// The model with all unknowns but the contact forces eliminated.
@@ -52,9 +54,10 @@ struct Solution {
   PrimalDual refined;                    ///< unknowns in two parts, and the forces of all rows of A
   /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
-  std::string escape;              ///< if the load pulls a body away: how it moves off
-  std::vector<std::string> notes;  ///< what a user should know, such as that others may exist
-  Ledger ledger;                   ///< what it cost
+  std::string escape;  ///< if the load pulls a body away: how it moves off
+  /// What a user should know: the notes of the plan, then such as that others may exist.
+  std::vector<std::string> notes;
+  Ledger ledger;  ///< what it cost
 };
 
 /// Factors K with the contact unknowns last and reads the compliance off the trailing block.

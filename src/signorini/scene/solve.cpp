@@ -113,6 +113,7 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),
                                    find_solver(solver), {}, ledger);
   Solution solution;
+  solution.notes = model.notes;
   solution.contact = std::move(end.state);
   solution.certificate = end.certificate;
   const ContactState& contact = solution.contact;

@@ -6,7 +6,7 @@
 #include "signorini/core/random.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

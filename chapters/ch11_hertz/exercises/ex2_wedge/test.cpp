@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

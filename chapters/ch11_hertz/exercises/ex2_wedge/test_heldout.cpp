@@ -4,7 +4,7 @@
 #include "exercise.hpp"
 #include "signorini/closed_form/indentation.hpp"
 #include "signorini/closed_form/moduli.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

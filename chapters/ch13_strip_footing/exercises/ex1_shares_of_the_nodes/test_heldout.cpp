@@ -5,7 +5,7 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/mesh/half_space.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

@@ -8,7 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/mesh/half_space.hpp"
 #include "signorini/mesh/reshape.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

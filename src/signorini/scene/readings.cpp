@@ -1,4 +1,4 @@
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 
 #include <utility>
 
@@ -30,23 +30,22 @@ NodeArray contact_forces(const Model& model, const Solution& solution, std::size
   return Eigen::Map<const NodeArray>(all.data() + 2 * own.first_node, own.mesh.n_nodes(), 2);
 }
 
-NodeArray support_forces(const Scene& scene, const Model& model, const Solution& solution,
-                         std::size_t body) {
+NodeArray support_forces(const Model& model, const Solution& solution, std::size_t body) {
   const NodeArray contact = contact_forces(model, solution, body);
   const BodyModel& own = model.bodies[body];
   // A rigid motion strains nothing, but its rounding would.
   const NodeArray all = expand(model.unknowns, strained(solution.refined));
   const NodeArray strains = all.middleRows(own.first_node, own.mesh.n_nodes());
   return internal_forces(own.mesh, own.element, own.material, strains) -
-         nodal_loads(own.mesh, own.element, own.material, scene.bodies[body].loads) - contact;
+         nodal_loads(own.mesh, own.element, own.material, own.loads) - contact;
 }
 
-BoundaryForces boundary_forces(const Scene& scene, const SolvedScene& run, const Side& side) {
-  const std::size_t body = body_index(scene, side);
+BoundaryForces boundary_forces(const SolvedScene& run, const Side& side) {
+  const std::size_t body = body_index(run.model.bodies, side);
   const BodyModel& own = run.model.bodies[body];
   const std::vector<Eigen::Index> nodes = boundary_nodes(own.mesh, side.boundary);
   NodeArray force = contact_forces(run.model, run.solution, body);
-  const NodeArray support = support_forces(scene, run.model, run.solution, body);
+  const NodeArray support = support_forces(run.model, run.solution, body);
   for (const Eigen::Index node : nodes)
     for (int axis = 0; axis < 2; ++axis)
       if (own.unknowns.number(node, axis) < 0) force(node, axis) += support(node, axis);

@@ -1,6 +1,6 @@
 // The forces that obstacle and supports put on the nodes.
 #include "catch_compat.hpp"
-#include "signorini/scene/solved.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/message.hpp"
 
@@ -15,7 +15,7 @@ TEST_CASE("forces of supports, obstacle and loads balance", "[solved]") {
     CAPTURE(element);
     const Scene scene = cantilever(element, 50, 5);
     const auto [model, condensed, solution] = solved(scene, "the beam");
-    const NodeArray support = support_forces(scene, model, solution);
+    const NodeArray support = support_forces(model, solution);
     const NodeArray obstacle = contact_forces(model, solution);
     const NodeArray sum = support + obstacle;
     CHECK(sum.col(0).sum() == Approx(0).margin(1e-8));
@@ -33,17 +33,17 @@ TEST_CASE("forces of supports, obstacle and loads balance", "[solved]") {
 TEST_CASE("the forces on a boundary are those of obstacle and supports", "[solved]") {
   const Scene scene = cantilever("q4", 20, 4);
   const SolvedScene run = solved(scene, "the beam");
-  const BoundaryForces below = boundary_forces(scene, run, {"bottom"});
+  const BoundaryForces below = boundary_forces(run, {"bottom"});
   REQUIRE(below.force.rows() == 21);
-  const NodeArray support = support_forces(scene, run.model, run.solution);
+  const NodeArray support = support_forces(run.model, run.solution);
   CHECK(below.force.row(0) == support.row(0));  // the clamped corner has no pair
   CHECK(below.force.col(1).tail(20) == run.solution.contact.force);
   CHECK(below.force.col(0).tail(20).norm() == 0);
   CHECK(below.weight.sum() == Approx(50).epsilon(1e-14));
   CHECK(below.position(20, 0) == 50);
-  const BoundaryForces clamp = boundary_forces(scene, run, {"left"});
+  const BoundaryForces clamp = boundary_forces(run, {"left"});
   CHECK(clamp.force.col(1).sum() + run.solution.contact.force.sum() == Approx(180).epsilon(1e-10));
-  CHECK_THROWS_AS(boundary_forces(scene, run, {"side"}), ProblemError);
+  CHECK_THROWS_AS(boundary_forces(run, {"side"}), ProblemError);
 }
 
 TEST_CASE("a scene that is not solved has no forces", "[solved]") {
@@ -51,7 +51,7 @@ TEST_CASE("a scene that is not solved has no forces", "[solved]") {
   auto run = solved(scene, "the beam");
   run.solution.contact.report.status = Status::IterationLimit;
   CHECK_THROWS_AS(contact_forces(run.model, run.solution), std::invalid_argument);
-  CHECK_THROWS_AS(support_forces(scene, run.model, run.solution), std::invalid_argument);
+  CHECK_THROWS_AS(support_forces(run.model, run.solution), std::invalid_argument);
   CHECK_THROWS_AS(internal_forces(run.model.bodies[0].mesh, run.model.bodies[0].element,
                                   run.model.bodies[0].material, NodeArray::Zero(3, 2)),
                   std::invalid_argument);

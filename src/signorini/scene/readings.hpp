@@ -1,5 +1,5 @@
 /// \file
-/// A scene with everything that was made on the road to its solution.
+/// A scene with everything that was made on the road to its solution, and the forces read from that.
 #pragma once
 #include <string>
 
@@ -22,7 +22,7 @@ struct SolvedScene {
 [[nodiscard]] SolvedScene solved(const Scene& scene, const std::string& what);
 
 /// Forces of contact on the nodes of one body: \f$ N^T\lambda \f$.
-/// \param model     of the scene
+/// \param model     from build()
 /// \param solution  of the model
 /// \param body      its number
 /// \return `n_nodes x 2` [force], zero at nodes without a closed pair
@@ -31,14 +31,13 @@ struct SolvedScene {
                                        std::size_t body = 0);
 
 /// Forces of the supports on the nodes of one body.
-/// \param scene     that was solved
-/// \param model     of the scene
+/// \param model     from build()
 /// \param solution  of the model
 /// \param body      its number
 /// \return `n_nodes x 2` [force], zero but for rounding where no support holds
 /// \throws std::invalid_argument if the problem is not solved
-[[nodiscard]] NodeArray support_forces(const Scene& scene, const Model& model,
-                                       const Solution& solution, std::size_t body = 0);
+[[nodiscard]] NodeArray support_forces(const Model& model, const Solution& solution,
+                                       std::size_t body = 0);
 
 /// What contact and supports do to one boundary, in the order of boundary_nodes().
 struct BoundaryForces {
@@ -48,12 +47,10 @@ struct BoundaryForces {
 };
 
 /// Collects the forces on one boundary.
-/// \param scene  that was solved
-/// \param run    what solved() made of it
-/// \param side   boundary and body
+/// \param run   what solved() made of a scene
+/// \param side  boundary and body
 /// \return forces at its nodes, exactly zero where neither contact nor support acts
 /// \throws ProblemError if there is no such boundary
-[[nodiscard]] BoundaryForces boundary_forces(const Scene& scene, const SolvedScene& run,
-                                             const Side& side);
+[[nodiscard]] BoundaryForces boundary_forces(const SolvedScene& run, const Side& side);
 
 }  // namespace signorini

@@ -1,0 +1,98 @@
+#include <algorithm>
+
+#include "signorini/contact/node_to_obstacle.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/effects.hpp"
+
+namespace signorini::effect {
+namespace {
+
+using Eigen::Index;
+
+/// Notes choices of a contact that nothing asks for. Looks up its gap operator, needed or not.
+void check_choices(const ContactSpec& contact, Plan& draft) {
+  const ContactSpec usual;
+  const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
+  const bool rigid = std::holds_alternative<Obstacle>(contact.target);
+  std::string idle = rigid && contact.gap_operator != usual.gap_operator ? ", gap_operator" : "";
+  if (contact.points != usual.points && (rigid || !gap_operator.takes_points)) idle += ", points";
+  if (contact.quadrature != usual.quadrature && (rigid || !gap_operator.takes_quadrature))
+    idle += ", quadrature";
+  if (!idle.empty())
+    draft.notes.push_back(text(describe(draft.bodies, contact), ": without meaning for ",
+                               rigid ? "a rigid obstacle" : contact.gap_operator, ": ",
+                               idle.substr(2)));
+}
+
+/// Pairs of one contact, and a note if some nodes have none.
+Pairs pair_up(const ContactSpec& contact, bool sliding, Plan& draft) {
+  const std::vector<BodyModel>& bodies = draft.bodies;
+  const Surface source = surface(bodies, contact.source);
+  const double thickness = bodies[body_index(bodies, contact.source)].material.thickness;
+  const GapOptions options{count_nodes(bodies), thickness, sliding, contact.points,
+                           contact.quadrature};
+  if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
+    return node_to_obstacle(source, *obstacle, options);
+  const Side& side = std::get<Side>(contact.target);
+  const double other = bodies[body_index(bodies, side)].material.thickness;
+  pose(thickness == other, describe(bodies, contact), ": the bodies are ", thickness, " and ",
+       other, " thick, but contact in the plane needs one thickness");
+  Pairs pairs =
+      find_gap_operator(contact.gap_operator).pair(source, surface(bodies, side), options);
+  if (!pairs.unpaired.empty())
+    draft.notes.push_back(text(describe(bodies, contact), ": ", pairs.unpaired.size(),
+                               " source nodes face no target and are left out, the first is node ",
+                               pairs.unpaired.front()));
+  return pairs;
+}
+
+void price_contact(const Scene& scene, Plan& draft) {
+  for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
+  const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), rubs);
+  for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
+    const ContactSpec& contact = scene.contacts[k];
+    const std::string what = describe(draft.bodies, contact);
+    const Gaps gaps = reduce(pair_up(contact, sliding, draft),
+                             surface(draft.bodies, contact.source), draft.unknowns, what);
+    const std::size_t pairs = gaps.pairs.node.size();
+    const bool rigid = std::holds_alternative<Obstacle>(contact.target);
+    draft.on.push_back(
+        text(what, ": ", pairs, " candidate pairs",
+             rigid ? ", no mesh and no search for the obstacle" : " by " + contact.gap_operator));
+    draft.gaps = stacked(draft.gaps, gaps);
+    draft.contact_of.resize(draft.contact_of.size() + pairs, k);
+  }
+}
+
+/// Number of pairs that overlap by more than rounding.
+Index overlapping(const Plan& plan) {
+  return (plan.gaps.pairs.initial_gap.array() < -gap_rounding(plan.gaps.pairs)).count();
+}
+
+}  // namespace
+
+Effect contact() {
+  return {"contact",
+          [](const Scene& scene, const Plan& /*draft*/) { return !scene.contacts.empty(); },
+          price_contact,
+          [](Plan& plan, Model& model) {
+            model.programme.A.swap(plan.gaps.A);
+            model.programme.initial_gap = plan.gaps.pairs.initial_gap;
+            model.pairs = std::move(plan.gaps.pairs);
+          }};
+}
+
+Effect initial_overlap() {
+  return {
+      "initial overlap",
+      [](const Scene& /*scene*/, const Plan& draft) { return overlapping(draft) > 0; },
+      [](const Scene& /*scene*/, Plan& draft) {
+        draft.on.push_back(text("initial overlap of ", overlapping(draft), " pairs"));
+        draft.notes.push_back(text("the two sides overlap by ",
+                                   -draft.gaps.pairs.initial_gap.minCoeff(), " before loading"));
+      },
+      [](Plan& /*plan*/, Model& /*model*/) {}};
+}
+
+}  // namespace signorini::effect

@@ -1,0 +1,101 @@
+// Friction and cohesion: two effects that share the slip rows.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/effects.hpp"
+#include "signorini/solvers/solvers.hpp"
+
+namespace signorini::effect {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// One of the two numbers of the law.
+using Constant = double Friction::*;
+
+double value(const ContactSpec& contact, Constant constant) {
+  return contact.friction ? (*contact.friction).*constant : 0;
+}
+
+bool any_has(const Scene& scene, Constant constant) {
+  return std::any_of(scene.contacts.begin(), scene.contacts.end(),
+                     [=](const ContactSpec& contact) { return value(contact, constant) != 0; });
+}
+
+/// Whether supports leave a pair free to slide: friction between two supports could be anything, so it is none
+/// and all of it counts as theirs.
+bool can_slide(const Gaps& gaps, Index pair) {
+  return gaps.initial_slip(pair) != 0 || gaps.T.row(pair).norm() > 0;
+}
+
+/// Slips that friction and cohesion share: of the pairs that can slide and whose own contact rubs.
+void take_slips(const Scene& scene, Plan& draft) {
+  FrictionLaw& law = draft.law;
+  if (!law.pair.empty()) return;
+  for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
+    if (rubs(scene.contacts[draft.contact_of[pair]]) &&
+        can_slide(draft.gaps, static_cast<Index>(pair)))
+      law.pair.push_back(static_cast<Index>(pair));
+  if (law.pair.empty()) return;
+  law.coefficient = law.cohesion = VectorXd::Zero(static_cast<Index>(law.pair.size()));
+  pose(find_solver(scene.solver).friction != Takes::No, "solver '", scene.solver,
+       "' takes no friction; those that do: ", names_of(friction_solvers()));
+  draft.on.push_back(text("slips of ", law.pair.size(), " pairs"));
+}
+
+/// Says what a constant is in every contact. \return its values for the pairs of the law
+VectorXd price(const Scene& scene, Plan& draft, Constant constant, const std::string& name) {
+  for (const ContactSpec& contact : scene.contacts) {
+    const double given = value(contact, constant);
+    const std::string what = text(name, " of the ", describe(draft.bodies, contact));
+    pose(std::isfinite(given) && given >= 0, what, " must be a number >= 0, got ", given);
+    if (given > 0) draft.on.push_back(text(what, ": ", given));
+  }
+  take_slips(scene, draft);
+  VectorXd values(draft.law.coefficient.size());
+  for (Index k = 0; k < values.size(); ++k) {
+    const Index pair = draft.law.pair[static_cast<std::size_t>(k)];
+    values(k) = value(scene.contacts[draft.contact_of[static_cast<std::size_t>(pair)]], constant);
+  }
+  return values;
+}
+
+void add_slips(Plan& plan, Model& model) {
+  if (!model.law.pair.empty() || plan.law.pair.empty()) return;
+  VectorXd& g = model.programme.initial_gap;
+  model.programme.A = below(model.programme.A, -selected_rows(plan.gaps.T, plan.law.pair));
+  g.conservativeResize(model.programme.A.rows());
+  g.tail(plan.law.coefficient.size()) = plan.gaps.initial_slip(plan.law.pair);
+  model.law = std::move(plan.law);
+}
+
+}  // namespace
+
+Effect friction() {
+  return {"friction",
+          [](const Scene& scene, const Plan& /*draft*/) {
+            return any_has(scene, &Friction::coefficient);
+          },
+          [](const Scene& scene, Plan& draft) {
+            draft.law.coefficient =
+                price(scene, draft, &Friction::coefficient, "friction coefficient");
+          },
+          add_slips};
+}
+
+Effect cohesion() {
+  return {
+      "cohesion",
+      [](const Scene& scene, const Plan& /*draft*/) { return any_has(scene, &Friction::cohesion); },
+      [](const Scene& scene, Plan& draft) {
+        VectorXd values = price(scene, draft, &Friction::cohesion, "cohesion");
+        draft.law.cohesion = values.cwiseProduct(draft.gaps.pairs.weight(draft.law.pair));
+      },
+      add_slips};
+}
+
+}  // namespace signorini::effect

@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <cmath>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/effects.hpp"
+
+namespace signorini::effect {
+namespace {
+
+using Eigen::Index;
+
+void add_load(const BodyModel& body, const Loads& loads, Eigen::VectorXd& load) {
+  const NodeArray nodal = nodal_loads(body.mesh, body.element, body.material, loads);
+  for (Index node = 0; node < body.mesh.n_nodes(); ++node)
+    for (int axis = 0; axis < 2; ++axis)
+      if (const Index unknown = body.unknowns.number(node, axis); unknown >= 0)
+        load(body.first_unknown + unknown) += nodal(node, axis);
+}
+
+bool has_weight(const Body& body) { return static_cast<bool>(body.loads.body_force); }
+
+bool has_edge_loads(const Body& body) { return !body.loads.edges.empty(); }
+
+}  // namespace
+
+Effect body_force() {
+  return {"body force",
+          [](const Scene& scene, const Plan& /*draft*/) {
+            return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_weight);
+          },
+          [](const Scene& scene, Plan& draft) {
+            for (const Body& body : scene.bodies)
+              if (has_weight(body)) draft.on.push_back("body force on '" + body.mesh.name + "'");
+          },
+          [](Plan& /*plan*/, Model& model) {
+            for (const BodyModel& body : model.bodies)
+              add_load(body, {body.loads.body_force, {}}, model.programme.load);
+          }};
+}
+
+Effect edge_loads() {
+  return {"edge loads",
+          [](const Scene& scene, const Plan& /*draft*/) {
+            return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_edge_loads);
+          },
+          [](const Scene& scene, Plan& draft) {
+            for (const Body& body : scene.bodies)
+              for (const EdgeLoad& load : body.loads.edges) {
+                static_cast<void>(boundary(body.mesh, load.boundary));
+                pose(std::isfinite(load.pressure), "load on '", load.boundary, "': the pressure ",
+                     load.pressure, " is not finite");
+                draft.on.push_back("load on '" + load.boundary + "' of '" + body.mesh.name + "'");
+              }
+          },
+          [](Plan& /*plan*/, Model& model) {
+            for (const BodyModel& body : model.bodies)
+              add_load(body, {{}, body.loads.edges}, model.programme.load);
+          }};
+}
+
+}  // namespace signorini::effect

@@ -1,0 +1,19 @@
+#include "signorini/scene/effects.hpp"
+
+namespace signorini {
+
+// The table: one line per function that returns a member.
+#define SIGNORINI_EFFECTS \
+  body_force(), edge_loads(), contact(), initial_overlap(), friction(), cohesion(), rigid_motions()
+
+namespace effect {
+Effect SIGNORINI_EFFECTS;  // declares them
+}
+
+const std::vector<Effect>& effects() {
+  using namespace effect;
+  static const std::vector<Effect> family = {SIGNORINI_EFFECTS};
+  return family;
+}
+
+}  // namespace signorini

@@ -1,0 +1,44 @@
+/// \file
+/// The family of effects: what a scene may call for besides elastic bodies on supports. To add one: give it an
+/// optional entry in Scene, write a `.cpp` with a function of its name that returns it, and put that name into
+/// the table in effects.cpp; the conformance suite asks for a scene that has it.
+///
+/// Nothing else looks at what a scene calls for: plan() asks every effect in the order of the table whether it
+/// is present and what it takes, build() lets those that are add their part of the model, and what an effect
+/// leaves empty no later step sees. So the next ones will enter:
+///
+/// * *load steps*: `price` lists the steps in the plan, `add` hands the model one p and g per step; the factor
+///   and the compliance stay.
+/// * *moving geometry*: `price` says that pairs are searched once per step, `add` hands the model a function
+///   from displacements to gaps in the place of one A and g.
+/// * *finite strain*: `price` says that K is assembled and factored once per iteration, `add` hands the model a
+///   function from displacements to K and p.
+/// * *axial symmetry*: `price` checks the material and the distances from the axis; `add` changes the thickness
+///   that stands in every integral to \f$ 2\pi r \f$.
+/// * *temperature*: `add` adds the forces of hindered expansion to p, as a load does, and the strain that
+///   stresses are read without.
+#pragma once
+#include <vector>
+
+#include "signorini/scene/scene.hpp"
+
+namespace signorini {
+
+/// One member of the family.
+struct Effect {
+  const char* name;  ///< as in `Plan::off`
+  /// Whether a scene calls for it; the draft has the bodies and what effects before it in the table took.
+  bool (*present)(const Scene& scene, const Plan& draft);
+  /// If it is present: checks what the scene says of it, and writes to the draft what it takes, with a line in
+  /// `on`. Throws ProblemError for what cannot be meant.
+  void (*price)(const Scene& scene, Plan& draft);
+  /// If it is present: adds its rows, loads or unknowns to a model of the bodies alone, in which effects before
+  /// it in the table have added theirs. It may move what it took out of the plan.
+  void (*add)(Plan& plan, Model& model);
+};
+
+/// The family.
+/// \return all members, in the order in which they are asked
+[[nodiscard]] const std::vector<Effect>& effects();
+
+}  // namespace signorini
