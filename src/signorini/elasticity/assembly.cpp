@@ -14,18 +14,10 @@ using Eigen::Index;
 template <typename Visit>
 void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit) {
   for (const CellSide& side : boundary(mesh, name)) {
-    const std::vector<Index> nodes = mesh.side_nodes(side);
-    for (const GaussPoint& gauss : gauss_line(3)) {
-      const SideShape shape = side_shape(nodes.size(), gauss.xi);
-      Eigen::Vector2d position = Eigen::Vector2d::Zero();
-      Eigen::Vector2d tangent = Eigen::Vector2d::Zero();
-      for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const Eigen::Vector2d x = mesh.nodes.row(nodes[k]).transpose();
-        position += shape.value(static_cast<Index>(k)) * x;
-        tangent += shape.slope(static_cast<Index>(k)) * x;
-      }
-      visit(nodes, shape.value, tangent, position, gauss.weight);
-    }
+    const SideCurve curve(mesh, side);
+    for (const GaussPoint& gauss : gauss_line(3))
+      visit(curve.nodes(), curve.shape(gauss.xi).value, curve.tangent(gauss.xi),
+            curve.point(gauss.xi).position(), gauss.weight);
   }
 }
 
@@ -43,11 +35,13 @@ void add_body_force(const Mesh& mesh, const Element& element, const Eigen::Matri
   StrainPoints points;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
     const CellNodes nodes = cell_nodes(mesh, cell);
+    const CellNodes arms = arms_from_middle(nodes);
+    const Eigen::RowVector2d middle = nodes.row(0) - arms.row(0);
     element.strain(nodes, D, points);
     for (int i = 0; i < points.size; ++i) {
       const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
       const CellScalars N = element.shape(point.local.x(), point.local.y()).value;
-      const Eigen::Vector2d position = nodes.transpose() * N;
+      const Eigen::Vector2d position = middle.transpose() + arms.transpose() * N;
       const Eigen::Vector2d f = force(position);
       pose(f.allFinite(), "body force: not finite at (", position.x(), ", ", position.y(), ')');
       for (Index k = 0; k < element.n_nodes; ++k)

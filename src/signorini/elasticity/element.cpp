@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/mesh/mesh.hpp"
 
 namespace signorini {
 namespace {
@@ -38,7 +39,7 @@ std::vector<GaussPoint> legendre_rule(int n) {
 
 Jacobian jacobian(const Shape& shape, const CellNodes& nodes) {
   Jacobian map;
-  map.matrix.noalias() = shape.slope.transpose() * nodes;
+  map.matrix.noalias() = shape.slope.transpose() * arms_from_middle(nodes);
   map.determinant = map.matrix.determinant();
   map.gradient.noalias() = shape.slope * map.matrix.inverse().transpose();
   return map;
