@@ -24,8 +24,9 @@ void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit
 /// A curved cell can fold although its corners are in order; the map then turns over at some point.
 void check_unfolded(const Mesh& mesh, const Element& element, Index cell, const CellNodes& nodes) {
   if (element.n_nodes == 4) return;  // for straight sides the corners decide, see check_mesh()
+  const CellNodes arms = arms_from_middle(nodes);
   for (const GaussPoint& at : gauss_square(3))
-    pose(jacobian(element.shape(at.xi, at.eta), nodes).determinant > 0, "mesh '", mesh.name,
+    pose(jacobian(element.shape(at.xi, at.eta), arms).determinant > 0, "mesh '", mesh.name,
          "': cell ", cell,
          " folds over itself: move the middle nodes of its sides closer to the straight lines");
 }
@@ -37,7 +38,7 @@ void add_body_force(const Mesh& mesh, const Element& element, const Eigen::Matri
     const CellNodes nodes = cell_nodes(mesh, cell);
     const CellNodes arms = arms_from_middle(nodes);
     const Eigen::RowVector2d middle = nodes.row(0) - arms.row(0);
-    element.strain(nodes, D, points);
+    element.strain(arms, D, points);
     for (int i = 0; i < points.size; ++i) {
       const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
       const CellScalars N = element.shape(point.local.x(), point.local.y()).value;
@@ -81,7 +82,7 @@ void check_element(const Mesh& mesh, const Element& element) {
 CellMatrix cell_stiffness(const Element& element, const CellNodes& nodes, const Eigen::Matrix3d& D,
                           double thickness) {
   StrainPoints points;
-  element.strain(nodes, D, points);
+  element.strain(arms_from_middle(nodes), D, points);
   CellMatrix K = CellMatrix::Zero(2 * element.n_nodes, 2 * element.n_nodes);
   for (int i = 0; i < points.size; ++i) {
     const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
