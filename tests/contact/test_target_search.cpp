@@ -54,7 +54,7 @@ TEST_CASE("a point over a plate faces the place below it", "[target_search]") {
   REQUIRE(place.found);
   CHECK(place.side == 2);  // the top runs to the left
   CHECK(place.xi == 0.5);
-  CHECK(place.point == Vector2d(1.25, 0));
+  CHECK(place.point.position() == Vector2d(1.25, 0));
   CHECK(place.normal == Vector2d(0, 1));
   CHECK(place.gap == 0.5);
   CHECK(search.closest({1.25, -0.5}, {0, -1}).gap == -0.5);
@@ -71,7 +71,7 @@ TEST_CASE("what lies beside a boundary faces nothing, but for the last digit of 
     REQUIRE(place.found);
     CHECK(place.normal == Vector2d(0, 1));
     CHECK(place.gap == height);
-    CHECK(place.point.x() == 4 + 5e-7);
+    CHECK(place.point.position().x() == 4 + 5e-7);
   }
 }
 
@@ -111,16 +111,16 @@ TEST_CASE("a closed target is met on the side that faces the source, even from i
     const TargetSearch search(mesh, "both");
     const Projection below = search.closest({0.05, -1.3}, {0, 1});
     REQUIRE(below.found);
-    CHECK(below.point.y() < -1.1);
+    CHECK(below.point.position().y() < -1.1);
     const Projection outside = search.closest({1.3, 0.01}, {-1, 0});
     REQUIRE(outside.found);
-    CHECK(outside.point.x() == Approx(1.2).margin(0.02));
+    CHECK(outside.point.position().x() == Approx(1.2).margin(0.02));
     for (const double x : {0.5, 0.95, 1.05, 1.15}) {  // at 1.15 the outside is nearer
       const Projection inside = search.closest({x, 0.01}, {1, 0});
       REQUIRE(inside.found);
       CHECK(inside.gap == Approx(1 - x).margin(0.02));
     }
-    CHECK_FALSE(search.closest({-0.5, 0.01}, {1, 0}).point.x() < 0);
+    CHECK_FALSE(search.closest({-0.5, 0.01}, {1, 0}).point.position().x() < 0);
   }
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("the force at a convex vertex acts through the point and the vertex", 
   const TargetSearch search(mesh, "top");
   const Projection place = search.closest({2.05, 1.5}, {0, -1});
   REQUIRE(place.found);
-  CHECK(place.point == Vector2d(2, 1));
+  CHECK(place.point.position() == Vector2d(2, 1));
   CHECK((place.normal - Vector2d(0.05, 0.5).normalized()).norm() < 1e-15);
   CHECK(place.gap == Approx(std::hypot(0.05, 0.5)).epsilon(1e-15));
   CHECK((place.side == 0 && place.xi == 1));
@@ -146,7 +146,7 @@ TEST_CASE("midway over a concave vertex the vertex is taken, not one of the flan
   const TargetSearch search(mesh, "top");
   const Projection place = search.closest({2, -0.1}, {0, -1});
   REQUIRE(place.found);
-  CHECK(place.point == Vector2d(2, -0.5));
+  CHECK(place.point.position() == Vector2d(2, -0.5));
   CHECK((place.normal - Vector2d(0, 1)).norm() < 1e-15);
   CHECK(place.gap == Approx(0.4).epsilon(1e-15));
   CHECK(search.closest({2.01, -0.1}, {0, -1}).normal.x() < -0.2);
@@ -171,7 +171,7 @@ TEST_CASE("points that coincide with vertices but for rounding look along the bi
         }
       }
       // Over the vertex between the last side and the first, the first is named.
-      const Vector2d start = search.side(0).point(-1);
+      const Vector2d start = search.side(0).point(-1).position();
       const Projection place = search.closest((1 + 0.05 * out) * start, -out * start);
       CHECK((place.side == 0 && place.xi == -1));
     }

@@ -96,9 +96,10 @@ TEST_CASE("along the normal of the source the first facing side is met", "[targe
     const Vector2d out(std::cos(angle), std::sin(angle));
     const Projection place = search.along(2.5 * out, -out);
     REQUIRE(place.found);
-    CHECK(std::abs(place.point.x() * out.y() - place.point.y() * out.x()) < 1e-14);
-    CHECK(place.point.dot(out) > 1.9);
-    CHECK(place.gap == Approx((2.5 * out - place.point).dot(place.normal)).epsilon(1e-14));
+    const Vector2d at = place.point.position();
+    CHECK(std::abs(at.x() * out.y() - at.y() * out.x()) < 1e-14);
+    CHECK(at.dot(out) > 1.9);
+    CHECK(place.gap == Approx((2.5 * out - at).dot(place.normal)).epsilon(1e-14));
     CHECK_FALSE(search.along(2.5 * out, Vector2d(-out.y(), out.x())).found);
     CHECK_FALSE(search.along(2.5 * out, out).found);
   }

@@ -73,6 +73,33 @@ TEST_CASE("a cell far from the origin is not taken for a degenerate one", "[mesh
   CHECK_NOTHROW(check_mesh(mesh));
 }
 
+// The cells are 1 high, so that coordinates may be rounded to 1e-6: 1e-6 / epsilon = 4.5e9.
+TEST_CASE("a mesh whose coordinates are rounded to more than a millionth of a cell is refused",
+          "[mesh]") {
+  for (const Eigen::RowVector2d& way : {Eigen::RowVector2d(1, 0), Eigen::RowVector2d(0, -1)})
+    for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
+      Mesh mesh = plate(order);
+      mesh.nodes.rowwise() += 4e9 * way;
+      CHECK_NOTHROW(check_mesh(mesh));
+      mesh.nodes.rowwise() += 1e9 * way;
+      CHECK_THAT(complaint(mesh), ContainsSubstring("'plate' has lost its digits") &&
+                                      ContainsSubstring("the height of cell 0, which is 1") &&
+                                      ContainsSubstring("Move the bodies near the origin"));
+      mesh.nodes.rowwise() += 1e20 * way;  // all in one place
+      CHECK_THAT(complaint(mesh), ContainsSubstring("has lost its digits"));
+    }
+}
+
+TEST_CASE("cells may be thin where a move would give them no more digits", "[mesh]") {
+  Mesh mesh = plate();
+  mesh.nodes.col(1) *= 1e-9;
+  CHECK_NOTHROW(check_mesh(mesh));
+  mesh.nodes.col(0).array() -= 1.5;
+  CHECK_NOTHROW(check_mesh(mesh));
+  mesh.nodes.col(1).array() += 1e3;
+  CHECK_THAT(complaint(mesh), ContainsSubstring("has lost its digits"));
+}
+
 TEST_CASE("a node that does not exist is named with its cell", "[mesh]") {
   Mesh mesh = plate();
   mesh.cells(2, 1) = 12;

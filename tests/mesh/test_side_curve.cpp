@@ -35,13 +35,13 @@ double smallest_distance(const SideCurve& curve, const Vector2d& x) {
 
 TEST_CASE("a side passes through its nodes, and its normal points out of the body", "[side]") {
   const SideCurve straight = bottom_side(MeshOrder::Linear);
-  CHECK(straight.point(-1) == Vector2d(0, 0));
-  CHECK(straight.point(1) == Vector2d(2, 0));
+  CHECK(straight.point(-1).position() == Vector2d(0, 0));
+  CHECK(straight.point(1).position() == Vector2d(2, 0));
   CHECK(straight.normal(0.3) == Vector2d(0, -1));
   const SideCurve bent = bottom_side(MeshOrder::Quadratic, {1.1, -0.4});
-  CHECK(bent.point(-1) == Vector2d(0, 0));
-  CHECK(bent.point(0) == Vector2d(1.1, -0.4));
-  CHECK(bent.point(1) == Vector2d(2, 0));
+  CHECK(bent.point(-1).position() == Vector2d(0, 0));
+  CHECK(bent.point(0).position() == Vector2d(1.1, -0.4));
+  CHECK(bent.point(1).position() == Vector2d(2, 0));
   for (const double xi : {-1.0, -0.4, 0.0, 0.7, 1.0}) {
     const Vector2d difference = (bent.point(xi + 1e-6) - bent.point(xi - 1e-6)) / 2e-6;
     CHECK((bent.tangent(xi) - difference).norm() < 1e-9);
@@ -82,7 +82,7 @@ TEST_CASE("beyond its ends a side is continued as the same curve", "[side]") {
   CHECK(straight.continued({2.1, -5}, 1) == Approx(1.1).epsilon(1e-15));
   CHECK(straight.continued({-0.1, 5}, -1) == Approx(-1.1).epsilon(1e-15));
   const SideCurve bent = bottom_side(MeshOrder::Quadratic, {1, -0.2});
-  const Vector2d beyond = bent.point(1.001) + 0.05 * bent.normal(1.001);
+  const AnchoredPoint beyond = bent.point(1.001) + 0.05 * bent.normal(1.001);
   CHECK(bent.continued(beyond, 1) == Approx(1.001).epsilon(1e-12));
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("the box of a side holds all of it", "[side]") {
     const SideCurve curve = bottom_side(MeshOrder::Quadratic, middle, last);
     const Eigen::Matrix2d box = curve.box();
     for (int i = 0; i <= 20; ++i) {
-      const Vector2d x = curve.point(-1 + i / 10.0);
+      const Vector2d x = curve.point(-1 + i / 10.0).position();
       CHECK(((x - box.col(0)).minCoeff() >= -1e-15 && (box.col(1) - x).minCoeff() >= -1e-15));
     }
   }

@@ -27,10 +27,11 @@ Pairs gauss_points(const Surface& source, const Surface& target, const GapOption
   std::set<Eigen::Index> paired;
   for (const SideCurve& side : interface.source_sides())
     for (const GaussPoint& gauss : gauss_line(options.points == 0 ? 2 : options.points)) {
-      const Eigen::Vector2d x = side.point(gauss.xi);  // \PaperEq{LinEtAl, 32}
+      const AnchoredPoint x = side.point(gauss.xi);  // \PaperEq{LinEtAl, 32}
       const Projection place = interface.closest(x, side.normal(gauss.xi));
       if (!place.found) continue;
-      points.push_back({&side, gauss.xi, x, share_of(side, gauss, options.thickness), -1, place});
+      points.push_back(
+          {&side, gauss.xi, x.position(), share_of(side, gauss, options.thickness), -1, place});
       paired.insert(side.nodes().begin(), side.nodes().end());
     }
   interface.check_paired(points.size());

@@ -37,9 +37,10 @@ Interface::Interface(const Surface& source, const Surface& target, const GapOpti
           "gap operator: the thickness must be positive, got ", options.thickness);
 }
 
-Projection Interface::closest(const Vector2d& x, const Vector2d& normal) const {
+Projection Interface::closest(const AnchoredPoint& x, const Vector2d& normal) const {
   const Projection place = search_.closest(x, normal);
-  pose(!place.buried, names(), ": the point (", x.x(), ", ", x.y(), ") of '", source_.mesh.name,
+  const Vector2d at = x.position();
+  pose(!place.buried, names(), ": the point (", at.x(), ", ", at.y(), ") of '", source_.mesh.name,
        "' lies inside '", target_.mesh.name,
        "', deeper than the cell whose side it faces. Move the bodies apart, or check which "
        "boundaries are meant");

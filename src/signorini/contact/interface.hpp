@@ -37,7 +37,7 @@ class Interface {
   /// \param normal  of the source there, out of its body [-]
   /// \return the place it faces, if any
   /// \throws ProblemError if x lies inside the target body, deeper than the cell it faces
-  [[nodiscard]] Projection closest(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
+  [[nodiscard]] Projection closest(const AnchoredPoint& x, const Eigen::Vector2d& normal) const;
   /// Complains if there is nothing to pair.
   /// \param n_pairs  how many were found
   /// \throws ProblemError if there are none: the boundaries face the same way or miss each other

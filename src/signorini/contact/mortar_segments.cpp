@@ -29,7 +29,7 @@ std::vector<std::vector<double>> segment_cuts(const Interface& interface) {
   const TargetSearch source(interface.source().mesh, interface.source().boundary);
   const TargetSearch& target = interface.search();
   std::vector<std::vector<double>> cuts(static_cast<std::size_t>(source.n_sides()));
-  const auto cut = [&](const Vector2d& from, const Vector2d& normal) {
+  const auto cut = [&](const AnchoredPoint& from, const Vector2d& normal) {
     const Projection seen = source.along(from, normal);
     if (seen.found) cuts[static_cast<std::size_t>(seen.side)].push_back(seen.xi);
   };

@@ -38,16 +38,22 @@ struct TargetSearch::Query {
   /// Begins a search.
   /// \param point          to be paired [length]
   /// \param source_normal  out of the source there, of any length of about 1 [-]
-  /// \param size           of the target, for what rounding makes of distances [length]
-  Query(const Eigen::Vector2d& point, const Eigen::Vector2d& source_normal, double size)
-      : x(point),
-        normal(source_normal),
-        rounding(64 * std::numeric_limits<double>::epsilon() *
-                 std::max(size, point.cwiseAbs().maxCoeff())) {}
+  /// \param target         box around all sides
+  Query(const AnchoredPoint& point, const Eigen::Vector2d& source_normal, const SideBox& target)
+      : x(point), position(point.position()), normal(source_normal) {
+    const double far = position.cwiseAbs()
+                           .cwiseMax(target.lowest.cwiseAbs())
+                           .cwiseMax(target.highest.cwiseAbs())
+                           .maxCoeff();
+    const double size = (target.highest - target.lowest).norm() + target.distance(position);
+    rounding = std::numeric_limits<double>::epsilon() * (64 * size + 8 * far);
+  }
 
-  Eigen::Vector2d x;                                         ///< the point [length]
-  Eigen::Vector2d normal;                                    ///< out of the source [-]
-  double rounding;                                           ///< of distances [length]
+  AnchoredPoint x;           ///< the point
+  Eigen::Vector2d position;  ///< of it, rounded [length]
+  Eigen::Vector2d normal;    ///< out of the source [-]
+  /// What rounding may make of a distance: of arithmetic with lengths, and of coordinates [length]
+  double rounding;
   double nearest = std::numeric_limits<double>::infinity();  ///< smallest distance so far [length]
   std::vector<Candidate> candidates;                         ///< within rounding of the nearest
   bool buried = false;      ///< whether the point lies in the target

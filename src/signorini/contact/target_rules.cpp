@@ -142,7 +142,7 @@ double TargetSearch::depth(Index number) const {
   return depth;
 }
 
-bool TargetSearch::inside_body(const Vector2d& x) const {
+bool TargetSearch::inside_body(const AnchoredPoint& x) const {
   for (Index cell = 0; cell < mesh_->n_cells(); ++cell) {
     bool inside = true;
     for (int k = 0; k < 4 && inside; ++k) {

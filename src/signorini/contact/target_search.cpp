@@ -18,7 +18,6 @@ TargetSearch::TargetSearch(const Mesh& mesh, const std::string& name)
       sides_(side_curves(mesh, name)),
       before_(sides_.size(), -1),
       after_(sides_.size(), -1),
-      size_(mesh.nodes.cwiseAbs().maxCoeff()),
       tree_(make_tree()) {}
 
 SideTree TargetSearch::make_tree() {
@@ -57,17 +56,17 @@ SideBox TargetSearch::leaf(Index number) const {
 void TargetSearch::look(Index number, Query& query) const {
   const SideBox& box = tree_.box(number);
   ++query.visits;
-  if (box.distance(query.x) > query.nearest + query.rounding + box.slack) return;
-  if (!box.may_hold_foot(query.x, query.rounding)) return;
+  if (box.distance(query.position) > query.nearest + query.rounding + box.slack) return;
+  if (!box.may_hold_foot(query.position, query.rounding)) return;
   if (box.is_leaf()) return consider(box.first, query);
-  const bool swap =
-      tree_.box(box.second).distance(query.x) < tree_.box(box.first).distance(query.x);
+  const bool swap = tree_.box(box.second).distance(query.position) <
+                    tree_.box(box.first).distance(query.position);
   look(swap ? box.second : box.first, query);
   look(swap ? box.first : box.second, query);
 }
 
-Projection TargetSearch::closest(const Vector2d& x, const Vector2d& normal) const {
-  Query query(x, normal, size_);
+Projection TargetSearch::closest(const AnchoredPoint& x, const Vector2d& normal) const {
+  Query query(x, normal, tree_.box(tree_.root()));
   look(tree_.root(), query);
   Projection found = chosen(query);
   found.visits = query.visits;
@@ -77,7 +76,7 @@ Projection TargetSearch::closest(const Vector2d& x, const Vector2d& normal) cons
 void TargetSearch::look_along(Index number, Query& query) const {
   const SideBox& box = tree_.box(number);
   ++query.visits;
-  if (!box.may_meet(query.x, query.normal, query.nearest, query.rounding)) return;
+  if (!box.may_meet(query.position, query.normal, query.nearest, query.rounding)) return;
   if (!box.is_leaf()) {
     look_along(box.first, query);
     look_along(box.second, query);
@@ -94,8 +93,8 @@ void TargetSearch::look_along(Index number, Query& query) const {
   }
 }
 
-Projection TargetSearch::along(const Vector2d& x, const Vector2d& normal) const {
-  Query query(x, normal, size_);
+Projection TargetSearch::along(const AnchoredPoint& x, const Vector2d& normal) const {
+  Query query(x, normal, tree_.box(tree_.root()));
   look_along(tree_.root(), query);
   // A line through a vertex meets both sides: the one that comes first, no normal between them.
   const auto first = std::min_element(query.candidates.begin(), query.candidates.end(),

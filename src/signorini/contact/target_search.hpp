@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "signorini/contact/side_tree.hpp"
+#include "signorini/mesh/anchored_point.hpp"
 #include "signorini/mesh/mesh.hpp"
 #include "signorini/mesh/side_curve.hpp"
 
@@ -16,7 +17,7 @@ struct Projection {
   bool found = false;  ///< whether there is one; if not, only `buried` and `visits` say anything
   Eigen::Index side = -1;  ///< number in the list of sides of the boundary
   double xi = 0;           ///< place along the side [-]; beyond [-1, 1] by end_tolerance at most
-  Eigen::Vector2d point = Eigen::Vector2d::Zero();   ///< the place [length]
+  AnchoredPoint point = {0, 0};                      ///< the place
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit vector out of the target [-]
   double gap = 0;                                    ///< (x - point) . normal [length], overlap < 0
   bool buried = false;  ///< not found: x lies inside the target body, deeper than the cell it faces
@@ -61,13 +62,13 @@ class TargetSearch {
   /// \param x       point of the source [length]
   /// \param normal  of the source there, out of its body [-]
   /// \return the place it faces
-  [[nodiscard]] Projection closest(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
+  [[nodiscard]] Projection closest(const AnchoredPoint& x, const Eigen::Vector2d& normal) const;
   /// Where the line through x along the normal of the source meets the target; the nearest facing
   /// place, and of two at the same distance the side that comes first in the list.
   /// \param x       point of the source [length]
   /// \param normal  of the source there, out of its body, unit vector [-]
   /// \return the place; its normal is that of the side, its gap the distance along that normal
-  [[nodiscard]] Projection along(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
+  [[nodiscard]] Projection along(const AnchoredPoint& x, const Eigen::Vector2d& normal) const;
   /// How far the cell behind a side reaches into the body.
   /// \param number  of the side
   /// \return greatest distance of the other corners from the line through its ends [length]
@@ -90,13 +91,12 @@ class TargetSearch {
   [[nodiscard]] Projection at_vertex(Eigen::Index number, int end, const Query& query) const;
   [[nodiscard]] Projection on_side(const Candidate& best, const Query& query) const;
   [[nodiscard]] Projection chosen(Query& query) const;
-  [[nodiscard]] bool inside_body(const Eigen::Vector2d& x) const;
+  [[nodiscard]] bool inside_body(const AnchoredPoint& x) const;
 
   const Mesh* mesh_;
   std::string boundary_;
   std::vector<SideCurve> sides_;
   std::vector<Eigen::Index> before_, after_;  // neighbours, -1 at the ends of the boundary
-  double size_ = 0;                           // largest coordinate, for rounding
   SideTree tree_;
 };
 

@@ -14,26 +14,19 @@ using Eigen::Index;
 template <typename Visit>
 void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit) {
   for (const CellSide& side : boundary(mesh, name)) {
-    const std::vector<Index> nodes = mesh.side_nodes(side);
-    for (const GaussPoint& gauss : gauss_line(3)) {
-      const SideShape shape = side_shape(nodes.size(), gauss.xi);
-      Eigen::Vector2d position = Eigen::Vector2d::Zero();
-      Eigen::Vector2d tangent = Eigen::Vector2d::Zero();
-      for (std::size_t k = 0; k < nodes.size(); ++k) {
-        const Eigen::Vector2d x = mesh.nodes.row(nodes[k]).transpose();
-        position += shape.value(static_cast<Index>(k)) * x;
-        tangent += shape.slope(static_cast<Index>(k)) * x;
-      }
-      visit(nodes, shape.value, tangent, position, gauss.weight);
-    }
+    const SideCurve curve(mesh, side);
+    for (const GaussPoint& gauss : gauss_line(3))
+      visit(curve.nodes(), curve.shape(gauss.xi).value, curve.tangent(gauss.xi),
+            curve.point(gauss.xi).position(), gauss.weight);
   }
 }
 
 /// A curved cell can fold although its corners are in order; the map then turns over at some point.
 void check_unfolded(const Mesh& mesh, const Element& element, Index cell, const CellNodes& nodes) {
   if (element.n_nodes == 4) return;  // for straight sides the corners decide, see check_mesh()
+  const CellNodes arms = arms_from_middle(nodes);
   for (const GaussPoint& at : gauss_square(3))
-    pose(jacobian(element.shape(at.xi, at.eta), nodes).determinant > 0, "mesh '", mesh.name,
+    pose(jacobian(element.shape(at.xi, at.eta), arms).determinant > 0, "mesh '", mesh.name,
          "': cell ", cell,
          " folds over itself: move the middle nodes of its sides closer to the straight lines");
 }
@@ -43,11 +36,13 @@ void add_body_force(const Mesh& mesh, const Element& element, const Eigen::Matri
   StrainPoints points;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
     const CellNodes nodes = cell_nodes(mesh, cell);
-    element.strain(nodes, D, points);
+    const CellNodes arms = arms_from_middle(nodes);
+    const Eigen::RowVector2d middle = nodes.row(0) - arms.row(0);
+    element.strain(arms, D, points);
     for (int i = 0; i < points.size; ++i) {
       const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
       const CellScalars N = element.shape(point.local.x(), point.local.y()).value;
-      const Eigen::Vector2d position = nodes.transpose() * N;
+      const Eigen::Vector2d position = middle.transpose() + arms.transpose() * N;
       const Eigen::Vector2d f = force(position);
       pose(f.allFinite(), "body force: not finite at (", position.x(), ", ", position.y(), ')');
       for (Index k = 0; k < element.n_nodes; ++k)
@@ -87,7 +82,7 @@ void check_element(const Mesh& mesh, const Element& element) {
 CellMatrix cell_stiffness(const Element& element, const CellNodes& nodes, const Eigen::Matrix3d& D,
                           double thickness) {
   StrainPoints points;
-  element.strain(nodes, D, points);
+  element.strain(arms_from_middle(nodes), D, points);
   CellMatrix K = CellMatrix::Zero(2 * element.n_nodes, 2 * element.n_nodes);
   for (int i = 0; i < points.size; ++i) {
     const StrainPoint& point = points.point[static_cast<std::size_t>(i)];

@@ -59,7 +59,8 @@ struct Element {
   int degree;  ///< complete polynomials it contains; displacements converge with degree + 1
   /// Shape functions at (xi, eta) of the reference square.
   Shape (*shape)(double xi, double eta);
-  /// Fills `points` for the cell at `nodes` [length] with the elasticity D [force/length^2].
+  /// Fills `points` for the cell at `nodes`, counted from its middle [length], see arms_from_middle(), with the
+  /// elasticity D [force/length^2].
   void (*strain)(const CellNodes& nodes, const Eigen::Matrix3d& D, StrainPoints& points);
 };
 

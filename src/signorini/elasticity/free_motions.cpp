@@ -40,7 +40,8 @@ std::vector<Index> body_of_nodes(const Mesh& mesh) {
 /// One connected piece of a mesh.
 struct ConnectedBody {
   std::vector<Index> nodes;
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< mean of the nodes
+  NodeArray arms;                                    ///< from the centre to each of the nodes
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< middle of the box of the nodes
   double size = 0;                                   ///< diagonal of the bounding box
   Index cells = 0;
 };
@@ -57,7 +58,8 @@ std::vector<ConnectedBody> connected_bodies(const Mesh& mesh) {
   for (auto& [first, piece] : found) {
     if (piece.cells == 0) continue;
     const NodeArray x = mesh.nodes(piece.nodes, Eigen::all);
-    piece.centre = x.colwise().mean().transpose();
+    piece.arms = arms_from_middle(x);
+    piece.centre = (x.colwise().minCoeff() + x.colwise().maxCoeff()).transpose() / 2;
     piece.size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
     bodies.push_back(std::move(piece));
   }
@@ -68,11 +70,11 @@ std::vector<ConnectedBody> connected_bodies(const Mesh& mesh) {
 }
 
 /// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)) and no held component.
-std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Mesh& mesh,
-                                        const Unknowns& unknowns) {
+std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknowns& unknowns) {
   Eigen::Matrix3d forbidden = Eigen::Matrix3d::Zero();
-  for (const Index node : body.nodes) {
-    const Eigen::Vector2d arm = (mesh.nodes.row(node).transpose() - body.centre) / body.size;
+  for (std::size_t k = 0; k < body.nodes.size(); ++k) {
+    const Index node = body.nodes[k];
+    const Eigen::Vector2d arm = body.arms.row(static_cast<Index>(k)).transpose() / body.size;
     const Eigen::Vector3d in_x(1, 0, -arm.y());
     const Eigen::Vector3d in_y(0, 1, arm.x());
     if (unknowns.number(node, 0) < 0) forbidden += in_x * in_x.transpose();
@@ -114,14 +116,15 @@ std::string motion_in_words(const Eigen::Vector3d& motion, const ConnectedBody& 
 std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns) {
   std::vector<FreeMotion> found;
   for (const ConnectedBody& body : connected_bodies(mesh))
-    for (const Eigen::Vector3d& motion : motions_of(body, mesh, unknowns)) {
+    for (const Eigen::Vector3d& motion : motions_of(body, unknowns)) {
       FreeMotion free;
       free.sentence =
           text("body '", mesh.name, "' (", body.cells, " cells around (", body.centre.x(), ", ",
                body.centre.y(), ")) can ", motion_in_words(motion, body));
       free.shape.setZero(unknowns.count);
-      for (const Index node : body.nodes) {
-        const Eigen::Vector2d arm = mesh.nodes.row(node).transpose() - body.centre;
+      for (std::size_t k = 0; k < body.nodes.size(); ++k) {
+        const Index node = body.nodes[k];
+        const Eigen::Vector2d arm = body.arms.row(static_cast<Index>(k)).transpose();
         const Eigen::Vector2d turns(-motion(2) * arm.y(), motion(2) * arm.x());
         for (int axis = 0; axis < 2; ++axis) {
           const Index unknown = unknowns.number(node, axis);

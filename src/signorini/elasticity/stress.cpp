@@ -16,7 +16,7 @@ using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, ma
 PointStress point_stress(const Mesh& mesh, Index cell, const Element& element,
                          const Eigen::Matrix3d& D, const NodeArray& displacements,
                          StrainPoints& points) {
-  element.strain(cell_nodes(mesh, cell), D, points);
+  element.strain(arms_from_middle(cell_nodes(mesh, cell)), D, points);
   CellVector u(2 * element.n_nodes);
   for (Index k = 0; k < element.n_nodes; ++k)
     u.segment<2>(2 * k) = displacements.row(mesh.cells(cell, k)).transpose();

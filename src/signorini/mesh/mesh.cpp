@@ -70,6 +70,19 @@ void check_midpoints(const Mesh& mesh, Eigen::Index cell) {
   }
 }
 
+/// Refuses what is too small for its distance from the origin. Small strains are a thousandth at most: of what
+/// they do to a length, rounding then leaves three digits.
+/// \param away  of the box of the mesh from the origin [length]
+/// \param size  of something [length]
+template <typename... Parts>
+void check_digits(const Mesh& mesh, double away, double size, const Parts&... something) {
+  const double rounding = std::numeric_limits<double>::epsilon() * away;
+  pose(rounding <= 1e-6 * size, "mesh '", mesh.name,
+       "' has lost its digits: so far from the origin its coordinates are rounded to ", rounding,
+       ", expected at most a millionth of ", something..., ", which is ", size,
+       ". Move the bodies near the origin");
+}
+
 }  // namespace
 
 std::vector<Eigen::Index> Mesh::side_nodes(const CellSide& side) const {
@@ -99,8 +112,12 @@ std::vector<Eigen::Index> boundary_nodes(const Mesh& mesh, const std::string& na
 
 MeshQuality check_mesh(const Mesh& mesh) {
   check_node_numbers(mesh);
-  // A side shorter than rounding of the coordinates has no length.
-  const double size = mesh.nodes.cwiseAbs().maxCoeff();
+  const Eigen::RowVector2d low = mesh.nodes.colwise().minCoeff();
+  const Eigen::RowVector2d high = mesh.nodes.colwise().maxCoeff();
+  const double size = (high - low).norm();
+  const double away = low.cwiseMax(-high).cwiseMax(0).norm();
+  check_digits(mesh, away, size, "its size");
+  // A side shorter than rounding of the coordinates of a mesh on the origin has no length.
   const double no_length = 4 * std::numeric_limits<double>::epsilon() * size;
   for (const auto& [name, sides] : mesh.boundaries)
     for (std::size_t s = 0; s < sides.size(); ++s) {
@@ -132,6 +149,7 @@ MeshQuality check_mesh(const Mesh& mesh) {
              ? " is inverted (its corners run clockwise)"
              : " is degenerate (a corner of 180 degrees or more, or two corners in one place)",
          ": corners ", corners_of(mesh, cell));
+    check_digits(mesh, away, lowest / longest, "the height of cell ", cell);
     check_midpoints(mesh, cell);
     quality.smallest_jacobian_ratio = std::min(quality.smallest_jacobian_ratio, lowest / highest);
     quality.largest_aspect_ratio = std::max(quality.largest_aspect_ratio, longest / shortest);

@@ -13,6 +13,22 @@ using NodeArray = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 /// Node numbers of cells, one row each.
 using CellArray = Eigen::Matrix<Eigen::Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Positions as seen from the middle of their box: \f$ ((x - low) - (high - x))/2 \f$. Far from the origin they are
+/// as exact as differences of the positions, and those of a mirror image are mirror images, to the last bit.
+/// \param positions  `n x 2` [length]
+/// \return `n x 2` arms [length]
+template <typename Positions>
+[[nodiscard]] Positions arms_from_middle(const Positions& positions) {
+  Positions arms = positions;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = positions.col(axis).minCoeff();
+    const double high = positions.col(axis).maxCoeff();
+    for (Eigen::Index k = 0; k < positions.rows(); ++k)
+      arms(k, axis) = ((positions(k, axis) - low) - (high - positions(k, axis))) / 2;
+  }
+  return arms;
+}
+
 /// Nodes per cell side.
 enum class MeshOrder {
   Linear,    ///< 2: cells of 4 nodes
@@ -73,7 +89,8 @@ struct MeshQuality {
 /// \throws ProblemError naming the first cell (counted from 0) that refers to a node that does not
 ///   exist, is inverted or degenerate, or has a midpoint that is not within the middle half along
 ///   its side; the boundary that has a side of zero length; a number of nodes per cell other than 4
-///   or 8; or a position that is not finite
+///   or 8; a position that is not finite; or a mesh that lies so far from the origin that coordinates are
+///   rounded to more than a millionth of the height of a cell
 MeshQuality check_mesh(const Mesh& mesh);
 
 }  // namespace signorini

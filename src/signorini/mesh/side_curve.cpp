@@ -56,19 +56,20 @@ SideShape side_shape(std::size_t n_nodes, double xi) {
   return {{xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2}, {xi - 0.5, -2 * xi, xi + 0.5}};
 }
 
-SideCurve::SideCurve(const Mesh& mesh, const CellSide& side) : nodes_(mesh.side_nodes(side)) {
-  first_ = mesh.nodes.row(nodes_.front()).transpose();
-  last_ = mesh.nodes.row(nodes_.back()).transpose();
-  slope_ = (last_ - first_) / 2;
-  middle_ = first_ + slope_;
-  bend_.setZero();
+SideCurve::SideCurve(const Mesh& mesh, const CellSide& side)
+    : nodes_(mesh.side_nodes(side)),
+      first_(mesh.nodes.row(nodes_.front())),
+      last_(mesh.nodes.row(nodes_.back())),
+      middle_(first_, (last_ - first_) / 2),
+      slope_((last_ - first_) / 2),
+      bend_(0, 0) {
   if (nodes_.size() == 2) return;
-  const Vector2d chord = middle_;
+  const AnchoredPoint chord = middle_;
   middle_ = mesh.nodes.row(nodes_[1]).transpose();
   bend_ = chord - middle_;
 }
 
-Vector2d SideCurve::point(double xi) const {
+AnchoredPoint SideCurve::point(double xi) const {
   if (xi == -1) return first_;
   if (xi == 1) return last_;
   return middle_ + xi * (slope_ + xi * bend_);
@@ -81,14 +82,14 @@ Vector2d SideCurve::normal(double xi) const {
 
 Eigen::Matrix2d SideCurve::box() const {
   // A parabola lies in the triangle of its ends and the point where the tangents there meet.
-  const Vector2d apex = middle_ - bend_;
+  const Vector2d apex = (middle_ + -bend_).position();
   Eigen::Matrix2d box;
   box.col(0) = first_.cwiseMin(last_).cwiseMin(apex);
   box.col(1) = first_.cwiseMax(last_).cwiseMax(apex);
   return box;
 }
 
-double SideCurve::closest(const Vector2d& x) const {
+double SideCurve::closest(const AnchoredPoint& x) const {
   const Vector2d arm = middle_ - x;
   const Cubic f{{arm.dot(slope_), slope_.squaredNorm() + 2 * arm.dot(bend_), 3 * slope_.dot(bend_),
                  2 * bend_.squaredNorm()}};
@@ -113,7 +114,7 @@ double SideCurve::closest(const Vector2d& x) const {
   return best;
 }
 
-double SideCurve::continued(const Vector2d& x, int end) const {
+double SideCurve::continued(const AnchoredPoint& x, int end) const {
   double xi = end;
   for (int step = 0; step < 4; ++step) {
     const Vector2d arm = point(xi) - x;
@@ -125,7 +126,7 @@ double SideCurve::continued(const Vector2d& x, int end) const {
   return xi;
 }
 
-std::vector<double> SideCurve::crossings(const Vector2d& x, const Vector2d& direction,
+std::vector<double> SideCurve::crossings(const AnchoredPoint& x, const Vector2d& direction,
                                          double beyond) const {
   const Vector2d across(direction.y(), -direction.x());
   return roots((middle_ - x).dot(across), slope_.dot(across) / 2, bend_.dot(across), -1 - beyond,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "signorini/mesh/anchored_point.hpp"
 #include "signorini/mesh/mesh.hpp"
 
 namespace signorini {
@@ -34,8 +35,8 @@ class SideCurve {
   /// \return shape functions there
   [[nodiscard]] SideShape shape(double xi) const { return side_shape(nodes_.size(), xi); }
   /// \param xi  place along the side [-]
-  /// \return position [length]; exactly that of the node at -1 and 1
-  [[nodiscard]] Eigen::Vector2d point(double xi) const;
+  /// \return the point there; exactly the node at -1 and 1
+  [[nodiscard]] AnchoredPoint point(double xi) const;
   /// \param xi  place along the side [-]
   /// \return dx/dxi [length], in walking direction
   [[nodiscard]] Eigen::Vector2d tangent(double xi) const { return slope_ + 2 * xi * bend_; }
@@ -49,25 +50,26 @@ class SideCurve {
   /// found by Newton's method between bounds that hold one of them only.
   /// \param x  a point [length]
   /// \return xi in [-1, 1]; the lower of two at the same distance
-  [[nodiscard]] double closest(const Eigen::Vector2d& x) const;
+  [[nodiscard]] double closest(const AnchoredPoint& x) const;
   /// Where x stands square on the curve continued beyond an end.
   /// \param x    a point [length], closest to that end of the side
   /// \param end  -1 or 1
   /// \return xi beyond the end; not finite if there is none near
-  [[nodiscard]] double continued(const Eigen::Vector2d& x, int end) const;
+  [[nodiscard]] double continued(const AnchoredPoint& x, int end) const;
   /// Where a line meets the curve.
   /// \param x          on the line [length]
   /// \param direction  of the line [-]
   /// \param beyond     how far beyond the ends the curve is continued, in xi [-]
   /// \return up to two places xi, increasing
-  [[nodiscard]] std::vector<double> crossings(const Eigen::Vector2d& x,
+  [[nodiscard]] std::vector<double> crossings(const AnchoredPoint& x,
                                               const Eigen::Vector2d& direction,
                                               double beyond) const;
 
  private:
   std::vector<Eigen::Index> nodes_;
   Eigen::Vector2d first_, last_;
-  Eigen::Vector2d middle_, slope_, bend_;  // x = middle + slope xi + bend xi^2
+  AnchoredPoint middle_;
+  Eigen::Vector2d slope_, bend_;  // x = middle + slope xi + bend xi^2
 };
 
 /// \param mesh      any
