@@ -29,7 +29,6 @@ inline void touch(Scene& scene, const Side& source, const Side& target, const Sa
   contact.points = by.points;
   contact.quadrature = by.quadrature;
   scene.contacts = {contact};
-  scene.solver = "quasi_active_set";  // does not mind gaps that depend on each other
 }
 
 /// Two blocks, 2 wide and 1 high, the upper one under a pressure of 1: so it should be everywhere between them.

@@ -117,8 +117,7 @@ TEST_CASE("with friction, three points on a side have solutions that move the no
   problem.compliance.bottomRightCorner(3, 3) = S * S.transpose();
   problem.free_gap = N * Eigen::Vector2d(-1, -1);
   problem.free_slip = S * Eigen::Vector2d(-0.2, 0.2);
-  problem.law.coefficient = Eigen::Vector3d(0.3, 0.3, 0.3);
-  problem.law.cohesion = Eigen::Vector3d::Zero();
+  problem.law = law_of_all(Eigen::Vector3d(0.3, 0.3, 0.3), Eigen::Vector3d::Zero());
   const double held = 0.2 / std::sqrt(0.6);
   ContactState ends, middle;
   ends.force = Eigen::Vector3d(1, 0, 1);

@@ -44,7 +44,7 @@ TEST_CASE("a problem that is not one is refused", "[problem]") {
   CHECK(complaint(matrix(2, 1, 1, 2), Vector2d(0, 1)).empty());
   CHECK(complaint(Eigen::MatrixXd(0, 0), Eigen::VectorXd(0)).empty());
   CHECK_THAT(complaint(matrix(2, 1, 1, 2), Eigen::Vector3d(0, 1, 2)),
-             ContainsSubstring("must be 3 x 3 (one row per pair), got 2 x 2"));
+             ContainsSubstring("must be 3 x 3 (one row per gap, then one per slip), got 2 x 2"));
   CHECK_THAT(complaint(matrix(2, 1, 0.5, 2), Vector2d(0, 1)),
              ContainsSubstring("symmetric") && ContainsSubstring("0.25 of its diagonal"));
   CHECK_THAT(complaint(matrix(2, 1, 1, -3), Vector2d(0, 1)),

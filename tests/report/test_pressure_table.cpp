@@ -55,7 +55,7 @@ TEST_CASE("the resultants are the sums of the pairs, with sign", "[pressure_tabl
 TEST_CASE("friction counts in the resultants, and notes stand in front of the table",
           "[pressure_table][friction]") {
   Solution solution = three_forces();
-  solution.friction = FrictionOutcome{};
+  solution.contact.rubbing = {0, 1, 2};
   solution.contact.friction = Eigen::Vector3d(-5, 2, 0);
   // Tangents (0.8, -0.6) and (1, 0): friction adds (-4, 3) at (0, 1) and (2, 0) at (2, 0).
   const Resultants sum = resultants(three_gaps(), solution);

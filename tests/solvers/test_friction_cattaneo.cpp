@@ -90,7 +90,7 @@ TEST_CASE("tiny and huge coefficients of friction: the same stick zone, within 2
     CAPTURE(mu);
     REQUIRE(state.report.status == Status::Solved);
     CHECK(state.report.iterations <= 25);
-    CHECK(state.motion == plain.status);
+    CHECK(state.motion == plain.motion);
     CHECK((state.friction / mu - plain.friction / 0.3).norm() <=
           1e-10 * plain.friction.norm() / 0.3);
   }
@@ -115,7 +115,7 @@ TEST_CASE("a push beyond mu P finds no equilibrium, and the way out is shown",
   CHECK(friction_solvers().front().solve(cylinder(60, 0.3, 1 - 1e-9), {}).report.status ==
         Status::Solved);
   ContactProblem glued = problem;
-  glued.cohesion.setConstant(1e-3);
+  glued.law.cohesion.setConstant(1e-3);
   const ContactState state = friction_solvers().front().solve(glued, {});
   REQUIRE(state.report.status == Status::Solved);
   CHECK(certify(glued, state).holds());

@@ -89,13 +89,12 @@ void ClosedBasis::push(Candidates& candidates, Index which, Index first) {
   candidates.gap(which) = 0;
 }
 
-/// What rounding may have made of the pivot of a candidate if only products are known: it is
+/// What rounding may have made of the pivot of a row if only products are known: it is
 /// (r, -1) G (r, -1)^T with r = L^-T L^-1 G_Wp, a sum of terms of at most this size. Three fifths of the
 /// digits are trusted in any case.
-double ClosedBasis::pivot_rounding(Index which) const {
-  VectorXd r = cross_.col(which).head(size());
-  solve_lower_transposed(L_, r);
-  return std::min(std::pow(epsilon, 0.6), epsilon * std::pow(1 + r.lpNorm<1>(), 2));
+double ClosedBasis::pivot_rounding(const VectorXd& yield) const {
+  if (Q_.rows() > 0) return 0;
+  return std::min(std::pow(epsilon, 0.6), epsilon * std::pow(1 + yield.lpNorm<1>(), 2));
 }
 
 Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
@@ -120,9 +119,13 @@ Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
       best = i;
     }
     if (best < 0) break;
-    if (Q_.rows() == 0 && pivot_(best) <= pivot_rounding(best)) {
-      pivot_(best) = 0;
-      continue;
+    if (Q_.rows() == 0) {
+      VectorXd yield = cross_.col(best).head(size());
+      solve_lower_transposed(L_, yield);
+      if (pivot_(best) <= pivot_rounding(yield)) {
+        pivot_(best) = 0;
+        continue;
+      }
     }
     push(candidates, best, first);
   }
@@ -151,7 +154,8 @@ ClosedBasis::Response ClosedBasis::response(const Candidates& candidates) const 
     answer.opening = candidates.block(0, 0) - r.squaredNorm();
   }
   L.transpose().solveInPlace(r);
-  if (answer.opening <= smallest_distance() * smallest_distance()) answer.opening = 0;
+  const double smallest = smallest_distance();
+  if (answer.opening <= std::max(smallest * smallest, pivot_rounding(r))) answer.opening = 0;
   return answer;
 }
 

@@ -95,7 +95,7 @@ class ClosedBasis {
  private:
   void project(Candidates& candidates);
   void push(Candidates& candidates, Eigen::Index which, Eigen::Index first);
-  [[nodiscard]] double pivot_rounding(Eigen::Index which) const;
+  [[nodiscard]] double pivot_rounding(const Eigen::VectorXd& yield) const;
   void remove_one(Eigen::Index position);
 
   std::vector<Eigen::Index> rows_;

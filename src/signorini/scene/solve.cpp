@@ -58,8 +58,9 @@ void note_open_motions(const Model& model, const VectorXd& force, Solution& solu
   if (model.modes.empty() || solution.contact.report.status != Status::Solved) return;
   const std::vector<Motion> motions = all_motions(solution.contact);
   KnownSet set = known_set(motions, model.law);
-  // A pair that touches without a force holds nothing: it stops a motion one way only.
-  const double nothing = epsilon * static_cast<double>(set.closed.size() + 1) * largest(force);
+  // A pair that touches without a force holds nothing: it stops a motion one way only. Of forces as small as the
+  // tension that a certificate lets pass, nobody knows whether they are any.
+  const double nothing = 1e-12 * largest(force);
   const auto idle = [&](Index row) {
     const Index pairs = static_cast<Index>(motions.size());
     return force(row < pairs ? row : model.law.pair[static_cast<std::size_t>(row - pairs)]) <=

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "signorini/closing/complementarity_functions.hpp"
@@ -113,6 +114,17 @@ KnownSet clearest_first(const ScaledProblem& problem, const Attempt& attempt, do
   return set;
 }
 
+/// Opens closed pairs without a force, if that is a solution as well: a pair that only touches holds nothing.
+void open_idle_pairs(const ScaledProblem& problem, Attempt& attempt) {
+  const Closure& end = attempt.closure;
+  std::vector<Index> pressed;
+  for (const Index i : closed_pairs(attempt.motions))
+    if (end.force(i) > end.force_rounding) pressed.push_back(i);
+  if (pressed.size() == end.rows.size()) return;
+  if (Confirmed other = confirmed(problem, pressed, &end))
+    std::tie(attempt.closure, attempt.motions) = std::move(*other);
+}
+
 /// The exact end from the motions of an iterate, or from those which that end asks for: of a pair that touches
 /// without force, rounding decides the side.
 bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
@@ -128,7 +140,9 @@ bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
     if (solves(problem, closed, end)) {
       attempt.closure = std::move(end);
       attempt.motions = closed;
-      return attempt.confirmed = true;
+      attempt.confirmed = true;
+      if (!rubs) open_idle_pairs(problem, attempt);
+      return true;
     }
     motions = closed;
     if (!end.solvable || predict(problem, end, reach, motions) == 0) return false;
@@ -267,7 +281,13 @@ Attempt first_attempt(const ScaledProblem& problem) {
     if (normal.report.status == Status::Solved) now.force.head(pairs) = normal.force;
   }
   now.movement = problem.free + problem.compliance * now.force;
-  if (U.cols() > 0) now.movement += U * now.amplitude;
+  VectorXd size = problem.free.cwiseAbs() + problem.compliance.cwiseAbs() * now.force.cwiseAbs();
+  if (U.cols() > 0) {
+    now.movement += U * now.amplitude;
+    size += U.cwiseAbs() * now.amplitude.cwiseAbs();
+  }
+  // A pair that touches is open until something presses it, whatever rounding says of its gap.
+  now.movement_rounding = static_cast<double>(size.size() + U.cols() + 1) * epsilon * size;
   attempt.motions = motions_of({}, pairs);
   predict(problem, now, unit, attempt.motions);
   return attempt;
@@ -300,7 +320,6 @@ void follow_newton(const ScaledProblem& problem, const Formulation& law, Index l
     equations.read(x, attempt.closure);
     return predict(problem, attempt.closure, unit, attempt.motions);
   };
-  look();
   const double first = newton.residual();
   Index last_changes = 1;  // so that the first motions are tried
   for (Index changes = 0;;) {

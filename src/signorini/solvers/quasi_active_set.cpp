@@ -40,6 +40,8 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
     report.status = method.run();
     if (report.status == Status::Infeasible) {
       proof = contradiction(scaled, method.basis().rows(), method.pressed());
+      if (proof.size() == 0 && refutes(as_posed(scaled), method.proof()))
+        proof = scaled.scale.cwiseProduct(method.proof());
       if (proof.size() > 0) break;
       method.pass_over();
       continue;
