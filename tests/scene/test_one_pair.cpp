@@ -54,7 +54,8 @@ TEST_CASE("a disc that rests on one node is solved by the family, and free to ro
       CAPTURE(cells, solver);
       REQUIRE(solution.contact.report.status == Status::Solved);
       CHECK(solution.certificate.worst() <= 1e-13);
-      CHECK(solution.contact.active.size() == 1);
+      const Eigen::VectorXd& force = solution.contact.force;  // a neighbour may touch without any
+      CHECK((force.array() > 1e-12 * force.sum()).count() == 1);
       REQUIRE(solution.notes.size() == 1);
       CHECK_THAT(solution.notes[0], ContainsSubstring("disc") && ContainsSubstring("turn") &&
                                         ContainsSubstring("do not determine"));
