@@ -113,7 +113,7 @@ struct FrictionViolation {
 /// largest overlap without contact, or what forces and rigid motions move in sum, forces against the largest
 /// of them. Any matrix can stand in the place of G, see pair_scales(). The movements are recomputed in twice the
 /// working precision; `equilibrium` is the largest difference of the claimed from the recomputed ones, or the
-/// largest R^T f - r over its terms. With friction there is no duality gap; open or closed as for a programme.
+/// largest entry of R^T f - r over r or what the largest force could add to it. With friction there is no duality gap; open or closed as for a programme.
 /// \param problem  as it was posed, or any M and q
 /// \param state    forces, gaps, friction forces, slips and amplitudes; nothing else is looked at
 /// \return the figures; all infinite if any number, given or claimed, is not finite

@@ -58,23 +58,24 @@ Recomputed recomputed(const ContactProblem& problem, const Claim& claim, const V
   return now;
 }
 
-/// How far forces are from balance: the largest entry of R^T f - r, each over the largest of its terms.
-double imbalance(const ContactProblem& problem, const VectorXd& force) {
+/// How far forces are from balance: the largest entry of R^T f - r, each over r or what the largest force could
+/// add to it. A pair on the axis of a rotation has no part in it, and forces elsewhere may all but vanish.
+double imbalance(const ContactProblem& problem, const VectorXd& force, const VectorXd& unit,
+                 double largest_force) {
   double worst = 0;
   for (Index j = 0; j < problem.resultant.size(); ++j) {
     ExactSum sum(-problem.resultant(j));
-    double term = std::abs(problem.resultant(j));
-    for (Index i = 0; i < force.size(); ++i) {
-      sum.add_product(problem.rigid(i, j), force(i));
-      term = std::max(term, std::abs(problem.rigid(i, j) * force(i)));
-    }
-    worst = std::max(worst, ratio(std::abs(sum.value()), term));
+    for (Index i = 0; i < force.size(); ++i) sum.add_product(problem.rigid(i, j), force(i));
+    const double lever = largest(problem.rigid.col(j).cwiseQuotient(unit));
+    const double size = std::max(std::abs(problem.resultant(j)), lever * largest_force);
+    worst = std::max(worst, ratio(std::abs(sum.value()), size));
   }
   return worst;
 }
 
 /// |f^T d + f^T F f + r^T a|, which f^T movement is if R^T f = r, over the size of the energies, or `least`.
-double duality_gap(const ContactProblem& problem, const Claim& claim, const VectorXd& movement, double least) {
+double duality_gap(const ContactProblem& problem, const Claim& claim, const VectorXd& movement,
+                   double least) {
   ExactSum energy;
   double energies = 0;
   for (Index i = 0; i < claim.force.size(); ++i) {
@@ -98,7 +99,7 @@ Certificate figures(const ContactProblem& problem, const Claim& claim) {
   const Recomputed now = recomputed(problem, claim, unit);
   const auto raise = [](double& figure, double value) { figure = std::max(figure, value); };
   Certificate certificate;
-  certificate.equilibrium = imbalance(problem, claim.force);
+  certificate.equilibrium = imbalance(problem, claim.force, unit, now.force);
   for (Index i = 0; i < claim.force.size(); ++i) {
     const double moved = now.movement(i) / unit(i);
     raise(certificate.equilibrium, ratio(std::abs(now.movement(i) - claim.movement(i)) / unit(i),

@@ -26,8 +26,11 @@ class Road {
         modes_(modes),
         ledger_(ledger),
         problem_(condensed.problem),
-        now_{condensed.free_displacement, {}, {}},
-        amplitude_(VectorXd::Zero(modes.cols())) {}
+        base_{condensed.free_displacement, VectorXd::Zero(programme.load.size()),
+              VectorXd::Zero(programme.initial_gap.size())},
+        base_amplitude_(VectorXd::Zero(modes.cols())),
+        now_(base_),
+        amplitude_(base_amplitude_) {}
 
   CertifiedEnd run(const Solver& solver, const SolverOptions& options);
 
@@ -43,6 +46,9 @@ class Road {
   /// Puts the movements that displacements give in the place of those that the condensed data gave, and what
   /// K u, which should do no work along rigid motions, does there in the place of the load.
   void correct();
+  /// Forces as claimed; with rigid modes also what they and the amplitudes move: a motion that the closed pairs leave
+  /// open must begin where the claim has it.
+  void start_from(const ContactState& claim);
   /// Takes over what a solver says about its run.
   void take_over(const ContactState& claim, bool corrected);
   /// Fills the end.
@@ -55,6 +61,8 @@ class Road {
   const MatrixXd& modes_;
   Ledger& ledger_;
   ContactProblem problem_;  // condensed, corrected from pass to pass
+  PrimalDual base_;         // what the free movements of problem_ belong to, with its forces
+  VectorXd base_amplitude_;
   PrimalDual now_;
   VectorXd amplitude_;
   Refinement refined_;
@@ -132,6 +140,22 @@ void Road::correct() {
   const Index pairs = problem_.free_gap.size();
   problem_.free_gap = free.head(pairs);
   problem_.free_slip = free.tail(free.size() - pairs);
+  base_ = now_;
+  base_amplitude_ = amplitude_;
+}
+
+void Road::start_from(const ContactState& claim) {
+  VectorXd force(claim.force.size() + claim.friction.size());
+  force << claim.force, claim.friction;
+  if (modes_.cols() > 0 && claim.report.status == Status::Solved) {
+    now_ = base_;
+    const VectorXd pushed = programme_.A.transpose() * (force - base_.force);
+    add_displacement(now_, condensed_.solve_stiffness(-pushed));
+    add_rigid(now_, modes_ * (claim.amplitude - base_amplitude_));
+    amplitude_ = claim.amplitude;
+    ledger_.count("solves", 1);
+  }
+  now_.force = std::move(force);
 }
 
 void Road::take_over(const ContactState& claim, bool corrected) {
@@ -162,12 +186,7 @@ CertifiedEnd Road::run(const Solver& solver, const SolverOptions& options) {
     }
     take_over(claim, corrected);
     if (!usable(claim)) break;
-    now_.force.resize(claim.force.size() + claim.friction.size());
-    now_.force << claim.force, claim.friction;
-    if (modes_.cols() > 0 && claim.report.status == Status::Solved) {
-      add_rigid(now_, modes_ * (claim.amplitude - amplitude_));
-      amplitude_ = claim.amplitude;
-    }
+    start_from(claim);
     if (settle(all_motions(claim))) break;
     if (!refined_.settled) break;  // nothing to correct the condensed problem with
     const double worst = end_.certificate.worst();

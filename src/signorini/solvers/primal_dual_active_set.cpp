@@ -92,7 +92,8 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   Attempt attempt = first_attempt(scaled);
   exchange_motions(scaled, asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit,
                    attempt);
-  if (rubs && asked == 0 && !attempt.confirmed) {
+  const bool floats = scaled.rigid.cols() > 0;
+  if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
     Attempt again = first_attempt(scaled);
     again.report = std::move(attempt.report);
     attempt = std::move(again);
@@ -101,8 +102,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   }
   ContactState state = finished(problem, scaled, std::move(attempt));
   const Index left = asked - state.report.iterations;
-  if (rubs || scaled.rigid.cols() > 0 || state.report.status == Status::Solved ||
-      (asked > 0 && left <= 0))
+  if (rubs || floats || state.report.status == Status::Solved || (asked > 0 && left <= 0))
     return state;
   SolverOptions rest = options;
   rest.iteration_limit = asked > 0 ? left : 0;
