@@ -47,7 +47,7 @@ class WeightIteration {
   [[nodiscard]] WeightEnd end() const { return end_; }
   /// \return if Unbounded: y `n_c` >= 0 with G y = 0 and d^T y < 0
   [[nodiscard]] const Eigen::VectorXd& infeasibility() const { return infeasibility_; }
-  /// \return factorisations of the last rule, one and another one for every vertex dropped
+  /// \return factorisations of the last rule
   [[nodiscard]] Eigen::Index factorisations() const { return face_.factorisations(); }
 
  private:

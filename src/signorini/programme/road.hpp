@@ -28,10 +28,15 @@ struct CertifiedEnd {
   Certificate certificate = uncertified();  ///< of `solution`, from the original data
 };
 
-/// Solves the condensed problem, refines what the solver claims from the original data, changes pairs that the
-/// refined numbers show on the wrong side while fewer and fewer are, and certifies. Where that ends in no
-/// solution, the condensed problem gets the free movements of the refined numbers, which rounding had
-/// misplaced, and is solved again; and so on as long as certificates become better.
+/// Solves the condensed problem, refines what the solver claims, and looks at all signs again.
+///
+/// What the pairs do is the claim; displacements and forces follow from the original data, see
+/// refine(). Pairs that are then on the wrong side change, as long as they become fewer. Else the
+/// condensed problem is corrected, so that it gives the refined movements, and solved again. The road ends
+/// when all signs are right; when a set of pairs comes back, between which rounding cannot decide; when
+/// refinement does not settle; or at the second pass in a row that does not halve the worst figure of the
+/// certificate. The best certificate then says whether that matters. A method that ends without a solution
+/// is asked the same way: what it looked at last may be right.
 /// \param programme     K, p, A, g as they were posed; slips in the last rows of A
 /// \param condensed     made of it
 /// \param null_vectors  N `n x n_r`, or nothing

@@ -31,6 +31,10 @@ class GroupActiveSet {
   /// Goes on until no row overlaps beyond rounding.
   /// \return Solved, Infeasible, IterationLimit or Breakdown
   Status run();
+  /// Presses one row until it closes, as a step of Pace::Single does.
+  /// \param row  that overlaps
+  /// \return Solved, Infeasible, IterationLimit or Breakdown
+  Status take_in(Eigen::Index row);
   /// Goes on after an Infeasible whose proof does not hold: the overlap of the row that could not be closed
   /// counts as rounding until the energy rises.
   void pass_over();
@@ -40,6 +44,8 @@ class GroupActiveSet {
 
   /// \return the closed rows
   [[nodiscard]] ClosedBasis& basis() { return basis_; }
+  /// \return the closed rows
+  [[nodiscard]] const ClosedBasis& basis() const { return basis_; }
   /// \return after Infeasible: numbers y of normalised rows `m`, >= 0 but for equations, with
   ///   \f$ \sum y_i h_i = 0 \f$ while the same sum of gaps is negative
   [[nodiscard]] const Eigen::VectorXd& proof() const { return proof_; }

@@ -137,7 +137,7 @@ Status GroupActiveSet::press(Index row) {
     ++report_.iterations;
     if (closes) {
       if (!join(row, pressed)) return Status::Breakdown;
-      solve();
+      basis_.solve(target_);  // by a factor that is only updated
       force_.head(basis_.size()) = target_.head(basis_.size());
       return Status::Solved;
     }
@@ -145,6 +145,11 @@ Status GroupActiveSet::press(Index row) {
     open_vanished({first});
   }
   return Status::IterationLimit;
+}
+
+Status GroupActiveSet::take_in(Index row) {
+  rows_.gaps(basis_, gap_, rounding_);
+  return press(row);
 }
 
 }  // namespace signorini

@@ -34,6 +34,7 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
   VectorXd proof;
   const auto close_rows = [&] {
     closed = close(scaled, KnownSet{sorted_rows(method.basis())});
+    if (pace == GroupActiveSet::Pace::Single && method.basis().size() > 0) ++report.factorisations;
     return closed.solvable && static_cast<Index>(closed.rows.size()) == method.basis().size();
   };
   for (Index round = 0;; ++round) {
