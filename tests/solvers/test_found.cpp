@@ -148,3 +148,60 @@ TEST_CASE("a claim without a proof that holds is withdrawn", "[found][proof]") {
   CHECK(claimed(Vector2d(1, 0.5)).infeasibility.size() == 0);
   CHECK(claimed(Vector2d(2, 2)).report.status == Status::Infeasible);
 }
+
+namespace {
+
+ContactProblem floating(const MatrixXd& F, const VectorXd& d, const MatrixXd& R, const VectorXd& r) {
+  return {F, d, {}, {}, R, r};
+}
+
+}  // namespace
+
+TEST_CASE("an amplitude of any size moves no pair that its mode does not move", "[found][floating]") {
+  MatrixXd R(3, 3);
+  R << -1, 2, 2, 0, 0, 0, -2, -2, -2;
+  const ContactProblem problem =
+      floating(MatrixXd::Identity(3, 3), VectorXd::Constant(3, -1), R, VectorXd::Zero(3));
+  for (const char* name : {"primal_dual_active_set", "fischer_burmeister"}) {
+    const ContactState state = solve(problem, find_solver(name));
+    CAPTURE(name);
+    REQUIRE(state.report.status == Status::Solved);
+    CHECK(state.force(1) == Approx(1));  // pair 2 overlaps by 1 and has the compliance 1
+    CHECK(state.amplitude.cwiseAbs().maxCoeff() < 10);
+  }
+}
+
+TEST_CASE("rounding of a load that contact can balance is no proof that it cannot",
+          "[found][floating]") {
+  MatrixXd R(3, 2);
+  R << -1, 1, -2, 2, 2, 2;
+  const ContactProblem problem =
+      floating(MatrixXd::Identity(3, 3), VectorXd::Ones(3), R, Vector2d(-2, 2));
+  for (const char* name : {"primal_dual_active_set", "quasi_active_set", "lemke"}) {
+    const ContactState state = solve(problem, find_solver(name));
+    CAPTURE(name);
+    CHECK(state.escape.size() == 0);
+    REQUIRE(state.report.status == Status::Solved);  // by pair 2 alone
+    CHECK(state.force(1) == Approx(1));
+  }
+}
+
+TEST_CASE("huge forces that cancel do not make every gap small", "[found][certificate]") {
+  MatrixXd F(4, 4);
+  F << 9, 3, -6, -6, 3, 10, -11, 1, -6, -11, 13, 1, -6, 1, 1, 5;
+  ContactProblem problem{F, VectorXd(3), VectorXd::Constant(1, -1), law_of_all(VectorXd::Ones(1), VectorXd::Zero(1))};
+  problem.free_gap << -3, 1, -1;
+  problem.rigid.resize(4, 1);
+  problem.rigid << 1, 2, -2, -1;
+  problem.resultant = VectorXd::Constant(1, 4);
+  for (const char* name : {"primal_dual_active_set", "fischer_burmeister", "lemke"})
+    CHECK(find_solver(name).solve(problem, {}).report.status != Status::Solved);
+}
+
+TEST_CASE("a mode that moves no pair is no mode to hold", "[found][floating]") {
+  MatrixXd F(2, 2);
+  F << 1, -2, -2, 4;
+  const ContactProblem problem =
+      floating(F, Vector2d(-4, -2), MatrixXd::Zero(2, 1), VectorXd::Zero(1));
+  CHECK_NOTHROW(solve(problem, find_solver("primal_dual_active_set")));
+}

@@ -68,8 +68,7 @@ constexpr Formulation split = {2, start, evaluate, differentiate};
 
 ContactState friction_split(const ContactProblem& problem, const SolverOptions& options) {
   const ScaledProblem scaled = equilibrate(problem);
-  if (VectorXd way = escape(scaled); way.size() > 0)
-    return escaping(problem, scaled, std::move(way));
+  if (auto away = pulled_away(problem, scaled)) return *away;
   Attempt attempt = first_attempt(scaled);
   follow_newton(scaled, split, options.iteration_limit > 0 ? options.iteration_limit : newton_limit,
                 attempt);

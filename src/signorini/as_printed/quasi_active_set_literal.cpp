@@ -238,11 +238,11 @@ QuasiActiveRun LiteralMethod::run() {
 
 QuasiActiveRun run_quasi_active_set_literal(const ContactProblem& problem,
                                             const SolverOptions& options, QuasiActiveRows rows) {
+  check_plain(problem, "quasi_active_set_literal");
   return LiteralMethod(problem, options, rows).run();
 }
 
 ContactState quasi_active_set_literal(const ContactProblem& problem, const SolverOptions& options) {
-  check_plain(problem, "quasi_active_set_literal");
   return run_quasi_active_set_literal(problem, options).state;
 }
 

@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Armijo's rule, as in fischer_burmeister.cpp.
+/// Armijo's rule, as in newton.cpp.
 constexpr double enough = 1e-4;
 
 /// What rows and unknowns are multiplied by to have one unit.

@@ -146,6 +146,7 @@ void WeightIteration::move(const Direction& along, double step) {
 
 std::vector<std::vector<Index>> weight_supports(const ContactProblem& problem, WeightRule rule,
                                                 Index limit) {
+  check_plain(problem, "weight_supports");
   const ScaledProblem scaled = equilibrate(problem);
   const ContactProblem unit{scaled.compliance, scaled.free};
   WeightIteration run(unit, rule);

@@ -86,8 +86,8 @@ void settle(const ScaledProblem& problem, const Rows& support, Closure& now) {
     now.movement(row) = 0;
   }
   for (Index j = 0; j < modes; ++j) {
-    const double terms =
-        std::abs(problem.resultant(j)) + problem.rigid.col(j).cwiseAbs().dot(now.force.cwiseAbs());
+    const double terms =  // a force far off the axis may be as wrong as the largest one
+        std::abs(problem.resultant(j)) + largest(problem.rigid.col(j)) * now.force.lpNorm<1>();
     ExactVector left(VectorXd::Constant(1, -problem.resultant(j)));
     left.add_products(problem.rigid.col(j), now.force);
     if (std::abs(left.value()(0)) > 2 * rounding * terms) now.solvable = false;

@@ -94,12 +94,12 @@ class Closing {
 /// Forces and movements when what all pairs do is known; scaled numbers [sqrt(energy)].
 struct Closure {
   Eigen::VectorXd force;              ///< of all rows; tension < 0 is possible
-  Eigen::VectorXd movement;           ///< of all rows: gaps, then slips; exactly 0 where closed
+  Eigen::VectorXd movement;           ///< of all rows: gaps, then slips; exactly 0 in `rows`
   Eigen::VectorXd amplitude;          ///< b `k`
   std::vector<Eigen::Index> rows;     ///< the independent rows that were closed, in increasing order
   double force_rounding = 0;          ///< what rounding may have done to each force
   Eigen::VectorXd movement_rounding;  ///< and to each movement
-  bool solvable = false;  ///< whether all closed rows are closed and U^T f = t, to rounding
+  bool solvable = false;  ///< whether `rows` are closed and U^T f = t, to rounding
   bool reversed = false;  ///< as Closing::reversed()
 
   /// \param row  any \return whether its movement is what rounding of its terms, or of a force, can make of 0
@@ -161,6 +161,10 @@ using Confirmed = std::optional<std::pair<Closure, std::vector<Motion>>>;
 [[nodiscard]] Confirmed confirmed(const ScaledProblem& problem,
                                   const std::vector<Eigen::Index>& candidates,
                                   const Closure* start = nullptr);
+
+/// Names the direction of pairs that slide after their slip: without a friction force a method need not know it.
+/// \param[in,out] state  whose motions may change from forward to backward and back
+void name_slides(ContactState& state);
 
 /// One entry of a history, in the units of the problem as it was posed.
 /// \param problem  scaled

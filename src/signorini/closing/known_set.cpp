@@ -119,6 +119,14 @@ Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& cand
   return std::make_pair(std::move(closure), std::move(motions));
 }
 
+void name_slides(ContactState& state) {
+  for (std::size_t k = 0; k < state.motion.size(); ++k) {
+    const double slip = state.slip(static_cast<Index>(k));
+    if (friction_sign(state.motion[k]) != 0 && slip != 0)
+      state.motion[k] = slip > 0 ? Motion::Forward : Motion::Backward;
+  }
+}
+
 Iteration summary(const ScaledProblem& problem, const std::vector<Motion>& motions,
                   const Closure& closure, Index changes) {
   Iteration entry{0, changes, 0, 0};
@@ -156,6 +164,7 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   state.active = closed_pairs(motions);
   state.rubbing = scaled.law.pair;
   for (const Index pair : scaled.law.pair) state.motion.push_back(motions[at(pair)]);
+  name_slides(state);
   if (problem.resultant.size() > 0)
     state.amplitude = closure.amplitude.size() > 0 ? VectorXd(scaled.inverse * closure.amplitude)
                                                    : VectorXd::Zero(problem.resultant.size());

@@ -119,26 +119,29 @@ VectorXd lacking(const Pushes& all) {
   return way;
 }
 
-/// Whether a direction proves that nothing balances r.
-bool proves(const ScaledProblem& problem, const VectorXd& way) {
-  const Index pairs = problem.pairs();
-  const VectorXd moved = problem.rigid * way;
+/// Whether amplitudes prove that nothing balances r, on any data; sums in twice the working precision.
+bool drags(const MatrixXd& rigid, const VectorXd& resultant, const FrictionLaw& law,
+           const VectorXd& way) {
+  const Index pairs = rigid.rows() - static_cast<Index>(law.pair.size());
+  const VectorXd moved = combined(rigid.transpose(), way);
+  const VectorXd size = rigid.cwiseAbs() * way.cwiseAbs();
+  ExactSum work;
+  for (Index j = 0; j < way.size(); ++j) work.add_product(resultant(j), way(j));
+  double terms = resultant.cwiseAbs().dot(way.cwiseAbs());
   VectorXd opening = moved.head(pairs);
-  VectorXd rounding = VectorXd::Constant(pairs, proof_rounding * way.norm());
-  double work = problem.resultant.dot(way);
-  double terms = problem.resultant.cwiseAbs().dot(way.cwiseAbs());
-  for (Index k = 0; k < problem.law.coefficient.size(); ++k) {
-    const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+  VectorXd rounding = VectorXd::Constant(pairs, proof_rounding * largest(size));
+  for (Index k = 0; k < law.coefficient.size(); ++k) {
+    const Index pair = law.pair[static_cast<std::size_t>(k)];
     const double slip = std::abs(moved(pairs + k));
-    opening(pair) -= problem.law.coefficient(k) * slip;
-    rounding(pair) *= 1 + problem.law.coefficient(k);
-    work += problem.law.cohesion(k) * slip;
-    terms += problem.law.cohesion(k) * slip;
+    opening(pair) -= law.coefficient(k) * slip;
+    rounding(pair) *= 1 + law.coefficient(k);
+    work.add_product(law.cohesion(k), slip);
+    terms += law.cohesion(k) * slip;
   }
-  return (opening.array() >= -rounding.array()).all() && work < -proof_rounding * terms;
+  return (opening.array() >= -rounding.array()).all() && work.value() < -proof_rounding * terms;
 }
 
-/// G - C T^-1 C^T - mu |T| mu / 4, or nothing if T is not positive definite.
+/// Whether G - C T^-1 C^T - mu |T| mu / 4 is positive definite, beyond rounding.
 bool bound_excludes_others(const ScaledProblem& problem) {
   const MatrixXd& F = problem.compliance;
   const Index pairs = problem.pairs();
@@ -203,12 +206,20 @@ VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& a
 VectorXd escape(const ScaledProblem& problem) {
   if (problem.loose.size() > 0) return problem.loose;
   if (problem.rigid.cols() == 0 || problem.resultant.isZero(0)) return {};
-  const VectorXd way = lacking(pushes(problem));
-  if (!way.allFinite() || !proves(problem, way)) return {};
+  const Pushes all = pushes(problem);
+  const VectorXd way = lacking(all);
+  // What is left of the load where rounding is all that is left proves nothing.
+  if (!way.allFinite() || way.norm() <= proof_rounding * all.target.norm() ||
+      !drags(problem.rigid, problem.resultant, problem.law, way))
+    return {};
   return problem.inverse * way;
 }
 
-ContactState escaping(const ContactProblem& problem, const ScaledProblem& scaled, VectorXd way) {
+std::optional<ContactState> pulled_away(const ContactProblem& problem,
+                                        const ScaledProblem& scaled) {
+  VectorXd way = escape(scaled);
+  if (way.size() == 0 || !drags(problem.rigid, problem.resultant, problem.law, way))
+    return std::nullopt;
   Closure none;
   none.force = VectorXd::Zero(scaled.free.size());
   none.movement = scaled.free;

@@ -1,6 +1,7 @@
 /// \file
 /// What can be proved about a condensed problem: that nothing solves it, or that one solution is all.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "signorini/closing/closing.hpp"
@@ -43,13 +44,12 @@ namespace signorini {
 ///   otherwise an empty vector
 [[nodiscard]] Eigen::VectorXd escape(const ScaledProblem& problem);
 
-/// The state of a body that its load pulls away.
+/// The state of a body that its load pulls away, if escape() has a proof that holds for R and r as they were posed.
 /// \param problem  as it was posed
 /// \param scaled   the same, equilibrated
-/// \param way      from escape()
-/// \return free gaps and slips, no forces, `Infeasible`
-[[nodiscard]] ContactState escaping(const ContactProblem& problem, const ScaledProblem& scaled,
-                                    Eigen::VectorXd way);
+/// \return free gaps and slips, no forces, `Infeasible`; or nothing
+[[nodiscard]] std::optional<ContactState> pulled_away(const ContactProblem& problem,
+                                                      const ScaledProblem& scaled);
 
 /// Whether a problem of these matrices can have several solutions.
 ///

@@ -117,7 +117,7 @@ struct FrictionViolation {
 /// \param problem  as it was posed, or any M and q
 /// \param state    forces, gaps, friction forces, slips and amplitudes; nothing else is looked at
 /// \return the figures; all infinite if any number, given or claimed, is not finite
-/// \throws std::invalid_argument if sizes do not fit
+/// \throws std::invalid_argument if sizes do not fit, or as check_law()
 [[nodiscard]] Certificate certify(const ContactProblem& problem, const ContactState& state);
 
 /// The forces that are missing in the equilibrium, summed in twice the working precision.

@@ -27,9 +27,15 @@ struct Recomputed {
   double force = 0;
 };
 
+/// What a mode can do per unit of force, at most, scaled.
+double lever(const ContactProblem& problem, Index mode, const VectorXd& unit) {
+  return largest(problem.rigid.col(mode).cwiseQuotient(unit));
+}
+
 /// The length counts overlaps, given slips, and what forces and rigid motions do in sum. Neither the gaps
 /// of pairs that are far apart count nor terms that cancel. With rigid modes, whose load fixes the size of
-/// forces, all may cancel and nothing move but by rounding: then the terms are all there is to measure by.
+/// forces, all may cancel and nothing move but by rounding: then the terms are all there is to measure by, but no
+/// more than forces of that size make.
 Recomputed recomputed(const ContactProblem& problem, const Claim& claim, const VectorXd& unit) {
   const VectorXd free = free_movement(problem);
   const Index pairs = problem.free_gap.size();
@@ -54,7 +60,10 @@ Recomputed recomputed(const ContactProblem& problem, const Claim& claim, const V
     now.movement(i) = moved.value();
   }
   const double rounding = static_cast<double>(claim.force.size()) * epsilon * term;
-  if (problem.resultant.size() > 0 && now.length <= rounding) now.length = term;
+  double load = 0;  // forces that it fixes; one on a row of F alone moves it by as much, scaled
+  for (Index j = 0; j < problem.resultant.size(); ++j)
+    load = std::max(load, ratio(std::abs(problem.resultant(j)), lever(problem, j, unit)));
+  if (now.length <= rounding) now.length = std::max(now.length, std::min(term, load));
   return now;
 }
 
@@ -66,8 +75,8 @@ double imbalance(const ContactProblem& problem, const VectorXd& force, const Vec
   for (Index j = 0; j < problem.resultant.size(); ++j) {
     ExactSum sum(-problem.resultant(j));
     for (Index i = 0; i < force.size(); ++i) sum.add_product(problem.rigid(i, j), force(i));
-    const double lever = largest(problem.rigid.col(j).cwiseQuotient(unit));
-    const double size = std::max(std::abs(problem.resultant(j)), lever * largest_force);
+    const double size =
+        std::max(std::abs(problem.resultant(j)), lever(problem, j, unit) * largest_force);
     worst = std::max(worst, ratio(std::abs(sum.value()), size));
   }
   return worst;

@@ -1,5 +1,5 @@
 /// \file
-/// The frictionless contact problem as pure algebra, in its two forms, and what a solver returns.
+/// Contact as pure algebra: with displacements and without them, and what a solver returns.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <set>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/programme/programme_rows.hpp"
-#include "signorini/solvers/group_active_set.hpp"
 
 namespace signorini {
 namespace {
@@ -59,7 +58,6 @@ DenseCondensed condensed_by(ProgrammeRows& data) {
   const Index first = data.equations();
   condensed.problem.free_gap = gap.tail(data.count() - first);
   condensed.half.setZero(condensed.free_displacement.size(), data.count() - first);
-  condensed.problem.compliance.resize(0, 0);
   if (first == data.count()) return condensed;
   ClosedBasis::Candidates rows;
   rows.rows = range(first, data.count());
@@ -120,7 +118,7 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
     const VectorXd force = solution.refined.force.tail(problem.free_gap.size());
     const VectorXd moved = condensed.half.transpose() * (condensed.half * force);
     problem.free_gap = solution.gap.tail(force.size()) - moved;
-    without_rounding(problem.free_gap, std::numeric_limits<double>::epsilon() * moved.cwiseAbs());
+    without_rounding(problem.free_gap, epsilon * moved.cwiseAbs());
   }
 }
 
@@ -149,24 +147,32 @@ DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
   return solution;
 }
 
-bool proves_infeasible(const DenseProgramme& programme, const VectorXd& y, const VectorXd& u) {
-  const Index m = programme.initial_gap.size();
+bool proves_infeasible(const QuadraticProgramme& programme, const VectorXd& y, const VectorXd& u,
+                       Index equations) {
+  const Index m = y.size();
   require(u.size() == programme.load.size(), "proves_infeasible: need ", programme.load.size(),
           " displacements, got ", u.size());
-  if (y.size() != m || !y.allFinite() || (y.tail(m - programme.equations).array() < 0).any())
+  if (m == 0 || m > programme.initial_gap.size() || m < equations || !y.allFinite() ||
+      (y.tail(m - equations).array() < 0).any())
     return false;
   ExactSum work;
-  for (Index i = 0; i < m; ++i) work.add_product(programme.initial_gap(i), y(i));
-  double escape = 0;
-  for (Index j = 0; j < u.size(); ++j) {
-    ExactSum moved;
-    for (Index i = 0; i < m; ++i) moved.add_product(programme.A(i, j), y(i));
-    escape += std::abs(moved.value() * u(j));
+  std::vector<ExactSum> moved(static_cast<std::size_t>(u.size()));
+  for (Index i = 0; i < m; ++i) {
+    work.add_product(programme.initial_gap(i), y(i));
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(programme.A, i); it; ++it)
+      moved[static_cast<std::size_t>(it.col())].add_product(it.value(), y(i));
   }
-  const double rounding =
-      std::numeric_limits<double>::epsilon() * programme.initial_gap.cwiseAbs().dot(y.cwiseAbs());
+  double escape = 0;
+  for (Index j = 0; j < u.size(); ++j)
+    escape += std::abs(moved[static_cast<std::size_t>(j)].value() * u(j));
+  const double rounding = epsilon * programme.initial_gap.head(m).cwiseAbs().dot(y.cwiseAbs());
   return -work.value() > static_cast<double>(m) * rounding &&
-         -work.value() * std::sqrt(std::numeric_limits<double>::epsilon()) > escape;
+         -work.value() * std::sqrt(epsilon) > escape;
+}
+
+bool proves_infeasible(const DenseProgramme& programme, const VectorXd& y, const VectorXd& u) {
+  return y.size() == programme.initial_gap.size() &&
+         proves_infeasible(sparse(programme), y, u, programme.equations);
 }
 
 Certificate certify(const DenseProgramme& programme, const PrimalDual& solution) {

@@ -57,10 +57,17 @@ struct DenseSolution {
 ///
 /// Rounded numbers have A^T y = 0 to rounding only, and g.y > y.(A u) for a u that is large enough. They
 /// count as proof if that takes displacements larger than those at hand by half of the digits of a double.
-/// \param programme  A, g
-/// \param y          `m`; those of equations have any sign
+/// \param programme  A, g; with friction its slips, which have no part in a proof, are the last rows
+/// \param y          `m`, or fewer: those of the last rows are 0; those of equations have any sign
 /// \param u          `n` displacements that a method has come to
+/// \param equations  so many of the first rows are
 /// \return whether y proves it
+/// \throws std::invalid_argument if u has another size
+[[nodiscard]] bool proves_infeasible(const QuadraticProgramme& programme, const Eigen::VectorXd& y,
+                                     const Eigen::VectorXd& u, Eigen::Index equations = 0);
+
+/// The same for a dense programme with its equations. \param programme  A, g \param y  as above
+/// \param u  as above \return whether y proves it
 /// \throws std::invalid_argument if u has another size
 [[nodiscard]] bool proves_infeasible(const DenseProgramme& programme, const Eigen::VectorXd& y,
                                      const Eigen::VectorXd& u);

@@ -108,10 +108,7 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
                           condensed.factor.solve(programme.load - programme.A.transpose() *
                                                                       dense.refined.force));
   solution.escape = std::move(end.state.escape);
-  if (dense.report.status == Status::Solved) {  // what is negative is of rounding size
-    dense.refined.force = dense.refined.force.cwiseMax(0.0);
-    dense.gap(dense.active).setZero();
-  }
+  if (dense.report.status == Status::Solved) dense.gap(dense.active).setZero();
   return solution;
 }
 

@@ -291,6 +291,8 @@ Judgement judge(const QuadraticProgramme& programme, const FrictionLaw& law,
     const Index row = static_cast<Index>(k);
     if (law.coefficient(row) == 0 && law.cohesion(row) == 0) continue;
     if (at(i) == Motion::Open || motions[static_cast<std::size_t>(i)] == Motion::Open) continue;
+    if (at(i) == Motion::Stick && std::abs(refined.movement(pairs + row)) > contradicted)
+      closes = false;
     const double bound = law.coefficient(row) * std::max(0.0, force(i)) + law.cohesion(row);
     at(i) = rubbing(at(i), bound, force(pairs + row), refined.movement(pairs + row),
                     (1 + law.coefficient(row)) * small_force, small_length);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "signorini/core/rounding.hpp"
+#include "signorini/programme/dense_programme.hpp"
 #include "signorini/solvers/springs.hpp"
 
 namespace signorini {
@@ -131,12 +132,16 @@ bool Road::settle(std::vector<Motion> motions) {
 
 void Road::correct() {
   VectorXd free = refined_.movement - problem_.compliance * refined_.solution.force;
+  VectorXd terms = refined_.movement.cwiseAbs() + problem_.compliance.cwiseAbs() *
+                                                      refined_.solution.force.cwiseAbs();
   if (modes_.cols() > 0) {
     free -= problem_.rigid * amplitude_;
+    terms += problem_.rigid.cwiseAbs() * amplitude_.cwiseAbs();
     PrimalDual strained = now_;
     strained.force.setZero();
     problem_.resultant = -modes_.transpose() * equilibrium_residual(programme_, strained);
   }
+  free = (free.array().abs() > epsilon * terms.array()).select(free, 0.0);  // the others are rounding
   const Index pairs = problem_.free_gap.size();
   problem_.free_gap = free.head(pairs);
   problem_.free_slip = free.tail(free.size() - pairs);
@@ -202,9 +207,21 @@ void Road::conclude() {
   ContactState& state = end_.state;
   if (end_.certificate.holds()) {
     if (!confirmed_) read_off();
+    PrimalDual pressing = end_.solution;  // what is negative is of rounding size
+    pressing.force.head(problem_.free_gap.size()) =
+        pressing.force.head(problem_.free_gap.size()).cwiseMax(0.0);
+    const Certificate certificate = certify(programme_, pressing, problem_.law);
+    if (certificate.holds()) {
+      end_.solution = std::move(pressing);
+      end_.certificate = certificate;
+    }
     state.report.status = Status::Solved;
     state.reason.clear();
     state.escape.resize(0);
+    state.infeasibility.resize(0);
+  } else if (state.infeasibility.size() > 0 &&
+             !proves_infeasible(programme_, state.infeasibility, now_.displacement)) {
+    state.report.status = Status::Breakdown;
     state.infeasibility.resize(0);
   } else if (state.report.status == Status::Solved) {
     state.report.status = Status::Breakdown;
@@ -221,6 +238,7 @@ void Road::conclude() {
   state.rubbing = problem_.law.pair;
   for (const Index pair : problem_.law.pair)
     state.motion.push_back(motions_[static_cast<std::size_t>(pair)]);
+  name_slides(state);
 }
 
 }  // namespace

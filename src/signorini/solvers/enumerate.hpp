@@ -13,8 +13,9 @@ inline constexpr Eigen::Index largest_enumeration = 12;
 ///
 /// A set is a solution if its forces and the gaps of the open pairs are not negative beyond
 /// rounding. Of several (a pair that just touches may be called open or closed) the one with the
-/// fewest pairs is returned. Sets with a singular block are left out: if M is symmetric and positive
-/// semidefinite, another set gives the same displacements; otherwise a solution may be missed.
+/// fewest pairs is returned. Of a symmetric positive semidefinite M, sets with
+/// a singular block are left out: another set gives the same displacements. Of another matrix their least-norm
+/// solution is tried; a solution may be missed.
 ///
 /// \param problem  of at most 12 pairs
 /// \param options  not used: every set that could be better than the best so far is tried

@@ -14,8 +14,7 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
   const bool rubs = !problem.law.pair.empty();
   if (rubs || problem.resultant.size() > 0) check_problem(problem);
   const ScaledProblem scaled = equilibrate_any(problem);
-  if (VectorXd way = escape(scaled); way.size() > 0)
-    return escaping(problem, scaled, std::move(way));
+  if (auto away = pulled_away(problem, scaled)) return *away;
   const bool limited = options.iteration_limit > 0;
   const Index own_limit = rubs ? newton_limit : 10 * scaled.pairs() + 100;
   Attempt attempt = first_attempt(scaled);

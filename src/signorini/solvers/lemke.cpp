@@ -172,8 +172,7 @@ ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& coverin
 ContactState lemke(const ContactProblem& problem, const SolverOptions& options) {
   if (!problem.law.pair.empty() || problem.resultant.size() > 0) {
     const ScaledProblem scaled = equilibrate(problem);
-    if (Eigen::VectorXd way = escape(scaled); way.size() > 0)
-      return escaping(problem, scaled, std::move(way));
+    if (auto away = pulled_away(problem, scaled)) return *away;
     Attempt attempt = first_attempt(scaled);
     follow_pivots(scaled, options, attempt);
     return finished(problem, scaled, std::move(attempt));

@@ -113,6 +113,7 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, A
     attempt.report.status = state.report.status;
     attempt.reason = std::move(reason);
     if (state.report.status != Status::Solved) return;
+    if (cohesion.isZero(0)) break;
     for (Index j = 0; j < cohesion.size(); ++j) {
       const Index pair = problem.law.pair[static_cast<std::size_t>(j)];
       const bool open = attempt.motions[static_cast<std::size_t>(pair)] == Motion::Open;
@@ -120,7 +121,9 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, A
     }
   }
   attempt.report.status = Status::Breakdown;
-  attempt.reason = "pairs close only without cohesion and open only with it, or rounding decides";
+  attempt.reason = problem.law.cohesion.isZero(0)
+                       ? "rounding hides what the pairs do where Lemke's method arrived"
+                       : "pairs close only without cohesion and open only with it, or rounding decides";
 }
 
 }  // namespace signorini

@@ -84,15 +84,14 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
 
 ContactState primal_dual_active_set(const ContactProblem& problem, const SolverOptions& options) {
   const ScaledProblem scaled = equilibrate(problem);
-  if (VectorXd way = escape(scaled); way.size() > 0)
-    return escaping(problem, scaled, std::move(way));
+  if (auto away = pulled_away(problem, scaled)) return *away;
   const Index asked = options.iteration_limit;
   const bool rubs = !scaled.law.pair.empty();
   const Index own_limit = rubs ? exchange_limit : 10 * scaled.pairs() + 10;
   Attempt attempt = first_attempt(scaled);
   exchange_motions(scaled, asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit,
                    attempt);
-  const bool floats = scaled.rigid.cols() > 0;
+  const bool floats = problem.resultant.size() > 0;
   if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
     Attempt again = first_attempt(scaled);
     again.report = std::move(attempt.report);

@@ -23,8 +23,8 @@ namespace signorini {
 /// With friction a pair has four motions instead of two, see exchange_motions(): Newton's method for the
 /// conditions written with projections [\ref AlartCurnier1991], which arrives in five to ten steps for hundreds
 /// of pairs, or runs in circles. In that case Newton's method of fischer_burmeister() starts anew, and the pivots of
-/// lemke() end it. With rigid modes the resultant is kept, and the first set are the pairs that would be nearer
-/// than the gap their share of the load makes; there is no safeguard but solve() with springs.
+/// lemke() end it. With rigid modes the resultant is kept, the first set are the pairs that would be nearer
+/// than the gap their share of the load makes, and the same two methods follow; then there is solve() with springs.
 ///
 /// \param problem  any, F positive semidefinite
 /// \param options  `iteration_limit` for the exchange and quasi_active_set() together; 0 stands for 10 n_c + 10

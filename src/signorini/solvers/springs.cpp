@@ -50,8 +50,7 @@ ContactState solve_on_springs(const ContactProblem& problem, const Solver& solve
                               const SolverOptions& options, Report report) {
   const ScaledProblem scaled = equilibrate(problem);
   const Index pairs = scaled.pairs();
-  if (VectorXd way = escape(scaled); way.size() > 0)
-    return escaping(problem, scaled, std::move(way));
+  if (auto away = pulled_away(problem, scaled)) return *away;
   Closure last;
   last.amplitude = first_touch(scaled);
   last.force.setZero(pairs);
