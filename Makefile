@@ -28,6 +28,10 @@ chapters: configure       # and the program, without which nothing can be instal
 	@cmake --build $B -j $(JOBS) --target chapters signorini_command
 test: all                 ## compile and run every test
 	@ctest --test-dir $B -j $(JOBS) --output-on-failure
+conformance: configure    ## check every member of every family, or one: make conformance WHAT=mortar
+	@cmake --build $B -j $(JOBS) --target test_conformance
+	@$(if $(WHAT),SIGNORINI_CONFORMANCE='$(WHAT)' $B/bin/test_conformance,\
+	    ctest --test-dir $B -j $(JOBS) -L conformance --output-on-failure)
 ch%: configure            ## run one chapter, draw its figures into build/out/ch06, print its headline
 	@[ -n "$(filter $@,$(PROGRAMS))" ] || { echo "no chapter $@; there are: $(PROGRAMS)" >&2; exit 2; }
 	@cmake --build $B -j $(JOBS) --target $@
@@ -72,4 +76,4 @@ handout:                  ## build/signorini-handout.tar.gz, without solutions a
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test results figures text lint book browser bench peers handout clean
+.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers handout clean

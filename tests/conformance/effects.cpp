@@ -9,6 +9,7 @@
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
 #include "support/cantilever.hpp"
+#include "support/chosen.hpp"
 #include "support/linear_solve.hpp"
 #include "support/random_scenes.hpp"
 
@@ -163,7 +164,7 @@ std::vector<std::string> names_on(const Plan& plan) {
 TEST_CASE("every effect: absent it is named as off and costs nothing, present it has its line",
           "[conformance][effects]") {
   std::set<std::string> known;
-  for (const Effect& effect : effects()) {
+  for (const Effect& effect : chosen(effects())) {
     const std::string name = effect.name;
     CAPTURE(name);
     CHECK(known.insert(name).second);
@@ -190,12 +191,15 @@ TEST_CASE("every effect: absent it is named as off and costs nothing, present it
       CHECK_FALSE(full.at(own).empty());
     }
   }
-  CHECK(known.size() == examples().size());
+  for (const auto& [name, example] : examples())
+    CHECK(std::any_of(effects().begin(), effects().end(),
+                      [&](const Effect& effect) { return effect.name == name; }));
 }
 
 TEST_CASE(
     "every effect of a random scene is either on or off, and a copy of the plan builds the same",
     "[conformance][effects]") {
+  if (chosen(effects()).empty()) return;
   std::map<std::string, int> seen;
   int refused = 0;
   for (const RandomScenes kind : {RandomScenes::Frictionless, RandomScenes::Frictional})
@@ -222,7 +226,7 @@ TEST_CASE(
         ++refused;
       }
     }
-  for (const Effect& effect : effects()) {
+  for (const Effect& effect : chosen(effects())) {
     CAPTURE(effect.name);
     CHECK(seen[effect.name] > 0);
   }
