@@ -103,7 +103,7 @@ TEST_CASE("the answers of the class table fit their problems", "[conformance][ta
     }
 }
 
-TEST_CASE("a solver refuses more pairs than it accepts", "[conformance][table]") {
+TEST_CASE("every solver: more pairs than it accepts are refused", "[conformance][table]") {
   for (const Solver& solver : chosen(solvers())) {
     const Index n = solver.largest + 1;
     CAPTURE(solver.name);

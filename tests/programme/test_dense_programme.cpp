@@ -40,6 +40,22 @@ TEST_CASE("condensation eliminates the displacements of a small programme",
   CHECK((condensed.problem.free_gap - (programme.initial_gap - programme.A * u0)).norm() < 1e-14);
 }
 
+TEST_CASE("the small programme comes to its known solution",
+          "[dense_programme][closed-form][XuanLi2002-22]") {
+  for (const char* name : {"quasi_active_set", "primal_dual_active_set", "goldfarb_idnani"}) {
+    const DenseSolution solution = solve(small_programme(), find_solver(name));
+    CAPTURE(name);
+    REQUIRE(solution.report.status == Status::Solved);
+    CHECK(solution.certificate.holds());
+    const VectorXd u = small_programme().stiffness.ldlt().solve(
+        small_programme().load - small_programme().A.transpose() * solution.refined.force);
+    CHECK((u - Eigen::Vector3d(1, -1, 2)).norm() < 1e-13);
+    CHECK((solution.refined.displacement - Eigen::Vector3d(1, -1, 2)).norm() < 1e-13);
+    CHECK((solution.refined.force - Eigen::Vector3d(2, 3, 0)).norm() < 1e-12);
+    CHECK((solution.gap - Eigen::Vector3d(0, 0, 4)).norm() < 1e-13);
+  }
+}
+
 TEST_CASE("the programme of Rosen and Suzuki is known to rounding", "[dense_programme]") {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const KnownProgramme known = rosen_suzuki(10, 20, seed);
