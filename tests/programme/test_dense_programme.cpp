@@ -1,4 +1,4 @@
-// Dense programmes: condensation by hand, recovery of u, every solver from K, p, A, g to a certificate.
+// Dense programmes: condensation by hand, recovery of u, from K, p, A, g to a certificate.
 #include <Eigen/Dense>
 #include <limits>
 

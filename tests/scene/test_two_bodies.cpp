@@ -1,4 +1,4 @@
-// Two bodies of which contact alone holds one: every solver, the uncondensed method, and what is refused.
+// Two bodies of which contact alone holds one: the uncondensed method, and what is refused.
 #include <sstream>
 
 #include "catch_compat.hpp"
