@@ -1,6 +1,7 @@
 # Front door: every target is a short name for a few commands of cmake, ctest or tools/.
 JOBS ?= $(shell nproc)
 B := build
+comma := ,
 MAKEFLAGS += --no-print-directory
 CHAPTERS := $(wildcard chapters/ch[0-9][0-9]_*)
 PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword $(subst _, ,$(notdir $c))))))
@@ -28,6 +29,10 @@ chapters: configure       # and the program, without which nothing can be instal
 	@cmake --build $B -j $(JOBS) --target chapters signorini_command
 test: all                 ## compile and run every test
 	@ctest --test-dir $B -j $(JOBS) --output-on-failure
+conformance: configure    ## check every member of every family, or one: make conformance WHAT=mortar
+	@cmake --build $B -j $(JOBS) --target test_conformance
+	@$(if $(WHAT),SIGNORINI_CONFORMANCE='$(WHAT)' $B/bin/test_conformance 'every *$(comma)class/*',\
+	    ctest --test-dir $B -j $(JOBS) -L conformance --output-on-failure)
 ch%: configure            ## run one chapter, draw its figures into build/out/ch06, print its headline
 	@[ -n "$(filter $@,$(PROGRAMS))" ] || { echo "no chapter $@; there are: $(PROGRAMS)" >&2; exit 2; }
 	@cmake --build $B -j $(JOBS) --target $@
@@ -72,4 +77,4 @@ handout:                  ## build/signorini-handout.tar.gz, without solutions a
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test results figures text lint book browser bench peers handout clean
+.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers handout clean

@@ -97,15 +97,16 @@ void load_history(const ProgramOptions& run, Results& results) {
 // 5. Four elements on four meshes: the total force, and how far it is from its limit.
 // [elements]
 void compare_elements(const ProgramOptions& run, Results& results) {
-  Table table({"mesh", "q4", "q4_bbar", "q4_incompatible", "q8"});
+  const std::vector<std::string> names = {"q4", "q4_bbar", "q4_incompatible", "q8"};
+  Table table({"mesh", names[0], names[1], names[2], names[3]});
   double certificate = 0;
   double in_doubles = 0;
   for (const Index cells : {50, 100, 200, 400}) {
     std::vector<std::string> row = {text(cells, " x ", cells / 10)};
-    for (const Element& element : elements()) {
-      const SolvedScene now = solve_cantilever(paper, element.name, cells);
+    for (const std::string& name : names) {
+      const SolvedScene now = solve_cantilever(paper, name, cells);
       const double force = total_force(now);
-      results.add(text("force_", element.name, '_', cells), force, "kN");
+      results.add(text("force_", name, '_', cells), force, "kN");
       row.push_back(number(force, "%.3f ") + number(100 * (force / total_force_2d - 1), "(%+.3f)"));
       certificate = std::max(certificate, now.solution.certificate.worst());
       const PrimalDual rounded{now.solution.refined.displacement, {}, now.solution.refined.force};

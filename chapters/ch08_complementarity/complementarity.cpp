@@ -143,14 +143,16 @@ void compare_friction(const ProgramOptions& run, Results& results) {
       sheared(0.1)};
   Table table({"", "open, cohesion", "shift 0.02", "shift 0.05", "shift 0.1"});
   std::vector<std::string> counts = {"open, stick, slide"};
-  for (const Solver& solver : friction_solvers()) {
-    std::vector<std::string> row = {solver.name};
+  for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister",
+                           "friction_split", "friction_split_literal"}) {
+    const Solver& solver = find_solver(name);
+    std::vector<std::string> row = {name};
     for (const ContactProblem& problem : all) {
       const ContactState state = solver.solve(problem, {});
       const bool solved = state.report.status == Status::Solved;
       row.push_back(solved ? std::to_string(state.report.iterations)
                            : to_string(state.report.status));
-      if (&solver != &friction_solvers().front()) continue;
+      if (counts.size() > all.size()) continue;  // the first member is enough
       const auto of = [&](Motion s) {
         return std::count(state.motion.begin(), state.motion.end(), s);
       };

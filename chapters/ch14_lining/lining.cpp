@@ -80,15 +80,15 @@ void compare_elements(const ProgramOptions& run, Results& results) {
   const double u_exact = inner_rim(closed_form(paper));
   const double p_exact = nested_pressure(closed_form(paper)).inner.outside;
   Table table({"element", "u(a) [cm]", "deviation [%]", "contact pressure [MPa]", "deviation [%]"});
-  for (const Element& element : elements()) {
+  for (const char* name : {"q4", "q4_bbar", "q4_incompatible", "q8"}) {
     Rings rings;
-    rings.element = element.name;
+    rings.element = name;
     const SolvedScene now = run_of(rings);
     const double u = inner_rim(now).mean(), p = now.solution.pressure.mean();
-    table.row({element.name, number(u, "%.6f"), number(percent(u, u_exact), "%.4f"),
-               number(p, "%.4f"), number(percent(p, p_exact), "%.4f")});
-    results.add(text("u_", element.name), u, "cm");
-    results.add(text("p_", element.name), p, "MPa");
+    table.row({name, number(u, "%.6f"), number(percent(u, u_exact), "%.4f"), number(p, "%.4f"),
+               number(percent(p, p_exact), "%.4f")});
+    results.add(text("u_", name), u, "cm");
+    results.add(text("p_", name), p, "MPa");
   }
   // [elements]
   write_file(run.out / "elements.md", table.markdown());

@@ -5,6 +5,8 @@
 #include "catch_compat.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
+#include "support/floating.hpp"
+#include "support/friction.hpp"
 #include "support/problem_classes.hpp"
 
 using namespace signorini;
@@ -154,4 +156,65 @@ TEST_CASE("the judge hears exceptions and missing refusals", "[conformance][judg
   CHECK_THAT(verdict(says<Status::Breakdown>, turned, {Trait::Asymmetric}),
              ContainsSubstring("does not refuse"));
   CHECK(verdict(primal_dual_active_set, turned, {Trait::Asymmetric}).empty());
+}
+
+TEST_CASE("the judge finds a wrong friction force, motion or claim to be the only solution",
+          "[conformance][judge]") {
+  Eigen::Matrix2d F;
+  F << 1, 2, 2, 9;
+  Instance pair{"one node", one_pair(F, 0.1, 3, 0.6)};  // three solutions
+  pair.solutions = all_solutions(pair.problem);
+  const auto judged = [&](Solve solve, Instance instance) {
+    const Solver liar = Solver{"liar", "for this test", solve}.with_friction(Takes::Also);
+    return complaint(liar, {Trait::Friction}, instance);
+  };
+  CHECK(judged(primal_dual_active_set, pair).empty());
+  const Solve only = [](const ContactProblem& problem, const SolverOptions&) {
+    ContactState made = primal_dual_active_set(problem, {});
+    made.uniqueness = Uniqueness::Proved;
+    return made;
+  };
+  CHECK_THAT(judged(only, pair), ContainsSubstring("there are 3"));
+  const Solve pulls = [](const ContactProblem& problem, const SolverOptions&) {
+    ContactState made = primal_dual_active_set(problem, {});
+    made.friction(0) += 1e-3;
+    return made;
+  };
+  CHECK_THAT(judged(pulls, pair), ContainsSubstring("certificate"));
+  Instance other = pair;
+  for (Eigen::VectorXd& forces : other.solutions) forces.array() += 1e-3;
+  CHECK_THAT(judged(primal_dual_active_set, other), ContainsSubstring("none of the 3"));
+  other = pair;
+  other.motion = {Motion::Backward};
+  CHECK_THAT(judged(primal_dual_active_set, other), ContainsSubstring("other ways"));
+  other = pair;
+  other.expected = Status::Breakdown;
+  CHECK_THAT(judged(primal_dual_active_set, other), ContainsSubstring("nothing solves"));
+  CHECK(judged(says<Status::Breakdown>, other).empty());
+  const Solver takes_none{"liar", "for this test", primal_dual_active_set};
+  CHECK_FALSE(takes_part(takes_none, pair));
+  CHECK_FALSE(takes_part(takes_none.with_friction(Takes::Only), solvable()));
+}
+
+TEST_CASE("the judge finds false proofs that a body escapes", "[conformance][judge]") {
+  Instance away{"bar",
+                bar(Eigen::Vector2d(0, 3), Eigen::Vector2d(1, 1), Eigen::Vector2d(1, 1), -1, 1)};
+  away.expected = Status::Infeasible;
+  const auto judged = [&](Solve solve) {
+    return complaint(Solver{"liar", "for this test", solve}.with_rigid_modes(), {Trait::Dependent},
+                     away);
+  };
+  static Eigen::Vector2d way;
+  const Solve claims = [](const ContactProblem& problem, const SolverOptions&) {
+    ContactState made = state(problem, VectorXd::Zero(2), Status::Infeasible);
+    made.escape = way;
+    return made;
+  };
+  way << 1, 0;  // upwards, as the load
+  CHECK(judged(claims).empty());
+  way << 1, -0.5;  // the second end goes down
+  CHECK_THAT(judged(claims), ContainsSubstring("pair 1 stops"));
+  away.problem.resultant = Eigen::Vector2d(1, 1);
+  way << 1, 0;
+  CHECK_THAT(judged(claims), ContainsSubstring("its load works"));
 }

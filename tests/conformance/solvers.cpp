@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/solvers/springs.hpp"
+#include "support/chosen.hpp"
 #include "support/problem_classes.hpp"
 #include "support/problems.hpp"
 
@@ -40,13 +42,16 @@ std::vector<Instance> sample_for(const Solver& solver) {
 }  // namespace
 
 TEST_CASE("every solver: the same problem gives the same bits", "[conformance]") {
-  for (const Solver& solver : solvers())
+  for (const Solver& solver : chosen(all_solvers()))
     for (const Instance& instance : sample_for(solver)) {
-      const ContactState first = solver.solve(instance.problem, {});
-      const ContactState second = solver.solve(instance.problem, {});
+      const ContactState first = solve(instance.problem, solver);
+      const ContactState second = solve(instance.problem, solver);
       CAPTURE(solver.name, instance.name);
       CHECK(first.force == second.force);
       CHECK(first.gap == second.gap);
+      CHECK(first.friction == second.friction);
+      CHECK(first.slip == second.slip);
+      CHECK(first.amplitude == second.amplitude);
       CHECK(first.active == second.active);
       CHECK(first.report.status == second.report.status);
       CHECK(first.report.iterations == second.report.iterations);
@@ -57,7 +62,9 @@ TEST_CASE("every solver: units and scales of rows change no bit but the exponent
           "[conformance][units]") {
   // Roots of powers of 4 are exact, so that equilibrated data are the same numbers, but for pairs that
   // cannot move: these have nothing to be scaled by.
-  for (const Solver& solver : solvers())
+  for (const Solver& solver : chosen(all_solvers())) {
+    if (std::string(solver.name) == "friction_split_literal")
+      continue;  // nothing is scaled, as printed
     for (const Instance& instance : sample_for(solver)) {
       if (!is_symmetric(instance.problem) ||
           (instance.problem.compliance.diagonal().array() == 0).any())
@@ -67,9 +74,9 @@ TEST_CASE("every solver: units and scales of rows change no bit but the exponent
       for (Index i = 0; i < n; ++i) row(i) = std::ldexp(1, static_cast<int>((7 * i + 3) % 61) - 30);
       const double length = 0x1p20;
       const double force = 0x1p-30;
-      const ContactState plain = solver.solve(instance.problem, {});
+      const ContactState plain = solve(instance.problem, solver);
       const ContactState other =
-          solver.solve(in_units(with_rows(instance.problem, row), length, force), {});
+          solve(in_units(with_rows(instance.problem, row), length, force), solver);
       CAPTURE(solver.name, instance.name);
       CHECK(other.report.status == plain.report.status);
       CHECK(other.report.iterations == plain.report.iterations);
@@ -77,7 +84,13 @@ TEST_CASE("every solver: units and scales of rows change no bit but the exponent
       if (plain.report.status != Status::Solved) continue;
       CHECK(other.force.cwiseProduct(row) / force == plain.force);
       CHECK(other.gap.cwiseQuotient(row) / length == plain.gap);
+      const VectorXd rubbing = row(plain.rubbing);
+      CHECK(other.friction.cwiseProduct(rubbing) / force == plain.friction);
+      CHECK(other.slip.cwiseQuotient(rubbing) / length == plain.slip);
+      CHECK(other.amplitude / length == plain.amplitude);
+      CHECK(other.motion == plain.motion);
     }
+  }
 }
 
 TEST_CASE("every solver: a pair written twice gives one total force or an honest refusal",
@@ -85,7 +98,7 @@ TEST_CASE("every solver: a pair written twice gives one total force or an honest
   Eigen::Matrix3d G;
   G << 2, 2, 1, 2, 2, 1, 1, 1, 2;
   const ContactProblem problem{G, Eigen::Vector3d(-2, -2, 5)};
-  for (const Solver& solver : solvers()) {
+  for (const Solver& solver : chosen(solvers())) {
     const ContactState state = solver.solve(problem, {});
     CAPTURE(solver.name);
     if (state.report.status == Status::Solved)
@@ -96,7 +109,7 @@ TEST_CASE("every solver: a pair written twice gives one total force or an honest
 }
 
 TEST_CASE("every solver: a limit on iterations is kept, or not needed", "[conformance]") {
-  for (const Solver& solver : solvers()) {
+  for (const Solver& solver : chosen(solvers())) {
     const ContactProblem problem = half_plane_indentation(12).problem;
     SolverOptions options;
     options.iteration_limit = 1;
@@ -108,7 +121,7 @@ TEST_CASE("every solver: a limit on iterations is kept, or not needed", "[confor
 
 TEST_CASE("every solver: a bad problem is the caller's mistake", "[conformance]") {
   const double nan = std::nan("");
-  for (const Solver& solver : solvers()) {
+  for (const Solver& solver : chosen(solvers())) {
     CAPTURE(solver.name);
     CHECK_THROWS_AS(solver.solve({Eigen::MatrixXd::Identity(2, 2), VectorXd::Zero(3)}, {}),
                     std::invalid_argument);

@@ -101,20 +101,6 @@ TEST_CASE("a pressure on a linear side goes half to each end, on a quadratic one
   CHECK(quadratic[2] == Approx(1).epsilon(1e-14));
 }
 
-TEST_CASE("a body force is its density times area and thickness, at the centre of area",
-          "[assembly]") {
-  for (const Element& element : elements()) {
-    CAPTURE(element.name);
-    const Mesh mesh =
-        signorini_test::distorted(block_for(element, {3, 2}, 3, 2), {3, 2}, {1, 1}, 3);
-    Loads loads;
-    loads.body_force = [](const Vector2d&) { return Vector2d(2, -7); };
-    const NodeArray force = nodal_loads(mesh, element, sheet(0.5), loads);
-    CHECK((force.colwise().sum() - RowVector2d(6, -21)).norm() < 1e-12);
-    CHECK(moment_of(mesh, force) == Approx(1.5 * -21 - 1 * 6).epsilon(1e-13));
-  }
-}
-
 TEST_CASE("the weights of a boundary sum to its length times thickness", "[assembly]") {
   for (const Element& element : {q4(), q8()}) {
     CAPTURE(element.name);

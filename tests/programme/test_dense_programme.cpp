@@ -1,4 +1,4 @@
-// Dense programmes: condensation by hand, recovery of u, every solver from K, p, A, g to a certificate.
+// Dense programmes: condensation by hand, recovery of u, from K, p, A, g to a certificate.
 #include <Eigen/Dense>
 #include <limits>
 
@@ -40,12 +40,11 @@ TEST_CASE("condensation eliminates the displacements of a small programme",
   CHECK((condensed.problem.free_gap - (programme.initial_gap - programme.A * u0)).norm() < 1e-14);
 }
 
-TEST_CASE("every solver takes the small programme to its known solution",
+TEST_CASE("the small programme comes to its known solution",
           "[dense_programme][closed-form][XuanLi2002-22]") {
-  for (const Solver& solver : solvers()) {
-    const DenseSolution solution = solve(small_programme(), solver);
-    CAPTURE(solver.name, to_string(solution.report.status));
-    if (may_fail(solver, Trait::Ordinary) || may_fail(solver, Trait::Several)) continue;
+  for (const char* name : {"quasi_active_set", "primal_dual_active_set", "goldfarb_idnani"}) {
+    const DenseSolution solution = solve(small_programme(), find_solver(name));
+    CAPTURE(name);
     REQUIRE(solution.report.status == Status::Solved);
     CHECK(solution.certificate.holds());
     const VectorXd u = small_programme().stiffness.ldlt().solve(

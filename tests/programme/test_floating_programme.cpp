@@ -5,6 +5,7 @@
 #include "catch_compat.hpp"
 #include "signorini/programme/floating_programme.hpp"
 #include "signorini/solvers/springs.hpp"
+#include "support/floating.hpp"
 #include "support/message.hpp"
 #include "support/problems.hpp"
 
@@ -14,76 +15,7 @@ using Eigen::VectorXd;
 using namespace signorini;
 using namespace signorini_test;
 
-namespace {
-
-/// A body with rigid modes and a solution that is known: K = Z B Z^T with Z orthogonal to N.
-struct KnownFloating {
-  DenseProgramme programme;
-  MatrixXd null_vectors;
-  VectorXd displacement;
-  VectorXd force;
-};
-
-MatrixXd random_matrix(Random& random, Index rows, Index cols) {
-  MatrixXd matrix(rows, cols);
-  for (Index k = 0; k < matrix.size(); ++k) matrix.data()[k] = random.uniform(-1, 1);
-  return matrix;
-}
-
-KnownFloating known_floating(Random& random, double softest, double far) {
-  const Index n = random.whole(6, 14);
-  const Index m = random.whole(4, 10);
-  const Index modes = random.whole(1, 3);
-  KnownFloating known;
-  known.null_vectors = random_matrix(random, n, modes);
-  const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(known.null_vectors).householderQ();
-  const MatrixXd Z = Q.rightCols(n - modes);
-  const MatrixXd V =
-      Eigen::HouseholderQR<MatrixXd>(random_matrix(random, n - modes, n - modes)).householderQ();
-  VectorXd stiffness(n - modes);
-  for (Index i = 0; i < n - modes; ++i) stiffness(i) = random.uniform(0.5, 2);
-  stiffness(0) = softest;
-  MatrixXd& K = known.programme.stiffness;
-  K = Z * V * stiffness.asDiagonal() * V.transpose() * Z.transpose();
-  K = (0.5 * (K + K.transpose())).eval();
-  known.programme.A = random_matrix(random, m, n);
-  known.displacement = far * random_matrix(random, n, 1);
-  known.force.setZero(m);
-  VectorXd gap(m);
-  for (Index i = 0; i < m; ++i) gap(i) = random.uniform(0.1, 2);
-  for (Index i = random.whole(static_cast<int>(modes), static_cast<int>(std::min(m, n - 1)));
-       i-- > 0;) {
-    gap(i) = 0;
-    known.force(i) = random.uniform(0.1, 2);
-  }
-  known.programme.load = K * known.displacement + known.programme.A.transpose() * known.force;
-  known.programme.initial_gap = known.programme.A * known.displacement + gap;
-  return known;
-}
-
-bool accepts(const Solver& solver, Index n) { return solver.largest == 0 || n <= solver.largest; }
-
-}  // namespace
-
-TEST_CASE("every solver: floating bodies built backwards from their answer", "[floating]") {
-  for (const Solver& solver : solvers()) {
-    Random random(7);
-    for (int sample = 0; sample < 40; ++sample) {
-      const KnownFloating known = known_floating(random, 0.5, sample % 2 == 0 ? 1 : 100);
-      if (!accepts(solver, known.force.size())) continue;
-      const FloatingSolution solution = solve(known.programme, known.null_vectors, solver);
-      CAPTURE(solver.name, sample);
-      // Not those that leave even plain problems unsolved; springs raise the condition of G by 1e2 or more.
-      const bool promised = !may_fail(solver, Trait::Ordinary) &&
-                            !may_fail(solver, Trait::Several) && !may_fail(solver, Trait::Slow);
-      if (!promised && solution.dense.report.status != Status::Solved) continue;
-      REQUIRE(solution.dense.report.status == Status::Solved);
-      CHECK(solution.dense.certificate.worst() <= 1e-13);
-      CHECK((solution.dense.refined.displacement - known.displacement).norm() <=
-            1e-11 * known.displacement.norm());
-    }
-  }
-}
+namespace {}  // namespace
 
 TEST_CASE("a soft body and other units: the certificate stays, the iterations too",
           "[floating][units]") {
@@ -102,14 +34,13 @@ TEST_CASE("a soft body and other units: the certificate stays, the iterations to
     const ContactProblem scaled = in_units({problem.compliance, problem.free_gap}, 0x1p20, 0x1p-20);
     problem.compliance = scaled.compliance;  // exact in binary
     problem.free_gap = scaled.free_gap;
-    problem.rigid.col(0) *= 0x1p10;                                // a mode in other units, too
+    problem.rigid.col(0) *= 0x1p10;  // a mode in other units, too
     problem.resultant *= 0x1p-20;
     problem.resultant(0) *= 0x1p10;
     const ContactState other = solve(problem, solver);
     CHECK(other.report.iterations == state.report.iterations);
     CHECK(other.active == state.active);
-    CHECK((0x1p20 * other.force - state.force).norm() <=
-          1e-12 * state.force.norm());
+    CHECK((0x1p20 * other.force - state.force).norm() <= 1e-12 * state.force.norm());
   }
 }
 

@@ -178,23 +178,3 @@ TEST_CASE("a softer lining under as much less load moves the same", "[lining][un
   CHECK((part.solution.displacements[0] - whole.solution.displacements[0]).norm() <
         1e-11 * whole.solution.displacements[0].norm());
 }
-
-// A method may stop early only if its entry in the table of solvers says so of several pairs.
-TEST_CASE("every solver finds the forces of the lining", "[lining]") {
-  Ledger ledger;
-  const Model model = build(scene_of({}), ledger);
-  const Condensed condensed = condense(model, ledger);
-  const Eigen::VectorXd expected = find_solver("enumerate").solve(condensed.problem, {}).force;
-  int solved_by = 0;
-  for (const Solver& solver : solvers()) {
-    CAPTURE(solver.name);
-    const ContactState state = solver.solve(condensed.problem, {});
-    if (state.report.status != Status::Solved) {
-      CHECK(may_fail(solver, Trait::Several));
-      continue;
-    }
-    ++solved_by;
-    CHECK((state.force - expected).norm() < 1e-9 * expected.norm());
-  }
-  CHECK(solved_by >= 5);
-}

@@ -1,4 +1,4 @@
-// Two bodies of which contact alone holds one: every solver, the uncondensed method, and what is refused.
+// Two bodies of which contact alone holds one: the uncondensed method, and what is refused.
 #include <sstream>
 
 #include "catch_compat.hpp"
@@ -13,34 +13,6 @@
 using namespace signorini;
 using signorini_test::hertz;
 using signorini_test::hertz_load;
-
-TEST_CASE("every solver of the family finds the same forces between two bodies",
-          "[two_bodies][floating]") {
-  HertzMeshSpec spec;
-  spec.disc_cells = spec.plate_cells = 8;
-  spec.disc_layers = spec.plate_layers = 8;
-  Ledger ledger;
-  const Model model = build(hertz(spec), ledger);
-  const Condensed condensed = signorini::condense(model, ledger);
-  const Solution first = solve(model, condensed, "primal_dual_active_set", ledger);
-  REQUIRE(first.contact.report.status == Status::Solved);
-  CHECK(first.certificate.holds(1e-14));
-  CHECK(first.contact.force.sum() == Approx(hertz_load / 2).epsilon(1e-12));
-  int solved_by = 0;
-  for (const Solver& solver : solvers()) {
-    if (solver.largest > 0 && solver.largest < first.contact.force.size()) continue;
-    INFO(solver.name);
-    const Solution other = solve(model, condensed, solver.name, ledger);
-    if (other.contact.report.status != Status::Solved) {
-      CHECK(may_fail(solver, Trait::Several));
-      continue;
-    }
-    ++solved_by;
-    CHECK((other.contact.force - first.contact.force).norm() <= 1e-12 * first.contact.force.norm());
-    CHECK(other.contact.amplitude(0) == Approx(first.contact.amplitude(0)).epsilon(1e-12));
-  }
-  CHECK(solved_by >= 7);
-}
 
 TEST_CASE("the uncondensed Newton method comes to the same forces", "[two_bodies][LinEtAl-31]") {
   Ledger ledger;

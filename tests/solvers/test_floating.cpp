@@ -3,6 +3,7 @@
 #include "catch_compat.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/solvers/springs.hpp"
+#include "support/floating.hpp"
 #include "support/problems.hpp"
 
 using Eigen::MatrixXd;
@@ -11,56 +12,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using namespace signorini;
 using namespace signorini_test;
-
-namespace {
-
-/// A rigid bar over springs: its point x moves up by a_1 + a_2 x, spring i at x_i has compliance c_i, and
-/// the weight w acts at x_w. gap_i = d_i + c_i lambda_i + a_1 + a_2 x_i, sum lambda = w, sum x lambda = x_w w.
-ContactProblem bar(const VectorXd& x, const VectorXd& compliance, const VectorXd& gap, double w,
-                   double at) {
-  ContactProblem problem{compliance.asDiagonal(), gap, {}, {}, MatrixXd(x.size(), 2),
-                         Vector2d(w, at * w)};
-  problem.rigid << VectorXd::Ones(x.size()), x;
-  return problem;
-}
-
-/// Whether a member promises the answer to plain problems of several pairs.
-bool reliable(const Solver& solver) {
-  return !may_fail(solver, Trait::Ordinary) && !may_fail(solver, Trait::Several);
-}
-
-}  // namespace
-
-TEST_CASE("a rigid bar on two springs: the law of the lever", "[floating][closed-form]") {
-  // Weight 6 a third of the way: forces 4 and 2; each end sinks until its spring carries its part.
-  const ContactProblem problem = bar(Vector2d(0, 3), Vector2d(0.5, 0.25), Vector2d(1, 2), 6, 1);
-  for (const Solver& solver : solvers()) {
-    const ContactState state = solve(problem, solver);
-    CAPTURE(solver.name);
-    if (!reliable(solver) && state.report.status != Status::Solved) continue;
-    REQUIRE(state.report.status == Status::Solved);
-    CHECK((state.force - Vector2d(4, 2)).norm() <= 1e-14);
-    CHECK(state.amplitude(0) == Approx(-3).epsilon(1e-14));       // -(1 + 0.5 * 4)
-    CHECK(state.amplitude(1) == Approx(0.5 / 3).epsilon(1e-14));  // from -3 to -(2 + 0.25 * 2)
-    CHECK(certify(problem, state).worst() <= 1e-14);
-  }
-}
-
-TEST_CASE("a rigid bar over three springs lifts off one", "[floating][closed-form]") {
-  // The weight stands on the left half and the right spring lies deep: only the left two carry.
-  const ContactProblem problem =
-      bar(Vector3d(0, 1, 2), Vector3d(1, 1, 1), Vector3d(0, 0, 5), 2, 0.5);
-  for (const Solver& solver : solvers()) {
-    const ContactState state = solve(problem, solver);
-    CAPTURE(solver.name);
-    if (!reliable(solver) && state.report.status != Status::Solved) continue;
-    REQUIRE(state.report.status == Status::Solved);
-    CHECK((state.force - Vector3d(1, 1, 0)).norm() <= 1e-14);
-    CHECK((state.gap - Vector3d(0, 0, 4)).norm() <= 1e-14);
-    CHECK(state.amplitude(0) == Approx(-1).epsilon(1e-14));
-    CHECK(std::abs(state.amplitude(1)) <= 1e-14);
-  }
-}
 
 TEST_CASE("a body far above its obstacle falls onto it in few steps", "[floating]") {
   // Springs of compliance 1e-6 under gaps of 1e3 that differ by 10: nine orders of magnitude.
@@ -76,25 +27,6 @@ TEST_CASE("a body far above its obstacle falls onto it in few steps", "[floating
   CHECK(held.report.factorisations <=
         200);  // rho doubles: about log2 of the 1e7 from spring to slope
   CHECK(certify(problem, state).worst() <= 1e-12);
-}
-
-TEST_CASE("a body that its load pulls away is found out, with the way it goes",
-          "[floating][closed-form]") {
-  struct Case {
-    double weight, at;
-  };
-  // Upwards; and beyond each end, where the bar tips over.
-  for (const Case load : {Case{-1, 1.5}, Case{1, -0.1}, Case{1, 3.1}})
-    for (const Solver& solver : solvers()) {
-      const ContactProblem problem =
-          bar(Vector2d(0, 3), Vector2d(1, 1), Vector2d(1, 1), load.weight, load.at);
-      const ContactState state = solve(problem, solver);
-      CAPTURE(solver.name, load.weight, load.at);
-      REQUIRE(state.report.status == Status::Infeasible);
-      REQUIRE(state.escape.size() == 2);
-      CHECK((problem.rigid * state.escape).minCoeff() >= -1e-15 * state.escape.norm());
-      CHECK(problem.resultant.dot(state.escape) < 0);
-    }
 }
 
 TEST_CASE("a load right above the last support is still carried", "[floating][closed-form]") {
@@ -122,29 +54,9 @@ TEST_CASE("gaps that contradict each other are proved to, with rigid modes too",
   // Two rigid walls closer to each other than the rigid block between them.
   const ContactProblem problem{MatrixXd::Zero(2, 2), Vector2d(-1, -1), {}, {},
                                Vector2d(1, -1),      VectorXd::Zero(1)};
-  for (const Solver& solver : solvers())
-    CHECK(solve(problem, solver).report.status != Status::Solved);
   const ContactState state = solve(problem, find_solver("linear_programme"));
   REQUIRE(state.infeasibility.size() == 2);
   CHECK((problem.rigid.transpose() * state.infeasibility).norm() <= 1e-15);
-}
-
-TEST_CASE("pairs that touch without force and forces that cancel are solved and certified",
-          "[floating]") {
-  Eigen::Matrix3d G;
-  G << 1, 1, -1, 1, 1, -1, -1, -1, 1;
-  const ContactProblem cancelling{G,  Vector3d(0, 1, 0),  {},
-                                  {}, Vector3d(0, 1, -1), VectorXd::Constant(1, -2)};
-  const ContactProblem touching{
-      Eigen::Matrix2d::Identity(), Vector2d(-2, 0), {}, {}, Vector2d(-1, 1),
-      VectorXd::Constant(1, -2)};
-  for (const char* name : {"quasi_active_set", "goldfarb_idnani", "lemke"})
-    for (const ContactProblem& problem : {cancelling, touching}) {
-      const ContactState state = solve(problem, find_solver(name));
-      CAPTURE(name);
-      CHECK(state.report.status == Status::Solved);
-      CHECK(certify(problem, state).holds());
-    }
 }
 
 TEST_CASE("without rigid modes it is the contact problem", "[floating]") {

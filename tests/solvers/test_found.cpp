@@ -14,6 +14,7 @@
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "signorini/solvers/projected_gauss_seidel.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"
+#include "signorini/solvers/springs.hpp"
 #include "support/problems.hpp"
 
 using Eigen::Index;
@@ -151,13 +152,15 @@ TEST_CASE("a claim without a proof that holds is withdrawn", "[found][proof]") {
 
 namespace {
 
-ContactProblem floating(const MatrixXd& F, const VectorXd& d, const MatrixXd& R, const VectorXd& r) {
+ContactProblem floating(const MatrixXd& F, const VectorXd& d, const MatrixXd& R,
+                        const VectorXd& r) {
   return {F, d, {}, {}, R, r};
 }
 
 }  // namespace
 
-TEST_CASE("an amplitude of any size moves no pair that its mode does not move", "[found][floating]") {
+TEST_CASE("an amplitude of any size moves no pair that its mode does not move",
+          "[found][floating]") {
   MatrixXd R(3, 3);
   R << -1, 2, 2, 0, 0, 0, -2, -2, -2;
   const ContactProblem problem =
@@ -189,7 +192,8 @@ TEST_CASE("rounding of a load that contact can balance is no proof that it canno
 TEST_CASE("huge forces that cancel do not make every gap small", "[found][certificate]") {
   MatrixXd F(4, 4);
   F << 9, 3, -6, -6, 3, 10, -11, 1, -6, -11, 13, 1, -6, 1, 1, 5;
-  ContactProblem problem{F, VectorXd(3), VectorXd::Constant(1, -1), law_of_all(VectorXd::Ones(1), VectorXd::Zero(1))};
+  ContactProblem problem{F, VectorXd(3), VectorXd::Constant(1, -1),
+                         law_of_all(VectorXd::Ones(1), VectorXd::Zero(1))};
   problem.free_gap << -3, 1, -1;
   problem.rigid.resize(4, 1);
   problem.rigid << 1, 2, -2, -1;

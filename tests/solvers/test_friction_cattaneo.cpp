@@ -61,11 +61,12 @@ TEST_CASE("a cylinder in partial slip: stick zone and traction of Cattaneo and M
   }
 }
 
-TEST_CASE("every method finds the same partial slip, the split as printed does not",
-          "[friction][conformance]") {
+TEST_CASE("every method finds the same partial slip, the split as printed does not", "[friction]") {
   const ContactProblem problem = cylinder(100, 0.3, 0.6);
   const ContactState first = friction_solvers().front().solve(problem, {});
-  for (const Solver& solver : friction_solvers()) {
+  for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister",
+                           "friction_split", "friction_split_literal"}) {
+    const Solver& solver = find_solver(name);
     const ContactState state = solver.solve(problem, {});
     CAPTURE(solver.name, state.reason);
     if (std::string(solver.name) == "friction_split_literal") {
@@ -99,7 +100,9 @@ TEST_CASE("tiny and huge coefficients of friction: the same stick zone, within 2
 TEST_CASE("a push beyond mu P finds no equilibrium, and the way out is shown",
           "[friction][floating]") {
   const ContactProblem problem = cylinder(60, 0.3, 1 + 1e-9);
-  for (const Solver& solver : friction_solvers()) {
+  for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister",
+                           "friction_split", "friction_split_literal"}) {
+    const Solver& solver = find_solver(name);
     const ContactState state = solver.solve(problem, {});
     CAPTURE(solver.name);
     CHECK(state.report.status != Status::Solved);

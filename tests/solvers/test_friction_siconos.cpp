@@ -31,7 +31,9 @@ TEST_CASE("plane problems of Siconos: the figures of its sweeps", "[friction][da
        {Known{"FrictionContactProblem00031", 0.00063460885615, 0.00063460887884, 0.236118273128},
         Known{"FrictionContactProblem00374", 1624.542732095, 514.649024451, 127.435638165}}) {
     const ContactProblem problem = from_file(known.name);
-    for (const Solver& solver : friction_solvers()) {
+    for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister",
+                             "friction_split", "friction_split_literal"}) {
+      const Solver& solver = find_solver(name);
       const ContactState state = solver.solve(problem, {});
       CAPTURE(known.name, solver.name, state.reason);
       REQUIRE(state.report.status == Status::Solved);

@@ -25,25 +25,6 @@ TEST_CASE("a stiffness without inverse is refused, or held by equations", "[quas
   CHECK((solution.refined.displacement - Eigen::Vector2d(0.5, 0.5)).norm() < 1e-15);
 }
 
-TEST_CASE("rows that only touch where others are closed are no contradiction",
-          "[quasi_active_set][hard]") {
-  // The last row depends on closed ones, and its overlap is the rounding of theirs.
-  DenseProgramme three{3 * MatrixXd::Identity(2, 2), Eigen::Vector2d(6, 6), MatrixXd(3, 2),
-                       Eigen::Vector3d(6, -4, 0)};
-  three.A << 1, 2, -2, 0, 2, -2;  // the free minimum (2, 2) touches all of them
-  DenseProgramme line{MatrixXd::Constant(1, 1, 6), VectorXd::Constant(1, -1), MatrixXd(2, 1),
-                      Eigen::Vector2d(0, 0), 1};
-  line.A << 1, -1;  // u = 0, and -u <= 0
-  DenseProgramme zero{MatrixXd::Ones(1, 1), VectorXd::Ones(1), MatrixXd::Zero(1, 1),
-                      VectorXd::Zero(1), 1};  // 0 u = 0
-  for (const DenseProgramme& programme : {three, line, zero})
-    for (const Solver& solver : solvers()) {
-      if (may_fail(solver, Trait::Ordinary) || may_fail(solver, Trait::Dependent)) continue;
-      CAPTURE(solver.name);
-      CHECK(solve(programme, solver).report.status == Status::Solved);
-    }
-}
-
 TEST_CASE("numbers prove a contradiction only if no displacement near by escapes it",
           "[quasi_active_set]") {
   DenseProgramme wedge{MatrixXd::Identity(1, 1), VectorXd::Zero(1), MatrixXd(2, 1),
@@ -55,11 +36,4 @@ TEST_CASE("numbers prove a contradiction only if no displacement near by escapes
   CHECK_FALSE(proves_infeasible(wedge, Eigen::Vector2d(1, 0.999), u));  // u = -1000 escapes
   wedge.initial_gap << -1, 1;                                           // u = -1 does both
   CHECK_FALSE(proves_infeasible(wedge, Eigen::Vector2d(1, 1), u));
-  for (const Solver& solver : solvers()) {
-    const DenseSolution solution =
-        solve({wedge.stiffness, wedge.load, wedge.A, Eigen::Vector2d(-1, 0.5), 0}, solver);
-    CAPTURE(solver.name);
-    CHECK(solution.report.status != Status::Solved);
-    if (solution.report.status == Status::Infeasible) CHECK(solution.infeasibility.size() == 2);
-  }
 }

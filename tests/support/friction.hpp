@@ -1,6 +1,7 @@
 // Friction problems for the tests, and all solutions of a small one.
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace signorini_test {
 
 /// F = C C^T + 0.1 I with a random C, gaps of both signs, slips, coefficients up to `coefficient` and
 /// cohesion up to `cohesion`.
-inline signorini::ContactProblem random_friction(Random& random, Eigen::Index n,
-                                                  double coefficient, double cohesion = 0) {
+inline signorini::ContactProblem random_friction(Random& random, Eigen::Index n, double coefficient,
+                                                 double cohesion = 0) {
   const Eigen::MatrixXd C =
       Eigen::MatrixXd::NullaryExpr(2 * n, 2 * n, [&] { return random.uniform(-1, 1); });
   const auto numbers = [&](double low, double high) {
@@ -30,7 +31,7 @@ inline signorini::ContactProblem random_friction(Random& random, Eigen::Index n,
 
 /// The same, free to move both ways, with a load that some forces within their bounds balance.
 inline signorini::ContactProblem random_floating(Random& random, Eigen::Index n,
-                                                  double coefficient) {
+                                                 double coefficient) {
   signorini::ContactProblem problem = random_friction(random, n, coefficient);
   problem.rigid = Eigen::MatrixXd::Zero(2 * n, 2);
   problem.rigid.col(0).head(n).setOnes();
@@ -46,20 +47,40 @@ inline signorini::ContactProblem random_floating(Random& random, Eigen::Index n,
 
 /// One pair.
 inline signorini::ContactProblem one_pair(const Eigen::Matrix2d& F, double gap, double slip,
-                                           double coefficient, double cohesion = 0) {
+                                          double coefficient, double cohesion = 0) {
   const auto one = [](double x) { return Eigen::VectorXd(Eigen::VectorXd::Constant(1, x)); };
   return {F, one(gap), one(slip), signorini::law_of_all(one(coefficient), one(cohesion))};
 }
 
-/// The forces of all solutions: every choice of motions, tried one by one.
+/// The same problem where only some pairs rub.
+/// \param problem  in which all pairs rub
+/// \param pairs    those that still do, in increasing order
+inline signorini::ContactProblem rubbing_only(const signorini::ContactProblem& problem,
+                                              const std::vector<Eigen::Index>& pairs) {
+  const Eigen::Index n = problem.free_gap.size();
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < n; ++i) rows.push_back(i);
+  for (const Eigen::Index i : pairs) rows.push_back(n + i);
+  return {problem.compliance(rows, rows),
+          problem.free_gap,
+          problem.free_slip(pairs),
+          {pairs, problem.law.coefficient(pairs), problem.law.cohesion(pairs)}};
+}
+
+/// The forces of all solutions, normal ones first: every choice of motions, tried one by one.
 inline std::vector<Eigen::VectorXd> all_solutions(const signorini::ContactProblem& problem) {
   const signorini::ScaledProblem scaled = signorini::equilibrate(problem);
   const Eigen::Index n = problem.free_gap.size();
   std::vector<Eigen::VectorXd> found;
   for (int choice = 0; choice < 1 << (2 * n); ++choice) {
     std::vector<signorini::Motion> motions;
-    for (Eigen::Index i = 0; i < n; ++i)
+    bool sensible = true;  // what does not rub does not slide
+    for (Eigen::Index i = 0; i < n; ++i) {
       motions.push_back(static_cast<signorini::Motion>((choice >> (2 * i)) & 3));
+      sensible = sensible && (signorini::friction_sign(motions.back()) == 0 ||
+                              std::count(problem.law.pair.begin(), problem.law.pair.end(), i) > 0);
+    }
+    if (!sensible) continue;
     const signorini::Closure closure = signorini::close(scaled, motions);
     bool known = !signorini::solves(scaled, motions, closure);
     for (const Eigen::VectorXd& other : found)
@@ -72,7 +93,7 @@ inline std::vector<Eigen::VectorXd> all_solutions(const signorini::ContactProble
 
 /// The forces of a state, normal ones first.
 inline Eigen::VectorXd forces(const signorini::ContactState& state) {
-  Eigen::VectorXd both(2 * state.force.size());
+  Eigen::VectorXd both(state.force.size() + state.friction.size());
   both << state.force, state.friction;
   return both;
 }
@@ -99,8 +120,8 @@ inline signorini::ContactProblem cylinder(Eigen::Index n, double coefficient, do
   problem.compliance.bottomRightCorner(n, n) = G;
   problem.free_gap = x.cwiseAbs2() / 2;
   problem.free_slip = Eigen::VectorXd::Zero(n);
-  problem.law = signorini::law_of_all(Eigen::VectorXd::Constant(n, coefficient),
-                                      Eigen::VectorXd::Zero(n));
+  problem.law =
+      signorini::law_of_all(Eigen::VectorXd::Constant(n, coefficient), Eigen::VectorXd::Zero(n));
   problem.rigid = Eigen::MatrixXd::Zero(2 * n, 2);
   problem.rigid.col(0).head(n).setOnes();
   problem.rigid.col(1).tail(n).setOnes();

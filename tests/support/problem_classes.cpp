@@ -15,6 +15,7 @@ const std::vector<ProblemClass>& problem_classes() {
   const Trait ill = Trait::IllConditioned;
   const Trait slow = Trait::Slow;
   const Trait several = Trait::Several;
+  const Trait friction = Trait::Friction;
   static const std::vector<ProblemClass> table = {
       {"empty", {}, empty_problem},
       {"one pair", {}, one_pair},
@@ -22,6 +23,7 @@ const std::vector<ProblemClass>& problem_classes() {
       {"none active", {}, none_active},
       {"all active", {ordinary, several}, all_active},
       {"built backwards", {ordinary, several}, built_backwards},
+      {"three unknowns", {ordinary, several}, small_programme},
       {"Rosen-Suzuki, at most as many rows as unknowns", {ordinary, several}, rosen_suzuki_few},
       {"Rosen-Suzuki, more rows than unknowns", {ordinary, dependent, several}, rosen_suzuki_many},
       {"stiff mode, cond(K) up to 1e13", {ordinary, several}, stiff_mode},
@@ -49,6 +51,7 @@ const std::vector<ProblemClass>& problem_classes() {
       {"chapter 1, block on an obstacle", {several}, block_on_obstacle},
       {"chapter 6, cantilever on a foundation", {several}, cantilever_on_foundation},
       {"chapter 7, pin in a plate", {ordinary, several}, pin_in_hole_of_a_plate},
+      {"chapter 14, lining", {several}, lining_in_rock},
       {"half-plane", {several}, half_plane},
       {"half-plane, many pairs", {several}, half_plane_large},
       {"string over a wave", {ordinary, several}, string_over_wave},
@@ -70,6 +73,22 @@ const std::vector<ProblemClass>& problem_classes() {
       {"Maros-Meszaros, equations",
        {ordinary, dependent, degenerate, ill, several},
        maros_meszaros_equations},
+      {"bar on springs", {several}, bar_on_springs},
+      {"bar pulled away", {}, bar_pulled_away},
+      {"bar, undecided", {ordinary, dependent, degenerate, several}, bar_undecided},
+      {"punch", {ordinary, several}, punch},
+      {"walls too close", {infeasible, dependent}, walls_too_close},
+      {"floating, built backwards", {ordinary, slow, several}, floating_backwards},
+      {"friction, one pair", {friction}, friction_one_pair},
+      {"friction, moderate", {ordinary, several, friction}, friction_moderate},
+      {"friction, strong", {ordinary, several, friction}, friction_strong},
+      {"friction, none", {ordinary, several, friction}, friction_none},
+      {"friction, of some pairs", {ordinary, several, friction}, friction_of_some},
+      {"friction, cohesion", {ordinary, several, friction}, friction_cohesion},
+      {"friction, floating", {ordinary, several, friction}, friction_floating},
+      {"friction, cylinder", {ordinary, several, friction}, friction_cylinder},
+      {"friction, cylinder pushed away", {friction}, friction_cylinder_away},
+      {"friction, Siconos", {ordinary, several, friction}, friction_siconos},
   };
   return table;
 }

@@ -15,15 +15,22 @@ namespace signorini_test {
 /// One problem and what must come out. What is not unique or not known is left empty: the certificate
 /// is then the only judge.
 struct Instance {
-  std::string name;                                        ///< sizes and seed, for messages
-  signorini::ContactProblem problem;                       ///< G and d, or any M and q
-  signorini::Status expected = signorini::Status::Solved;  ///< or Infeasible
-  Eigen::VectorXd force = {};                              ///< the only forces that solve it
-  Eigen::VectorXd gap = {};                                ///< the only gaps
-  double accuracy = 1e-10;    ///< allowed error of both, relative to the largest entry
-  bool may_be_ray = false;    ///< no theorem says that a method along a ray finds the solution
+  std::string name;                   ///< sizes and seed, for messages
+  signorini::ContactProblem problem;  ///< G and d, or any M and q
+  /// Or Infeasible; or Breakdown, where nothing solves the problem and no proof of it is asked for
+  signorini::Status expected = signorini::Status::Solved;
+  Eigen::VectorXd force = {};  ///< the only forces that solve it
+  Eigen::VectorXd gap = {};    ///< the only gaps
+  double accuracy = 1e-10;     ///< allowed error of both, relative to the largest entry
+  bool may_be_ray = false;     ///< no theorem says that a method along a ray finds the solution
   std::optional<signorini::DenseProgramme> programme = {};  ///< where G and d come from
   Eigen::VectorXd displacement = {};                        ///< the only u of the programme
+  Eigen::VectorXd friction = {};                            ///< the only friction forces
+  std::vector<signorini::Motion> motion = {};               ///< the only motions of pairs that rub
+  Eigen::VectorXd amplitude = {};                           ///< the only amplitudes of rigid modes
+  /// The forces of all solutions, normal ones first: one of them must come out, and if there are more than one,
+  /// no member may say that there is but one.
+  std::vector<Eigen::VectorXd> solutions = {};
 };
 
 /// Problems that are hard, or easy, for one reason.
@@ -39,7 +46,8 @@ const std::vector<ProblemClass>& problem_classes();
 /// Problems with more pairs than this are not given to solvers that list Trait::Slow.
 inline constexpr Eigen::Index large = 200;
 
-/// Whether a solver takes part: it accepts the size, and is quick enough if the problem is large.
+/// Whether a solver takes part: it takes friction or its absence, accepts the size, and is quick enough if the
+/// problem is large. Rigid modes are no reason not to: springs hold them for who does not take them.
 bool takes_part(const signorini::Solver& solver, const Instance& instance);
 
 /// Judges everything that a solver says about one problem, in each form that the problem has.

@@ -23,14 +23,28 @@ inline signorini::ContactProblem random_problem(Random& random, Eigen::Index n) 
 /// The same problem with gap i measured in units of 1 / row(i), as if row i of A were multiplied by it.
 inline signorini::ContactProblem with_rows(const signorini::ContactProblem& problem,
                                            const Eigen::VectorXd& row) {
-  return {row.asDiagonal() * problem.compliance * row.asDiagonal(),
-          row.cwiseProduct(problem.free_gap)};
+  signorini::ContactProblem other = problem;
+  Eigen::VectorXd all(
+      problem.compliance.rows());  // the slip of a pair is measured in the unit of its gap
+  all << row, Eigen::VectorXd(row(problem.law.pair));
+  other.compliance = all.asDiagonal() * problem.compliance * all.asDiagonal();
+  other.free_gap.array() *= row.array();
+  other.free_slip.array() *= row(problem.law.pair).array();
+  other.law.cohesion.array() /= row(problem.law.pair).array();
+  other.rigid = all.asDiagonal() * problem.rigid;
+  return other;
 }
 
 /// The same problem with lengths and forces in units that are smaller by these factors.
 inline signorini::ContactProblem in_units(const signorini::ContactProblem& problem, double length,
                                           double force) {
-  return {problem.compliance * (length / force), problem.free_gap * length};
+  signorini::ContactProblem other = problem;
+  other.compliance *= length / force;
+  other.free_gap *= length;
+  other.free_slip *= length;
+  other.law.cohesion *= force;
+  other.resultant *= force;
+  return other;
 }
 
 /// Three pairs that run in circles when every wrong pair changes sides at once; force (0, 0.4, 0).

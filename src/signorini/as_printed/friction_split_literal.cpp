@@ -63,7 +63,7 @@ void evaluate(const ContactProblem& problem, Iterate& now) {
     const double ahead = now.x(at.plus() + k);
     const double back = now.x(at.plus() + at.slips + k);
     const double bound = at.bound(now.x, k);
-    now.residual(row) = now.movement(row) - ahead + back;                          // LinEtAl 19
+    now.residual(row) = now.movement(row) - ahead + back;                         // LinEtAl 19
     now.residual(at.plus() + k) = fischer_burmeister(ahead, bound + now.x(row));  // LinEtAl 29
     now.residual(at.plus() + at.slips + k) = fischer_burmeister(back, bound - now.x(row));
   }
@@ -134,9 +134,9 @@ ContactState state_of(const ContactProblem& problem, const Iterate& now) {
     const double reserve = at.bound(now.x, k) - std::abs(state.friction(k));
     const double slip = state.slip(k);
     state.motion.push_back(state.force(at.pair(k)) <= state.gap(at.pair(k)) ? Motion::Open
-                           : reserve > std::abs(slip)                      ? Motion::Stick
-                           : slip > 0                                      ? Motion::Forward
-                                                                           : Motion::Backward);
+                           : reserve > std::abs(slip)                       ? Motion::Stick
+                           : slip > 0                                       ? Motion::Forward
+                                                                            : Motion::Backward);
   }
   return state;
 }
@@ -197,6 +197,8 @@ ContactState friction_split_literal(const ContactProblem& problem, const SolverO
   std::string reason = iterate(problem, options, now, report);
   ContactState state = state_of(problem, now);
   if (now.residual.norm() <= options.tolerance * first) {
+    for (Index i = 0; i < state.force.size(); ++i)  // the smaller of the two is rounding
+      (state.force(i) > state.gap(i) ? state.gap : state.force)(i) = 0;
     const bool contact = certify(problem, state).holds();
     report.status = contact ? Status::Solved : Status::Breakdown;
     reason = contact ? "" : "the printed equations are solved, but contact is not";

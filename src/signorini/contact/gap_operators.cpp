@@ -1,22 +1,20 @@
 #include "signorini/contact/gap_operators.hpp"
 
-#include "signorini/contact/gauss_points.hpp"
-#include "signorini/contact/mortar.hpp"
-#include "signorini/contact/node_to_segment.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
 
+// The table: one line per function that returns a member.
+#define SIGNORINI_GAP_OPERATORS node_to_segment(), gauss_points(), mortar()
+
+namespace gap_operator {
+GapOperator SIGNORINI_GAP_OPERATORS;  // declares them
+}
+
 const std::vector<GapOperator>& gap_operators() {
-  static const std::vector<GapOperator> all = {
-      {"node_to_segment", "every node of the source against the side it faces", false, false, false,
-       node_to_segment},
-      {"gauss_points", "every Gauss point of the source against the side it faces", false, true,
-       false, gauss_points},
-      {"mortar", "gaps weighted over the edges around every node of the source", true, true, true,
-       mortar},
-  };
-  return all;
+  using namespace gap_operator;
+  static const std::vector<GapOperator> family = {SIGNORINI_GAP_OPERATORS};
+  return family;
 }
 
 const GapOperator& find_gap_operator(const std::string& name) {

@@ -1,7 +1,7 @@
 /// \file
-/// The family of gap operators between two meshes. To add one: write `NAME.cpp` with a function of this
-/// signature, declare it in `NAME.hpp` and add its line to the table in gap_operators.cpp; the
-/// conformance suite finds it.
+/// The family of gap operators between two meshes. To add one: write a `.cpp` with a function
+/// `gap_operator::NAME` that returns it, and put NAME into the table in gap_operators.cpp; the conformance suite
+/// finds it.
 #pragma once
 #include <Eigen/Core>
 #include <string>
@@ -30,16 +30,16 @@ struct GapOptions {
 struct GapOperator {
   const char* name;     ///< as in find_gap_operator() and in a scene
   const char* summary;  ///< one line for lists
-  /// Whether a uniform pressure is transferred exactly between any two meshes of a straight interface.
-  bool passes_patch_test;
-  bool takes_points;      ///< whether `points` matters
-  bool takes_quadrature;  ///< whether `quadrature` matters
   /// Pairs the source (slave) with the target (master).
   ///
   /// Points of the source that face no target are left out; the nodes that lose all their weight by it
   /// are listed as `unpaired`. Throws ProblemError if no point faces the target, if the two
   /// boundaries face the same way, or if they lie more than the depth of their own sides inside each other.
   Pairs (*pair)(const Surface& source, const Surface& target, const GapOptions& options);
+  /// Whether a uniform pressure is transferred exactly between any two meshes of a straight interface.
+  bool passes_patch_test = false;
+  bool takes_points = false;      ///< whether `points` matters
+  bool takes_quadrature = false;  ///< whether `quadrature` matters
 };
 
 /// The family.

@@ -41,4 +41,15 @@ Pairs gauss_points(const Surface& source, const Surface& target, const GapOption
   return pairs;
 }
 
+namespace gap_operator {
+
+GapOperator gauss_points() {
+  GapOperator member{"gauss_points", "every Gauss point of the source against the side it faces",
+                     signorini::gauss_points};
+  member.takes_points = true;
+  return member;
+}
+
+}  // namespace gap_operator
+
 }  // namespace signorini

@@ -130,4 +130,17 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
   return pairs;
 }
 
+namespace gap_operator {
+
+GapOperator mortar() {
+  GapOperator member{"mortar", "gaps weighted over the edges around every node of the source",
+                     signorini::mortar};
+  member.passes_patch_test = true;
+  member.takes_points = true;
+  member.takes_quadrature = true;
+  return member;
+}
+
+}  // namespace gap_operator
+
 }  // namespace signorini

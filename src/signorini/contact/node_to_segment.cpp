@@ -55,4 +55,13 @@ Pairs node_to_segment(const Surface& source, const Surface& target, const GapOpt
   return pairs;
 }
 
+namespace gap_operator {
+
+GapOperator node_to_segment() {
+  return {"node_to_segment", "every node of the source against the side it faces",
+          signorini::node_to_segment};
+}
+
+}  // namespace gap_operator
+
 }  // namespace signorini

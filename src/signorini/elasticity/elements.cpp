@@ -4,8 +4,13 @@
 
 namespace signorini {
 
+// The table: one line per function that returns a member.
+#define SIGNORINI_ELEMENTS q4(), q4_bbar(), q4_incompatible(), q8()
+
+Element SIGNORINI_ELEMENTS;  // declares them
+
 const std::vector<Element>& elements() {
-  static const std::vector<Element> family = {q4(), q4_bbar(), q4_incompatible(), q8()};
+  static const std::vector<Element> family = {SIGNORINI_ELEMENTS};
   return family;
 }
 

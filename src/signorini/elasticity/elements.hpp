@@ -1,5 +1,6 @@
 /// \file
-/// The members of the element family.
+/// The members of the element family. To add one: write a `.cpp` with a function that returns it, and put its name
+/// into the table in elements.cpp; the conformance suite finds it.
 #pragma once
 #include <string>
 #include <vector>

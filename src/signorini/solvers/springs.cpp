@@ -76,6 +76,7 @@ ContactState solve_on_springs(const ContactProblem& problem, const Solver& solve
     if (spring.norm() > 0.5 * last_spring) rho *= 2;
     last_spring = spring.norm();
   }
+  if (report.status == Status::Feasible) report.status = Status::Breakdown;  // springs carry a part
   last.force = now.force;
   last.movement = now.gap;
   VectorXd proof;

@@ -30,7 +30,8 @@ namespace signorini {
 /// \param solver   a member
 /// \param options  handed to it
 /// \return what the member says; with rigid modes `Infeasible` with `escape` if the load pulls the body away,
-///   or with the vector y of ContactState if gaps contradict each other; `IterationLimit` after 100 passes. If fewer
+///   or with the vector y of ContactState if gaps contradict each other; `IterationLimit` after 100 passes; `Breakdown` where
+///   the member has a feasible state only, of which springs still carry a part. If fewer
 ///   pairs close than there are modes, the amplitude is one of many
 /// \throws ProblemError if the member takes no friction and the problem has it
 /// \throws std::invalid_argument as check_problem() and the solver

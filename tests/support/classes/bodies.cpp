@@ -4,6 +4,7 @@
 #include "signorini/scene/scene.hpp"
 #include "support/cantilever.hpp"
 #include "support/classes/classes.hpp"
+#include "support/lining.hpp"
 #include "support/pin.hpp"
 #include "support/problems.hpp"
 
@@ -16,6 +17,13 @@ using Eigen::Index;
 Instance condensed(std::string name, const Scene& scene) {
   Ledger ledger;
   return {std::move(name), condense(build(scene, ledger), ledger).problem};
+}
+
+/// With the forces that trying all sets of closed pairs finds.
+Instance enumerated(Instance made) {
+  made.force = find_solver("enumerate").solve(made.problem, {}).force;
+  made.accuracy = 1e-9;
+  return made;
 }
 
 }  // namespace
@@ -55,8 +63,12 @@ Instances pin_in_hole_of_a_plate() {  // chapter 7: both readings of the load
   for (const double pressure : {-25.0, 25.0, 1.0})
     for (const Index cells : {6, 15, 40})
       made.push_back({text(cells, " cells, pressure ", pressure), pin_problem(pressure, cells)});
+  for (const double pressure : {-25.0, 25.0})
+    made.push_back(enumerated({text("9 cells, pressure ", pressure), pin_problem(pressure, 9)}));
   return made;
 }
+
+Instances lining_in_rock() { return {enumerated(condensed("paper's mesh", scene_of({})))}; }
 
 Instances half_plane() {
   Instances made;

@@ -54,7 +54,8 @@ double worst(const ContactProblem& problem, const ContactState& state) {
 
 /// Forces and gaps in one unit, pair by pair, against what is known.
 std::string check_known(const Instance& instance, const ContactState& state) {
-  const VectorXd root = instance.problem.compliance.diagonal().unaryExpr(
+  const Index n = instance.problem.free_gap.size();
+  const VectorXd root = instance.problem.compliance.diagonal().head(n).unaryExpr(
       [](double g) { return g > 0 ? std::sqrt(g) : 1.0; });
   const double size = instance.problem.free_gap.cwiseQuotient(root).cwiseAbs().maxCoeff();
   const bool forces = instance.force.size() > 0;
@@ -64,6 +65,34 @@ std::string check_known(const Instance& instance, const ContactState& state) {
   if (!wrong.empty() || instance.gap.size() == 0) return wrong;
   return differs("gap", state.gap.cwiseQuotient(root), instance.gap.cwiseQuotient(root), size,
                  instance.accuracy);
+}
+
+/// What else is known with friction and rigid modes.
+std::string check_effects(const Instance& instance, const ContactState& state) {
+  const FrictionLaw& law = instance.problem.law;
+  if (state.rubbing != law.pair) return "says solved, but lists other pairs that rub";
+  if (state.slip.size() != state.friction.size() ||
+      state.friction.size() != static_cast<Index>(law.pair.size()) ||
+      state.motion.size() != law.pair.size())
+    return "says solved, but friction, slips and motions are not those of the pairs that rub";
+  if (state.amplitude.size() != instance.problem.resultant.size())
+    return "says solved, but has no amplitude for each rigid mode";
+  if (!instance.motion.empty() && state.motion != instance.motion)
+    return "says solved, but pairs move in other ways";
+  std::string wrong = differs("friction", state.friction, instance.friction,
+                              state.force.cwiseAbs().maxCoeff(), instance.accuracy);
+  if (wrong.empty())
+    wrong = differs("amplitude", state.amplitude, instance.amplitude, 1, instance.accuracy);
+  if (!wrong.empty() || instance.solutions.empty()) return wrong;
+  VectorXd forces(state.force.size() + state.friction.size());
+  forces << state.force, state.friction;
+  if (std::none_of(instance.solutions.begin(), instance.solutions.end(), [&](const VectorXd& one) {
+        return (forces - one).norm() <= instance.accuracy * one.norm();
+      }))
+    return text("says solved, but is none of the ", instance.solutions.size(), " solutions");
+  if (instance.solutions.size() > 1 && state.uniqueness == Uniqueness::Proved)
+    return text("proves that there is one solution, but there are ", instance.solutions.size());
+  return {};
 }
 
 }  // namespace
@@ -82,7 +111,8 @@ std::string check_solved(const Instance& instance, const ContactState& state) {
   for (std::size_t k = 0; k < state.active.size(); ++k)
     if (state.gap(state.active[k]) != 0 || (k > 0 && state.active[k] <= state.active[k - 1]))
       return "lists pairs as closed that are open, or lists them without order";
-  return check_known(instance, state);
+  const std::string wrong = check_known(instance, state);
+  return wrong.empty() ? check_effects(instance, state) : wrong;
 }
 
 std::string check_farkas(const ContactProblem& problem, const VectorXd& y) {
@@ -91,16 +121,45 @@ std::string check_farkas(const ContactProblem& problem, const VectorXd& y) {
   if (!y.allFinite() || y.minCoeff() < 0) return "proves infeasibility with a negative weight";
   const double rounding = 1e3 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
   const bool symmetric = is_symmetric(problem);
-  const VectorXd moved = product(problem.compliance.transpose(), y);
+  const Eigen::MatrixXd G = problem.compliance.topRows(n).transpose();  // its slips too
+  const VectorXd moved = product(G, y);
   const VectorXd root = problem.compliance.diagonal().cwiseMax(0).cwiseSqrt();
-  const VectorXd size = symmetric ? VectorXd(root * root.dot(y))  // |G_ij| <= root_i root_j
-                                  : VectorXd(problem.compliance.cwiseAbs().transpose() * y);
-  for (Index i = 0; i < n; ++i)
+  const VectorXd size = symmetric ? VectorXd(root * root.head(n).dot(y))  // |G_ij| <= root_i root_j
+                                  : VectorXd(G.cwiseAbs() * y);
+  for (Index k = 0; k < problem.rigid.cols(); ++k) {
+    const VectorXd mode = problem.rigid.col(k).head(n);
+    if (std::abs(mode.dot(y)) > rounding * mode.cwiseAbs().dot(y))
+      return text("proves infeasibility with a y that rigid mode ", k, " works on");
+  }
+  for (Index i = 0; i < moved.size(); ++i)
     if ((symmetric ? std::abs(moved(i)) : moved(i)) > rounding * size(i))
       return text("proves infeasibility with a y that moves pair ", i, " by ", moved(i));
   const double work = problem.free_gap.dot(y);
   if (work < -rounding * problem.free_gap.cwiseAbs().dot(y)) return {};
   return text("proves infeasibility with d.y = ", work);
+}
+
+std::string check_escape(const ContactProblem& problem, const VectorXd& amplitude) {
+  if (amplitude.size() != problem.resultant.size() || !amplitude.allFinite())
+    return "proves that the body escapes with no amplitude for each rigid mode";
+  const Index n = problem.free_gap.size();
+  const VectorXd moved = problem.rigid * amplitude;
+  VectorXd least = VectorXd::Zero(n);  // what each gap must open by
+  double taken = 0;                    // by cohesion
+  for (std::size_t k = 0; k < problem.law.pair.size(); ++k) {
+    const Index row = n + static_cast<Index>(k);
+    least(problem.law.pair[k]) = problem.law.coefficient(row - n) * std::abs(moved(row));
+    taken += problem.law.cohesion(row - n) * std::abs(moved(row));
+  }
+  // A row may have a unit of its own: beside the largest movement of any row of norm 1.
+  const VectorXd norm = problem.rigid.rowwise().norm().cwiseMax(1e-300);
+  const double largest = moved.cwiseQuotient(norm).cwiseAbs().maxCoeff();
+  const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * largest;
+  for (Index i = 0; i < n; ++i)
+    if (moved(i) < least(i) - rounding * norm(i))
+      return text("proves that the body escapes by a motion that pair ", i, " stops");
+  const double work = problem.resultant.dot(amplitude);
+  return work < -taken ? "" : text("proves that the body escapes, but its load works ", work);
 }
 
 std::string check_feasible(const Certificate& certificate) {

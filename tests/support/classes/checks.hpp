@@ -18,9 +18,14 @@ std::string differs(const char* what, const Eigen::VectorXd& got, const Eigen::V
 /// A state that is called solved: sizes, signs, order of the closed pairs, certificate, known answer.
 std::string check_solved(const Instance& instance, const signorini::ContactState& state);
 
-/// A proof that nothing solves a problem: y >= 0 with G y = 0 to rounding and d.y < 0 beyond rounding;
+/// A proof that nothing solves a problem: y >= 0 with G y = 0 and R^T y = 0 to rounding, d.y < 0 beyond;
 /// without symmetry, M^T y <= 0 is enough.
 std::string check_farkas(const signorini::ContactProblem& problem, const Eigen::VectorXd& y);
+
+/// A proof that no forces balance the load: an amplitude a whose motion opens each gap by at least mu times its
+/// slip, while the load works more than cohesion can take up, \f$ -r^T a > \sum c_i |slip_i| \f$.
+std::string check_escape(const signorini::ContactProblem& problem,
+                         const Eigen::VectorXd& amplitude);
 
 /// A state that is called feasible: no overlap, no tension, gaps and forces that belong together.
 std::string check_feasible(const signorini::Certificate& certificate);

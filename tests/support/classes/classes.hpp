@@ -26,6 +26,7 @@ Instances all_active();
 Instances built_backwards();
 
 // programmes.cpp: K, p, A, g
+Instances small_programme();
 Instances rosen_suzuki_few();   // m <= n
 Instances rosen_suzuki_many();  // m > n
 Instances stiff_mode();         // cond(K) 1e6, 1e10, 1e13
@@ -57,9 +58,30 @@ Instances simplex_turned_out();
 Instances block_on_obstacle();
 Instances cantilever_on_foundation();
 Instances pin_in_hole_of_a_plate();
+Instances lining_in_rock();
 Instances half_plane();
 Instances half_plane_large();
 Instances string_over_wave();
+
+// friction.cpp: pairs that rub
+Instances friction_one_pair();
+Instances friction_moderate();
+Instances friction_strong();
+Instances friction_none();
+Instances friction_of_some();
+Instances friction_cohesion();
+Instances friction_floating();
+Instances friction_cylinder();
+Instances friction_cylinder_away();
+Instances friction_siconos();
+
+// floating.cpp: bodies that supports leave free to move
+Instances bar_on_springs();
+Instances bar_pulled_away();
+Instances bar_undecided();
+Instances punch();
+Instances walls_too_close();
+Instances floating_backwards();
 
 // literature.cpp: problems that defeated methods before
 Instances cycling();

@@ -5,6 +5,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/programme/dense_programme.hpp"
+#include "signorini/solvers/springs.hpp"
 #include "support/classes/checks.hpp"
 
 namespace signorini_test {
@@ -15,18 +16,20 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Judges how a solver ended; `must` if no trait excuses a failure.
+/// \param proof     what is wrong with its proof that nothing solves the problem
 /// \param solved    what is wrong with it as a solution
 /// \param feasible  what is wrong with it as a point that satisfies all but the least energy
-std::string judge(const Instance& instance, const Report& report, const VectorXd& farkas, bool must,
+std::string judge(const Instance& instance, const Report& report, bool must,
+                  const std::function<std::string()>& proof,
                   const std::function<std::string()>& solved,
                   const std::function<std::string()>& feasible) {
   switch (report.status) {
     case Status::Solved:
-      return instance.expected == Status::Infeasible ? "says solved, but nothing solves this"
-                                                     : solved();
+      return instance.expected != Status::Solved ? "says solved, but nothing solves this"
+                                                 : solved();
     case Status::Infeasible:
       if (instance.expected == Status::Solved) return "says infeasible, but there is a solution";
-      return farkas.size() == 0 ? "" : check_farkas(instance.problem, farkas);
+      return proof();
     case Status::Feasible:
       if (instance.expected == Status::Infeasible) return "says feasible, but nothing is";
       if (!must) return feasible();
@@ -34,27 +37,33 @@ std::string judge(const Instance& instance, const Report& report, const VectorXd
     case Status::Ray:
     case Status::IterationLimit:
     case Status::Breakdown:
-      if (!must || (report.status == Status::Ray && instance.may_be_ray)) return {};
+      if (!must || instance.expected == Status::Breakdown ||
+          (report.status == Status::Ray && instance.may_be_ray))
+        return {};
   }
   return text("ends with '", to_string(report.status), "' instead of '",
               to_string(instance.expected), "' after ", report.iterations, " iterations");
 }
 
 std::string judge(const Instance& instance, const ContactState& state, bool must) {
-  if (state.report.status == Status::Infeasible && state.infeasibility.size() == 0)
+  const auto proof = [&]() -> std::string {
+    if (state.infeasibility.size() > 0) return check_farkas(instance.problem, state.infeasibility);
+    if (state.escape.size() > 0) return check_escape(instance.problem, state.escape);
     return "says infeasible, but proves nothing";
+  };
   return judge(
-      instance, state.report, state.infeasibility, must,
-      [&] { return check_solved(instance, state); },
+      instance, state.report, must, proof, [&] { return check_solved(instance, state); },
       [&] { return check_feasible(certify(instance.problem, state)); });
 }
 
 std::string judge(const Instance& instance, const DenseSolution& solution, bool must) {
   const auto certificate = [&] { return certify(*instance.programme, solution.refined); };
-  const VectorXd proof =  // with equations it has rows that G does not have
-      instance.programme->equations == 0 ? solution.infeasibility : VectorXd();
+  const auto proof = [&]() -> std::string {  // with equations it has rows that G does not have
+    if (instance.programme->equations > 0 || solution.infeasibility.size() == 0) return {};
+    return check_farkas(instance.problem, solution.infeasibility);
+  };
   return judge(
-      instance, solution.report, proof, must,
+      instance, solution.report, must, proof,
       [&] {
         const double error = certificate().worst();
         return error <= certificate_tolerance
@@ -82,6 +91,8 @@ bool excused(const Solver& solver, const std::vector<Trait>& traits) {
 
 bool takes_part(const Solver& solver, const Instance& instance) {
   const Index n = instance.problem.free_gap.size();
+  const bool rubs = !instance.problem.law.pair.empty();
+  if (solver.friction == (rubs ? Takes::No : Takes::Only)) return false;
   if (solver.largest > 0 && n > solver.largest) return false;
   return n <= large || !may_fail(solver, Trait::Slow);
 }
@@ -95,7 +106,7 @@ std::string complaint(const Solver& solver, const std::vector<Trait>& traits,
       return {};
     }
   const bool must = !excused(solver, traits);
-  std::string wrong = judge(instance, solver.solve(instance.problem, {}), must);
+  std::string wrong = judge(instance, solve(instance.problem, solver), must);
   if (wrong.empty() && instance.programme)
     wrong = prefixed("K, p, A, g: ", judge(instance, solve(*instance.programme, solver), must));
   return wrong;

@@ -68,6 +68,20 @@ Instance whole_programme(int power, bool soft, std::uint64_t seed) {
 
 }  // namespace
 
+Instances small_programme() {  // by hand: u = (1, -1, 2), the first two rows closed
+  DenseProgramme programme{MatrixXd(3, 3), VectorXd(3), MatrixXd(3, 3), VectorXd(3)};
+  programme.stiffness << 4, 1, 0, 1, 3, 1, 0, 1, 2;
+  programme.load << 5, 5, 6;
+  programme.A << 1, 1, 0, 0, 1, 1, 1, 0, -1;
+  programme.initial_gap << 0, 1, 3;
+  Instance made = from_programme("three unknowns", programme);
+  made.displacement = Eigen::Vector3d(1, -1, 2);
+  made.force = Eigen::Vector3d(2, 3, 0);
+  made.gap = Eigen::Vector3d(0, 0, 4);
+  made.accuracy = 1e-12;
+  return {made};
+}
+
 Instances rosen_suzuki_few() { return table_1(false); }
 Instances rosen_suzuki_many() { return table_1(true); }
 

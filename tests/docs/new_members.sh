@@ -1,0 +1,54 @@
+#!/bin/sh
+# new_members.sh write ROOT FOLDER: copies the tables of the families to FOLDER, with one more line each, and a file for
+# each new member: an element, a wrong element, a gap operator, a solver and an effect.
+# new_members.sh check CMAKE BUILD: links the conformance suite with them in front of the library and asks it for each
+# of them; the suite without them does not know their names.
+set -eu
+
+write() { # $1: the repository, $2: the folder
+    library=$1/src/signorini out=$2
+    mkdir -p "$out"
+    sed 's/"q8"/"q8_again"/; s/Element q8()/Element q8_again()/' "$library/elasticity/q8.cpp" > "$out/q8_again.cpp"
+    sed 's/q8_again/q8_wrong/; s/0\.5 \* (1 - xi \* xi)/0.4 * (1 - xi * xi)/' "$out/q8_again.cpp" > "$out/q8_wrong.cpp"
+    sed 's/q8()/q8(), q8_again(), q8_wrong()/' "$library/elasticity/elements.cpp" > "$out/elements.cpp"
+    sed '/#include/!s/node_to_segment/node_again/g' "$library/contact/node_to_segment.cpp" > "$out/node_again.cpp"
+    sed 's/ mortar()/ mortar(), node_again()/' "$library/contact/gap_operators.cpp" > "$out/gap_operators.cpp"
+    sed '/#include/!s/enumerate(/enumerate_again(/' "$library/solvers/enumerate.cpp" > "$out/enumerate_again.cpp"
+    sed 's/^namespace {$/ContactState enumerate_again(const ContactProblem\&, const SolverOptions\&);\n&/
+         s/^      member("friction_split",/      member("enumerate_again", "tries every set once more", enumerate_again)\
+          .up_to(largest_enumeration).may_fail_on({Trait::Infeasible}),\n&/' \
+        "$library/as_printed/solver_table.cpp" > "$out/solver_table.cpp"
+    cat > "$out/several_contacts.cpp" << 'MEMBER'
+#include "signorini/scene/effects.hpp"
+namespace signorini::effect {
+Effect several_contacts() {
+  return {"several contacts",
+          [](const Scene& scene, const Plan& /*draft*/) { return scene.contacts.size() > 1; },
+          [](const Scene& /*scene*/, Plan& draft) { draft.on.push_back("several contacts"); },
+          [](Plan& /*plan*/, Model& /*model*/) {}};
+}
+}  // namespace signorini::effect
+MEMBER
+    sed 's/rigid_motions()/rigid_motions(), several_contacts()/' "$library/scene/effects.cpp" > "$out/effects.cpp"
+    sed 's/^      {"rigid motions",$/      {"several contacts", {plain_beam(), [](Scene\& scene) {\
+            scene.contacts.push_back({{"top"}, half_plane({0, 10}, {0, -1})});\
+          }, {"A", "g", "pairs"}, {}}},\n&/' "$1/tests/support/effect_examples.cpp" > "$out/effect_examples.cpp"
+}
+
+check() { # $1: cmake, $2: the build tree
+    "$1" --build "$2" --target test_new_members > "$2/new_members.log" 2>&1 || { cat "$2/new_members.log"; exit 1; }
+    asked='every *,class/*'
+    for name in q8_again q8_wrong node_again enumerate_again 'several contacts'; do
+        right=yes known=yes
+        SIGNORINI_CONFORMANCE=$name "$2/bin/test_new_members" "$asked" > "$2/new_member.log" 2>&1 || right=no
+        [ "$name" != q8_wrong ] || { # found out, and by what it is
+            grep -q 'q8_wrong' "$2/new_member.log" && [ $right = no ] || { echo "nothing is wrong with q8_wrong"; exit 1; }
+            right=yes
+        }
+        [ $right = yes ] || { cat "$2/new_member.log"; exit 1; }
+        SIGNORINI_CONFORMANCE=$name "$2/bin/test_conformance" "$asked" > "$2/new_member.log" 2>&1 || known=no
+        [ $known = no ] && grep -q "^no member '$name'" "$2/new_member.log" || { echo "$name is not gone"; exit 1; }
+    done
+}
+
+"$@"

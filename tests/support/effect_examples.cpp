@@ -1,0 +1,84 @@
+#include "support/effect_examples.hpp"
+
+#include "support/cantilever.hpp"
+
+namespace signorini_test {
+
+using namespace signorini;
+
+Scene plain_beam() {
+  Scene scene = cantilever("q4_incompatible", 12, 2);
+  scene.bodies[0].loads = {};
+  return scene;
+}
+
+namespace {
+
+Scene without_contact() {
+  Scene scene = plain_beam();
+  scene.contacts.clear();
+  return scene;
+}
+
+Scene above_disc() {
+  Scene scene = plain_beam();
+  scene.contacts[0].target = disc({40, -10}, 9.5);
+  return scene;
+}
+
+}  // namespace
+
+const std::map<std::string, EffectExample>& effect_examples() {
+  static const std::map<std::string, EffectExample> all = {
+      {"body force",
+       {plain_beam(),
+        [](Scene& scene) {
+          scene.bodies[0].loads.body_force = [](const Eigen::Vector2d&) {
+            return Eigen::Vector2d(0, -1);
+          };
+        },
+        {"p"},
+        {}}},
+      {"edge loads",
+       {plain_beam(),
+        [](Scene& scene) {
+          scene.bodies[0].loads.edges = {{"top", 3.6, {}}};
+        },
+        {"p"},
+        {}}},
+      {"contact",
+       {without_contact(),
+        [](Scene& scene) { scene.contacts = plain_beam().contacts; },
+        {"A", "g", "pairs"},
+        {"A", "g", "pairs"}}},
+      {"initial overlap",
+       {above_disc(),
+        [](Scene& scene) {
+          scene.contacts[0].target = disc({40, -10}, 10.5);
+        },
+        {"g"},
+        {}}},
+      {"friction",
+       {plain_beam(),
+        [](Scene& scene) {
+          scene.contacts[0].friction = Friction{0.3, 0};
+        },
+        {"A", "g", "law", "sliding"},
+        {"law", "sliding"}}},
+      {"cohesion",
+       {plain_beam(),
+        [](Scene& scene) {
+          scene.contacts[0].friction = Friction{0, 0.2};
+        },
+        {"A", "g", "law", "sliding"},
+        {"law", "sliding"}}},
+      {"rigid motions",
+       {plain_beam(),
+        [](Scene& scene) { scene.bodies[0].supports = {prescribed("left", Axis::X, 0)}; },
+        {"A", "K", "g", "modes", "p", "pairs"},
+        {"modes"}}},
+  };
+  return all;
+}
+
+}  // namespace signorini_test
