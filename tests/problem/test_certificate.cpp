@@ -291,6 +291,9 @@ TEST_CASE("what moves far, in a body of its own or in two parts that cancel, hid
   PrimalDual second{Eigen::Vector4d(1e13, 1e13, -7, -7), {}, Eigen::VectorXd::Zero(1)};
   second.rigid = second.displacement;  // K times it is 0 for the first body, not for the second
   CHECK_FALSE(certify(programme, second).holds());
+  PrimalDual stretched{Eigen::Vector4d(1e9, 1e9 + 1, 1, 2), {}, Eigen::VectorXd::Zero(1)};
+  stretched.rigid = Eigen::Vector4d(1e9, 1e9 + 1, 0, 0);  // a strain of 1e-9 is a force of 1
+  CHECK_FALSE(certify(programme, stretched).holds());
   QuadraticProgramme touching = programme;
   touching.initial_gap(0) = 0.5;  // an overlap of 0.5 beside parts that cancel
   const double part = 0x1p45;
