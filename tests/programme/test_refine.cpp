@@ -139,3 +139,21 @@ TEST_CASE("a set of pairs that repeat each other is refined as well", "[refine]"
   CHECK((force.head(pairs) + force.tail(pairs) - exact.force).cwiseAbs().maxCoeff() < 1e-14);
   CHECK(certify(twice.programme, result.solution).worst() < 1e-15);
 }
+
+TEST_CASE("a set of pairs that contradict each other is not confirmed", "[refine]") {
+  const Chain exact = chain(24);
+  const Index pairs = exact.force.size();
+  Chain apart = exact;  // the last row is that of the first closed pair, but 0.5 wider
+  Eigen::MatrixXd A(pairs + 1, exact.u.size());
+  A << Eigen::MatrixXd(exact.programme.A), Eigen::MatrixXd(exact.programme.A).row(exact.active[0]);
+  apart.programme.A = A.sparseView();
+  apart.programme.initial_gap.conservativeResize(pairs + 1);
+  apart.programme.initial_gap(pairs) = apart.programme.initial_gap(exact.active[0]) + 0.5;
+  apart.force.conservativeResize(pairs + 1);
+  apart.force(pairs) = 0;
+  CHECK(refined(apart, 0, exact.active).confirmed);
+  apart.active.push_back(pairs);
+  const Refined result = refined(apart, 0, apart.active);
+  CHECK(result.movement(pairs) == Approx(0.5));
+  CHECK_FALSE(result.confirmed);
+}
