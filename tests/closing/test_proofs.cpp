@@ -1,4 +1,7 @@
 // What counts as a proof that nothing solves a problem, and as equations that hold, by hand.
+#include <cmath>
+#include <vector>
+
 #include "catch_compat.hpp"
 #include "signorini/closing/proofs.hpp"
 
@@ -35,4 +38,41 @@ TEST_CASE("closed pairs that cannot balance the load are no solution of their eq
   const Closure both = close(scaled, KnownSet{{0, 1}});
   CHECK(both.solvable);
   CHECK((both.force - Vector2d(1.5, 0.5)).norm() < 1e-14);
+}
+
+TEST_CASE("a load along two slips is held as far as the cohesion of each reaches, and no farther",
+          "[closing][friction][floating]") {
+  // Two pairs without friction coefficient; the modes are their slips.
+  ContactProblem problem{MatrixXd::Identity(4, 4), Vector2d::Zero(), Vector2d::Zero(),
+                         law_of_all(Vector2d::Zero(), Vector2d::Ones())};
+  problem.rigid = MatrixXd::Zero(4, 2);
+  problem.rigid.bottomRows(2).setIdentity();
+  for (const double first : {0.0, 0.9, -0.9})
+    for (const double second : {1.05, -1.05}) {
+      problem.resultant = Vector2d(first, second);  // the first is held, the second is not
+      const Eigen::VectorXd way = escape(equilibrate(problem));
+      REQUIRE(way.size() == 2);
+      CHECK(std::abs(way(0)) <= 1e-15 * std::abs(way(1)));
+      CHECK(way(1) * second < 0);
+      problem.resultant(1) /= 1.1;
+      CHECK(escape(equilibrate(problem)).size() == 0);
+    }
+}
+
+TEST_CASE("a determinant of the wrong sign warns of other solutions", "[closing][friction]") {
+  // The slip of each pair moves the gap of the other; both open and both sliding forward solve it.
+  MatrixXd F = MatrixXd::Identity(4, 4);
+  F(0, 3) = F(3, 0) = F(1, 2) = F(2, 1) = 2;
+  F(2, 2) = F(3, 3) = 5;
+  const ContactProblem problem{F, Vector2d::Ones(), Vector2d::Constant(4),
+                               law_of_all(Vector2d::Ones(), Vector2d::Zero())};
+  const ScaledProblem scaled = equilibrate(problem);
+  for (const Motion motion : {Motion::Open, Motion::Forward}) {
+    const std::vector<Motion> both(2, motion);
+    const Closure end = close(scaled, both);
+    CHECK(solves(scaled, both, end));
+    CHECK(end.reversed == (motion == Motion::Forward));
+    CHECK(uniqueness(scaled, end) ==
+          (motion == Motion::Forward ? Uniqueness::Doubtful : Uniqueness::Unknown));
+  }
 }
