@@ -4,11 +4,14 @@
 
 #include "catch_compat.hpp"
 #include "signorini/closing/proofs.hpp"
+#include "support/random.hpp"
 
+using Eigen::Index;
 using Eigen::Matrix2d;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using namespace signorini;
+using signorini_test::Random;
 
 TEST_CASE("overlaps that a rigid motion opens prove nothing", "[closing][floating]") {
   const Matrix2d G = (Matrix2d() << 1, -1, -1, 1).finished();  // pressing both pairs moves nothing
@@ -74,5 +77,24 @@ TEST_CASE("a determinant of the wrong sign warns of other solutions", "[closing]
     CHECK(end.reversed == (motion == Motion::Forward));
     CHECK(uniqueness(scaled, end) ==
           (motion == Motion::Forward ? Uniqueness::Doubtful : Uniqueness::Unknown));
+  }
+}
+
+TEST_CASE("what cohesion can carry is no proof that a body moves away, whatever rounding leaves",
+          "[closing][friction][floating]") {
+  Random random(5);
+  for (int sample = 0; sample < 200; ++sample) {
+    ContactProblem problem{MatrixXd::Identity(6, 6), Eigen::Vector3d::Zero(),
+                           Eigen::Vector3d::Zero(),
+                           law_of_all(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones())};
+    problem.rigid = MatrixXd::Zero(6, 2);
+    Eigen::Vector3d friction;
+    for (Index i = 0; i < 3; ++i) {
+      problem.rigid.row(3 + i) << random.uniform(-1, 1), random.uniform(-1, 1);
+      friction(i) = random.uniform(-0.9, 0.9);
+    }
+    problem.resultant = problem.rigid.bottomRows(3).transpose() * friction;
+    CAPTURE(sample);
+    CHECK(escape(equilibrate(problem)).size() == 0);
   }
 }
