@@ -157,3 +157,21 @@ TEST_CASE("a set of pairs that contradict each other is not confirmed", "[refine
   CHECK(result.movement(pairs) == Approx(0.5));
   CHECK_FALSE(result.confirmed);
 }
+
+TEST_CASE("forces that do not balance the load of a free body are not confirmed",
+          "[refine][floating]") {
+  // A spring between two nodes, pushed by 1 at one of them, with a wall at the other.
+  QuadraticProgramme programme;
+  programme.stiffness = (Eigen::Matrix2d() << 1, -1, -1, 1).finished().sparseView();
+  programme.load = Eigen::Vector2d(1, 0);
+  programme.A = Eigen::MatrixXd(Eigen::RowVector2d(0, 1)).sparseView();
+  programme.initial_gap = Eigen::VectorXd::Zero(1);
+  Refinement numbers;
+  numbers.settled = true;
+  numbers.movement = Eigen::VectorXd::Zero(1);
+  for (const double force : {1.0, 1 + 1e-12, 0.5}) {
+    numbers.solution = {Eigen::Vector2d(1, 0), {}, Eigen::VectorXd::Constant(1, force)};
+    CHECK(judge(programme, {}, numbers, {Motion::Stick}, Eigen::Vector2d::Ones()).confirmed ==
+          (force == 1));
+  }
+}
