@@ -141,3 +141,18 @@ TEST_CASE("a limit on iterations is kept and reported", "[surrogate_dual]") {
       CHECK(state.report.status == Status::IterationLimit);
   }
 }
+
+TEST_CASE("where the weights stop, pairs that would have to pull are left out",
+          "[surrogate_dual][closed-form]") {
+  // Forces (1, 1.2) open the third pair by 0.18; closed with them it would pull with 0.26.
+  Eigen::Matrix3d G = Eigen::Matrix3d::Identity();
+  G(0, 2) = G(2, 0) = G(1, 2) = G(2, 1) = 0.4;
+  const ContactProblem problem{G, Eigen::Vector3d(-1, -1.2, -0.7)};
+  SolverOptions one_step;
+  one_step.iteration_limit = 1;
+  const ContactState state = surrogate_dual(problem, WeightRule::LineSearch, one_step);
+  REQUIRE(state.report.status == Status::Solved);
+  CHECK(state.active == std::vector<Eigen::Index>{0, 1});
+  CHECK((state.force - Eigen::Vector3d(1, 1.2, 0)).norm() < 1e-15);
+  CHECK((state.gap - Eigen::Vector3d(0, 0, 0.18)).norm() < 1e-15);
+}

@@ -131,3 +131,24 @@ TEST_CASE("every solver: a bad problem is the caller's mistake", "[conformance]"
                     std::invalid_argument);
   }
 }
+
+TEST_CASE("every solver: an effect that it does not take is refused, not left out",
+          "[conformance][friction][floating]") {
+  // One pair, pressed by 1 and pulled aside by 1; held, or on a mode that presses it.
+  const ContactProblem rubs{Eigen::Matrix2d::Identity(), VectorXd::Constant(1, -1),
+                            VectorXd::Constant(1, 1),
+                            law_of_all(VectorXd::Ones(1), VectorXd::Zero(1))};
+  const ContactProblem floats{Eigen::MatrixXd::Identity(1, 1), VectorXd::Ones(1), {}, {},
+                              Eigen::MatrixXd::Ones(1, 1),     VectorXd::Ones(1)};
+  for (const Solver& solver : all_solvers()) {
+    CAPTURE(solver.name);
+    if (solver.friction == Takes::No)
+      CHECK_THROWS_AS(solver.solve(rubs, {}), std::invalid_argument);
+    else
+      CHECK_NOTHROW(solver.solve(rubs, {}));
+    if (solver.rigid_modes)
+      CHECK_NOTHROW(solver.solve(floats, {}));
+    else
+      CHECK_THROWS_AS(solver.solve(floats, {}), std::invalid_argument);
+  }
+}

@@ -55,6 +55,19 @@ TEST_CASE("a side passes through its nodes, and its normal points out of the bod
   }
 }
 
+TEST_CASE("the ends of a side are its nodes, bit for bit", "[side]") {
+  Random random(11);
+  for (int sample = 0; sample < 100; ++sample) {
+    const Vector2d last(random.uniform(1.5, 2.5), random.uniform(-0.5, 0.5));
+    const Vector2d middle(random.uniform(0.8, 1.2), random.uniform(-0.5, 0.5));
+    for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
+      const SideCurve side = bottom_side(order, middle, last);
+      CHECK(side.point(-1).position() == Vector2d(0, 0));
+      CHECK(side.point(1).position() == last);
+    }
+  }
+}
+
 TEST_CASE("the closest place of a parabola is the closest of all, however it is bent", "[side]") {
   Random random(3);
   for (int k = 0; k < 300; ++k) {

@@ -111,6 +111,22 @@ TEST_CASE("the figures of a programme are what their definitions say",
   CHECK(forged.duality_gap == Approx(2 / (length * force)).epsilon(1e-14));
 }
 
+TEST_CASE("in the duality gap friction forces are loads", "[certificate][friction]") {
+  // K = I; the first two unknowns are the gap and the slip of a pair, the others carry p = u = 10.
+  QuadraticProgramme programme;
+  programme.stiffness = Eigen::MatrixXd(Eigen::MatrixXd::Identity(5, 5)).sparseView();
+  programme.load = (Eigen::VectorXd(5) << 10, 8, 10, 10, 10).finished();
+  programme.A = Eigen::MatrixXd(Eigen::MatrixXd::Identity(2, 5)).sparseView();
+  programme.initial_gap = Eigen::Vector2d(1, 0);
+  const PrimalDual claim{
+      (Eigen::VectorXd(5) << 2, 4, 10, 10, 10).finished(), {}, Eigen::Vector2d(2, 3)};
+  const FrictionLaw law = {{0}, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)};
+  // lambda gap - u . residual = 2 (1 - 2) - 2 (10 - 2 - 2) - 4 (8 - 4 - 3); the energies are lambda g
+  // and (p - tau) u.
+  CHECK(certify(programme, claim, law).duality_gap ==
+        Approx(18.0 / (2 + 10 * 2 + (8 - 3) * 4 + 3 * 100)).epsilon(1e-14));
+}
+
 TEST_CASE("the low part of the displacement counts", "[certificate]") {
   const Certificate forged =
       certify(small_programme(), {Vector3d(1, -1, 2), Vector3d(slip, 0, 0), Vector3d(2, 3, 0)});
@@ -291,6 +307,9 @@ TEST_CASE("what moves far, in a body of its own or in two parts that cancel, hid
   PrimalDual second{Eigen::Vector4d(1e13, 1e13, -7, -7), {}, Eigen::VectorXd::Zero(1)};
   second.rigid = second.displacement;  // K times it is 0 for the first body, not for the second
   CHECK_FALSE(certify(programme, second).holds());
+  PrimalDual stretched{Eigen::Vector4d(1e9, 1e9 + 1, 1, 2), {}, Eigen::VectorXd::Zero(1)};
+  stretched.rigid = Eigen::Vector4d(1e9, 1e9 + 1, 0, 0);  // a strain of 1e-9 is a force of 1
+  CHECK_FALSE(certify(programme, stretched).holds());
   QuadraticProgramme touching = programme;
   touching.initial_gap(0) = 0.5;  // an overlap of 0.5 beside parts that cancel
   const double part = 0x1p45;

@@ -87,3 +87,28 @@ TEST_CASE("what is no programme is refused and says what was expected", "[dense_
   programme.stiffness(2, 2) = -1;
   CHECK_THROWS_AS(condense(programme), ProblemError);
 }
+
+TEST_CASE("neither a solution nor a proof that a solver claims is believed unseen",
+          "[dense_programme]") {
+  // u <= -1 and -u <= -1; the sum of both is 0 <= -2.
+  const DenseProgramme impossible{MatrixXd::Ones(1, 1), VectorXd::Zero(1), Eigen::Vector2d(1, -1),
+                                  Eigen::Vector2d(-1, -1)};
+  static DenseSolution claim;
+  const Solver recites = Solver{"recital", "says what it was told to", nullptr}.on_programmes(
+      [](const DenseProgramme& /*programme*/, const SolverOptions& /*options*/) { return claim; });
+  claim = {};
+  claim.refined = {VectorXd::Zero(1), {}, Eigen::Vector2d::Zero()};
+  claim.report.status = Status::Infeasible;
+  claim.infeasibility = Eigen::Vector2d(1, 1);
+  CHECK(solve(impossible, recites).report.status == Status::Infeasible);
+  for (const Eigen::Vector2d& wrong : {Eigen::Vector2d(-1, -1), Eigen::Vector2d(0, 0)}) {
+    claim.infeasibility = wrong;
+    CHECK(solve(impossible, recites).report.status == Status::Breakdown);
+    CHECK(solve(impossible, recites).infeasibility.size() == 0);
+  }
+  claim.report.status = Status::Solved;
+  CHECK(solve(impossible, recites).report.status == Status::Breakdown);
+  DenseProgramme possible = impossible;
+  possible.initial_gap.setZero();
+  CHECK(solve(possible, recites).report.status == Status::Solved);  // u = 0
+}

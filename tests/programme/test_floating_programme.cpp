@@ -85,6 +85,11 @@ TEST_CASE("null vectors that are none, repeat others or miss one are refused", "
   CHECK(complaint(both).empty());
   CHECK_THAT(complaint(VectorXd::Unit(4, 0)),
              ContainsSubstring("column 1") && ContainsSubstring("no rigid mode"));
+  MatrixXd stretched = both;
+  stretched(1, 0) = 1 + 1e-15;  // rounding
+  CHECK(complaint(stretched).empty());
+  stretched(1, 0) = 1 + 1e-9;
+  CHECK_THAT(complaint(stretched), ContainsSubstring("no rigid mode"));
   CHECK_THAT(complaint(VectorXd::Ones(4)), ContainsSubstring("not positive definite"));
   MatrixXd repeated(4, 2);
   repeated << 1, 2, 1, 2, 1, 2, 1, 2;

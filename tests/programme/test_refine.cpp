@@ -139,3 +139,39 @@ TEST_CASE("a set of pairs that repeat each other is refined as well", "[refine]"
   CHECK((force.head(pairs) + force.tail(pairs) - exact.force).cwiseAbs().maxCoeff() < 1e-14);
   CHECK(certify(twice.programme, result.solution).worst() < 1e-15);
 }
+
+TEST_CASE("a set of pairs that contradict each other is not confirmed", "[refine]") {
+  const Chain exact = chain(24);
+  const Index pairs = exact.force.size();
+  Chain apart = exact;  // the last row is that of the first closed pair, but 0.5 wider
+  Eigen::MatrixXd A(pairs + 1, exact.u.size());
+  A << Eigen::MatrixXd(exact.programme.A), Eigen::MatrixXd(exact.programme.A).row(exact.active[0]);
+  apart.programme.A = A.sparseView();
+  apart.programme.initial_gap.conservativeResize(pairs + 1);
+  apart.programme.initial_gap(pairs) = apart.programme.initial_gap(exact.active[0]) + 0.5;
+  apart.force.conservativeResize(pairs + 1);
+  apart.force(pairs) = 0;
+  CHECK(refined(apart, 0, exact.active).confirmed);
+  apart.active.push_back(pairs);
+  const Refined result = refined(apart, 0, apart.active);
+  CHECK(result.movement(pairs) == Approx(0.5));
+  CHECK_FALSE(result.confirmed);
+}
+
+TEST_CASE("forces that do not balance the load of a free body are not confirmed",
+          "[refine][floating]") {
+  // A spring between two nodes, pushed by 1 at one of them, with a wall at the other.
+  QuadraticProgramme programme;
+  programme.stiffness = (Eigen::Matrix2d() << 1, -1, -1, 1).finished().sparseView();
+  programme.load = Eigen::Vector2d(1, 0);
+  programme.A = Eigen::MatrixXd(Eigen::RowVector2d(0, 1)).sparseView();
+  programme.initial_gap = Eigen::VectorXd::Zero(1);
+  Refinement numbers;
+  numbers.settled = true;
+  numbers.movement = Eigen::VectorXd::Zero(1);
+  for (const double force : {1.0, 1 + 1e-12, 0.5}) {
+    numbers.solution = {Eigen::Vector2d(1, 0), {}, Eigen::VectorXd::Constant(1, force)};
+    CHECK(judge(programme, {}, numbers, {Motion::Stick}, Eigen::Vector2d::Ones()).confirmed ==
+          (force == 1));
+  }
+}

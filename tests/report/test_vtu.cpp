@@ -8,6 +8,7 @@
 #include "support/cantilever.hpp"
 #include "support/folder.hpp"
 #include "support/message.hpp"
+#include "support/two_bodies.hpp"
 
 using namespace signorini;
 using signorini_test::content_of;
@@ -123,6 +124,24 @@ TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
             Approx(run.solution.pressure(pair - pair_nodes.begin())).epsilon(1e-8).margin(1e-12));
     }
   }
+}
+
+TEST_CASE("pairs at Gauss points belong to no node, and no node of a VTU file says that it touches",
+          "[vtu][gauss_points]") {
+  Scene scene =
+      signorini_test::two_blocks(signorini_test::named_block("lower", {0, 0}, {2, 1}, 2, 1),
+                                 signorini_test::named_block("upper", {0, 1}, {2, 1}, 2, 1));
+  scene.bodies[1].supports = {symmetric("left")};
+  scene.bodies[1].loads.edges = {{"top", 1, {}}};
+  scene.contacts[0].gap_operator = "gauss_points";
+  const SolvedScene run = signorini::solved(scene, "blocks");
+  CHECK_FALSE(run.solution.contact.active.empty());
+  const Folder folder;
+  write_vtu(folder.path() / "blocks.vtu", run.model, run.solution);
+  const std::string file = content_of(folder.path() / "blocks.vtu");
+  CHECK(array_of(file, "contact_pressure") == std::vector<std::string>(6, "0"));
+  CHECK(array_of(file, "contact_gap") == std::vector<std::string>(6, "0"));
+  CHECK(array_of(file, "contact_status") == std::vector<std::string>(6, "-1"));
 }
 
 TEST_CASE("nothing is written of a problem that is not solved, or where nobody can write",

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -189,4 +190,17 @@ TEST_CASE("the report counts what was done", "[active_set]") {
   REQUIRE(closed.report.history.size() == 1);
   CHECK(closed.report.history[0].active == 1);
   CHECK(closed.report.history[0].penetration == 0);
+}
+
+TEST_CASE("of pairs that repeat each other the deepest is closed, and opens the others at once",
+          "[active_set][closed-form]") {
+  const Eigen::MatrixXd G = Eigen::MatrixXd::Ones(3, 3);
+  Vector3d overlap(1, 2, 3);
+  do {
+    const ContactState state = primal_dual_active_set({G, -overlap});
+    REQUIRE(state.report.status == Status::Solved);
+    CHECK(state.report.iterations == 1);
+    CHECK(state.force == (overlap.array() == 3).select(overlap, Vector3d::Zero()));
+    CHECK(state.gap == Vector3d(3 - overlap.array()));
+  } while (std::next_permutation(overlap.data(), overlap.data() + 3));
 }

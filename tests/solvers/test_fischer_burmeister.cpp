@@ -195,3 +195,15 @@ TEST_CASE("a limit on the steps is kept and said", "[fischer_burmeister]") {
   CHECK(state.report.status == Status::IterationLimit);
   CHECK(state.report.iterations == 2);
 }
+
+TEST_CASE("a pair that touches without a force is not called closed",
+          "[fischer_burmeister][closed-form]") {
+  for (const double coupling : {0.125, 0.25, 0.5, 0.75, 0.9375, -0.25, -0.5})
+    for (const Index pressed : {0, 1}) {
+      const Eigen::Matrix2d G = (Eigen::Matrix2d() << 1, coupling, coupling, 1).finished();
+      const ContactState state = fischer_burmeister({G, -G.col(pressed)});  // forces e_pressed
+      CAPTURE(coupling, pressed);
+      REQUIRE(state.report.status == Status::Solved);
+      CHECK(state.active == std::vector<Index>{pressed});
+    }
+}

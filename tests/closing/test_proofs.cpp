@@ -1,0 +1,100 @@
+// What counts as a proof that nothing solves a problem, and as equations that hold, by hand.
+#include <cmath>
+#include <vector>
+
+#include "catch_compat.hpp"
+#include "signorini/closing/proofs.hpp"
+#include "support/random.hpp"
+
+using Eigen::Index;
+using Eigen::Matrix2d;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using namespace signorini;
+using signorini_test::Random;
+
+TEST_CASE("overlaps that a rigid motion opens prove nothing", "[closing][floating]") {
+  const Matrix2d G = (Matrix2d() << 1, -1, -1, 1).finished();  // pressing both pairs moves nothing
+  const Vector2d both(1, 1);
+  ContactProblem problem{G, Vector2d(-1, -1)};
+  CHECK(refutes(problem, both));
+  problem.resultant = Eigen::VectorXd::Constant(1, 2);
+  problem.rigid = both;
+  CHECK_FALSE(refutes(problem, both));  // a = 1 opens both pairs, and forces of 1 balance r
+  problem.resultant.setZero();
+  problem.rigid = Vector2d(1, -1);
+  CHECK(refutes(problem, both));  // what opens one pair closes the other
+}
+
+TEST_CASE("closed pairs that cannot balance the load are no solution of their equations",
+          "[closing][floating]") {
+  // A load of 2 along the only mode presses both pairs alike.
+  ContactProblem problem{Matrix2d::Identity(), Vector2d(1, 2)};
+  problem.rigid = Vector2d(1, 1);
+  problem.resultant = Eigen::VectorXd::Constant(1, 2);
+  const ScaledProblem scaled = equilibrate(problem);
+  CHECK_FALSE(close(scaled, KnownSet{}).solvable);
+  const Closure one = close(scaled, KnownSet{{0}});
+  CHECK(one.solvable);
+  CHECK(one.force(0) == Approx(2));
+  CHECK(one.movement(1) == Approx(-1));  // 2 + a with 1 + 2 + a = 0
+  const Closure both = close(scaled, KnownSet{{0, 1}});
+  CHECK(both.solvable);
+  CHECK((both.force - Vector2d(1.5, 0.5)).norm() < 1e-14);
+}
+
+TEST_CASE("a load along two slips is held as far as the cohesion of each reaches, and no farther",
+          "[closing][friction][floating]") {
+  // Two pairs without friction coefficient; the modes are their slips.
+  ContactProblem problem{MatrixXd::Identity(4, 4), Vector2d::Zero(), Vector2d::Zero(),
+                         law_of_all(Vector2d::Zero(), Vector2d::Ones())};
+  problem.rigid = MatrixXd::Zero(4, 2);
+  problem.rigid.bottomRows(2).setIdentity();
+  for (const double first : {0.0, 0.9, -0.9})
+    for (const double second : {1.05, -1.05}) {
+      problem.resultant = Vector2d(first, second);  // the first is held, the second is not
+      const Eigen::VectorXd way = escape(equilibrate(problem));
+      REQUIRE(way.size() == 2);
+      CHECK(std::abs(way(0)) <= 1e-15 * std::abs(way(1)));
+      CHECK(way(1) * second < 0);
+      problem.resultant(1) /= 1.1;
+      CHECK(escape(equilibrate(problem)).size() == 0);
+    }
+}
+
+TEST_CASE("a determinant of the wrong sign warns of other solutions", "[closing][friction]") {
+  // The slip of each pair moves the gap of the other; both open and both sliding forward solve it.
+  MatrixXd F = MatrixXd::Identity(4, 4);
+  F(0, 3) = F(3, 0) = F(1, 2) = F(2, 1) = 2;
+  F(2, 2) = F(3, 3) = 5;
+  const ContactProblem problem{F, Vector2d::Ones(), Vector2d::Constant(4),
+                               law_of_all(Vector2d::Ones(), Vector2d::Zero())};
+  const ScaledProblem scaled = equilibrate(problem);
+  for (const Motion motion : {Motion::Open, Motion::Forward}) {
+    const std::vector<Motion> both(2, motion);
+    const Closure end = close(scaled, both);
+    CHECK(solves(scaled, both, end));
+    CHECK(end.reversed == (motion == Motion::Forward));
+    CHECK(uniqueness(scaled, end) ==
+          (motion == Motion::Forward ? Uniqueness::Doubtful : Uniqueness::Unknown));
+  }
+}
+
+TEST_CASE("what cohesion can carry is no proof that a body moves away, whatever rounding leaves",
+          "[closing][friction][floating]") {
+  Random random(5);
+  for (int sample = 0; sample < 200; ++sample) {
+    ContactProblem problem{MatrixXd::Identity(6, 6), Eigen::Vector3d::Zero(),
+                           Eigen::Vector3d::Zero(),
+                           law_of_all(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones())};
+    problem.rigid = MatrixXd::Zero(6, 2);
+    Eigen::Vector3d friction;
+    for (Index i = 0; i < 3; ++i) {
+      problem.rigid.row(3 + i) << random.uniform(-1, 1), random.uniform(-1, 1);
+      friction(i) = random.uniform(-0.9, 0.9);
+    }
+    problem.resultant = problem.rigid.bottomRows(3).transpose() * friction;
+    CAPTURE(sample);
+    CHECK(escape(equilibrate(problem)).size() == 0);
+  }
+}

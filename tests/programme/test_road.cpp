@@ -1,0 +1,94 @@
+// Where the road ends when the solver on it is wrong: solvers that recite answers.
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "catch_compat.hpp"
+#include "signorini/programme/road.hpp"
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using namespace signorini;
+
+namespace {
+
+/// What the solver says, pass by pass; the last answer again and again.
+struct Recital {
+  std::vector<ContactState> answers;
+  std::size_t next = 0;
+};
+Recital recital;
+
+ContactState recite(const ContactProblem& /*problem*/, const SolverOptions& /*options*/) {
+  const std::size_t now = std::min(recital.next++, recital.answers.size() - 1);
+  return recital.answers[now];
+}
+
+ContactState claim(Status status, const VectorXd& force, const std::vector<Eigen::Index>& active) {
+  ContactState state;
+  state.force = force;
+  state.gap = VectorXd::Zero(force.size());
+  state.active = active;
+  state.report.status = status;
+  return state;
+}
+
+/// The road of a body with K = I.
+CertifiedEnd end_of_road(const VectorXd& load, const MatrixXd& A, const VectorXd& gap,
+                         std::vector<ContactState> answers) {
+  recital = {std::move(answers)};
+  const Eigen::Index n = load.size();
+  const QuadraticProgramme programme{MatrixXd::Identity(n, n).sparseView(), load, A.sparseView(),
+                                     gap};
+  const ContactProblem problem{A * A.transpose(), gap - A * load};
+  Ledger ledger;
+  return certified_end(programme, {problem, load, [](const VectorXd& force) { return force; }}, {},
+                       {"recital", "says what it was told to", recite}, {}, ledger);
+}
+
+// {0} asks for {0, 1}, in which 0 pulls; the solution is {1}.
+const MatrixXd step = (MatrixXd(2, 2) << 1, 0, 1, 1).finished();
+const Eigen::Vector2d pull(1, 2);
+
+}  // namespace
+
+TEST_CASE("the road mends a claim that is wrong, but no claim that runs in circles", "[road]") {
+  const auto ends = [](const ContactState& state) {
+    return end_of_road(pull, step, Eigen::Vector2d::Zero(), {state});
+  };
+  const CertifiedEnd right = ends(claim(Status::Solved, Eigen::Vector2d(0, 0), {1}));
+  CHECK(right.state.report.status == Status::Solved);
+  CHECK(right.state.force == Eigen::Vector2d(0, 1.5));
+  CHECK((right.state.gap - Eigen::Vector2d(0.5, 0)).norm() < 1e-30);
+  const CertifiedEnd mended = ends(claim(Status::Solved, Eigen::Vector2d(-1, 2), {0, 1}));
+  CHECK(mended.state.report.status == Status::Solved);
+  CHECK(mended.state.active == std::vector<Eigen::Index>{1});
+  const CertifiedEnd wrong = ends(claim(Status::Solved, Eigen::Vector2d(1, 0), {0}));
+  CHECK(wrong.state.report.status == Status::Breakdown);
+  CHECK_FALSE(wrong.state.reason.empty());
+}
+
+TEST_CASE("what is proved of a corrected problem is not proved of the one that was posed",
+          "[road]") {
+  ContactState proved = claim(Status::Infeasible, Eigen::Vector2d(0, 0), {});
+  proved.infeasibility = Eigen::Vector2d(1, 1);
+  const CertifiedEnd first = end_of_road(pull, step, Eigen::Vector2d::Zero(), {proved});
+  CHECK(first.state.report.status == Status::Infeasible);
+  CHECK(first.state.infeasibility == Eigen::Vector2d(1, 1));
+  const CertifiedEnd second =
+      end_of_road(pull, step, Eigen::Vector2d::Zero(),
+                  {claim(Status::Solved, Eigen::Vector2d(1, 0), {0}), proved});
+  CHECK(second.state.report.status == Status::Breakdown);
+  CHECK(second.state.infeasibility.size() == 0);
+}
+
+TEST_CASE("pairs whose set was never confirmed are named by their numbers", "[road]") {
+  // The second pair repeats the first but is 0.5 wider: both cannot close, and it carries nothing.
+  const CertifiedEnd end =
+      end_of_road(VectorXd::Ones(1), MatrixXd::Ones(2, 1), Eigen::Vector2d(0, 0.5),
+                  {claim(Status::Solved, Eigen::Vector2d(1, 0), {0, 1})});
+  CHECK(end.state.report.status == Status::Solved);
+  CHECK(end.state.force == Eigen::Vector2d(1, 0));
+  CHECK(end.state.gap == Eigen::Vector2d(0, 0.5));
+  CHECK(end.state.active == std::vector<Eigen::Index>{0});
+}
