@@ -72,9 +72,14 @@ TEST_CASE("what is proved of a corrected problem is not proved of the one that w
           "[road]") {
   ContactState proved = claim(Status::Infeasible, Eigen::Vector2d(0, 0), {});
   proved.infeasibility = Eigen::Vector2d(1, 1);
-  const CertifiedEnd first = end_of_road(pull, step, Eigen::Vector2d::Zero(), {proved});
+  const MatrixXd walls =
+      (MatrixXd(2, 2) << 1, 0, -1, 0).finished();  // closer than the body is wide
+  const CertifiedEnd first = end_of_road(pull, walls, Eigen::Vector2d(-1, -1), {proved});
   CHECK(first.state.report.status == Status::Infeasible);
-  CHECK(first.state.infeasibility == Eigen::Vector2d(1, 1));
+  CHECK(first.state.infeasibility == VectorXd::Ones(2));
+  const CertifiedEnd feigned = end_of_road(pull, step, Eigen::Vector2d::Zero(), {proved});
+  CHECK(feigned.state.report.status == Status::Breakdown);  // A^T y is not 0
+  CHECK(feigned.state.infeasibility.size() == 0);
   const CertifiedEnd second =
       end_of_road(pull, step, Eigen::Vector2d::Zero(),
                   {claim(Status::Solved, Eigen::Vector2d(1, 0), {0}), proved});
