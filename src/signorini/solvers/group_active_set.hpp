@@ -12,6 +12,7 @@ namespace signorini {
 /// One run of the method, which may be taken up again. See quasi_active_set() and goldfarb_idnani() for the steps.
 class GroupActiveSet {
  public:
+  /// How many rows join at a time.
   enum class Pace {
     Groups,  ///< violated rows join together
     Single   ///< the most violated row is pressed until it closes
