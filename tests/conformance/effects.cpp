@@ -112,9 +112,9 @@ TEST_CASE("every effect: absent it is named as off and costs nothing, present it
       CHECK_FALSE(full.at(own).empty());
     }
   }
-  for (const auto& [name, example] : effect_examples())
+  for (const auto& example : effect_examples())
     CHECK(std::any_of(effects().begin(), effects().end(),
-                      [&](const Effect& effect) { return effect.name == name; }));
+                      [&](const Effect& effect) { return effect.name == example.first; }));
 }
 
 TEST_CASE(
