@@ -1,6 +1,5 @@
 #include "signorini/as_printed/friction_split.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "signorini/closing/complementarity_functions.hpp"

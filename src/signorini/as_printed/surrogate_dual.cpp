@@ -47,13 +47,6 @@ Confirmed without_tension(const ScaledProblem& scaled, std::vector<Index> candid
   }
 }
 
-/// Iterations 0 to 31, then 16 per doubling.
-bool is_kept(Index iteration) {
-  Index spacing = 1;
-  while (iteration / spacing >= 32) spacing *= 2;
-  return iteration % spacing == 0;
-}
-
 Iteration summary(const ScaledProblem& scaled, const WeightIteration& run) {
   const Eigen::VectorXd overlap = run.overlap().cwiseQuotient(scaled.scale);
   return {(run.weights().array() > 0).count(), (overlap.array() > 0).count(),

@@ -61,7 +61,7 @@ void begin(const ScaledProblem& problem, const Rows& support, const Closure* sta
   if (start->amplitude.size() == now.amplitude.size() && start->amplitude.allFinite())
     now.amplitude = start->amplitude;
   if (start->force.size() == now.force.size() && start->force.allFinite())
-    now.force(support) = start->force(support);
+    for (const Index j : support) now.force(j) = start->force(j);
 }
 
 /// All movements of the forces, what rounding may have done to them, and whether the equations hold.
@@ -116,8 +116,8 @@ void Closing::factor_symmetric(const ScaledProblem& problem) {
   const double tiny = 2 * static_cast<double>(rows_.size() + 1) * epsilon;
   if (!rows_.empty()) factor_ = CholeskyFactor(block);
   if (!rows_.empty() &&
-      (!factor_.positive() || (factor_.lower().diagonal().array().square() <=
-                               tiny * block.diagonal().array()).any())) {
+      (!factor_.positive() ||
+       (factor_.lower().diagonal().array().square() <= tiny * block.diagonal().array()).any())) {
     const Rows chosen = independent_rows(block, tiny);
     const MatrixXd kept = block(chosen, chosen);
     factor_ = chosen.empty() ? CholeskyFactor() : CholeskyFactor(kept);

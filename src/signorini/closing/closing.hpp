@@ -81,26 +81,26 @@ class Closing {
   std::vector<Eigen::Index> rows_;
   bool symmetric_ = true;
   bool reversed_ = false;
-  CholeskyFactor factor_;   ///< of F_WW + rho U_W U_W^T
-  Eigen::MatrixXd rigid_;   ///< U_W
-  double rho_ = 0;          ///< compliance of springs that hold the modes [-]
-  Eigen::MatrixXd held_;    ///< `k x m` orthonormal: the modes that W holds
-  Eigen::MatrixXd spread_;  ///< factor^-1 U_W held
-  CholeskyFactor schur_;    ///< of held^T U_W^T spread
-  LuFactor general_;        ///< of a system that is not symmetric
+  CholeskyFactor factor_;    ///< of F_WW + rho U_W U_W^T
+  Eigen::MatrixXd rigid_;    ///< U_W
+  double rho_ = 0;           ///< compliance of springs that hold the modes [-]
+  Eigen::MatrixXd held_;     ///< `k x m` orthonormal: the modes that W holds
+  Eigen::MatrixXd spread_;   ///< factor^-1 U_W held
+  CholeskyFactor schur_;     ///< of held^T U_W^T spread
+  LuFactor general_;         ///< of a system that is not symmetric
   Eigen::MatrixXd inverse_;  ///< its pseudo-inverse where that is singular
 };
 
 /// Forces and movements when what all pairs do is known; scaled numbers [sqrt(energy)].
 struct Closure {
-  Eigen::VectorXd force;              ///< of all rows; tension < 0 is possible
-  Eigen::VectorXd movement;           ///< of all rows: gaps, then slips; exactly 0 in `rows`
-  Eigen::VectorXd amplitude;          ///< b `k`
-  std::vector<Eigen::Index> rows;     ///< the independent rows that were closed, in increasing order
-  double force_rounding = 0;          ///< what rounding may have done to each force
+  Eigen::VectorXd force;           ///< of all rows; tension < 0 is possible
+  Eigen::VectorXd movement;        ///< of all rows: gaps, then slips; exactly 0 in `rows`
+  Eigen::VectorXd amplitude;       ///< b `k`
+  std::vector<Eigen::Index> rows;  ///< the independent rows that were closed, in increasing order
+  double force_rounding = 0;       ///< what rounding may have done to each force
   Eigen::VectorXd movement_rounding;  ///< and to each movement
-  bool solvable = false;  ///< whether `rows` are closed and U^T f = t, to rounding
-  bool reversed = false;  ///< as Closing::reversed()
+  bool solvable = false;              ///< whether `rows` are closed and U^T f = t, to rounding
+  bool reversed = false;              ///< as Closing::reversed()
 
   /// \param row  any \return whether its movement is what rounding of its terms, or of a force, can make of 0
   [[nodiscard]] bool closes(Eigen::Index row) const {
@@ -175,6 +175,14 @@ void name_slides(ContactState& state);
 ///   of held bodies without friction
 [[nodiscard]] Iteration summary(const ScaledProblem& problem, const std::vector<Motion>& motions,
                                 const Closure& closure, Eigen::Index changes);
+
+/// \param iteration  from 0
+/// \return whether the history of a long run keeps it: 0 to 31, then 16 per doubling
+[[nodiscard]] bool is_kept(Eigen::Index iteration);
+
+/// \param weight  `n_c`
+/// \return the pairs with a positive one, the largest first
+[[nodiscard]] std::vector<Eigen::Index> by_falling(const Eigen::VectorXd& weight);
 
 /// Turns scaled numbers into a state of the original problem, and withdraws a claim that the problem as it was
 /// posed does not confirm: scaling back is rounded, which dependent pairs with large forces can notice.

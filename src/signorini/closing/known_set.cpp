@@ -1,10 +1,8 @@
 // What the motions of pairs mean, and what numbers say of them.
 #include <algorithm>
-#include <cmath>
 
 #include "signorini/closing/closing.hpp"
 #include "signorini/closing/proofs.hpp"
-#include "signorini/core/rounding.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -51,7 +49,8 @@ std::vector<Motion> motions_of(const std::vector<Index>& active, Index pairs) {
 
 std::vector<Motion> all_motions(const ContactState& state) {
   std::vector<Motion> motions = motions_of(state.active, state.force.size());
-  for (std::size_t k = 0; k < state.motion.size(); ++k) motions[at(state.rubbing[k])] = state.motion[k];
+  for (std::size_t k = 0; k < state.motion.size(); ++k)
+    motions[at(state.rubbing[k])] = state.motion[k];
   return motions;
 }
 
@@ -81,9 +80,9 @@ Index predict(const ScaledProblem& problem, const Closure& closure, double reach
     const Index row = static_cast<Index>(k);
     const double mu = problem.law.coefficient(row);
     const double bound = mu * std::max(pressed(i), 0.0) + reach * problem.law.cohesion(row);
-    motions[at(i)] = rubbing(last[at(i)], reach * closure.force(pairs + row),
-                             closure.movement(pairs + row), bound, (1 + mu) * force_rounding,
-                             rounding(pairs + row));
+    motions[at(i)] =
+        rubbing(last[at(i)], reach * closure.force(pairs + row), closure.movement(pairs + row),
+                bound, (1 + mu) * force_rounding, rounding(pairs + row));
   }
   Index changes = 0;
   for (std::size_t i = 0; i < motions.size(); ++i) changes += motions[i] != last[i] ? 1 : 0;
@@ -98,15 +97,12 @@ bool solves(const ScaledProblem& problem, const std::vector<Motion>& motions,
     if (!closure.closes(row)) return false;
   const Index pairs = problem.pairs();
   const Index slips = closure.force.size() - pairs;
-  ContactState state{closure.force.head(pairs).cwiseMax(0.0),
-                     closure.movement.head(pairs).cwiseMax(0.0),
-                     {},
-                     {},
-                     {},
-                     closure.force.tail(slips),
-                     closure.movement.tail(slips),
-                     {},
-                     closure.amplitude};
+  ContactState state;
+  state.force = closure.force.head(pairs).cwiseMax(0.0);
+  state.gap = closure.movement.head(pairs).cwiseMax(0.0);
+  state.friction = closure.force.tail(slips);
+  state.slip = closure.movement.tail(slips);
+  state.amplitude = closure.amplitude;
   // Its bound is 1e-12; in the units of the problem every number is rounded once more.
   return certify(as_posed(problem), state).holds(0.25e-12);
 }
@@ -141,6 +137,21 @@ Iteration summary(const ScaledProblem& problem, const std::vector<Motion>& motio
   if (problem.rigid.cols() == 0 && problem.law.pair.empty())
     entry.dual_energy = -0.5 * closure.force.dot(problem.free + closure.movement);
   return entry;
+}
+
+bool is_kept(Index iteration) {
+  Index spacing = 1;
+  while (iteration / spacing >= 32) spacing *= 2;
+  return iteration % spacing == 0;
+}
+
+std::vector<Index> by_falling(const VectorXd& weight) {
+  std::vector<Index> order;
+  for (Index i = 0; i < weight.size(); ++i)
+    if (weight(i) > 0) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index i, Index j) { return weight(i) > weight(j); });
+  return order;
 }
 
 ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,

@@ -1,7 +1,5 @@
 #include "signorini/contact/dual_basis.hpp"
 
-#include <cmath>
-
 namespace signorini {
 namespace {
 

@@ -1,6 +1,6 @@
 #include "signorini/contact/gap_operators.hpp"
 
-#include "signorini/core/errors.hpp"
+#include "signorini/core/family.hpp"
 
 namespace signorini {
 
@@ -18,12 +18,7 @@ const std::vector<GapOperator>& gap_operators() {
 }
 
 const GapOperator& find_gap_operator(const std::string& name) {
-  std::string known;
-  for (const GapOperator& member : gap_operators()) {
-    if (member.name == name) return member;
-    known += (known.empty() ? "" : ", ") + std::string(member.name);
-  }
-  throw ProblemError(text("there is no gap operator '", name, "'; known: ", known));
+  return find_member(gap_operators(), name, "gap operator");
 }
 
 }  // namespace signorini

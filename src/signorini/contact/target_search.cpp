@@ -1,7 +1,6 @@
 #include "signorini/contact/target_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 

@@ -1,6 +1,6 @@
 #include "signorini/elasticity/elements.hpp"
 
-#include "signorini/core/errors.hpp"
+#include "signorini/core/family.hpp"
 
 namespace signorini {
 
@@ -15,12 +15,7 @@ const std::vector<Element>& elements() {
 }
 
 const Element& find_element(const std::string& name) {
-  std::string known;
-  for (const Element& element : elements()) {
-    if (element.name == name) return element;
-    known += (known.empty() ? "" : ", ") + std::string(element.name);
-  }
-  throw ProblemError(text("unknown element '", name, "'; known elements: ", known));
+  return find_member(elements(), name, "element");
 }
 
 }  // namespace signorini

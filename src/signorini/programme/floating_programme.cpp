@@ -1,8 +1,6 @@
 #include "signorini/programme/floating_programme.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
@@ -92,8 +90,7 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
       condensed.problem, condensed.free_displacement,
       [&](const VectorXd& load) { return VectorXd(condensed.factor.solve(load)); }};
   Ledger ledger;
-  CertifiedEnd end =
-      certified_end(sparse(programme), small, null_vectors, solver, options, ledger);
+  CertifiedEnd end = certified_end(sparse(programme), small, null_vectors, solver, options, ledger);
   FloatingSolution solution;
   DenseSolution& dense = solution.dense;
   dense.report = std::move(end.state.report);
@@ -104,9 +101,9 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
   dense.refined = std::move(end.solution);
   if (dense.refined.displacement.size() > 0)
     solution.amplitude = least_norm_solution(
-        null_vectors, dense.refined.displacement -
-                          condensed.factor.solve(programme.load - programme.A.transpose() *
-                                                                      dense.refined.force));
+        null_vectors,
+        dense.refined.displacement -
+            condensed.factor.solve(programme.load - programme.A.transpose() * dense.refined.force));
   solution.escape = std::move(end.state.escape);
   if (dense.report.status == Status::Solved) dense.gap(dense.active).setZero();
   return solution;

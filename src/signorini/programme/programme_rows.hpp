@@ -2,7 +2,6 @@
 /// The rows of a dense programme as a basis of closed rows needs them: condensed one by one, on demand.
 #pragma once
 #include <Eigen/Core>
-#include <vector>
 
 #include "signorini/closing/closed_basis.hpp"
 #include "signorini/core/dense.hpp"

@@ -1,7 +1,6 @@
 #include "signorini/programme/rigid_modes.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"

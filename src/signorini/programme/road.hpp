@@ -3,8 +3,6 @@
 #pragma once
 #include <Eigen/Core>
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "signorini/core/ledger.hpp"
 #include "signorini/programme/refine.hpp"
@@ -24,7 +22,8 @@ struct CondensedProgramme {
 /// be refined, or empty if none could.
 struct CertifiedEnd {
   PrimalDual solution;  ///< u in two parts, and the forces of all rows of A
-  ContactState state;   ///< the same forces, gaps, slips and amplitudes, what the pairs do, and the report
+  ContactState
+      state;  ///< the same forces, gaps, slips and amplitudes, what the pairs do, and the report
   Certificate certificate = uncertified();  ///< of `solution`, from the original data
 };
 

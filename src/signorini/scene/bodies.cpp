@@ -1,6 +1,5 @@
 #include "signorini/scene/bodies.hpp"
 
-#include <algorithm>
 #include <limits>
 
 #include "signorini/core/dense.hpp"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/family.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/solvers/solvers.hpp"

@@ -16,23 +16,13 @@ namespace {
 
 using Eigen::Index;
 
-/// Pairs in the order of falling weight, those without weight left out.
-std::vector<Index> by_weight(const Eigen::VectorXd& weight) {
-  std::vector<Index> order;
-  for (Index i = 0; i < weight.size(); ++i)
-    if (weight(i) > 0) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index i, Index j) { return weight(i) > weight(j); });
-  return order;
-}
-
 /// The proof that nothing solves a problem, if forces in a ratio of these give one; otherwise empty.
 Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direction) {
   // Some of the smallest entries may be rounding; they are left out digit by digit.
   for (double small = std::numeric_limits<double>::epsilon(); small < 1; small *= 10) {
     const double least = small * direction.maxCoeff();
     std::vector<Index> support =
-        by_weight(direction.unaryExpr([=](double x) { return x > least ? x : 0; }));
+        by_falling(direction.unaryExpr([=](double x) { return x > least ? x : 0; }));
     if (support.empty()) break;
     const Index pair = support.front();
     support.erase(support.begin());
@@ -63,12 +53,11 @@ End closed_basis(const ScaledProblem& scaled, const Dictionary& dictionary, Repo
   std::sort(active.begin(), active.end());
   End end{close(scaled, KnownSet{active}), motions_of(active, n), std::move(report)};
   end.report.factorisations = active.empty() ? 0 : 1;
-  end.report.status =
-      solves(scaled, end.motions, end.closure) ? Status::Solved : Status::Breakdown;
+  end.report.status = solves(scaled, end.motions, end.closure) ? Status::Solved : Status::Breakdown;
   if (end.report.status == Status::Solved || !scaled.symmetric) return end;
   // Rounding took a pair that touches without force into the basis, or one that depends on the others.
   if (end.closure.solvable && end.closure.rows.size() == active.size()) force = end.closure.force;
-  if (auto found = confirmed(scaled, by_weight(force))) {
+  if (auto found = confirmed(scaled, by_falling(force))) {
     end.report.status = Status::Solved;
     std::tie(end.closure, end.motions) = std::move(*found);
     return end;
@@ -94,7 +83,7 @@ End last_point(const ScaledProblem& scaled, const Dictionary& dictionary, Index 
     last.closure.force(force) = std::max(dictionary.value()(i), 0.0);
   }
   last.closure.movement = scaled.free + scaled.compliance * last.closure.force;
-  last.motions = motions_of(by_weight(last.closure.force), n);
+  last.motions = motions_of(by_falling(last.closure.force), n);
   return last;
 }
 
@@ -119,8 +108,7 @@ End pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index 
   const Index n = scaled.free.size();
   Report report;
   Dictionary dictionary(scaled, covering);
-  if (n == 0 || (scaled.free.array() >= 0).all())
-    return closed_basis(scaled, dictionary, report);
+  if (n == 0 || (scaled.free.array() >= 0).all()) return closed_basis(scaled, dictionary, report);
   Index entering = dictionary.artificial();
   Index row = dictionary.first_row();
   while (true) {

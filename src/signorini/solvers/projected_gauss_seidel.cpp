@@ -1,7 +1,6 @@
 #include "signorini/solvers/projected_gauss_seidel.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "signorini/closing/closing.hpp"
 
@@ -10,13 +9,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-/// Sweeps 0 to 31, then every second one, every fourth from 64 on, and so on.
-bool is_kept(Index sweep) {
-  Index spacing = 1;
-  while (sweep / spacing >= 32) spacing *= 2;
-  return sweep % spacing == 0;
-}
 
 /// Sweeps over all pairs until the set of those with a force can be closed exactly.
 class Sweeps {
@@ -41,7 +33,7 @@ class Sweeps {
       // A set that could not be closed is tried again now and then: the order of its forces matters.
       const bool power_of_two = (unchanged & (unchanged - 1)) == 0;
       if (!last && (unchanged == 0 || !power_of_two)) continue;
-      const std::vector<Index> candidates = by_force();
+      const std::vector<Index> candidates = by_falling(force_);
       report_.factorisations += candidates.empty() ? 0 : 1;
       if (Confirmed found = confirmed(problem_, candidates)) {
         report_.status = Status::Solved;
@@ -78,16 +70,6 @@ class Sweeps {
     report_.history.push_back({(force_.array() > 0).count(),
                                ((gap_.array() < 0) && (force_.array() == 0)).count(), overlap, 0,
                                -0.5 * force_.dot(problem_.free + gap_)});
-  }
-
-  /// Pairs with a force, the largest first.
-  [[nodiscard]] std::vector<Index> by_force() const {
-    std::vector<Index> order;
-    for (Index i = 0; i < force_.size(); ++i)
-      if (force_(i) > 0) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index i, Index j) { return force_(i) > force_(j); });
-    return order;
   }
 
   const ScaledProblem& problem_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "signorini/core/errors.hpp"
+#include "signorini/core/family.hpp"
 
 namespace signorini {
 
@@ -87,18 +87,8 @@ const std::vector<Solver>& friction_solvers() {
   return members;
 }
 
-std::string names_of(const std::vector<Solver>& family) {
-  std::string names;
-  for (const Solver& solver : family)
-    names += (names.empty() ? "" : ", ") + std::string(solver.name);
-  return names;
-}
-
 const Solver& find_solver(const std::string& name) {
-  for (const Solver& solver : all_solvers())
-    if (solver.name == name) return solver;
-  throw ProblemError(
-      text("unknown solver '", name, "'; known solvers: ", names_of(all_solvers())));
+  return find_member(all_solvers(), name, "solver");
 }
 
 }  // namespace signorini

@@ -48,7 +48,8 @@ struct Solver {
   /// Asymmetric throws for such a matrix.
   std::vector<Trait> may_fail = {};
   Takes friction = Takes::No;  ///< whether it takes slips
-  bool rigid_modes = false;    ///< whether it takes rigid modes itself, or needs the springs of solve()
+  bool rigid_modes =
+      false;  ///< whether it takes rigid modes itself, or needs the springs of solve()
   /// The same from K, p, A and g to the refined end, or null: then the programme is condensed.
   DenseSolution (*solve_programme)(const DenseProgramme& programme,
                                    const SolverOptions& options) = nullptr;
@@ -82,10 +83,6 @@ struct Solver {
 
 /// \return the members that take friction, the one to use first
 [[nodiscard]] const std::vector<Solver>& friction_solvers();
-
-/// \param family  members
-/// \return their names, with commas
-[[nodiscard]] std::string names_of(const std::vector<Solver>& family);
 
 /// Looks up a member.
 /// \param name  of the solver

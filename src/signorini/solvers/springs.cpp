@@ -7,6 +7,7 @@
 
 #include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/family.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {
@@ -67,8 +68,7 @@ ContactState solve_on_springs(const ContactProblem& problem, const Solver& solve
     if (auto end = confirmed(scaled, by_force(now), &last)) {
       Report solved = report;
       solved.status = Status::Solved;
-      ContactState state =
-          finished(problem, scaled, end->first, end->second, std::move(solved));
+      ContactState state = finished(problem, scaled, end->first, end->second, std::move(solved));
       if (state.report.status == Status::Solved) return state;
     }
     if (report.status != Status::Solved) break;
@@ -95,8 +95,7 @@ ContactState solve(const ContactProblem& problem, const Solver& solver,
   if (!floats || solver.rigid_modes || !problem.law.pair.empty()) {
     ContactState state = solver.solve(problem, options);
     const Status status = state.report.status;
-    if (!floats || !problem.law.pair.empty() || status == Status::Solved ||
-        state.escape.size() > 0)
+    if (!floats || !problem.law.pair.empty() || status == Status::Solved || state.escape.size() > 0)
       return state;
     return solve_on_springs(problem, solver, options, std::move(state.report));
   }
