@@ -9,7 +9,7 @@
 #include "problems.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/traction.hpp"
+#include "signorini/elasticity/stress.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/solvers.hpp"

@@ -9,6 +9,7 @@
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace {
 
@@ -44,7 +45,7 @@ void second_table(const ProgramOptions& run, Results& results, const HertzRun& o
   results.add("modulus", example.theory().modulus, "MPa");
   results.add("q_fit_error", ours.q_error, "%");
   results.add("b_m2_error", ours.b_error, "%");
-  results.add("nodes", static_cast<double>(example.mesh.n_nodes()), "-");
+  results.add("nodes", static_cast<double>(count_nodes(ours.run.model.bodies)), "-");
   const double sum = std::accumulate(ours.force.begin(), ours.force.end(), 0.0);
   results.add("resultant", 2 * sum, "N/mm");
 }
@@ -110,7 +111,7 @@ void refinement(const ProgramOptions& run, const std::vector<HertzRun>& runs) {
     const LargestShear exact = hertz_largest_shear(out.now.theory());
     for (const std::size_t body : {0, 1}) {
       const LargestShear got = along_axis(out.run, body).largest;
-      shear.row({std::to_string(out.now.mesh.n_nodes()), number(out.now.load, "%.4g"),
+      shear.row({std::to_string(count_nodes(out.run.model.bodies)), number(out.now.load, "%.4g"),
                  out.run.model.bodies[body].mesh.name,
                  number(got.depth / hertz_half_width(out.now.theory()), "%.4f"),
                  number(100 * (got.depth / exact.depth - 1), "%+.2f"),
@@ -119,7 +120,7 @@ void refinement(const ProgramOptions& run, const std::vector<HertzRun>& runs) {
     }
   };
   for (const HertzRun& out : runs) {
-    table.row({std::to_string(out.now.mesh.n_nodes()), number(b / out.x[1], "%.1f"),
+    table.row({std::to_string(count_nodes(out.run.model.bodies)), number(b / out.x[1], "%.1f"),
                std::to_string(out.run.solution.contact.report.iterations), percent(out.q_error),
                percent(out.b_error), number(pressure_error(out), "%.3f"),
                number(sinking(out.run, 1), "%.5f")});

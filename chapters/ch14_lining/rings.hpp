@@ -7,7 +7,7 @@
 
 #include "signorini/closed_form/moduli.hpp"
 #include "signorini/closed_form/rings.hpp"
-#include "signorini/mesh/annulus.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch14 {

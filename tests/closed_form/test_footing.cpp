@@ -119,42 +119,6 @@ TEST_CASE("rigid strip: the stress below is that of all line loads", "[footing]"
   CHECK_THROWS_WITH(rigid_strip_stress(paper, a, 0), ContainsSubstring("edges"));
 }
 
-TEST_CASE("uniform strip: stress and settlement are those of all line loads", "[footing]") {
-  const auto uniform = [](double) { return q; };
-  const auto none = [](double) { return 0.0; };
-  for (const auto& [x, z] : {std::pair{0., 1.}, {0.8, 0.4}, {-1.5, 0.3}, {2.5, 1.}, {0.1, 0.05}}) {
-    CAPTURE(x, z);
-    const double middle = std::min(std::max(x, -0.99 * a), 0.99 * a);
-    CHECK(
-        (uniform_strip_stress(a, q, x, z) - quadrature::below(uniform, none, x, z, {-a, middle, a}))
-            .norm() < 1e-10);
-    CHECK(quadrature::residual([](double u, double v) { return uniform_strip_stress(a, q, u, -v); },
-                               x, -z, 1e-4) < 1e-2);
-  }
-  const double z = 0.8 * a;
-  CHECK(uniform_strip_stress(a, q, 0, z)[1] ==
-        Approx(-2 * q / pi * (std::atan(a / z) + a * z / (a * a + z * z))).epsilon(1e-14));
-  CHECK(uniform_strip_stress(a, q, 0.5, 0)[1] == Approx(-q).epsilon(1e-14));
-  CHECK(uniform_strip_stress(a, q, 2, 0).norm() < 1e-14);
-  CHECK(uniform_strip_settlement(a, q, modulus, a) ==
-        Approx(4 * std::log(2) * q * a / (pi * modulus)).epsilon(1e-14).margin(0));
-  CHECK(uniform_strip_settlement(a, q, modulus, a) == Approx(0.931e-3).epsilon(1e-3));
-  for (const double x : {0.0, 0.7, -1.2, 4.0}) {
-    CAPTURE(x);
-    const double inside = std::min(std::max(x, -a), a);
-    std::vector<double> points{-a, inside, a};
-    const auto logarithms = [&](double at, const std::vector<double>& pieces) {
-      return quadrature::integral([&](double s) { return q * std::log(std::abs(at - s)); }, pieces);
-    };
-    CHECK(uniform_strip_settlement(a, q, modulus, x) ==
-          Approx(2 / (pi * modulus) * (logarithms(x, points) - logarithms(0, {-a, 0, a})))
-              .epsilon(1e-9)
-              .margin(1e-15));
-  }
-  CHECK_THROWS_AS(uniform_strip_stress(0, 1, 0, 1), std::invalid_argument);
-  CHECK_THROWS_AS(uniform_strip_settlement(1, 1, 0, 1), std::invalid_argument);
-}
-
 TEST_CASE("flexible strip: the quoted pressures solve the equation of plate and half-plane",
           "[footing]") {
   for (const FlexibleStrip& each : flexible_strips) {

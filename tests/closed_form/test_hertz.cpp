@@ -11,7 +11,6 @@ using quadrature::pi;
 namespace {
 
 const double body_modulus = plane_strain_modulus(4000, 0.35);
-const double body_ratio = plane_strain_ratio(0.35);
 /// The cylinder and the plate of the paper [N, mm].
 const LineContact paper{50, contact_modulus(body_modulus, body_modulus), 41.76};
 const double b = hertz_half_width(paper);
@@ -46,20 +45,6 @@ TEST_CASE("Hertz: the pressure sums to the load and bends the surfaces together"
         2 / (pi * paper.modulus) * quadrature::principal_value(pressure, x, {-b, b});
     CHECK(slope == Approx(x / paper.radius).epsilon(1e-9).margin(0));
   }
-  for (const double x : {1.2 * b, 2 * b, -5 * b}) {
-    CAPTURE(x);
-    // outside the gap opens at the slope of the parabola less that of the surfaces
-    const double opened = quadrature::integral(
-        [&](double s) {
-          const double sunk =
-              2 / (pi * paper.modulus) *
-              quadrature::integral([&](double t) { return pressure(t) / (s - t); }, -b, b);
-          return s / paper.radius - sunk;
-        },
-        b, std::abs(x));
-    CHECK(hertz_gap(paper, x) == Approx(opened).epsilon(1e-6).margin(0));
-  }
-  CHECK(hertz_gap(paper, 0.9 * b) == 0);
 }
 
 TEST_CASE("Hertz: the stress below is that of all line loads, in equilibrium and compatible",
@@ -105,26 +90,6 @@ TEST_CASE("Hertz: the largest shear is where the golden ratio says", "[hertz]") 
   CHECK(hertz_stress(paper, std::sqrt(0.75) * b, 0.5 * b)[2] == Approx(q0 / 4).epsilon(1e-14));
 }
 
-TEST_CASE("Hertz: how far the contact moves is the strain summed over the depth", "[hertz]") {
-  for (const double d : {0.0, 0.5 * b, 3 * b, 200 * b}) {
-    CAPTURE(d);
-    const double strain = quadrature::integral(
-        [](double z) {
-          const Eigen::Vector3d s = hertz_stress(paper, 0, z);
-          return (body_ratio * s[0] - s[1]) / body_modulus;
-        },
-        {0, d / 100, d / 10, d});
-    CHECK(half_plane_approach(paper, body_modulus, body_ratio, d) ==
-          Approx(strain).epsilon(1e-12).margin(1e-18));
-  }
-  const double d = 200 * b;  // the book's formula for a large depth, to (b/d)^2
-  CHECK(half_plane_approach(paper, body_modulus, body_ratio, d) ==
-        Approx(41.76 / (pi * body_modulus) * (2 * std::log(2 * d / b) - body_ratio))
-            .epsilon(1e-5)
-            .margin(0));
-  CHECK(disc_approach(paper, body_modulus, 50) == Approx(0.0275355).epsilon(1e-5).margin(0));
-}
-
 TEST_CASE("Hertz: published contacts", "[hertz]") {
   const LineContact roller{
       50, contact_modulus(plane_strain_modulus(210000, 0.3), plane_strain_modulus(70000, 0.3)),
@@ -133,6 +98,6 @@ TEST_CASE("Hertz: published contacts", "[hertz]") {
   CHECK(hertz_peak_pressure(roller) == Approx(3585.36).epsilon(1e-6).margin(0));
   CHECK_THROWS_WITH(hertz_half_width({1, 1, 0}), ContainsSubstring("force must be positive"));
   CHECK_THROWS_WITH(hertz_stress(paper, 0, -1), ContainsSubstring("depth must not be negative"));
+  CHECK(disc_approach(paper, body_modulus, 50) == Approx(0.0275355).epsilon(1e-5).margin(0));
   CHECK_THROWS_AS(disc_approach(paper, 0, 1), std::invalid_argument);
-  CHECK_THROWS_AS(half_plane_approach(paper, 1, 0, -1), std::invalid_argument);
 }

@@ -3,7 +3,7 @@
 #include "catch_compat.hpp"
 #include "signorini/contact/node_to_segment.hpp"
 #include "signorini/elasticity/assembly.hpp"
-#include "signorini/mesh/annulus.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "support/interfaces.hpp"
 #include "support/message.hpp"
 

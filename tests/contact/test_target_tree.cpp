@@ -3,8 +3,8 @@
 
 #include "catch_compat.hpp"
 #include "signorini/contact/target_search.hpp"
-#include "signorini/mesh/annulus.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "support/random.hpp"
 
 using Eigen::Index;

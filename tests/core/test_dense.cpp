@@ -101,16 +101,6 @@ TEST_CASE("copies of a factor outlive the original", "[dense]") {
   CHECK((cholesky.solve(Eigen::Vector2d(2, 4)) - Eigen::Vector2d(1, 2)).norm() < 1e-15);
 }
 
-TEST_CASE("the triangle of a QR factor keeps the products of the columns", "[dense]") {
-  const Index rows = GENERATE(2, 4, 9);  // fewer, as many and more rows than columns
-  CAPTURE(rows);
-  const MatrixXd A = random_matrix(rows, 4, 6);
-  const MatrixXd R = qr_triangle(A);
-  CHECK(R.rows() == std::min<Index>(rows, 4));
-  CHECK(R.isUpperTriangular(0));
-  CHECK((R.transpose() * R - A.transpose() * A).norm() < rounding);
-}
-
 TEST_CASE("the span of dependent columns", "[dense]") {
   const MatrixXd A = of_rank_two(5);
   const ColumnSpan span = column_span(A);

@@ -1,5 +1,5 @@
 #include "catch_compat.hpp"
-#include "signorini/elasticity/traction.hpp"
+#include "signorini/elasticity/stress.hpp"
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/mesh/annulus.hpp"
 #include "signorini/mesh/plate_with_hole.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "support/message.hpp"
 
 using Eigen::Index;

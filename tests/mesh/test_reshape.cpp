@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/mesh/annulus.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/message.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/annulus.hpp"
 #include "signorini/mesh/disc.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "support/far.hpp"
 #include "support/message.hpp"
 #include "support/random_scenes.hpp"

@@ -4,7 +4,7 @@
 #include "catch_compat.hpp"
 #include "reference/pin.hpp"
 #include "signorini/closed_form/pin.hpp"
-#include "signorini/mesh/annulus.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "catch_compat.hpp"
 #include "signorini/elasticity/stress.hpp"
-#include "signorini/mesh/annulus.hpp"
 #include "signorini/mesh/reshape.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/lining.hpp"
 

@@ -14,6 +14,12 @@ namespace signorini_test {
 /// Load per thickness on the whole cylinder [N/mm].
 inline constexpr double hertz_load = 41.76;
 
+/// \return number of nodes of both meshes
+inline Eigen::Index n_nodes(const signorini::HertzMeshSpec& spec) {
+  const signorini::HertzMeshes meshes = signorini::make_hertz_meshes(spec);
+  return meshes.disc.n_nodes() + meshes.plate.n_nodes();
+}
+
 /// The example; lengths in mm and forces in N, unless `length` and `force` choose other units.
 struct HertzProblem {
   signorini::HertzMeshSpec mesh = {};

@@ -4,7 +4,7 @@
 
 #include "signorini/closed_form/moduli.hpp"
 #include "signorini/closed_form/rings.hpp"
-#include "signorini/mesh/annulus.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini_test {

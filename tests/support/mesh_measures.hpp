@@ -46,6 +46,16 @@ inline double length_of(const signorini::Mesh& mesh, const std::string& name) {
   return length;
 }
 
+/// How many nodes a mesh without holes has if no two are in one place: by Euler, corners - sides + cells = 1.
+inline Eigen::Index nodes_if_joined(const signorini::Mesh& mesh,
+                                    const std::vector<std::string>& rim) {
+  Eigen::Index ends = 4 * mesh.n_cells();  // every side inside has two cells
+  for (const std::string& name : rim)
+    ends += static_cast<Eigen::Index>(signorini::boundary(mesh, name).size());
+  const Eigen::Index corners = 1 + ends / 2 - mesh.n_cells();
+  return mesh.cells.cols() == 8 ? corners + ends / 2 : corners;
+}
+
 /// Whether the boundaries in this order are one walk once round, each side beginning where the last
 /// one ended, round an area that is that of all cells: so the body is to the left, and nothing of
 /// its rim is missing.

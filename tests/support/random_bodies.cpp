@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "signorini/mesh/annulus.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/disc.hpp"
 #include "signorini/mesh/half_space.hpp"
 #include "signorini/mesh/reshape.hpp"
+#include "signorini/mesh/ring.hpp"
 
 namespace signorini_test {
 

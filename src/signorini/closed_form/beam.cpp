@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -78,16 +79,12 @@ BeamContact timoshenko(const BeamOnFoundation& beam) {
     const double tip = std::max(0.0, (free_tip - beam.gap) / softness);
     return {l, tip, tip};
   }
-  double low = 0;
-  double high = l;
-  while (true) {
-    const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high) break;
-    (touch_at(section, l, middle).deflection < beam.gap ? low : high) = middle;
-  }
-  const TouchAt touch = touch_at(section, l, high);
+  const double s = bisected(0, l, [&](double at) {
+                     return touch_at(section, l, at).deflection < beam.gap;
+                   }).second;
+  const TouchAt touch = touch_at(section, l, s);
   const double lambda = std::sqrt(section.bending / section.shear);
-  return {high, section.load * l - touch.clamp_shear, touch.shear / std::cosh((l - high) / lambda)};
+  return {s, section.load * l - touch.clamp_shear, touch.shear / std::cosh((l - s) / lambda)};
 }
 
 double timoshenko_pressure(const BeamOnFoundation& beam, double x) {

@@ -4,11 +4,10 @@
 #include <complex>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 void check(const SqueezedDisc& disc) {
   require(disc.radius > 0 && disc.force > 0, "disc: radius and force must be positive, got ",
@@ -23,19 +22,23 @@ double brazilian_strength(const SqueezedDisc& disc) {
   return 2 * disc.force / (pi * d);
 }
 
-Eigen::Vector3d line_loaded_disc_stress(const SqueezedDisc& disc, double x, double y) {
-  const double uniform = brazilian_strength(disc);
+Eigen::Vector3d line_loaded_disc_stress(const SqueezedDisc& disc, double x, double y,
+                                        double offset) {
+  const double strength = brazilian_strength(disc);
   const double R = disc.radius;
+  require(std::abs(offset) < R && std::hypot(x, y) <= R * (1 + 1e-12), "disc of radius ", R,
+          ": loads at x = ", offset, " or the point (", x, ", ", y, ") lie outside");
+  const double half = std::sqrt((R - offset) * (R + offset));
+  const double uniform = strength * half / R;
   Eigen::Vector3d stress(uniform, uniform, 0);
   for (const double side : {1.0, -1.0}) {
-    const double depth = R - side * y;
-    const double r = std::hypot(x, depth);
-    require(r > 0 && std::hypot(x, y) <= R * (1 + 1e-12), "disc of radius ", R, ": the point (", x,
-            ", ", y, ") lies outside or under a load");
-    const double sine = x / r;
-    const double cosine = depth / r;
-    const double radial = -2 * disc.force / pi * cosine / r;  // all the stress of a line load
-    stress += radial * Eigen::Vector3d(sine * sine, cosine * cosine, -side * sine * cosine);
+    const double across = x - offset;
+    const double depth = half - side * y;
+    const double r2 = across * across + depth * depth;
+    require(r2 > 0, "disc of radius ", R, ": the point (", x, ", ", y, ") lies under a load");
+    const double radial =
+        -2 * disc.force / pi * depth / (r2 * r2);  // all the stress of a line load
+    stress += radial * Eigen::Vector3d(across * across, depth * depth, -side * across * depth);
   }
   return stress;
 }

@@ -31,13 +31,19 @@ struct SqueezedDisc {
 ///                 \frac{\sin\theta_2 \cos^2\theta_2}{r_2}\Big), \f]
 /// each the field of a line load on a half-plane, and a uniform tension that frees the rim. The
 /// paper has tension < 0, and a plus in the shear, which is right for angles in one sense of rotation.
-/// \param disc  with its load
-/// \param x     across the loaded diameter, from the centre [length]
-/// \param y     along it [length]
+///
+/// Loads on a chord, at \f$ (x_0, \pm\sqrt{R^2 - x_0^2}) \f$, leave on the rim the pressure
+/// \f$ P \cos\alpha / (\pi R),\ R \sin\alpha = x_0 \f$, equal everywhere since a chord is seen from all points
+/// of a circle at one angle: the uniform tension is then \f$ P \cos\alpha / (\pi R) \f$.
+/// \param disc    with its load
+/// \param x       across the loads, from the centre [length]
+/// \param y       along them [length]
+/// \param offset  x_0 of the chord [length], inside of the disc
 /// \return (xx, yy, xy) [force/length^2]
-/// \throws std::invalid_argument as brazilian_strength(), or if the point is outside of the disc or
-///   under a load
-[[nodiscard]] Eigen::Vector3d line_loaded_disc_stress(const SqueezedDisc& disc, double x, double y);
+/// \throws std::invalid_argument as brazilian_strength(), or if the point or the chord is outside of the disc or
+///   the point under a load
+[[nodiscard]] Eigen::Vector3d line_loaded_disc_stress(const SqueezedDisc& disc, double x, double y,
+                                                      double offset = 0);
 
 /// Stress if each load is a uniform pressure on the arc 2 alpha about its point: Hondros
 /// [\ref Hondros1959], whose series in powers of (r/R)^2 is summed here.

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 /// sqrt(max(0, 1 - x^2 / b^2)) - (c / b) sqrt(max(0, 1 - x^2 / c^2))
 double shape(double b, double c, double x) {

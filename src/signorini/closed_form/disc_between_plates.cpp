@@ -4,13 +4,9 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
-namespace {
-
-const double pi = std::acos(-1.0);
-
-}  // namespace
 
 Eigen::Vector3d loaded_diameter_stress(const LineContact& plate, double disc, double depth) {
   require(depth >= 0 && depth <= disc, "disc of radius ", disc, ": no depth of ", depth);
@@ -20,34 +16,10 @@ Eigen::Vector3d loaded_diameter_stress(const LineContact& plate, double disc, do
 }
 
 double tension_depth(const LineContact& plate, double disc) {
-  double low = 0;
-  double high = disc;
-  require(loaded_diameter_stress(plate, disc, high)[0] > 0, "disc of radius ", disc,
+  const auto across = [&](double depth) { return loaded_diameter_stress(plate, disc, depth)[0]; };
+  require(across(disc) > 0, "disc of radius ", disc,
           ": compressed up to the centre, the contact is too wide for the theory");
-  while (true) {
-    const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high) return high;
-    (loaded_diameter_stress(plate, disc, middle)[0] < 0 ? low : high) = middle;
-  }
-}
-
-Eigen::Vector3d chord_loaded_disc_stress(const SqueezedDisc& disc, double offset, double x,
-                                         double y) {
-  const double R = disc.radius;
-  require(std::abs(offset) < R && std::hypot(x, y) <= R * (1 + 1e-12), "disc of radius ", R,
-          ": a chord at ", offset, " or the point (", x, ", ", y, ") lies outside");
-  const double half = std::sqrt((R - offset) * (R + offset));
-  const double uniform = brazilian_strength(disc) * half / R;
-  Eigen::Vector3d stress(uniform, uniform, 0);
-  for (const double side : {1.0, -1.0}) {
-    const double across = x - offset;
-    const double depth = half - side * y;
-    const double r2 = across * across + depth * depth;
-    require(r2 > 0, "disc of radius ", R, ": the point (", x, ", ", y, ") lies under a load");
-    const double radial = -2 * disc.force / pi * depth / (r2 * r2);
-    stress += radial * Eigen::Vector3d(across * across, depth * depth, -side * across * depth);
-  }
-  return stress;
+  return bisected(0, disc, [&](double depth) { return across(depth) < 0; }).second;
 }
 
 Eigen::Vector3d plate_loaded_disc_stress(const LineContact& plate, double disc, double x,
@@ -69,7 +41,7 @@ Eigen::Vector3d plate_loaded_disc_stress(const LineContact& plate, double disc, 
     const double angle = k * pi / (n + 1);
     // 2/pi of the weights, whose sum is pi/2: shares of P
     const double share = 2.0 / (n + 1) * std::sin(angle) * std::sin(angle);
-    stress += chord_loaded_disc_stress({disc, share * plate.force}, b * std::cos(angle), x, y);
+    stress += line_loaded_disc_stress({disc, share * plate.force}, x, y, b * std::cos(angle));
   }
   return stress;
 }

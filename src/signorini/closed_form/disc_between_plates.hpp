@@ -38,22 +38,8 @@ namespace signorini {
 /// \throws std::invalid_argument as hertz_stress(), or if even the centre of the disc is compressed
 [[nodiscard]] double tension_depth(const LineContact& plate, double disc);
 
-/// Stress under two line loads along the chord at x = offset: line_loaded_disc_stress() with the
-/// loads at \f$ (x_0, \pm\sqrt{R^2 - x_0^2}) \f$ [\ref TimoshenkoGoodier1970].
-///
-/// The two fields leave on the rim the pressure \f$ P \cos\alpha / (\pi R),\ R \sin\alpha = x_0 \f$,
-/// equal everywhere since a chord is seen from all points of a circle at one angle.
-/// \param disc    with its load
-/// \param offset  x_0 of the chord [length], inside of the disc
-/// \param x       from the centre [length]
-/// \param y       along the load, from the centre [length]
-/// \return (xx, yy, xy) [force/length^2]
-/// \throws std::invalid_argument as line_loaded_disc_stress(), or if the chord misses the disc
-[[nodiscard]] Eigen::Vector3d chord_loaded_disc_stress(const SqueezedDisc& disc, double offset,
-                                                       double x, double y);
-
 /// Stress at any point of a disc between two elastic plates: the pressure of Hertz on its arcs, along
-/// y as flat plates press, as a sum of chord_loaded_disc_stress().
+/// y as flat plates press, as a sum of line_loaded_disc_stress() on chords.
 ///
 /// Gauss' rule for the weight \f$ \sqrt{1 - t^2} \f$ at \f$ t_k = \cos(k \pi / (n + 1)) \f$, with n so
 /// large that the sum is exact to rounding: its error falls like \f$ e^{-2 n d} \f$, d b being the

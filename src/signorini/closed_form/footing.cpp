@@ -5,11 +5,10 @@
 #include <complex>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 void check(const RigidStrip& strip) {
   const double a = strip.half_width;
@@ -63,25 +62,6 @@ Eigen::Vector3d rigid_strip_stress(const RigidStrip& strip, double x, double dep
   const std::complex<double> slope =
       -strip.force / pi * (tilt + (1.0 + tilt * w) * w / (left * right)) / root;
   return {Z.real() + depth * slope.imag(), Z.real() - depth * slope.imag(), depth * slope.real()};
-}
-
-Eigen::Vector3d uniform_strip_stress(double half_width, double pressure, double x, double depth) {
-  require(half_width > 0 && depth >= 0, "strip: need a positive half-width and no negative depth, ",
-          "got ", half_width, " and ", depth);
-  const double right = std::atan2(x + half_width, depth);
-  const double left = std::atan2(x - half_width, depth);
-  const double angle = right - left;
-  const double sines = (std::sin(2 * right) - std::sin(2 * left)) / 2;
-  const double squares = std::pow(std::sin(right), 2) - std::pow(std::sin(left), 2);
-  return pressure / pi * Eigen::Vector3d(sines - angle, -sines - angle, squares);
-}
-
-double uniform_strip_settlement(double half_width, double pressure, double modulus, double x) {
-  require(half_width > 0 && modulus > 0, "strip: half-width and modulus must be positive, got ",
-          half_width, " and ", modulus);
-  const auto part = [](double X) { return X == 0 ? 0 : X * std::log(std::abs(X)); };
-  const double X = x / half_width;
-  return 2 * pressure * half_width / (pi * modulus) * (part(X + 1) - part(X - 1));
 }
 
 }  // namespace signorini

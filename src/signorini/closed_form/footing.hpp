@@ -1,8 +1,7 @@
 /// \file
-/// A strip on a half-plane: rigid and smooth, or so flexible that it only passes on its load.
+/// A rigid strip on a half-plane, and numbers of plates that bend.
 ///
 /// x is measured from the middle of the strip, depth below the surface; forces are per thickness.
-/// Displacements of a half-plane are known only relative to each other.
 #pragma once
 #include <Eigen/Core>
 
@@ -67,31 +66,5 @@ struct FlexibleStrip {
 /// these are numbers of an integral equation, rounded to four digits.
 inline constexpr FlexibleStrip flexible_strips[] = {
     {0, 0.6366}, {0.1, 0.6397}, {1, 0.6653}, {10, 0.8195}, {100, 1.0091}};
-
-/// Stress below a uniform pressure on |x| < a.
-///
-/// With the angles \f$ \theta_\pm = \arctan((x \pm a) / z) \f$ [\ref TimoshenkoGoodier1970],
-/// \f[ \sigma_{x,y} = -\frac{q}{\pi}\Big[\theta \mp \tfrac12 \sin 2\theta\Big]_{\theta_-}^{\theta_+},\quad
-///     \tau_{xy} = \frac{q}{\pi}\Big[\sin^2\theta\Big]_{\theta_-}^{\theta_+}. \f]
-/// \param half_width  a [length], > 0
-/// \param pressure    q [force/length^2], compression > 0
-/// \param x           [length]
-/// \param depth       z [length], not negative
-/// \return (xx, yy, xy) [force/length^2], tension > 0, y out of the half-plane
-/// \throws std::invalid_argument unless a is positive and the depth not negative
-[[nodiscard]] Eigen::Vector3d uniform_strip_stress(double half_width, double pressure, double x,
-                                                   double depth);
-
-/// How much less the surface sinks at x than in the middle of a uniform pressure:
-/// \f[ \frac{2 q}{\pi E^{*}}\big[(x + a) \ln|x + a| - (x - a) \ln|x - a| - 2 a \ln a\big], \f]
-/// \f$ 4 \ln 2\; q a / (\pi E^{*}) \f$ at an edge.
-/// \param half_width  a [length], > 0
-/// \param pressure    q [force/length^2], compression > 0
-/// \param modulus     E* of the half-plane [force/length^2], > 0
-/// \param x           [length]
-/// \return difference of settlement [length], not negative for a pressure
-/// \throws std::invalid_argument unless a and the modulus are positive
-[[nodiscard]] double uniform_strip_settlement(double half_width, double pressure, double modulus,
-                                              double x);
 
 }  // namespace signorini

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 void check(const LineContact& contact) {
   require(contact.radius > 0 && contact.modulus > 0 && contact.force > 0,
@@ -55,23 +54,6 @@ LargestShear hertz_largest_shear(const LineContact& contact) {
   const double golden = (std::sqrt(5.0) - 1) / 2;
   return {hertz_half_width(contact) * std::sqrt(golden),
           hertz_peak_pressure(contact) * golden * golden * std::sqrt(golden)};
-}
-
-double hertz_gap(const LineContact& contact, double x) {
-  const double b = hertz_half_width(contact);
-  const double X = std::abs(x) / b;
-  if (X <= 1) return 0;
-  const double root = std::sqrt((X - 1) * (X + 1));
-  return b * b / (2 * contact.radius) * (X * root - std::acosh(X));
-}
-
-double half_plane_approach(const LineContact& contact, double modulus, double ratio, double depth) {
-  require(modulus > 0 && depth >= 0, "half-plane: need a positive modulus and no negative depth, ",
-          "got ", modulus, " and ", depth);
-  const double z = depth / hertz_half_width(contact);
-  // sqrt(1 + z^2) - z without cancellation
-  const double sideways = z / (std::sqrt(1 + z * z) + z);
-  return 2 * contact.force / (pi * modulus) * (std::asinh(z) - ratio * sideways);
 }
 
 double disc_approach(const LineContact& contact, double modulus, double radius) {

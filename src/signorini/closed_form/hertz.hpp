@@ -70,29 +70,6 @@ struct LargestShear {
 /// \throws std::invalid_argument as hertz_half_width()
 [[nodiscard]] LargestShear hertz_largest_shear(const LineContact& contact);
 
-/// Distance between the two loaded surfaces, with \f$ X = |x| / b \f$:
-/// \f[ \frac{b^2}{2 R}\Big[X \sqrt{X^2 - 1} - \ln\big(X + \sqrt{X^2 - 1}\big)\Big]. \f]
-/// \param contact  with its load
-/// \param x        from the middle of the contact [length]
-/// \return gap [length], 0 in the contact
-/// \throws std::invalid_argument as hertz_half_width()
-[[nodiscard]] double hertz_gap(const LineContact& contact, double x);
-
-/// How far the middle of the contact moves towards a point below it in a half-plane.
-///
-/// Integral of the vertical strain over the depth, with \f$ P = \pi b q_0 / 2 \f$:
-/// \f[ \delta = \frac{2 P}{\pi E'}\Big[\mathrm{arsinh}\frac{d}{b} -
-///     \nu'\,\frac{d}{b^2}\big(\sqrt{b^2 + d^2} - d\big)\Big], \f]
-/// for a depth of many b \f$ P\,[2 \ln(2 d / b) - \nu'] / (\pi E') \f$, the book's formula.
-/// \param contact  with its load
-/// \param modulus  E' of the body, plane_strain_modulus() or E in plane stress [force/length^2]
-/// \param ratio    nu' of the body, plane_strain_ratio() or nu in plane stress [-]
-/// \param depth    d of the point [length], not negative
-/// \return approach [length]
-/// \throws std::invalid_argument as hertz_half_width(), or unless modulus > 0 and depth >= 0
-[[nodiscard]] double half_plane_approach(const LineContact& contact, double modulus, double ratio,
-                                         double depth);
-
 /// How far the centre of a disc moves towards its contact, if the same force acts across it on the
 /// other end of the diameter: \f$ P\,[2 \ln(4 R / b) - 1] / (\pi E') \f$, up to terms of (b/R)^2.
 /// \param contact  with its load

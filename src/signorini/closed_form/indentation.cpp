@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 void check(const Indenter& indenter) {
   require(indenter.modulus > 0 && indenter.size > 0 &&
@@ -81,14 +80,10 @@ double indentation_load(const Indenter& indenter, double half_width) {
 double indentation_half_width(const Indenter& indenter, double load) {
   check(indenter);
   require(load > 0, "indenter: the load must be positive, got ", load);
-  double low = indenter.shape == IndenterShape::RoundedPunch ? indenter.flat : 0;
+  const double low = indenter.shape == IndenterShape::RoundedPunch ? indenter.flat : 0;
   double high = low > 0 ? 2 * low : 1;
   while (indentation_load(indenter, high) < load) high *= 2;
-  while (true) {
-    const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high) return high;
-    (indentation_load(indenter, middle) < load ? low : high) = middle;
-  }
+  return bisected(low, high, [&](double a) { return indentation_load(indenter, a) < load; }).second;
 }
 
 double indentation_pressure(const Indenter& indenter, double half_width, double x) {

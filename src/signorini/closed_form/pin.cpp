@@ -3,13 +3,9 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
-namespace {
-
-const double pi = std::acos(-1.0);
-
-}  // namespace
 
 double pin_clearance_over_load(double half_angle, double stiffness_ratio) {
   require(half_angle > 0 && half_angle < pi && stiffness_ratio > 0,
@@ -26,13 +22,8 @@ double pin_contact_angle(const PinInPlate& pin) {
           "pin: radius, force and moduli must be positive and the clearance not negative");
   const double wanted = pin.contact_modulus * pin.clearance / pin.force;
   const double ratio = pin.contact_modulus / pin.plate_modulus;
-  double low = 0;  // the relation falls from infinity below zero
-  double high = pi;
-  while (true) {
-    const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high) return low;
-    (pin_clearance_over_load(middle, ratio) > wanted ? low : high) = middle;
-  }
+  const auto touches = [&](double angle) { return pin_clearance_over_load(angle, ratio) > wanted; };
+  return bisected(0, pi, touches).first;  // the relation falls from infinity below zero
 }
 
 double pin_pressure(const PinInPlate& pin, double theta) {

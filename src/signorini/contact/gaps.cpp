@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// Entries of one row that are more than rounding, and what given displacements add to it.
@@ -159,13 +158,13 @@ NodalRows selected_rows(const NodalRows& rows, const std::vector<Index>& kept) {
 
 NodalRows below(const NodalRows& upper, const NodalRows& lower) {
   Triplets entries;
-  for (Index row = 0; row < upper.rows(); ++row)
-    for (NodalRows::InnerIterator it(upper, row); it; ++it)
-      entries.emplace_back(static_cast<int>(row), static_cast<int>(it.col()), it.value());
-  for (Index row = 0; row < lower.rows(); ++row)
-    for (NodalRows::InnerIterator it(lower, row); it; ++it)
-      entries.emplace_back(static_cast<int>(upper.rows() + row), static_cast<int>(it.col()),
-                           it.value());
+  const auto add = [&](const NodalRows& rows, Index first) {
+    for (Index row = 0; row < rows.rows(); ++row)
+      for (NodalRows::InnerIterator it(rows, row); it; ++it)
+        entries.emplace_back(static_cast<int>(first + row), static_cast<int>(it.col()), it.value());
+  };
+  add(upper, 0);
+  add(lower, upper.rows());
   return matrix(upper.rows() + lower.rows(), std::max(upper.cols(), lower.cols()), entries);
 }
 

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "signorini/contact/point_pairs.hpp"
+#include "signorini/contact/pair_rows.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/elasticity/element.hpp"
 
@@ -23,21 +23,29 @@ Pairs gauss_points(const Surface& source, const Surface& target, const GapOption
   pose(options.points >= 0 && options.points <= 6,
        "gauss_points: there are rules of 1 to 6 points (0: two), got ", options.points);
   const Interface interface(source, target, options);
-  std::vector<PointPair> points;
+  std::vector<PairPoint> points;
+  std::vector<double> weights;
   std::set<Eigen::Index> paired;
-  for (const SideCurve& side : interface.source_sides())
+  for (const SideCurve& side : interface.sides)
     for (const GaussPoint& gauss : gauss_line(options.points == 0 ? 2 : options.points)) {
       const AnchoredPoint x = side.point(gauss.xi);  // \PaperEq{LinEtAl, 32}
       const Projection place = interface.closest(x, side.normal(gauss.xi));
       if (!place.found) continue;
-      points.push_back(
-          {&side, gauss.xi, x.position(), share_of(side, gauss, options.thickness), -1, place});
+      points.push_back({static_cast<Eigen::Index>(points.size()), &side, gauss.xi, place});
+      weights.push_back(share_of(side, gauss, options.thickness));
       paired.insert(side.nodes().begin(), side.nodes().end());
     }
   interface.check_paired(points.size());
-  Pairs pairs = write_pairs(interface, points, options);
+  const auto n_pairs = static_cast<Eigen::Index>(points.size());
+  Pairs pairs;
+  pairs.weight = Eigen::VectorXd::Map(weights.data(), n_pairs);
+  pairs.position.resize(n_pairs, 2);
+  for (const PairPoint& point : points)
+    pairs.position.row(point.pair) = point.side->point(point.xi).position().transpose();
+  pairs.node.assign(points.size(), -1);
   for (const Eigen::Index node : boundary_nodes(source.mesh, source.boundary))
     if (paired.count(node) == 0) pairs.unpaired.push_back(node);
+  write_rows(interface, points, Eigen::VectorXd::Ones(n_pairs), options, pairs);
   return pairs;
 }
 

@@ -24,13 +24,21 @@ void check_columns(const Surface& surface, const GapOptions& options) {
           " of all bodies, but options.n_nodes is ", options.n_nodes);
 }
 
+std::string names(const Interface& interface) {
+  const Surface& source = interface.source;
+  const Surface& target = interface.target;
+  return text("contact of the source '", source.boundary, "' of '", source.mesh.name,
+              "' with the target '", target.boundary, "' of '", target.mesh.name, "'");
+}
+
 }  // namespace
 
-Interface::Interface(const Surface& source, const Surface& target, const GapOptions& options)
-    : source_(source),
-      target_(target),
-      sides_(side_curves(source.mesh, source.boundary)),
-      search_(target.mesh, target.boundary) {
+Interface::Interface(const Surface& source_side, const Surface& target_side,
+                     const GapOptions& options)
+    : source(source_side),
+      target(target_side),
+      sides(side_curves(source.mesh, source.boundary)),
+      search(target.mesh, target.boundary) {
   check_columns(source, options);
   check_columns(target, options);
   require(options.thickness > 0 && std::isfinite(options.thickness),
@@ -38,30 +46,27 @@ Interface::Interface(const Surface& source, const Surface& target, const GapOpti
 }
 
 Projection Interface::closest(const AnchoredPoint& x, const Vector2d& normal) const {
-  const Projection place = search_.closest(x, normal);
+  const Projection place = search.closest(x, normal);
   const Vector2d at = x.position();
-  pose(!place.buried, names(), ": the point (", at.x(), ", ", at.y(), ") of '", source_.mesh.name,
-       "' lies inside '", target_.mesh.name,
-       "', deeper than the cell whose side it faces. Move the bodies apart, or check which "
-       "boundaries are meant");
+  if (place.buried)
+    throw ProblemError(
+        text(names(*this), ": the point (", at.x(), ", ", at.y(), ") of '", source.mesh.name,
+             "' lies inside '", target.mesh.name,
+             "', deeper than the cell whose side it faces. Move the bodies apart, or check which "
+             "boundaries are meant"));
   return place;
 }
 
 void Interface::check_paired(std::size_t n_pairs) const {
   if (n_pairs > 0) return;
-  const Vector2d a = mean_normal(source_);
-  const Vector2d b = mean_normal(target_);
-  pose(a.dot(b) <= 0.5 * a.norm() * b.norm() || a.dot(b) == 0, names(),
+  const Vector2d a = mean_normal(source);
+  const Vector2d b = mean_normal(target);
+  pose(a.dot(b) <= 0.5 * a.norm() * b.norm() || a.dot(b) == 0, names(*this),
        ": both face the same way, so that neither can touch the other. Take the boundary of one "
        "body that looks towards the other body");
-  throw ProblemError(text(names(),
+  throw ProblemError(text(names(*this),
                           ": no point of the first faces the second; it lies beside it or behind "
                           "it. Move one of the bodies, or check which boundaries are meant"));
-}
-
-std::string Interface::names() const {
-  return text("contact of the source '", source_.boundary, "' of '", source_.mesh.name,
-              "' with the target '", target_.boundary, "' of '", target_.mesh.name, "'");
 }
 
 }  // namespace signorini

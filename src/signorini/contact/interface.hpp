@@ -3,7 +3,6 @@
 /// no sense.
 #pragma once
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
 #include "signorini/contact/gap_operators.hpp"
@@ -13,24 +12,14 @@
 namespace signorini {
 
 /// What the gap operators share.
-class Interface {
- public:
-  /// \param source   the boundary whose points look for the target; must outlive this
-  /// \param target   the boundary that they look for; must outlive this
+struct Interface {
+  /// \param source   the boundary whose points look for the target; its mesh must outlive this
+  /// \param target   the boundary that they look for; its mesh must outlive this
   /// \param options  of the operator
   /// \throws ProblemError if a boundary does not exist
   /// \throws std::invalid_argument if a body has nodes beyond options.n_nodes, or the thickness is
   ///   not positive and finite
   Interface(const Surface& source, const Surface& target, const GapOptions& options);
-
-  /// \return the source
-  [[nodiscard]] const Surface& source() const { return source_; }
-  /// \return the target
-  [[nodiscard]] const Surface& target() const { return target_; }
-  /// \return sides of the source in walking order
-  [[nodiscard]] const std::vector<SideCurve>& source_sides() const { return sides_; }
-  /// \return the target's sides, to be searched
-  [[nodiscard]] const TargetSearch& search() const { return search_; }
 
   /// Closest-point projection by the rules of TargetSearch.
   /// \param x       point of the source [length]
@@ -43,13 +32,10 @@ class Interface {
   /// \throws ProblemError if there are none: the boundaries face the same way or miss each other
   void check_paired(std::size_t n_pairs) const;
 
- private:
-  [[nodiscard]] std::string names() const;
-
-  Surface source_;
-  Surface target_;
-  std::vector<SideCurve> sides_;
-  TargetSearch search_;
+  Surface source;                ///< the slave
+  Surface target;                ///< the master
+  std::vector<SideCurve> sides;  ///< of the source in walking order
+  TargetSearch search;           ///< among the target's sides
 };
 
 }  // namespace signorini

@@ -26,8 +26,8 @@ void tidy(std::vector<double>& cuts) {
 }  // namespace
 
 std::vector<std::vector<double>> segment_cuts(const Interface& interface) {
-  const TargetSearch source(interface.source().mesh, interface.source().boundary);
-  const TargetSearch& target = interface.search();
+  const TargetSearch source(interface.source.mesh, interface.source.boundary);
+  const TargetSearch& target = interface.search;
   std::vector<std::vector<double>> cuts(static_cast<std::size_t>(source.n_sides()));
   const auto cut = [&](const AnchoredPoint& from, const Vector2d& normal) {
     const Projection seen = source.along(from, normal);

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "signorini/contact/point_pairs.hpp"
+#include "signorini/contact/pair_rows.hpp"
 #include "signorini/elasticity/assembly.hpp"
 
 namespace signorini {
@@ -37,21 +37,23 @@ Pairs node_to_segment(const Surface& source, const Surface& target, const GapOpt
   const Interface interface(source, target, options);
   const std::vector<Index> nodes = boundary_nodes(source.mesh, source.boundary);
   const Eigen::VectorXd weights = boundary_weights(source.mesh, source.boundary, options.thickness);
-  const std::map<Index, NodeOnSide> on_side = nodes_on_sides(interface.source_sides());
-  std::vector<PointPair> points;
-  std::vector<Index> unpaired;
+  const std::map<Index, NodeOnSide> on_side = nodes_on_sides(interface.sides);
+  std::vector<PairPoint> points;
+  std::vector<std::size_t> paired;
+  Pairs pairs;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const NodeOnSide& node = on_side.at(nodes[k]);
     const Vector2d x = source.mesh.nodes.row(nodes[k]).transpose();
     const Projection place = interface.closest(x, node.normal);
-    if (place.found)
-      points.push_back({node.side, node.xi, x, weights(static_cast<Index>(k)), nodes[k], place});
-    else
-      unpaired.push_back(nodes[k]);
+    (place.found ? pairs.node : pairs.unpaired).push_back(nodes[k]);
+    if (!place.found) continue;
+    points.push_back({static_cast<Index>(points.size()), node.side, node.xi, place});
+    paired.push_back(k);
   }
   interface.check_paired(points.size());
-  Pairs pairs = write_pairs(interface, points, options);
-  pairs.unpaired = unpaired;
+  pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
+  pairs.weight = weights(paired);
+  write_rows(interface, points, Eigen::VectorXd::Ones(pairs.weight.size()), options, pairs);
   return pairs;
 }
 

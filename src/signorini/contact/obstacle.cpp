@@ -17,9 +17,14 @@ ObstacleContact seen_from(const Eigen::Vector2d& x, const Eigen::Vector2d& centr
   return {distance, arm / distance};
 }
 
-void check_circle(const char* name, const Eigen::Vector2d& centre, double radius) {
+/// A circle that the body lies outside of (side 1) or inside of (side -1).
+Obstacle circle(const char* name, const Eigen::Vector2d& centre, double radius, double side) {
   pose(radius > 0 && std::isfinite(radius) && centre.allFinite(), "obstacle '", name,
        "': the radius must be positive, got ", radius);
+  return {name, [name, centre, radius, side](const Eigen::Vector2d& x) {
+            const ObstacleContact seen = seen_from(x, centre, name);
+            return ObstacleContact{side * seen.gap - side * radius, side * seen.normal};
+          }};
 }
 
 }  // namespace
@@ -35,19 +40,11 @@ Obstacle half_plane(const Eigen::Vector2d& point, const Eigen::Vector2d& normal)
 }
 
 Obstacle disc(const Eigen::Vector2d& centre, double radius) {
-  check_circle("disc", centre, radius);
-  return {"disc", [centre, radius](const Eigen::Vector2d& x) {
-            const ObstacleContact seen = seen_from(x, centre, "disc");
-            return ObstacleContact{seen.gap - radius, seen.normal};
-          }};
+  return circle("disc", centre, radius, 1);
 }
 
 Obstacle hole(const Eigen::Vector2d& centre, double radius) {
-  check_circle("hole", centre, radius);
-  return {"hole", [centre, radius](const Eigen::Vector2d& x) {
-            const ObstacleContact seen = seen_from(x, centre, "hole");
-            return ObstacleContact{radius - seen.gap, -seen.normal};
-          }};
+  return circle("hole", centre, radius, -1);
 }
 
 Obstacle pin_in_hole(const Eigen::Vector2d& hole_centre, double clearance,

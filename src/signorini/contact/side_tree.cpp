@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signorini/core/rounding.hpp"
+
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
-
-const double pi = std::acos(-1.0);
 
 /// The smallest box around two, except for the numbers of the children.
 SideBox around(const SideBox& one, const SideBox& two) {
@@ -28,6 +28,36 @@ SideBox around(const SideBox& one, const SideBox& two) {
     box.spread = std::max(box.spread, angle_between(box.axis, child->axis) + child->spread);
   box.spread = std::min(pi, box.spread);
   return box;
+}
+
+/// Adds the boxes of some leaves. \return the number of the one around them
+std::size_t build(std::vector<SideBox>& leaves, std::size_t begin, std::size_t end,
+                  std::vector<SideBox>& boxes) {
+  if (end - begin == 1) {
+    boxes.push_back(leaves[begin]);
+    return boxes.size() - 1;
+  }
+  Vector2d lowest = leaves[begin].lowest;
+  Vector2d highest = leaves[begin].highest;
+  for (std::size_t k = begin + 1; k < end; ++k) {
+    lowest = lowest.cwiseMin(leaves[k].lowest);
+    highest = highest.cwiseMax(leaves[k].highest);
+  }
+  const int axis = highest.x() - lowest.x() >= highest.y() - lowest.y() ? 0 : 1;
+  const std::size_t half = begin + (end - begin) / 2;
+  const auto at = [&](std::size_t k) { return leaves.begin() + static_cast<std::ptrdiff_t>(k); };
+  std::nth_element(at(begin), at(half), at(end), [axis](const SideBox& a, const SideBox& b) {
+    const double left = a.lowest(axis) + a.highest(axis);
+    const double right = b.lowest(axis) + b.highest(axis);
+    return left < right || (left == right && a.first < b.first);
+  });
+  const std::size_t first = build(leaves, begin, half, boxes);
+  const std::size_t second = build(leaves, half, end, boxes);
+  SideBox both = around(boxes[first], boxes[second]);
+  both.first = static_cast<Index>(first);
+  both.second = static_cast<Index>(second);
+  boxes.push_back(both);
+  return boxes.size() - 1;
 }
 
 }  // namespace
@@ -60,36 +90,11 @@ bool SideBox::may_meet(const Vector2d& x, const Vector2d& direction, double reac
   return beside <= slack + rounding && ahead <= reach + slack + rounding;
 }
 
-SideTree::SideTree(std::vector<SideBox> leaves) {
-  boxes_.reserve(2 * leaves.size());
-  build(leaves, 0, leaves.size());
-}
-
-Index SideTree::build(std::vector<SideBox>& leaves, std::size_t begin, std::size_t end) {
-  if (end - begin == 1) {
-    boxes_.push_back(leaves[begin]);
-    return root();
-  }
-  Vector2d lowest = leaves[begin].lowest;
-  Vector2d highest = leaves[begin].highest;
-  for (std::size_t k = begin + 1; k < end; ++k) {
-    lowest = lowest.cwiseMin(leaves[k].lowest);
-    highest = highest.cwiseMax(leaves[k].highest);
-  }
-  const int axis = highest.x() - lowest.x() >= highest.y() - lowest.y() ? 0 : 1;
-  const std::size_t half = begin + (end - begin) / 2;
-  const auto at = [&](std::size_t k) { return leaves.begin() + static_cast<std::ptrdiff_t>(k); };
-  std::nth_element(at(begin), at(half), at(end), [axis](const SideBox& a, const SideBox& b) {
-    const double left = a.lowest(axis) + a.highest(axis);
-    const double right = b.lowest(axis) + b.highest(axis);
-    return left < right || (left == right && a.first < b.first);
-  });
-  const Index first = build(leaves, begin, half);
-  const Index second = build(leaves, half, end);
-  boxes_.push_back(around(box(first), box(second)));
-  boxes_.back().first = first;
-  boxes_.back().second = second;
-  return root();
+std::vector<SideBox> box_tree(std::vector<SideBox> leaves) {
+  std::vector<SideBox> boxes;
+  boxes.reserve(2 * leaves.size());
+  build(leaves, 0, leaves.size(), boxes);
+  return boxes;
 }
 
 }  // namespace signorini

@@ -39,25 +39,10 @@ struct SideBox {
                               double reach, double rounding) const;
 };
 
-/// The boxes, every one around its two children.
-class SideTree {
- public:
-  /// \param leaves  one box per side, at least one
-  explicit SideTree(std::vector<SideBox> leaves);
-
-  /// \return number of the box around all
-  [[nodiscard]] Eigen::Index root() const { return static_cast<Eigen::Index>(boxes_.size()) - 1; }
-  /// \param number  of a box
-  /// \return the box
-  [[nodiscard]] const SideBox& box(Eigen::Index number) const {
-    return boxes_[static_cast<std::size_t>(number)];
-  }
-
- private:
-  Eigen::Index build(std::vector<SideBox>& leaves, std::size_t begin, std::size_t end);
-
-  std::vector<SideBox> boxes_;  // the root is the last
-};
+/// Puts boxes around boxes, two by two.
+/// \param leaves  one box per side, at least one
+/// \return the boxes, every one after its two children: the one around all is the last
+[[nodiscard]] std::vector<SideBox> box_tree(std::vector<SideBox> leaves);
 
 /// \param a  a vector
 /// \param b  another

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "signorini/contact/target_search.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 
@@ -46,7 +47,7 @@ struct TargetSearch::Query {
                            .cwiseMax(target.highest.cwiseAbs())
                            .maxCoeff();
     const double size = (target.highest - target.lowest).norm() + target.distance(position);
-    rounding = std::numeric_limits<double>::epsilon() * (64 * size + 8 * far);
+    rounding = epsilon * (64 * size + 8 * far);
   }
 
   AnchoredPoint x;           ///< the point

@@ -19,7 +19,7 @@ TargetSearch::TargetSearch(const Mesh& mesh, const std::string& name)
       after_(sides_.size(), -1),
       tree_(make_tree()) {}
 
-SideTree TargetSearch::make_tree() {
+std::vector<SideBox> TargetSearch::make_tree() {
   std::map<Index, Index> starting;
   for (Index s = n_sides() - 1; s >= 0; --s) starting[side(s).nodes().front()] = s;
   for (Index s = n_sides() - 1; s >= 0; --s) {
@@ -30,7 +30,7 @@ SideTree TargetSearch::make_tree() {
   }
   std::vector<SideBox> leaves;
   for (Index s = 0; s < n_sides(); ++s) leaves.push_back(leaf(s));
-  return SideTree(std::move(leaves));
+  return box_tree(std::move(leaves));
 }
 
 SideBox TargetSearch::leaf(Index number) const {
@@ -52,33 +52,32 @@ SideBox TargetSearch::leaf(Index number) const {
   return box;
 }
 
-void TargetSearch::look(Index number, Query& query) const {
-  const SideBox& box = tree_.box(number);
+void TargetSearch::look(const SideBox& box, Query& query) const {
   ++query.visits;
   if (box.distance(query.position) > query.nearest + query.rounding + box.slack) return;
   if (!box.may_hold_foot(query.position, query.rounding)) return;
   if (box.is_leaf()) return consider(box.first, query);
-  const bool swap = tree_.box(box.second).distance(query.position) <
-                    tree_.box(box.first).distance(query.position);
-  look(swap ? box.second : box.first, query);
-  look(swap ? box.first : box.second, query);
+  const SideBox& first = tree_[static_cast<std::size_t>(box.first)];
+  const SideBox& second = tree_[static_cast<std::size_t>(box.second)];
+  const bool swap = second.distance(query.position) < first.distance(query.position);
+  look(swap ? second : first, query);
+  look(swap ? first : second, query);
 }
 
 Projection TargetSearch::closest(const AnchoredPoint& x, const Vector2d& normal) const {
-  Query query(x, normal, tree_.box(tree_.root()));
-  look(tree_.root(), query);
+  Query query(x, normal, tree_.back());
+  look(tree_.back(), query);
   Projection found = chosen(query);
   found.visits = query.visits;
   return found;
 }
 
-void TargetSearch::look_along(Index number, Query& query) const {
-  const SideBox& box = tree_.box(number);
+void TargetSearch::look_along(const SideBox& box, Query& query) const {
   ++query.visits;
   if (!box.may_meet(query.position, query.normal, query.nearest, query.rounding)) return;
   if (!box.is_leaf()) {
-    look_along(box.first, query);
-    look_along(box.second, query);
+    look_along(tree_[static_cast<std::size_t>(box.first)], query);
+    look_along(tree_[static_cast<std::size_t>(box.second)], query);
     return;
   }
   const SideCurve& curve = side(box.first);
@@ -93,8 +92,8 @@ void TargetSearch::look_along(Index number, Query& query) const {
 }
 
 Projection TargetSearch::along(const AnchoredPoint& x, const Vector2d& normal) const {
-  Query query(x, normal, tree_.box(tree_.root()));
-  look_along(tree_.root(), query);
+  Query query(x, normal, tree_.back());
+  look_along(tree_.back(), query);
   // A line through a vertex meets both sides: the one that comes first, no normal between them.
   const auto first = std::min_element(query.candidates.begin(), query.candidates.end(),
                                       [](const auto& a, const auto& b) { return a.side < b.side; });

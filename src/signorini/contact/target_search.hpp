@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "signorini/contact/side_tree.hpp"
-#include "signorini/mesh/anchored_point.hpp"
 #include "signorini/mesh/mesh.hpp"
 #include "signorini/mesh/side_curve.hpp"
 
@@ -78,10 +77,10 @@ class TargetSearch {
   struct Candidate;
   struct Query;
 
-  [[nodiscard]] SideTree make_tree();
+  [[nodiscard]] std::vector<SideBox> make_tree();
   [[nodiscard]] SideBox leaf(Eigen::Index number) const;
-  void look(Eigen::Index box, Query& query) const;
-  void look_along(Eigen::Index box, Query& query) const;
+  void look(const SideBox& box, Query& query) const;
+  void look_along(const SideBox& box, Query& query) const;
   void consider(Eigen::Index number, Query& query) const;
   [[nodiscard]] Eigen::Index neighbour(Eigen::Index number, int end) const;
   [[nodiscard]] Eigen::Vector2d normal_beyond(Eigen::Index number, int end) const;
@@ -97,7 +96,7 @@ class TargetSearch {
   std::string boundary_;
   std::vector<SideCurve> sides_;
   std::vector<Eigen::Index> before_, after_;  // neighbours, -1 at the ends of the boundary
-  SideTree tree_;
+  std::vector<SideBox> tree_;                 // the box around all is the last
 };
 
 }  // namespace signorini

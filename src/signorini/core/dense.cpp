@@ -5,7 +5,6 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
-#include <algorithm>
 
 namespace signorini {
 
@@ -55,13 +54,6 @@ VectorXd CholeskyFactor::solve_transposed_half(const VectorXd& b) const {
 
 void solve_lower_columns(const Eigen::Ref<const MatrixXd>& L, Eigen::Ref<MatrixXd> X) {
   L.triangularView<Eigen::Lower>().solveInPlace(X);
-}
-
-MatrixXd qr_triangle(const MatrixXd& matrix) {
-  const Eigen::HouseholderQR<MatrixXd> factor(matrix);
-  return factor.matrixQR()
-      .topRows(std::min(matrix.rows(), matrix.cols()))
-      .triangularView<Eigen::Upper>();
 }
 
 ColumnSpan column_span(const MatrixXd& matrix, double threshold) {

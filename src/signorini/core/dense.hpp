@@ -63,11 +63,6 @@ class CholeskyFactor {
 /// \param X  `n x k` B, then X
 void solve_lower_columns(const Eigen::Ref<const Eigen::MatrixXd>& L, Eigen::Ref<Eigen::MatrixXd> X);
 
-/// The triangle of A = Q R with orthonormal columns in Q.
-/// \param matrix  A `m x n`
-/// \return R `min(m, n) x n`, zero below its diagonal; an entry of the diagonal may have either sign
-[[nodiscard]] Eigen::MatrixXd qr_triangle(const Eigen::MatrixXd& matrix);
-
 /// The columns of a matrix in the order in which each adds most to the span of those before it.
 struct ColumnSpan {
   Eigen::Index rank = 0;            ///< how many of them are independent

@@ -14,7 +14,8 @@ namespace signorini {
 class ExactSum {
  public:
   /// \param value  what the sum starts at
-  explicit ExactSum(double value = 0) : high_(value) {}
+  /// \param low    what the value lacks
+  explicit ExactSum(double value = 0, double low = 0) : high_(value), low_(low) {}
 
   /// Adds one number. \param value  the number
   void add(double value) {
@@ -55,7 +56,7 @@ class ExactSum {
   }
 
   double high_;
-  double low_ = 0;
+  double low_;
 };
 
 }  // namespace signorini

@@ -9,15 +9,7 @@ namespace signorini {
 
 Ledger::Phase::Phase(Ledger& ledger, const std::string& name)
     : ledger_(ledger), parent_(ledger.open_), begin_(std::chrono::steady_clock::now()) {
-  const std::string path = parent_ == none ? name : ledger.entries_[parent_].path + '/' + name;
-  std::vector<LedgerEntry>& entries = ledger.entries_;
-  const auto known = std::find_if(entries.begin(), entries.end(),
-                                  [&](const LedgerEntry& e) { return e.path == path; });
-  entry_ = static_cast<std::size_t>(known - entries.begin());
-  if (known == entries.end()) {
-    entries.emplace_back();
-    entries.back().path = path;
-  }
+  entry_ = ledger.line(parent_ == none ? name : ledger.entries_[parent_].path + '/' + name);
   ledger.open_ = entry_;
 }
 
@@ -28,15 +20,15 @@ Ledger::Phase::~Phase() {
   ledger_.open_ = parent_;
 }
 
-LedgerEntry& Ledger::open_entry() {
-  if (open_ != none) return entries_[open_];
-  if (find("outside") == nullptr) {
-    entries_.emplace_back();
-    entries_.back().path = "outside";
-  }
-  return *std::find_if(entries_.begin(), entries_.end(),
-                       [](const LedgerEntry& e) { return e.path == "outside"; });
+std::size_t Ledger::line(const std::string& path) {
+  if (const LedgerEntry* known = find(path))
+    return static_cast<std::size_t>(known - entries_.data());
+  entries_.emplace_back();
+  entries_.back().path = path;
+  return entries_.size() - 1;
 }
+
+LedgerEntry& Ledger::open_entry() { return entries_[open_ != none ? open_ : line("outside")]; }
 
 void Ledger::count(const std::string& name, long long amount) {
   open_entry().counts[name] += amount;
@@ -60,12 +52,6 @@ long long Ledger::counted(const std::string& path, const std::string& name) cons
   if (entry == nullptr) return 0;
   const auto known = entry->counts.find(name);
   return known == entry->counts.end() ? 0 : known->second;
-}
-
-long long Ledger::total_bytes() const {
-  long long total = 0;
-  for (const LedgerEntry& entry : entries_) total += entry.bytes;
-  return total;
 }
 
 std::ostream& operator<<(std::ostream& out, const Ledger& ledger) {

@@ -61,11 +61,10 @@ class Ledger {
   /// \param name  what was counted
   /// \return the count, 0 if there is none
   [[nodiscard]] long long counted(const std::string& path, const std::string& name) const;
-  /// \return sum of the bytes of all phases [byte]
-  [[nodiscard]] long long total_bytes() const;
 
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t line(const std::string& path);  // its number; a new one at the end if there is none
   LedgerEntry& open_entry();
   [[nodiscard]] const LedgerEntry* find(const std::string& path) const;
 

@@ -1,13 +1,17 @@
 /// \file
-/// The few words with which the sources of this room speak of rounding.
+/// Numbers and the few words with which sources speak of rounding.
 #pragma once
 #include <Eigen/Core>
 #include <limits>
+#include <utility>
 
 namespace signorini {
 
 /// The distance from 1 to the next double: twice what one rounding does.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Half a turn [rad].
+constexpr double pi = 3.14159265358979323846;
 
 /// \param part   of something
 /// \param whole  which it is measured by
@@ -18,6 +22,19 @@ inline double ratio(double part, double whole) { return part == 0 ? 0 : part / w
 /// \return the largest |v_i|, 0 if there are none
 inline double largest(const Eigen::Ref<const Eigen::VectorXd>& v) {
   return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff();
+}
+
+/// Halves an interval until rounding leaves nothing between its ends.
+/// \param low    where the condition holds, or would just above
+/// \param high   larger; where it fails
+/// \param holds  condition on a number, which changes once in between
+/// \return neighbours: the last number found where it holds, and the first where it fails
+template <typename Condition>
+std::pair<double, double> bisected(double low, double high, const Condition& holds) {
+  for (double middle = 0.5 * (low + high); low < middle && middle < high;
+       middle = 0.5 * (low + high))
+    (holds(middle) ? low : high) = middle;
+  return {low, high};
 }
 
 }  // namespace signorini

@@ -88,15 +88,6 @@ void TextReader::expect_end_of_line(const std::string& after) {
   if (!more.empty()) fail("the end of the line after " + after, more);
 }
 
-Index TextReader::expect_size(const std::string& keyword, Index least) {
-  next_line();
-  const std::string_view first = word();
-  if (first != keyword) fail("a line '" + keyword + " NUMBER'", first);
-  const Index result = size(word(), keyword, least);
-  expect_end_of_line("'" + keyword + " NUMBER'");
-  return result;
-}
-
 void TextReader::expect_row(const std::string& what, Eigen::Ref<Eigen::RowVectorXd> row) {
   if (row.size() == 0) return;
   next_line();

@@ -40,12 +40,6 @@ class TextReader {
   /// \param after  what stands before its end, for messages
   /// \throws ProblemError if a word is left
   void expect_end_of_line(const std::string& after);
-  /// Goes on to the next line, which must hold a given word and a whole number.
-  /// \param keyword  the word
-  /// \param least    smallest number that makes sense
-  /// \return the number, at most `largest_size`
-  /// \throws ProblemError if the line holds anything else
-  Eigen::Index expect_size(const std::string& keyword, Eigen::Index least);
   /// Goes on to the next line, which must hold a row of numbers and nothing else.
   /// \param what  name of the row, for messages
   /// \param row   is filled; if it has no entries, no line is read

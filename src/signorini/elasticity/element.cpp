@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 std::vector<GaussPoint> legendre_rule(int n) {
   std::vector<GaussPoint> rule(static_cast<std::size_t>(n), GaussPoint{0, 0, 0});
   for (int k = 0; k < (n + 1) / 2; ++k) {
-    double x = 2 * k + 1 == n ? 0 : std::cos(std::acos(-1.0) * (k + 0.75) / (n + 0.5));
+    double x = 2 * k + 1 == n ? 0 : std::cos(pi * (k + 0.75) / (n + 0.5));
     double slope = 0;
     for (int step = 0; step < 6; ++step) {
       double last = 1;

@@ -9,6 +9,13 @@
 
 namespace signorini {
 
+/// \f$ N_k = (1 + \xi_k \xi)(1 + \eta_k \eta) / 4 \f$ of the four corners, and its slopes:
+/// shared by the three four-node elements.
+/// \param xi   first coordinate in the reference square [-]
+/// \param eta  second coordinate [-]
+/// \return 4 values and slopes
+[[nodiscard]] Shape bilinear_shape(double xi, double eta);
+
 /// Bilinear quadrilateral, 2 x 2 Gauss points. Locks in bending and near incompressibility.
 /// \return the element
 [[nodiscard]] Element q4();

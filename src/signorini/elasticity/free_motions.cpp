@@ -3,18 +3,17 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Numbers the connected bodies of a mesh; returns the body of every node.
 std::vector<Index> body_of_nodes(const Mesh& mesh) {

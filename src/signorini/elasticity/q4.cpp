@@ -1,5 +1,3 @@
-#include "signorini/elasticity/q4.hpp"
-
 #include "signorini/elasticity/elements.hpp"
 
 namespace signorini {
@@ -18,10 +16,6 @@ Shape bilinear_shape(double xi, double eta) {
   return shape;
 }
 
-void bilinear_strain(const CellNodes& nodes, StrainPoints& points) {
-  sample_strain(bilinear_shape, gauss_square(2), nodes, points);
-}
-
 Element q4() {
   return {"q4",
           "4 nodes, full integration",
@@ -29,7 +23,7 @@ Element q4() {
           1,
           bilinear_shape,
           [](const CellNodes& nodes, const Eigen::Matrix3d& /*D*/, StrainPoints& points) {
-            bilinear_strain(nodes, points);
+            sample_strain(bilinear_shape, gauss_square(2), nodes, points);
           }};
 }
 

@@ -1,5 +1,4 @@
 #include "signorini/elasticity/elements.hpp"
-#include "signorini/elasticity/q4.hpp"
 
 namespace signorini {
 namespace {
@@ -9,7 +8,7 @@ namespace {
 /// The change of area tr = xx + yy of the plane is split off with the factor 1/2, so that the same
 /// operator serves plane stress and plane strain.
 void averaged_strain(const CellNodes& nodes, const Eigen::Matrix3d& /*D*/, StrainPoints& points) {
-  bilinear_strain(nodes, points);
+  sample_strain(bilinear_shape, gauss_square(2), nodes, points);
   Eigen::Matrix<double, 1, 8> mean = Eigen::Matrix<double, 1, 8>::Zero();
   double area = 0;
   for (int i = 0; i < points.size; ++i) {

@@ -1,8 +1,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <array>
 
 #include "signorini/elasticity/elements.hpp"
-#include "signorini/elasticity/q4.hpp"
 
 namespace signorini {
 namespace {
@@ -23,7 +23,7 @@ ModeStrain mode_strain(const GaussPoint& gauss, double determinant, const Jacobi
 }
 
 void incompatible_strain(const CellNodes& nodes, const Eigen::Matrix3d& D, StrainPoints& points) {
-  bilinear_strain(nodes, points);
+  sample_strain(bilinear_shape, gauss_square(2), nodes, points);
   const Jacobian centre = jacobian(bilinear_shape(0, 0), nodes);
   Eigen::Matrix<double, 4, 4> K_modes = Eigen::Matrix<double, 4, 4>::Zero();
   Eigen::Matrix<double, 4, 8> K_mixed = Eigen::Matrix<double, 4, 8>::Zero();

@@ -12,18 +12,25 @@ namespace {
 using Eigen::Index;
 using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, max_strain_points, 3>;
 
-/// Stress at every strain point of one cell, and the points themselves.
-PointStress point_stress(const Mesh& mesh, Index cell, const Element& element,
-                         const Eigen::Matrix3d& D, const NodeArray& displacements,
-                         StrainPoints& points) {
-  element.strain(arms_from_middle(cell_nodes(mesh, cell)), D, points);
+/// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them, row by row.
+template <typename Visit>
+void visit_cells(const Mesh& mesh, const Element& element, const Material& material,
+                 const NodeArray& displacements, Visit&& visit) {
+  require(displacements.rows() == mesh.n_nodes(), "stress: need the displacements of ",
+          mesh.n_nodes(), " nodes, got ", displacements.rows());
+  const Eigen::Matrix3d D = elasticity_matrix(material);
+  StrainPoints points;
   CellVector u(2 * element.n_nodes);
-  for (Index k = 0; k < element.n_nodes; ++k)
-    u.segment<2>(2 * k) = displacements.row(mesh.cells(cell, k)).transpose();
-  PointStress stress(points.size, 3);
-  for (int i = 0; i < points.size; ++i)
-    stress.row(i) = (D * (points.point[static_cast<std::size_t>(i)].B * u)).transpose();
-  return stress;
+  PointStress stress;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    element.strain(arms_from_middle(cell_nodes(mesh, cell)), D, points);
+    for (Index k = 0; k < element.n_nodes; ++k)
+      u.segment<2>(2 * k) = displacements.row(mesh.cells(cell, k)).transpose();
+    stress.resize(points.size, 3);
+    for (int i = 0; i < points.size; ++i)
+      stress.row(i) = (D * (points.point[static_cast<std::size_t>(i)].B * u)).transpose();
+    visit(cell, points, stress);
+  }
 }
 
 /// Takes values at the strain points to the nodes through the bilinear function that fits them best.
@@ -42,29 +49,21 @@ Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points
   return at_nodes * pseudo_inverse(at_points);
 }
 
-void check_displacements(const Mesh& mesh, const NodeArray& displacements) {
-  require(displacements.rows() == mesh.n_nodes(), "stress: need the displacements of ",
-          mesh.n_nodes(), " nodes, got ", displacements.rows());
-}
-
 }  // namespace
 
 StressArray nodal_stress(const Mesh& mesh, const Element& element, const Material& material,
                          const NodeArray& displacements) {
-  check_displacements(mesh, displacements);
-  const Eigen::Matrix3d D = elasticity_matrix(material);
   StressArray stress = StressArray::Zero(mesh.n_nodes(), 3);
   Eigen::VectorXd cells_at = Eigen::VectorXd::Zero(mesh.n_nodes());
-  StrainPoints points;
   Eigen::MatrixXd to_nodes;
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    const PointStress at_points = point_stress(mesh, cell, element, D, displacements, points);
-    if (to_nodes.size() == 0) to_nodes = extrapolation(element, points);
-    for (Index k = 0; k < element.n_nodes; ++k) {
-      stress.row(mesh.cells(cell, k)) += to_nodes.row(k) * at_points;
-      cells_at(mesh.cells(cell, k)) += 1;
-    }
-  }
+  visit_cells(mesh, element, material, displacements,
+              [&](Index cell, const StrainPoints& points, const PointStress& at_points) {
+                if (to_nodes.size() == 0) to_nodes = extrapolation(element, points);
+                for (Index k = 0; k < element.n_nodes; ++k) {
+                  stress.row(mesh.cells(cell, k)) += to_nodes.row(k) * at_points;
+                  cells_at(mesh.cells(cell, k)) += 1;
+                }
+              });
   for (Index node = 0; node < mesh.n_nodes(); ++node)
     if (cells_at(node) > 0) stress.row(node) /= cells_at(node);
   return stress;
@@ -72,20 +71,17 @@ StressArray nodal_stress(const Mesh& mesh, const Element& element, const Materia
 
 StressArray cell_stress(const Mesh& mesh, const Element& element, const Material& material,
                         const NodeArray& displacements) {
-  check_displacements(mesh, displacements);
-  const Eigen::Matrix3d D = elasticity_matrix(material);
   StressArray stress = StressArray::Zero(mesh.n_cells(), 3);
-  StrainPoints points;
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    const PointStress at_points = point_stress(mesh, cell, element, D, displacements, points);
-    double area = 0;
-    for (int i = 0; i < points.size; ++i) {
-      const double share = points.point[static_cast<std::size_t>(i)].area;
-      stress.row(cell) += share * at_points.row(i);
-      area += share;
-    }
-    stress.row(cell) /= area;
-  }
+  visit_cells(mesh, element, material, displacements,
+              [&](Index cell, const StrainPoints& points, const PointStress& at_points) {
+                double area = 0;
+                for (int i = 0; i < points.size; ++i) {
+                  const double share = points.point[static_cast<std::size_t>(i)].area;
+                  stress.row(cell) += share * at_points.row(i);
+                  area += share;
+                }
+                stress.row(cell) /= area;
+              });
   return stress;
 }
 

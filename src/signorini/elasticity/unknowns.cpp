@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -21,8 +21,7 @@ Axis normal_axis(const Mesh& mesh, const std::string& name) {
     high = high.cwiseMax(mesh.nodes.row(node));
   }
   const Eigen::RowVector2d extent = high - low;
-  const double flat =
-      1e3 * std::numeric_limits<double>::epsilon() * mesh.nodes.cwiseAbs().maxCoeff();
+  const double flat = 1e3 * epsilon * mesh.nodes.cwiseAbs().maxCoeff();
   pose(extent.minCoeff() <= flat && extent.maxCoeff() > flat, "support 'symmetric' on '", name,
        "': the boundary must be straight and parallel to an axis, but it spans ", extent.x(), " x ",
        extent.y());
@@ -37,8 +36,7 @@ std::vector<Index> supported_nodes(const Mesh& mesh, const Support& support) {
   const auto distance = [&](Index node) { return (mesh.nodes.row(node) - point).norm(); };
   const Index nearest = *std::min_element(
       nodes.begin(), nodes.end(), [&](Index a, Index b) { return distance(a) < distance(b); });
-  const double rounding =
-      1e3 * std::numeric_limits<double>::epsilon() * mesh.nodes.cwiseAbs().maxCoeff();
+  const double rounding = 1e3 * epsilon * mesh.nodes.cwiseAbs().maxCoeff();
   pose(distance(nearest) <= rounding, "support on '", support.boundary, "': no node lies at (",
        point.x(), ", ", point.y(), "); the nearest, node ", nearest, ", lies at (",
        mesh.nodes(nearest, 0), ", ", mesh.nodes(nearest, 1), ')');

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/family.hpp"
 #include "signorini/core/text_reader.hpp"
 #include "signorini/gmsh/gmsh_boundaries.hpp"
 #include "signorini/gmsh/gmsh_records.hpp"
@@ -145,13 +146,10 @@ std::vector<Mesh> read_gmsh(const std::filesystem::path& file) {
 }
 
 const Mesh& mesh_named(const std::vector<Mesh>& meshes, const std::string& name) {
-  std::string known;
-  for (const Mesh& mesh : meshes) {
+  for (const Mesh& mesh : meshes)
     if (mesh.name == name) return mesh;
-    known += (known.empty() ? "" : ", ") + mesh.name;
-  }
-  throw ProblemError(
-      text("there is no mesh '", name, "'; there are: ", known.empty() ? "none" : known));
+  throw ProblemError(text("there is no mesh '", name,
+                          "'; there are: ", meshes.empty() ? "none" : names_of(meshes)));
 }
 
 }  // namespace signorini

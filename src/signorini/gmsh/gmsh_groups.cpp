@@ -37,11 +37,6 @@ std::vector<Whole> GmshText::counts(const std::vector<const char*>& what) {
   return result;
 }
 
-void GmshText::expect_sum(const char* things, Whole announced, std::size_t got) const {
-  if (static_cast<Whole>(got) != announced)
-    fail(text("expected ", announced, ' ', things, " in all blocks, got ", got, again));
-}
-
 void GmshGroups::read_names(GmshText& in) {
   const Whole count = in.counts({"number of physical names"}).front();
   for (Whole k = 0; k < count; ++k) {

@@ -39,12 +39,6 @@ class GmshText : public TextReader {
   /// \return them
   /// \throws ProblemError if the line holds anything else
   std::vector<std::int64_t> counts(const std::vector<const char*>& what);
-  /// Checks what a section announced for all its blocks together.
-  /// \param things     what the blocks hold, for messages
-  /// \param announced  how many
-  /// \param got        how many there were
-  /// \throws ProblemError if the two differ
-  void expect_sum(const char* things, std::int64_t announced, std::size_t got) const;
 
   /// Largest tag that is read.
   static constexpr std::int64_t largest_tag = INT64_MAX;

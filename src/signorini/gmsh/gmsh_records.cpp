@@ -150,7 +150,14 @@ class SectionReader {
         in_.expect_end_of_line("the position of a node");
       }
     }
-    in_.expect_sum("nodes", counts[1], out_.nodes.size());
+    expect_sum("nodes", counts[1], out_.nodes.size());
+  }
+
+  /// Checks what a section announced for all its blocks together.
+  void expect_sum(const char* things, Whole announced, std::size_t got) const {
+    if (static_cast<Whole>(got) != announced)
+      in_.fail(
+          text("expected ", announced, ' ', things, " in all blocks, got ", got, GmshText::again));
   }
 
   void read_elements() {
@@ -190,7 +197,7 @@ class SectionReader {
         read_element(type, groups);
       }
     }
-    in_.expect_sum("elements", counts[1], got);
+    expect_sum("elements", counts[1], got);
   }
 
   /// The nodes of an element, the rest of its line.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/mesh/lattice.hpp"
 
 namespace signorini {
@@ -78,15 +79,14 @@ double grading_from(double length, Index cells, double first) {
           " cells, the first of ", first, " on a line of ", length);
   // Cells grow by the factor e^t, and their sum with t.
   const double n = static_cast<double>(cells);
-  const auto too_long = [&](double t) {
-    return first * (t == 0 ? n : std::expm1(n * t) / std::expm1(t)) > length;
+  const auto fits = [&](double t) {
+    return first * (t == 0 ? n : std::expm1(n * t) / std::expm1(t)) <= length;
   };
   double low = -1;
   double high = 1;
-  while (too_long(low)) low *= 2;
-  while (!too_long(high)) high *= 2;
-  for (double t = 0; low < t && t < high; t = 0.5 * (low + high)) (too_long(t) ? high : low) = t;
-  return std::exp((n - 1) * low);
+  while (!fits(low)) low *= 2;
+  while (fits(high)) high *= 2;
+  return std::exp((n - 1) * bisected(low, high, fits).first);
 }
 
 Mesh make_graded_block(const std::string& name, const Eigen::VectorXd& x, const Eigen::VectorXd& y,

@@ -44,15 +44,6 @@ void check(const PressedDiscSpec& spec) {
           spec.name, "': layer_grading must be positive, got ", spec.layer_grading);
 }
 
-/// Nodes of a part, from those of a quarter and of its middle and rim sides (in cells).
-Index nodes_of_part(Index quarter, Index middle_cells, Index axis_cells, DiscPart part,
-                    MeshOrder order) {
-  const Index per_cell = order == MeshOrder::Linear ? 1 : 2;
-  const Index right = 2 * quarter - (per_cell * middle_cells + 1);
-  if (part == DiscPart::LowerRight) return quarter;
-  return part == DiscPart::Right ? right : 2 * right - (2 * per_cell * axis_cells + 1);
-}
-
 /// The part of a disc whose lower right quarter is given, with its centre at x = 0, y = `level`.
 Mesh part_of_disc(const Mesh& quarter, double level, DiscPart part) {
   if (part == DiscPart::LowerRight) return quarter;
@@ -78,16 +69,6 @@ Eigen::VectorXd core_places(double length, Index cells, Before before) {
 }
 
 }  // namespace
-
-Index DiscSpec::n_nodes() const {
-  const Index quarter = quarter_grid_nodes(core_cells, core_cells, layers, order);
-  return nodes_of_part(quarter, core_cells + layers, core_cells + layers, part, order);
-}
-
-Index PressedDiscSpec::n_nodes() const {
-  const Index quarter = quarter_grid_nodes(core_columns, core_rows, layers, order);
-  return nodes_of_part(quarter, core_columns + core_rows, core_rows + layers, part, order);
-}
 
 Mesh make_disc(const DiscSpec& spec) {
   check(spec);

@@ -27,9 +27,6 @@ struct DiscSpec {
   double layer_grading = 1;             ///< outermost layer / innermost, positive; geometric [-]
   DiscPart part = DiscPart::Full;       ///< how much of it
   MeshOrder order = MeshOrder::Linear;  ///< 4 or 8 nodes per cell; 8: midpoints lie on the circle
-
-  /// \return number of nodes of the mesh
-  [[nodiscard]] Eigen::Index n_nodes() const;
 };
 
 /// Divides a disc evenly. Cores of a quarter have `core_cells` squared cells, layers twice
@@ -48,19 +45,15 @@ struct PressedDiscSpec {
   std::string name = "disc";                       ///< what messages call it
   Eigen::Vector2d pole = Eigen::Vector2d::Zero();  ///< lowest point [length]
   double radius = 50;                              ///< [length], positive
-  Eigen::Vector2d core = Eigen::Vector2d::Ones();  ///< width along x from the pole to the last node
-                                                   ///< of the core on the rim, and depth of the
-      ///< core along the axis, below radius / 2 [length]
+  /// Width along x from the pole to the last node of the core on the rim, and depth of the core along the axis, both
+  /// below radius / 2 [length].
+  Eigen::Vector2d core = Eigen::Vector2d::Ones();
   Eigen::Index core_columns = 8;  ///< cells of the core along the rim
   Eigen::Index core_rows = 8;     ///< cells of the core in depth
   Eigen::Index layers = 10;       ///< of cells around the core, at least 1
   double layer_grading = 1;       ///< growth of the last layer / of the first, in logarithms [-]
   DiscPart part = DiscPart::LowerRight;  ///< how much of it
   MeshOrder order = MeshOrder::Linear;   ///< 4 or 8 nodes per cell; 8: midpoints lie on the circle
-
-  /// \return number of nodes of the mesh; of 4-node cells and a quarter `(columns + 1)(rows + 1) +
-  ///   (columns + rows + 1) layers`
-  [[nodiscard]] Eigen::Index n_nodes() const;
 };
 
 /// Divides a disc that is fine at its poles: the image of a half-space that is fine at a point, see

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/mesh/lattice.hpp"
 #include "signorini/mesh/quarter_grid.hpp"
 #include "signorini/mesh/reshape.hpp"
 
@@ -44,10 +45,6 @@ void check(const EdgeBlockSpec& spec) {
 
 }  // namespace
 
-Index HalfSpaceSpec::n_nodes() const {
-  return quarter_grid_nodes(core_columns, core_rows, layers, order);
-}
-
 Mesh make_half_space(const HalfSpaceSpec& spec) {
   check(spec);
   QuarterGrid grid;
@@ -66,9 +63,7 @@ Mesh make_half_space(const HalfSpaceSpec& spec) {
 }
 
 Index EdgeBlockSpec::n_nodes() const {
-  const Index x = cells_under + cells_beside;
-  const Index corners = (x + 1) * (cells_deep + 1);
-  return order == MeshOrder::Linear ? corners : 2 * corners + x * cells_deep - 1;
+  return Lattice{cells_under + cells_beside, cells_deep, order}.n_nodes();
 }
 
 Eigen::VectorXd EdgeBlockSpec::under() const {

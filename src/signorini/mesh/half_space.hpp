@@ -22,10 +22,6 @@ struct HalfSpaceSpec {
   Eigen::Index layers = 10;                        ///< of cells around the core, at least 1
   double layer_grading = 1;  ///< growth of the last layer / of the first, in logarithms [-]
   MeshOrder order = MeshOrder::Linear;  ///< 4 or 8 nodes per cell
-
-  /// \return number of nodes of the mesh; of 4-node cells `(columns + 1)(rows + 1) +
-  ///   (columns + rows + 1) layers`
-  [[nodiscard]] Eigen::Index n_nodes() const;
 };
 
 /// Divides a rectangle that is fine at a point of its surface, the origin.

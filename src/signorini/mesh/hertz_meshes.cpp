@@ -1,35 +1,28 @@
 #include "signorini/mesh/hertz_meshes.hpp"
 
+#include "signorini/mesh/disc.hpp"
+#include "signorini/mesh/half_space.hpp"
+
 namespace signorini {
 
-PressedDiscSpec HertzMeshSpec::disc_spec() const {
-  PressedDiscSpec spec;
-  spec.radius = radius;
-  spec.core = Eigen::Vector2d::Constant(core);
-  spec.core_columns = disc_cells;
-  spec.core_rows = disc_rows;
-  spec.layers = disc_layers;
-  spec.layer_grading = layer_grading;
-  spec.order = order;
-  return spec;
-}
-
-HalfSpaceSpec HertzMeshSpec::plate_spec() const {
-  HalfSpaceSpec spec;
-  spec.name = "plate";
-  spec.width = plate.x();
-  spec.depth = plate.y();
-  spec.core = Eigen::Vector2d::Constant(plate_core * core);
-  spec.core_columns = plate_cells;
-  spec.core_rows = plate_rows;
-  spec.layers = plate_layers;
-  spec.layer_grading = layer_grading;
-  spec.order = order;
-  return spec;
-}
-
 HertzMeshes make_hertz_meshes(const HertzMeshSpec& spec) {
-  return {make_pressed_disc(spec.disc_spec()), make_half_space(spec.plate_spec())};
+  PressedDiscSpec disc;
+  disc.radius = spec.radius;
+  disc.core.setConstant(spec.core);
+  disc.core_columns = spec.disc_cells;
+  disc.core_rows = spec.disc_rows;
+  disc.layers = spec.disc_layers;
+  HalfSpaceSpec plate;
+  plate.name = "plate";
+  plate.width = spec.plate.x();
+  plate.depth = spec.plate.y();
+  plate.core.setConstant(spec.plate_core * spec.core);
+  plate.core_columns = spec.plate_cells;
+  plate.core_rows = spec.plate_rows;
+  plate.layers = spec.plate_layers;
+  disc.layer_grading = plate.layer_grading = spec.layer_grading;
+  disc.order = plate.order = spec.order;
+  return {make_pressed_disc(disc), make_half_space(plate)};
 }
 
 }  // namespace signorini

@@ -3,8 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/half_space.hpp"
+#include "signorini/mesh/mesh.hpp"
 
 namespace signorini {
 
@@ -26,15 +25,6 @@ struct HertzMeshSpec {
   Eigen::Index plate_layers = 17;       ///< around it
   double layer_grading = 3;             ///< of both, see HalfSpaceSpec [-]
   MeshOrder order = MeshOrder::Linear;  ///< of both
-
-  /// \return the disc
-  [[nodiscard]] PressedDiscSpec disc_spec() const;
-  /// \return the plate
-  [[nodiscard]] HalfSpaceSpec plate_spec() const;
-  /// \return number of nodes of both
-  [[nodiscard]] Eigen::Index n_nodes() const {
-    return disc_spec().n_nodes() + plate_spec().n_nodes();
-  }
 };
 
 /// Two bodies that touch in the origin.

@@ -45,14 +45,14 @@ Mesh make_lattice(const std::string& name, const Lattice& lattice,
             lattice.node(i + 1, j + 2), lattice.node(i, j + 1);
     }
 
-  for (Index c = 0; c < columns && !lattice.closed; ++c) {
-    mesh.boundaries["bottom"].push_back({c, 0});
-    mesh.boundaries["top"].push_back({rows * columns - 1 - c, 2});
-  }
-  for (Index c = 0; c < rows; ++c) {
-    mesh.boundaries["right"].push_back({c * columns + columns - 1, 1});
-    mesh.boundaries["left"].push_back({(rows - 1 - c) * columns, 3});
-  }
+  const auto add = [&](int side, Index n, Index first, Index step) {
+    std::vector<CellSide>& named = mesh.boundaries[lattice.sides[static_cast<std::size_t>(side)]];
+    for (Index k = 0; k < n; ++k) named.push_back({first + k * step, side});
+  };
+  if (!lattice.closed) add(2, columns, rows * columns - 1, -1);
+  add(3, rows, (rows - 1) * columns, -columns);
+  if (!lattice.closed) add(0, columns, 0, 1);
+  add(1, rows, columns - 1, columns);
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 /// The pattern behind every generator: cells in rows and columns, bent into place.
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <string>
 
@@ -15,6 +16,8 @@ struct Lattice {
   Eigen::Index cells_y = 1;             ///< rows, at least 1
   MeshOrder order = MeshOrder::Linear;  ///< 4 or 8 nodes per cell
   bool closed = false;                  ///< the last row meets the first, as around a hole
+  /// Names of the boundaries below the first row, at the end of the rows, above the last one and where rows begin.
+  std::array<std::string, 4> sides = {"bottom", "right", "top", "left"};
 
   /// \return number of nodes of the mesh
   [[nodiscard]] Eigen::Index n_nodes() const { return row_start(2 * cells_y + (closed ? 0 : 1)); }
@@ -36,8 +39,9 @@ struct Lattice {
 /// Makes the cells of a lattice, numbered along the row first.
 ///
 /// Boundaries `bottom` (first row, to the right), `right` (upwards), `top` (last row, to the left)
-/// and `left` (downwards) run counter-clockwise if the positions do not mirror the lattice; a
-/// closed lattice has no `bottom` and no `top`.
+/// and `left` (downwards), under the names in `sides`, run counter-clockwise if the positions do not mirror
+/// the lattice; a closed lattice has no `bottom` and no `top`. Those of one name follow one another in the order
+/// top, left, bottom, right.
 /// \param name      what messages call the mesh
 /// \param lattice   how many cells
 /// \param position  where the node at half steps (i, j) goes [length]

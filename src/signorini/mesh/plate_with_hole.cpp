@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/mesh/reshape.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using std::string_literals::operator""s;
-
-const double pi = std::acos(-1.0);
 
 void check(const PlateWithHoleSpec& spec) {
   require(spec.hole_radius > 0 && spec.size.allFinite() && spec.centre.allFinite() &&
@@ -104,10 +104,7 @@ Mesh make_plate_with_hole(const PlateWithHoleSpec& spec) {
       make_ring_of_rays(spec.name, inner, outer, graded_steps(spec.cells_radius, spec.grading),
                         spec.sector, spec.order);
   name_sides(half, centre, spec.sector == Sector::Full, mesh);
-  rename_boundary(mesh, "inner", "hole");
-  rename_boundary(mesh, "end", spec.sector == Sector::Quarter ? "symmetry_y" : "symmetry");
-  rename_boundary(mesh, "start", "symmetry");
-  return mesh;
+  return renamed(mesh, "inner", "hole");
 }
 
 }  // namespace signorini

@@ -43,13 +43,4 @@ struct QuarterGrid {
 [[nodiscard]] Eigen::VectorXd growing_layers(double core, double far, Eigen::Index layers,
                                              double grading);
 
-/// Nodes of a core with layers around it.
-/// \param columns  cells of the core along x
-/// \param rows     cells of the core in depth
-/// \param layers   around the core
-/// \param order    4 or 8 nodes per cell
-/// \return number of nodes of make_quarter_grid()
-[[nodiscard]] Eigen::Index quarter_grid_nodes(Eigen::Index columns, Eigen::Index rows,
-                                              Eigen::Index layers, MeshOrder order);
-
 }  // namespace signorini

@@ -2,20 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/mesh/lattice.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
-
-const double pi = std::acos(-1.0);
-
-}  // namespace
 
 double opening(Sector sector) {
   return sector == Sector::Quarter ? pi / 2 : sector == Sector::Half ? pi : 2 * pi;
@@ -35,8 +30,7 @@ Eigen::VectorXd ray_directions(const Eigen::VectorXd& rays, Index cells, Sector 
           " in steps below half a turn; they run from ", given(0), " to ", given(cells),
           " in steps of ", step.minCoeff(), " to ", step.maxCoeff());
   Eigen::VectorXd directions(2 * cells + 1);
-  for (Index i = 0; i <= 2 * cells; ++i)
-    directions(i) = i % 2 == 0 ? given(i / 2) : 0.5 * (given(i / 2) + given(i / 2 + 1));
+  for (Index i = 0; i <= 2 * cells; ++i) directions(i) = at_half(given, i);
   return directions;
 }
 
@@ -56,32 +50,51 @@ Eigen::VectorXd rays_by_quadrant(const std::vector<Index>& cells) {
 }
 
 Eigen::RowVector2d unit_vector(double angle) {
-  const double none = 8 * std::numeric_limits<double>::epsilon();
+  const double none = 8 * epsilon;
   const auto clean = [none](double value) { return std::abs(value) < none ? 0 : value; };
   return {clean(std::cos(angle)), clean(std::sin(angle))};
 }
 
 Mesh make_ring_of_rays(const std::string& name, const NodeArray& inner, const NodeArray& outer,
                        const Eigen::VectorXd& steps, Sector sector, MeshOrder order) {
-  const Lattice lattice{steps.size() - 1, inner.rows() / 2, order, sector == Sector::Full};
-  Mesh mesh = make_lattice(name, lattice, [&](Index i, Index j) -> Eigen::RowVector2d {
+  const std::string end = sector == Sector::Quarter ? "symmetry_y" : "symmetry";
+  const Lattice lattice{steps.size() - 1,
+                        inner.rows() / 2,
+                        order,
+                        sector == Sector::Full,
+                        {"symmetry", "outer", end, "inner"}};
+  return make_lattice(name, lattice, [&](Index i, Index j) -> Eigen::RowVector2d {
     const double z = at_half(steps, i);
     return (1 - z) * inner.row(j) + z * outer.row(j);
   });
-  rename_boundary(mesh, "bottom", "start");
-  rename_boundary(mesh, "right", "outer");
-  rename_boundary(mesh, "top", "end");
-  rename_boundary(mesh, "left", "inner");
-  return mesh;
 }
 
-void rename_boundary(Mesh& mesh, const std::string& from, const std::string& to) {
-  const auto found = mesh.boundaries.find(from);
-  if (found == mesh.boundaries.end()) return;
-  const std::vector<CellSide> sides = found->second;
-  mesh.boundaries.erase(found);
-  std::vector<CellSide>& target = mesh.boundaries[to];
-  target.insert(target.end(), sides.begin(), sides.end());
+Mesh make_annulus(const AnnulusSpec& spec) {
+  require(spec.inner_radius > 0 && spec.outer_radius > spec.inner_radius &&
+              std::isfinite(spec.outer_radius) && spec.centre.allFinite(),
+          "make_annulus '", spec.name, "': need 0 < inner radius < outer radius, got ",
+          spec.inner_radius, " and ", spec.outer_radius);
+  require(spec.cells_angle > 0 && spec.cells_radius > 0, "make_annulus '", spec.name,
+          "': need at least one cell in each direction, got ", spec.cells_angle, " x ",
+          spec.cells_radius);
+  const Eigen::VectorXd directions = ray_directions(spec.rays, spec.cells_angle, spec.sector);
+  NodeArray inner(directions.size(), 2);
+  NodeArray outer(directions.size(), 2);
+  for (Index i = 0; i < directions.size(); ++i) {
+    const Eigen::RowVector2d direction = unit_vector(directions(i));
+    inner.row(i) = spec.centre.transpose() + spec.inner_radius * direction;
+    outer.row(i) = spec.centre.transpose() + spec.outer_radius * direction;
+  }
+  return make_ring_of_rays(spec.name, inner, outer, graded_steps(spec.cells_radius, spec.grading),
+                           spec.sector, spec.order);
+}
+
+double similar_cells(double outer_over_inner, Index cells_radius) {
+  require(outer_over_inner > 1 && std::isfinite(outer_over_inner) && cells_radius > 0,
+          "similar_cells: need a ratio of radii above 1 and at least one cell, got ",
+          outer_over_inner, " and ", cells_radius);
+  const double n = static_cast<double>(cells_radius);
+  return std::pow(outer_over_inner, (n - 1) / n);
 }
 
 }  // namespace signorini

@@ -1,5 +1,5 @@
 /// \file
-/// Cells between an inner and an outer line, for the generators of plates with a hole and of rings.
+/// Cells between an inner and an outer line: rings and discs with a hole, and what plates with one share with them.
 #pragma once
 #include <Eigen/Core>
 #include <string>
@@ -45,8 +45,9 @@ enum class Sector {
 
 /// Straight rays from an inner to an outer line, divided into cells, numbered along the rays first.
 ///
-/// The boundaries, counter-clockwise with the body on the left: `start` (the first ray, outwards),
-/// `outer`, `end` (the last ray, inwards), `inner`. A closed ring has no `start` and no `end`.
+/// The boundaries, counter-clockwise with the body on the left: `symmetry` (the first ray, outwards), `outer`,
+/// `symmetry_y` or, of a half, again `symmetry` (the last ray, inwards), `inner`. A closed ring has only `outer`
+/// and `inner`.
 /// \param name    what messages call it
 /// \param inner   `2 n + 1` points of the inner line, even ones on rays, odd ones between [length]
 /// \param outer   `2 n + 1` points of the outer line [length]
@@ -58,10 +59,35 @@ enum class Sector {
                                      const NodeArray& outer, const Eigen::VectorXd& steps,
                                      Sector sector, MeshOrder order);
 
-/// Quotes a boundary under its final name.
-/// \param mesh  that has the boundary `from`, or has not
-/// \param from  name that goes
-/// \param to    name that its sides are added to
-void rename_boundary(Mesh& mesh, const std::string& from, const std::string& to);
+/// The body between two concentric circles and how it is divided.
+struct AnnulusSpec {
+  std::string name = "annulus";                      ///< what messages call it
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of both circles [length]
+  double inner_radius = 1;                           ///< [length], positive
+  double outer_radius = 2;                           ///< [length], above the inner radius
+  Eigen::Index cells_angle = 1;                      ///< cells along the angle, at least 1
+  Eigen::Index cells_radius = 1;                     ///< cells along the radius, at least 1
+  double grading = 1;            ///< outermost / innermost cell along the radius, positive [-]
+  Eigen::VectorXd rays = {};     ///< `cells_angle + 1` directions [rad]; even ones if empty
+  Sector sector = Sector::Full;  ///< how much of it
+  MeshOrder order = MeshOrder::Linear;  ///< 4 or 8 nodes per cell; 8: midpoints lie on the circles
+};
+
+/// Divides a ring into cells, numbered along the rays first.
+///
+/// Boundaries: `inner` and `outer`; of a half or a quarter also `symmetry` on the x axis, of a
+/// quarter also `symmetry_y` on the y axis. All keep the body on the left.
+/// \param spec  the ring
+/// \return a mesh that passes check_mesh() unless cells are thinner than rounding of the positions
+/// \throws std::invalid_argument unless radii, counts, grading and rays are as described
+[[nodiscard]] Mesh make_annulus(const AnnulusSpec& spec);
+
+/// The grading with which all cells along the radius have the same shape: each cell is longer than
+/// the last by the same factor as the radius.
+/// \param outer_over_inner  ratio of the radii, above 1 [-]
+/// \param cells_radius      cells along the radius, at least 1
+/// \return outermost / innermost cell [-]
+/// \throws std::invalid_argument if a number is out of range
+[[nodiscard]] double similar_cells(double outer_over_inner, Eigen::Index cells_radius);
 
 }  // namespace signorini

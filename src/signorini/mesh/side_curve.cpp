@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -43,7 +44,7 @@ double rising_root(const Cubic& f, double low, double high) {
     const double value = f(s);
     (value <= 0 ? low : high) = s;
     const double next = s - value / f.slope(s);
-    if (!(std::abs(next - s) > std::numeric_limits<double>::epsilon())) break;
+    if (!(std::abs(next - s) > epsilon)) break;
     s = next;
   }
   return std::clamp(s, low, high);

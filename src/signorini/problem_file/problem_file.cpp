@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/text_reader.hpp"
 
 namespace signorini {
@@ -14,9 +14,8 @@ namespace {
 
 using Eigen::Index;
 
-/// A matrix of a block format: its rows below a line with its name.
-Eigen::MatrixXd read_matrix(TextReader& in, const std::string& name, Index rows, Index columns) {
-  in.expect_line(name);
+/// The rows of a matrix, each on a line.
+Eigen::MatrixXd read_rows(TextReader& in, const std::string& name, Index rows, Index columns) {
   in.check_room(rows, columns, name);
   Eigen::MatrixXd matrix(rows, columns);
   Eigen::RowVectorXd row(columns);
@@ -25,6 +24,19 @@ Eigen::MatrixXd read_matrix(TextReader& in, const std::string& name, Index rows,
     matrix.row(i) = row;
   }
   return matrix;
+}
+
+/// A matrix of a block format: its rows below a line with its name.
+Eigen::MatrixXd read_matrix(TextReader& in, const std::string& name, Index rows, Index columns) {
+  in.expect_line(name);
+  return read_rows(in, name, rows, columns);
+}
+
+/// The rest of a line `NAME NUMBER`: a size.
+Index read_size(TextReader& in, const std::string& name, Index least) {
+  const Index size = in.size(in.word(), name, least);
+  in.expect_end_of_line("'" + name + " NUMBER'");
+  return size;
 }
 
 /// The entries of a vector on the next line.
@@ -77,13 +89,7 @@ std::vector<FiledProblem> read_siconos(TextReader& in, std::string_view first) {
 FiledProblem read_block(TextReader& in, std::size_t line, Index n) {
   FiledProblem filed;
   filed.line = line;
-  in.check_room(n, n, "M");
-  filed.problem.compliance.resize(n, n);
-  Eigen::RowVectorXd row(n);
-  for (Index i = 0; i < n; ++i) {
-    in.expect_row(text("M, row ", i + 1), row);
-    filed.problem.compliance.row(i) = row;
-  }
+  filed.problem.compliance = read_rows(in, "M", n, n);
   filed.problem.free_gap = read_vector(in, "q", n);
   return filed;
 }
@@ -101,8 +107,7 @@ std::vector<FiledProblem> read_blocks(TextReader& in, std::size_t line, Index n)
       last.known_gap = read_entries(in, "w", n);
     } else if (word == "n") {
       line = in.line();
-      n = in.size(in.word(), "n", 1);
-      in.expect_end_of_line("'n NUMBER'");
+      n = read_size(in, "n", 1);
       in.expect_line("M");
       all.push_back(read_block(in, line, n));
     } else {
@@ -124,7 +129,7 @@ void check_bounds(const TextReader& in, const TwoSidedProgramme& programme) {
 /// Refuses a P that is not symmetric to rounding, and evens the rounding out.
 void make_symmetric(const TextReader& in, Eigen::MatrixXd& P) {
   const Eigen::VectorXd size = P.diagonal().cwiseAbs().cwiseSqrt();
-  const double rounding = 1e3 * std::numeric_limits<double>::epsilon();
+  const double rounding = 1e3 * epsilon;
   for (Index j = 0; j < P.cols(); ++j)
     for (Index i = 0; i < j; ++i) {
       const double a = P(i, j);
@@ -183,8 +188,7 @@ ProblemFile parse_problem(std::string_view content, const std::string& name) {
     return read_siconos(in, first);
   if (first != "n") in.fail(wanted, first);
   const std::size_t line = in.line();
-  const Index n = in.size(in.word(), "n", 1);
-  in.expect_end_of_line("'n NUMBER'");
+  const Index n = read_size(in, "n", 1);
   in.next_line();
   const std::string_view second = in.word();
   if (second == "M") {
@@ -193,9 +197,7 @@ ProblemFile parse_problem(std::string_view content, const std::string& name) {
   }
   if (second != "m")
     in.fail("'M' of a complementarity problem or 'm NUMBER' of a quadratic programme", second);
-  const Index m = in.size(in.word(), "m", 0);
-  in.expect_end_of_line("'m NUMBER'");
-  TwoSidedProgramme programme = read_programme(in, n, m);
+  TwoSidedProgramme programme = read_programme(in, n, read_size(in, "m", 0));
   programme.published_optimum = published_optimum(content);
   return programme;
 }

@@ -1,11 +1,11 @@
 #include "signorini/problem_file/two_sided.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -36,8 +36,7 @@ bool strictly_convex(const MatrixXd& P, const MatrixXd& E) {
   if (!reduced.allFinite()) return false;
   const VectorXd values = symmetric_eigenvalues(reduced);
   const double largest = scaled.cwiseAbs().maxCoeff();
-  return values.minCoeff() >
-         static_cast<double>(n) * std::numeric_limits<double>::epsilon() * largest;
+  return values.minCoeff() > static_cast<double>(n) * epsilon * largest;
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 #include "signorini/scene/bodies.hpp"
 
-#include <limits>
-
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 
 namespace signorini {
@@ -58,7 +57,7 @@ std::vector<std::string> motions_without_contact(
   std::vector<std::string> sentences;
   if (modes.empty()) return sentences;
   Eigen::MatrixXd moved = rigid_gaps(A, mode_shapes(modes));
-  const double rounding = 64 * std::numeric_limits<double>::epsilon();
+  const double rounding = 64 * epsilon;
   // Against the terms: where these cancel, as for a ring that turns on a pin, what is left is rounding.
   const Eigen::RowVectorXd size =
       (A.cwiseAbs() * mode_shapes(modes).cwiseAbs()).colwise().lpNorm<Eigen::Infinity>();

@@ -1,0 +1,60 @@
+#include "signorini/contact/pair_rows.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+/// What the nodes of a side receive of a unit force on one of its points.
+/// \PaperEq{LinEtAl, 27} \PaperEq{LinEtAl, 36} \PaperEq{LinEtAl, 41}
+void share_out(Index row, const SideCurve& side, double xi, double amount, const Vector2d& force,
+               Index first_node, Entries& entries) {
+  const SideShape shape = side.shape(xi);
+  for (std::size_t k = 0; k < side.nodes().size(); ++k)
+    for (int axis = 0; axis < 2; ++axis) {
+      const double entry = amount * shape.value(static_cast<Index>(k)) * force(axis);
+      const Index column = 2 * (first_node + side.nodes()[k]) + axis;
+      if (entry != 0) entries.emplace_back(static_cast<int>(row), static_cast<int>(column), entry);
+    }
+}
+
+/// The forces of a pair of points: `direction` on the source, the opposite on the target.
+/// \PaperEq{LinEtAl, 23} \PaperEq{LinEtAl, 24} \PaperEq{LinEtAl, 25} \PaperEq{LinEtAl, 26}
+void act_and_react(const Interface& interface, const PairPoint& point, const Vector2d& direction,
+                   Entries& entries) {
+  share_out(point.pair, *point.side, point.xi, point.amount, direction, interface.source.first_node,
+            entries);
+  share_out(point.pair, interface.search.side(point.place.side), point.place.xi, -point.amount,
+            direction, interface.target.first_node, entries);
+}
+
+void write_matrix(const Entries& entries, const Eigen::VectorXd& total, Index columns,
+                  NodalRows& matrix) {
+  matrix.resize(total.size(), columns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  for (Index row = 0; row < total.size(); ++row) matrix.row(row) /= total(row);
+}
+
+}  // namespace
+
+void write_rows(const Interface& interface, const std::vector<PairPoint>& points,
+                const Eigen::VectorXd& total, const GapOptions& options, Pairs& pairs) {
+  pairs.initial_gap.setZero(total.size());
+  pairs.normal.setZero(total.size(), 2);
+  Entries opening;
+  Entries sliding;
+  for (const PairPoint& point : points) {
+    const Vector2d n = point.place.normal;
+    pairs.initial_gap(point.pair) += point.amount * point.place.gap;
+    pairs.normal.row(point.pair) += point.amount * n.transpose();
+    act_and_react(interface, point, n, opening);
+    if (options.sliding) act_and_react(interface, point, {n.y(), -n.x()}, sliding);
+  }
+  pairs.initial_gap.array() /= total.array();
+  write_matrix(opening, total, 2 * options.n_nodes, pairs.opening);
+  write_matrix(sliding, total, 2 * options.n_nodes, pairs.sliding);
+}
+
+}  // namespace signorini

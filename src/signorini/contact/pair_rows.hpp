@@ -1,0 +1,37 @@
+/// \file
+/// Pairs of points of the source with places of the target, written as gaps, normals and rows of N and S.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "signorini/contact/interface.hpp"
+
+namespace signorini {
+
+/// A point of the source and the place that it faces, as a share of a pair.
+struct PairPoint {
+  Eigen::Index pair;      ///< number of its row
+  const SideCurve* side;  ///< of the source, on which the point lies
+  double xi;              ///< place along that side [-]
+  Projection place;       ///< on the target
+  double amount = 1;      ///< by which the point counts in the pair
+};
+
+/// Writes gaps, normals and rows: of every pair the sum over its points, divided by what they amount to.
+///
+/// What a row of N says can be read both ways. Times the displacements it is how much the gap opens:
+/// the point of the source less the place of the target, along the normal of the target. Transposed,
+/// times a force, it is what the nodes receive: every node of the side on which the point lies gets
+/// its shape function's share of the force on the source, every node of the target's side its share
+/// of the opposite force. Because both act along the line between the two points, they are in
+/// balance. S does the same along the tangent.
+/// \param interface  of source and target
+/// \param points     of all pairs; those of one pair are added in this order
+/// \param total      `n_c` to divide by
+/// \param options    of the operator; S is written if it is asked for
+/// \param pairs      receives `initial_gap`, `normal`, `opening` and `sliding`; a normal of several points is
+///   not yet a unit vector
+void write_rows(const Interface& interface, const std::vector<PairPoint>& points,
+                const Eigen::VectorXd& total, const GapOptions& options, Pairs& pairs);
+
+}  // namespace signorini
