@@ -31,3 +31,8 @@ function(signorini_checks target)  # the flags and headers of a target that hold
     target_precompile_headers(${target} REUSE_FROM checks_headers)
   endif()
 endfunction()
+
+# The problems that tests of many rooms solve, compiled once.
+file(GLOB test_problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/problems/*.cpp)
+add_library(test_problems STATIC EXCLUDE_FROM_ALL ${test_problems})
+signorini_checks(test_problems)

@@ -4,7 +4,7 @@
 # Your own answer is checked by `make exN.K` (tools/exercise.sh).  For those who collect answers the same are tests:
 #   exN.K/answer, then exN.K/answer-heldout  the held-out tests open when the first ones pass
 # They exist only for `ctest -C answer`, so that `make test` does not depend on half an answer.
-# Tests that include support/problem_classes.hpp, for answers that are solvers, are linked with it.
+# Exercises whose test.cpp includes support/problem_classes.hpp, for answers that are solvers, are linked with it.
 # A hand-out has neither solutions nor held-out tests: there only exN.K/answer is left.
 set(exercises_from ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/exercises/ex*)
 file(GLOB exercise_headers CONFIGURE_DEPENDS ${exercises_from}/exercise.hpp)
@@ -60,7 +60,7 @@ function(signorini_exercise dir)
   endif()
 
   file(STRINGS ${dir}/test.cpp asks REGEX "support/problem_classes\\.hpp")
-  foreach(program ${ex}.answer ${ex}.solution)
+  foreach(program ${ex}.answer ${ex}.answer-heldout ${ex}.solution ${ex}.solution-heldout)
     if(asks AND TARGET ${program})
       target_link_libraries(${program} PRIVATE problem_classes)
     endif()

@@ -1,12 +1,12 @@
 /// \file
 /// Complementarity functions side by side, and Newton's method with any of them.
 #pragma once
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "signorini/closing/complementarity_functions.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/problem/problem.hpp"
 
@@ -105,7 +105,7 @@ inline NewtonRun newton(const ContactProblem& problem, const ComplementarityFunc
     run.residuals.push_back(residual.cwiseAbs().maxCoeff());
     run.ended = run.residuals.back() <= until.enough + until.part * run.residuals.front();
     if (run.ended) break;
-    force -= J.fullPivLu().solve(residual);
+    force -= LuFactor(J).solve(residual);
   }
   return run;
 }

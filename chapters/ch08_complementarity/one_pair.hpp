@@ -2,10 +2,10 @@
 /// One pair with friction: the split of the paper, and one equation instead.
 #pragma once
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <vector>
 
 #include "signorini/closing/complementarity_functions.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -92,7 +92,7 @@ End solved(Equations equations, const OnePair& pair, Eigen::VectorXd x) {
   for (int k = 0; k <= 60; ++k) {
     const System at = equations(pair, x);
     if (at.residual.cwiseAbs().maxCoeff() <= 1e-12)
-      return {x, k, at.jacobian.jacobiSvd().singularValues().minCoeff()};
+      return {x, k, singular_values(at.jacobian).values.minCoeff()};
     x -= at.jacobian.fullPivLu().solve(at.residual);
   }
   throw NotSolved("one pair with friction: 60 steps are not enough");

@@ -1,10 +1,10 @@
 /// \file
 /// Newton's method for the condensed equations, every step whole, to compare it with the uncondensed one.
 #pragma once
-#include <Eigen/LU>
 #include <vector>
 
 #include "signorini/closing/complementarity_functions.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/problem/problem.hpp"
 
 namespace ch09 {
@@ -39,7 +39,7 @@ inline Way condensed_newton(const signorini::ContactProblem& problem) {
     if (k == 0) first = phi.norm();
     way.residuals.push_back(phi.norm() / first);
     if (way.residuals.back() <= 1e-12) break;
-    way.force -= J.partialPivLu().solve(phi);
+    way.force -= signorini::LuFactor(J).solve(phi);
   }
   return way;
 }

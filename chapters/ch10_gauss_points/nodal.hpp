@@ -1,12 +1,12 @@
 // Forces of nodes: Gauss points only integrate their gaps.
 #pragma once
-#include <Eigen/QR>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "interfaces.hpp"
 #include "signorini/contact/mortar_segments.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace ch10 {
 
@@ -33,7 +33,7 @@ inline double power(const std::vector<double>& x, const std::vector<double>& y) 
   Eigen::MatrixXd lines = Eigen::MatrixXd::Ones(n, 2);
   lines.col(1) = Eigen::VectorXd::Map(x.data(), n).array().log();
   const Eigen::VectorXd logs = Eigen::VectorXd::Map(y.data(), n).array().log();
-  return lines.colPivHouseholderQr().solve(logs)(1);
+  return least_norm_solution(lines, logs)(1);
 }
 
 /// Pieces into which the nodes of the lower block cut the edges of the upper one.

@@ -3,12 +3,12 @@
 /// displacements and the pressures of Gauss points together, by Newton's method. saddle_point_newton() is the library's, with forces as unknowns,
 /// in one unit and with shorter steps where whole ones fail.
 #pragma once
-#include <Eigen/QR>
 #include <Eigen/SparseLU>
 #include <vector>
 
 #include "hertz_scene.hpp"
 #include "signorini/closing/complementarity_functions.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace signorini {
 
@@ -114,9 +114,7 @@ inline ClosedRows closed_rows(const PrintedRun& run) {
   for (Eigen::Index i = 0; i < run.gap.size(); ++i)
     if (run.gap(i) < 1e-10) closed.push_back(i);
   const Eigen::MatrixXd rows = Eigen::MatrixXd(run.model.programme.A)(closed, Eigen::all);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factor(rows.transpose());
-  factor.setThreshold(1e-10);
-  return {rows.rows(), factor.rank()};
+  return {rows.rows(), column_span(rows.transpose(), 1e-10).rank};
 }
 
 }  // namespace signorini

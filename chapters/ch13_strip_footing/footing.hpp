@@ -1,11 +1,11 @@
 // The footing of chapter 13 on its soil, and what is compared with the closed form.
 #pragma once
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "signorini/closed_form/footing.hpp"
 #include "signorini/closed_form/moduli.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/mesh/half_space.hpp"
 #include "signorini/scene/readings.hpp"
@@ -115,7 +115,7 @@ inline VectorXd standard_pressure(const Base& base) {
     const double h = base.position(k + 1) - base.position(k);
     mass.block<2, 2>(k, k) += h / 6 * (Eigen::Matrix2d() << 2, 1, 1, 2).finished();
   }
-  return mass.llt().solve(base.force);
+  return CholeskyFactor(mass).solve(base.force);
 }
 // [standard]
 

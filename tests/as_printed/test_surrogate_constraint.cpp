@@ -1,9 +1,9 @@
 // The condition eta >= 0 of the dual problem, which is one on the weights.
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "catch_compat.hpp"
 #include "signorini/as_printed/surrogate_dual.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "support/problems.hpp"
 
@@ -30,7 +30,7 @@ Stationary stationary_values(const ContactProblem& problem) {
     for (Index i = 0; i < n; ++i)
       if ((face >> static_cast<unsigned>(i) & 1U) != 0) pairs.push_back(i);
     const VectorXd b = -problem.free_gap(pairs);
-    const VectorXd force = problem.compliance(pairs, pairs).partialPivLu().solve(b);
+    const VectorXd force = LuFactor(problem.compliance(pairs, pairs)).solve(b);
     const double s = 0.5 * b.dot(force);
     if (force.minCoeff() >= 0) found.pressing = std::max(found.pressing, s);
     if (force.maxCoeff() < 0) found.pulling = std::max(found.pulling, s);

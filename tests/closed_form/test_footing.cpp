@@ -1,8 +1,8 @@
-#include <Eigen/Dense>
 #include <cmath>
 
 #include "catch_compat.hpp"
 #include "signorini/closed_form/footing.hpp"
+#include "signorini/core/dense.hpp"
 #include "support/quadrature.hpp"
 
 using namespace signorini;
@@ -48,7 +48,7 @@ double plate_middle(double softness, int cells) {
     M(i, cells) = -1;  // how far the middle sinks, not known
   }
   load[cells] = 1;
-  return M.partialPivLu().solve(load)[0];
+  return LuFactor(M).solve(load)[0];
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // The judge of the conformance suite, judged: every way of being wrong that it must find out.
-#include <Eigen/Cholesky>
 #include <stdexcept>
 
 #include "catch_compat.hpp"

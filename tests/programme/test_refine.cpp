@@ -1,7 +1,7 @@
-#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/programme/refine.hpp"
 #include "support/refined.hpp"
 
@@ -50,7 +50,7 @@ Chain chain(Index n) {
 /// Refines from zero with K^-1 and G that are wrong in relative terms by `error`, entry by entry.
 Refined refined(const Chain& chain, double error, const std::vector<Index>& active) {
   const Eigen::MatrixXd K = chain.programme.stiffness;
-  const Eigen::LLT<Eigen::MatrixXd> factor(K);
+  const CholeskyFactor factor(K);
   const auto wrong = [error](const Eigen::VectorXd& v) {
     Eigen::VectorXd w = v;
     for (Index i = 0; i < w.size(); ++i)
@@ -58,7 +58,7 @@ Refined refined(const Chain& chain, double error, const std::vector<Index>& acti
     return w;
   };
   const Eigen::MatrixXd A = chain.programme.A;
-  const Eigen::MatrixXd exact = A * factor.solve(A.transpose());
+  const Eigen::MatrixXd exact = A * factor.solve_columns(A.transpose());
   Eigen::MatrixXd G = exact;
   for (Index i = 0; i < G.rows(); ++i)
     for (Index j = 0; j <= i; ++j)

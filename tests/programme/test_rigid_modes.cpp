@@ -1,4 +1,3 @@
-#include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 #include <cmath>
 

@@ -1,8 +1,8 @@
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <vector>
 
 #include "exercise.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace ex1_2 {
@@ -15,9 +15,9 @@ Rest solve_by_trial(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& loa
   signorini::require(n_c <= largest, "solve_by_trial: accepts at most ", largest, " pairs, got ",
                      n_c);
   // Without contact: u0 and the gaps d it leaves. A unit force on every pair: G.
-  const Eigen::LLT<Eigen::MatrixXd> K(stiffness);
+  const signorini::CholeskyFactor K(stiffness);
   const Eigen::VectorXd u0 = K.solve(load);
-  const Eigen::MatrixXd response = K.solve(A.transpose());
+  const Eigen::MatrixXd response = K.solve_columns(A.transpose());
   Eigen::MatrixXd G = A * response;
   Eigen::VectorXd d = initial_gap - A * u0;
   // Scaled to a unit diagonal, all gaps and forces have the same unit, whatever the rows of A are.
@@ -33,10 +33,9 @@ Rest solve_by_trial(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& loa
       if ((set >> i & 1U) != 0) closed.push_back(i);
     Eigen::VectorXd force = Eigen::VectorXd::Zero(n_c);
     if (!closed.empty()) {
-      const Eigen::LLT<Eigen::MatrixXd> block(G(closed, closed));
+      const signorini::CholeskyFactor block(G(closed, closed));
       const Eigen::VectorXd overlap = -d(closed);
-      if (block.info() != Eigen::Success ||
-          block.matrixLLT().diagonal().cwiseAbs2().minCoeff() < rounding)
+      if (!block.positive() || block.lower().diagonal().cwiseAbs2().minCoeff() < rounding)
         continue;  // a row repeats others: a smaller set gives the same u
       force(closed) = Eigen::VectorXd(block.solve(overlap));
     }

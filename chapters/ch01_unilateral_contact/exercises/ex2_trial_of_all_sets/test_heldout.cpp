@@ -1,4 +1,3 @@
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -6,6 +5,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/solvers/enumerate.hpp"
 
@@ -50,8 +50,9 @@ double violation(const Programme& q, const ex1_2::Rest& rest) {
 }
 
 VectorXd reference_displacement(const Programme& q) {
-  const Eigen::LLT<MatrixXd> K(q.K);
-  const MatrixXd half = K.matrixL().solve(MatrixXd(q.A.transpose()));
+  const signorini::CholeskyFactor K(q.K);
+  MatrixXd half = q.A.transpose();
+  signorini::solve_lower_columns(K.lower(), half);
   const signorini::ContactState state =
       signorini::enumerate({half.transpose() * half, q.g - q.A * K.solve(q.p)});
   REQUIRE(state.report.status == signorini::Status::Solved);

@@ -1,7 +1,7 @@
-#include <Eigen/Cholesky>
 #include <limits>
 
 #include "exercise.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace ex4_1 {
@@ -22,9 +22,10 @@ Moved move_minimum(const MatrixXd& stiffness, const MatrixXd& A, const VectorXd&
     if (gap(i) < -rounding(i)) moved.violated.push_back(i);
   if (moved.violated.empty()) return moved;
 
-  const Eigen::LLT<MatrixXd> K(stiffness);
+  const signorini::CholeskyFactor K(stiffness);
   const MatrixXd rows = A(moved.violated, Eigen::all);
-  const MatrixXd half = K.matrixL().solve(rows.transpose());
+  MatrixXd half = rows.transpose();
+  signorini::solve_lower_columns(K.lower(), half);
   const signorini::ContactProblem problem{half.transpose() * half, gap(moved.violated)};
   const VectorXd force = signorini::find_solver("surrogate_dual").solve(problem, {}).force;
   moved.total_force = force.sum();

@@ -1,9 +1,9 @@
-#include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/as_printed/quasi_active_set_literal.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/problem/examples.hpp"
 #include "signorini/programme/dense_programme.hpp"
 
@@ -22,7 +22,7 @@ ex4_1::Moved move(const DenseProgramme& q, const VectorXd& u) {
 TEST_CASE("ex4.1 held out: three steps of random programmes are those of the library", "[ex4.1]") {
   const std::uint64_t seed = GENERATE(range(1U, 31U));
   const DenseProgramme q = rosen_suzuki(12, 9, seed).programme;
-  const Eigen::LLT<Eigen::MatrixXd> K(q.stiffness);
+  const CholeskyFactor K(q.stiffness);
   const ContactProblem problem = condense(q).problem;
   VectorXd u = K.solve(q.load);
   VectorXd force = VectorXd::Zero(9);
@@ -48,7 +48,7 @@ TEST_CASE("ex4.1 held out: three steps of random programmes are those of the lib
 TEST_CASE("ex4.1 held out: units do not change what is violated", "[ex4.1]") {
   const double length = GENERATE(1e-9, 1e9);
   const DenseProgramme q = rosen_suzuki(12, 9, 5).programme;
-  const VectorXd u = q.stiffness.llt().solve(q.load);
+  const VectorXd u = CholeskyFactor(q.stiffness).solve(q.load);
   const ex4_1::Moved plain = move(q, u);
   const ex4_1::Moved other =
       ex4_1::move_minimum(q.stiffness / length, q.A, length * q.initial_gap, length * u);
@@ -60,7 +60,7 @@ TEST_CASE("ex4.1 held out: units do not change what is violated", "[ex4.1]") {
 
 TEST_CASE("ex4.1 held out: rows that were satisfied exactly do not count again", "[ex4.1]") {
   const DenseProgramme q = rosen_suzuki(12, 9, 7).programme;
-  const ex4_1::Moved first = move(q, q.stiffness.llt().solve(q.load));
+  const ex4_1::Moved first = move(q, CholeskyFactor(q.stiffness).solve(q.load));
   REQUIRE(first.displacement.size() == 12);
   const ex4_1::Moved second = move(q, first.displacement);
   for (const Index i :

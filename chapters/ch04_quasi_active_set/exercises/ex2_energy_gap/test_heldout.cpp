@@ -1,7 +1,6 @@
-#include <Eigen/Cholesky>
-
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/problem/examples.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -28,12 +27,12 @@ Case random_case(std::uint64_t seed) {
   for (double& f : made.from.force) f = random.uniform(0, 1);
   for (double& g : q.initial_gap) g = random.uniform(0.05, 0.5);
   for (double& p : q.load) p = random.uniform(-5, 5);
-  const Eigen::LLT<Eigen::MatrixXd> K(q.stiffness);
+  const CholeskyFactor K(q.stiffness);
   const VectorXd u = K.solve(q.load - q.A.transpose() * made.from.force);
   q.initial_gap += (q.A * u).cwiseMax(0.0);  // now u is feasible
   made.from.displacement = u;
   const Eigen::MatrixXd rows = q.A.topRows(3);
-  const ContactProblem part{rows * K.solve(rows.transpose()),
+  const ContactProblem part{rows * K.solve_columns(rows.transpose()),
                             q.initial_gap.head(3) - rows * K.solve(q.load)};
   made.towards.force = VectorXd::Zero(8);
   made.towards.force.head(3) = find_solver("enumerate").solve(part, {}).force;
@@ -46,8 +45,9 @@ double energy(const DenseProgramme& q, const VectorXd& u) {
 }
 
 double least_energy(const DenseProgramme& q) {
-  const Eigen::LLT<Eigen::MatrixXd> K(q.stiffness);
-  const ContactProblem all{q.A * K.solve(q.A.transpose()), q.initial_gap - q.A * K.solve(q.load)};
+  const CholeskyFactor K(q.stiffness);
+  const ContactProblem all{q.A * K.solve_columns(q.A.transpose()),
+                           q.initial_gap - q.A * K.solve(q.load)};
   const ContactState best = find_solver("enumerate").solve(all, {});
   REQUIRE(best.report.status == Status::Solved);
   return energy(q, K.solve(q.load - q.A.transpose() * best.force));

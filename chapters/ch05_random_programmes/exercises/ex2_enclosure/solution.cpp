@@ -1,7 +1,7 @@
-#include <Eigen/Cholesky>
 #include <limits>
 
 #include "exercise.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace ex5_2 {
 
@@ -17,7 +17,7 @@ Enclosure enclose(const signorini::DenseProgramme& programme, const VectorXd& u,
   const auto& [K, p, A, g, equations] = programme;
   const VectorXd pressing = force.cwiseMax(0);
   const VectorXd rest = p - A.transpose() * pressing;
-  const double lower = -0.5 * rest.dot(K.llt().solve(rest)) - g.dot(pressing);
+  const double lower = -0.5 * rest.dot(signorini::CholeskyFactor(K).solve(rest)) - g.dot(pressing);
   const VectorXd size = g.cwiseAbs() + A.cwiseAbs() * u.cwiseAbs();
   const bool apart = ((g - A * u).array() >= -1e-12 * size.array()).all();
   const double energy = 0.5 * u.dot(K * u) - p.dot(u);

@@ -1,8 +1,7 @@
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "exercise.hpp"
+#include "signorini/core/dense.hpp"
 
 namespace ex9_2 {
 
@@ -14,7 +13,8 @@ Penalised penalty(const signorini::DenseProgramme& programme, double k) {
   for (int step = 0; step < 100 && !result.settled; ++step) {
     const Eigen::MatrixXd springs = k * A.transpose() * pushes.matrix().asDiagonal();
     system = programme.stiffness + springs * A;
-    result.displacement = system.ldlt().solve(programme.load + springs * programme.initial_gap);
+    result.displacement =
+        signorini::CholeskyFactor(system).solve(programme.load + springs * programme.initial_gap);
     const Eigen::ArrayXd gap = programme.initial_gap - A * result.displacement;
     const Eigen::ArrayXd next = (gap < 0).cast<double>();
     result.settled = (next == pushes).all();
@@ -22,8 +22,7 @@ Penalised penalty(const signorini::DenseProgramme& programme, double k) {
     result.overlap = std::max(0.0, -gap.minCoeff());
     pushes = next;
   }
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(system).eigenvalues();
+  const Eigen::VectorXd values = signorini::symmetric_eigenvalues(system);
   result.condition = values.maxCoeff() / values.minCoeff();
   return result;
 }
