@@ -101,36 +101,17 @@ double duality_gap(const ContactProblem& problem, const Claim& claim, const Vect
 }
 
 Certificate figures(const ContactProblem& problem, const Claim& claim) {
-  const FrictionLaw& law = problem.law;
-  const Index pairs = problem.free_gap.size();
   // Rows are compared after scaling: movement / sqrt(F_ii) and force * sqrt(F_ii) have one unit.
   const VectorXd unit = pair_scales(problem.compliance).cwiseInverse();
   const Recomputed now = recomputed(problem, claim, unit);
-  const auto raise = [](double& figure, double value) { figure = std::max(figure, value); };
-  Certificate certificate;
+  Certificate certificate =
+      pair_figures({claim.force, now.movement, unit, now.force, now.length}, problem.law);
   certificate.equilibrium = imbalance(problem, claim.force, unit, now.force);
-  for (Index i = 0; i < claim.force.size(); ++i) {
-    const double moved = now.movement(i) / unit(i);
-    raise(certificate.equilibrium, ratio(std::abs(now.movement(i) - claim.movement(i)) / unit(i),
-                                         std::max(now.length, std::abs(moved))));
-    if (i >= pairs) continue;
-    const double push = claim.force(i) * unit(i);
-    raise(certificate.penetration, ratio(std::max(0.0, -moved), now.length));
-    raise(certificate.tension, ratio(std::max(0.0, -push), now.force));
-    raise(certificate.complementarity, ratio(std::abs(moved * push), now.length * now.force));
-  }
-  for (std::size_t k = 0; k < law.pair.size(); ++k) {
-    const Index i = law.pair[k];
-    const Index row = static_cast<Index>(k);
-    const Index slip = pairs + row;
-    const double normal = law.coefficient(row) * std::max(0.0, claim.force(i)) * unit(slip);
-    const FrictionViolation violation = friction_violation(
-        normal, law.cohesion(row) * unit(slip), claim.force(slip) * unit(slip),
-        now.movement(i) / unit(i), now.movement(slip) / unit(slip), now.length, now.force);
-    raise(certificate.cone, violation.cone);
-    raise(certificate.sliding, violation.sliding);
-  }
-  if (law.pair.empty())
+  for (Index i = 0; i < claim.force.size(); ++i)
+    certificate.equilibrium = std::max(
+        certificate.equilibrium, ratio(std::abs(now.movement(i) - claim.movement(i)) / unit(i),
+                                       std::max(now.length, std::abs(now.movement(i) / unit(i)))));
+  if (problem.law.pair.empty())
     certificate.duality_gap = duality_gap(problem, claim, now.movement, now.length * now.force);
   return certificate;
 }
