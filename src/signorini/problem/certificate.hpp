@@ -106,6 +106,22 @@ struct RowNumbers {
 [[nodiscard]] Certificate pair_figures(const RowNumbers& rows, const FrictionLaw& law,
                                        Eigen::Index equations = 0);
 
+/// A condensed problem by its blocks, see ContactProblem.
+struct ProblemBlocks {
+  const Eigen::MatrixXd& compliance;  ///< F
+  const Eigen::VectorXd& free;        ///< d, then s
+  const FrictionLaw& law;             ///< of the pairs that rub
+  const Eigen::MatrixXd& rigid;       ///< R
+  const Eigen::VectorXd& resultant;   ///< r
+};
+
+/// What is claimed of all rows, gaps first.
+struct Claim {
+  Eigen::VectorXd force;      ///< `n_c + n_s`
+  Eigen::VectorXd movement;   ///< `n_c + n_s`
+  Eigen::VectorXd amplitude;  ///< `n_r`
+};
+
 /// Certificate of forces, gaps, slips and amplitudes against a condensed problem.
 ///
 /// Row i is measured in movement / sqrt(F_ii) and force sqrt(F_ii), which have one unit: lengths against the
@@ -113,6 +129,13 @@ struct RowNumbers {
 /// of them. Any matrix can stand in the place of G, see pair_scales(). The movements are recomputed in twice the
 /// working precision; `equilibrium` is the largest difference of the claimed from the recomputed ones, or the
 /// largest entry of R^T f - r over r or what the largest force could add to it. With friction there is no duality gap; open or closed as for a programme.
+/// \param problem  by its blocks, wherever they are
+/// \param claim    of all rows
+/// \return the figures; all infinite if any number, given or claimed, is not finite
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Certificate certify(const ProblemBlocks& problem, const Claim& claim);
+
+/// The same for a state.
 /// \param problem  as it was posed, or any M and q
 /// \param state    forces, gaps, friction forces, slips and amplitudes; nothing else is looked at
 /// \return the figures; all infinite if any number, given or claimed, is not finite
