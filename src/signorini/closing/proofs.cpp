@@ -175,7 +175,7 @@ bool refutes(const ContactProblem& problem, const VectorXd& y) {
   for (Index i = 0; i < y.size(); ++i) overlap.add_product(-d(i), y(i));
   const double lost = static_cast<double>(y.size()) * proof_rounding * d.cwiseAbs().dot(y);
   if (!(overlap.value() > lost)) return false;
-  const VectorXd scale = pair_scales(problem.compliance);
+  const VectorXd scale = row_scales(problem.compliance, problem.rigid, free_movement(problem));
   const VectorXd scaled = y.cwiseQuotient(scale.head(y.size()));
   if (problem.rigid.cols() > 0) {
     const VectorXd terms = problem.rigid.topRows(y.size()).cwiseAbs().transpose() * y;

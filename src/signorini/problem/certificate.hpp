@@ -126,7 +126,7 @@ struct Claim {
 ///
 /// Row i is measured in movement / sqrt(F_ii) and force sqrt(F_ii), which have one unit: lengths against the
 /// largest overlap without contact, or what forces and rigid motions move in sum, forces against the largest
-/// of them. Any matrix can stand in the place of G, see pair_scales(). The movements are recomputed in twice the
+/// of them. Any matrix can stand in the place of G, see row_scales(). The movements are recomputed in twice the
 /// working precision; `equilibrium` is the largest difference of the claimed from the recomputed ones, or the
 /// largest entry of R^T f - r over r or what the largest force could add to it. With friction there is no duality gap; open or closed as for a programme.
 /// \param problem  by its blocks, wherever they are

@@ -95,7 +95,7 @@ double duality_gap(const ProblemBlocks& problem, const Claim& claim, const Vecto
 
 Certificate figures(const ProblemBlocks& problem, const Claim& claim) {
   // Rows are compared after scaling: movement / sqrt(F_ii) and force * sqrt(F_ii) have one unit.
-  const VectorXd unit = pair_scales(problem.compliance).cwiseInverse();
+  const VectorXd unit = row_scales(problem.compliance, problem.rigid, problem.free).cwiseInverse();
   const Recomputed now = recomputed(problem, claim, unit);
   Certificate certificate =
       pair_figures({claim.force, now.movement, unit, now.force, now.length}, problem.law);
