@@ -67,6 +67,32 @@ TEST_CASE("numbers near overflow or underflow are refused, except small ones bes
   CHECK_THAT(complaint(matrix(1, 0, 0, 1), Vector2d(-1e300, 0)), ContainsSubstring(wanted));
 }
 
+TEST_CASE("numbers of laws and of rigid modes near overflow or underflow are refused",
+          "[problem]") {
+  const auto of = [](double mu, double cohesion, double column, double load, double slip = 1) {
+    ContactProblem problem{matrix(1, 0, 0, slip), Eigen::VectorXd::Zero(1)};
+    problem.free_slip = Eigen::VectorXd::Zero(1);
+    problem.law =
+        law_of_all(Eigen::VectorXd::Constant(1, mu), Eigen::VectorXd::Constant(1, cohesion));
+    problem.rigid = Vector2d(column, 1e-200 * column);
+    problem.resultant = Eigen::VectorXd::Constant(1, load);
+    return argument_message([&] { check_problem(problem); });
+  };
+  CHECK(of(0, 0, 0, 0).empty());
+  CHECK(of(1e-102, 1e102, 1e51, 1e-51).empty());
+  CHECK(of(1e102, 1e-102, 1e-51, 1e51).empty());
+  CHECK_THAT(of(0.3, 0, 1, 1, 0),
+             ContainsSubstring("rigid mode 1"));  // the slip is scaled by 1e-200
+  for (const double far : {1e103, 1e-103}) {
+    CHECK_THAT(of(far, 0, 1, 1), ContainsSubstring("slip 1 has numbers beyond 1e102"));
+    CHECK_THAT(of(0.3, far, 1, 1), ContainsSubstring("slip 1 has numbers beyond 1e102"));
+  }
+  for (const double far : {1e52, 1e-52}) {
+    CHECK_THAT(of(0.3, 0, far, 1), ContainsSubstring("rigid mode 1"));
+    CHECK_THAT(of(0.3, 0, 1, -far), ContainsSubstring("rigid mode 1") && ContainsSubstring("1e51"));
+  }
+}
+
 TEST_CASE("a complementarity problem without symmetry has a certificate too", "[certificate]") {
   // Murty's matrix: z = (0, 1), w = (1, 0) solves it, z = (1, 0), w = (0, 1) only its transpose.
   const ContactProblem problem{matrix(1, 2, 0, 1), Vector2d(-1, -1)};

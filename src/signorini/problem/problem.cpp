@@ -93,9 +93,25 @@ void check_finite(const ContactProblem& problem) {
   for (Eigen::Index j = 0; j < n; ++j) {
     const bool gap = j < pairs;
     require(fits(gap ? problem.free_gap(j) : problem.free_slip(j - pairs)) && fits(F(j, j)) &&
-                F.col(j).cwiseAbs().maxCoeff() <= largest,
+                F.col(j).cwiseAbs().maxCoeff() <= largest &&
+                (gap || (fits(problem.law.coefficient(j - pairs)) &&
+                         fits(problem.law.cohesion(j - pairs)))),
             "contact problem: ", gap ? "pair " : "slip ", gap ? j + 1 : j - pairs + 1,
             " has numbers beyond 1e102 or below 1e-102 in magnitude; change the units");
+  }
+  const auto turns = [](double x) { return x == 0 || (x >= 0x1p-170 && x <= 0x1p170); };
+  for (Eigen::Index j = 0; j < modes; ++j) {
+    double most = 0;
+    bool scales = true;  // whether entries that rows are scaled by do no harm
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double size = std::abs(problem.rigid(i, j));
+      most = std::max(most, size);
+      if (F(i, i) == 0 && !turns(size)) scales = false;
+    }
+    require(
+        scales && turns(most) && turns(std::abs(problem.resultant(j))),
+        "contact problem: rigid mode ", j + 1,
+        " has numbers beyond 1e51 or below 1e-51 in magnitude; change its amplitude or the units");
   }
 }
 

@@ -172,8 +172,9 @@ void check_law(const FrictionLaw& law, Eigen::Index pairs, Eigen::Index slips);
 /// Checks what every solver relies on: sizes and numbers.
 /// \param problem  any
 /// \throws std::invalid_argument unless all sizes fit, all numbers are finite, mu and c are >= 0, and the
-///   numbers of F, its diagonal, d and s are so far from overflow and underflow (2^-340 to 2^340, or 0; small
-///   numbers beside the diagonal do no harm) that forces and energies are too
+///   numbers of F, its diagonal, d, s, mu and c are so far from overflow and underflow (2^-340 to 2^340, or 0;
+///   small numbers beside the diagonal do no harm) that forces and energies are too; those of r, the largest of
+///   each column of R and all of its rows with F_ii = 0, whose quotients are forces as well, 2^-170 to 2^170
 void check_finite(const ContactProblem& problem);
 
 /// Checks what the solvers for symmetric problems rely on.
