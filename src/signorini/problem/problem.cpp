@@ -169,6 +169,8 @@ Eigen::VectorXd row_scales(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd&
     if (alone) apart.push_back(i);
     if (!alone) scale(i) = coupling > 0 ? 1 / coupling : 1;
   }
+  if (apart.empty()) return scale;
+  scale_apart(rigid, free, apart, scale);
   return scale;
 }
 
@@ -185,8 +187,6 @@ FrictionLaw law_of_all(const Eigen::VectorXd& coefficient, const Eigen::VectorXd
   for (Eigen::Index i = 0; i < coefficient.size(); ++i) law.pair.push_back(i);
   return law;
 }
-  if (apart.empty()) return scale;
-  scale_apart(rigid, free, apart, scale);
 
 Eigen::VectorXd free_movement(const ContactProblem& problem) {
   Eigen::VectorXd free(problem.free_gap.size() + problem.free_slip.size());

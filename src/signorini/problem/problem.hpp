@@ -128,7 +128,7 @@ void append(Report& total, const Report& run);
 
 /// Whether other forces would do as well.
 enum class Uniqueness {
-  Proved,   ///< no other solution exists, for any free gaps and slips
+  Proved,   ///< no other solution exists, see uniqueness()
   Unknown,  ///< nothing was found that speaks for another solution, or against it
   Doubtful  ///< a warning: others may exist, see uniqueness()
 };
