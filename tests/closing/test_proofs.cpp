@@ -98,3 +98,23 @@ TEST_CASE("what cohesion can carry is no proof that a body moves away, whatever 
     CHECK(escape(equilibrate(problem)).size() == 0);
   }
 }
+
+TEST_CASE("one solution is proved only if the pairs that press leave no body free to move",
+          "[closing][floating]") {
+  const auto verdict = [](const Vector2d& mode, double free_gap, double load) {
+    ContactProblem problem{Matrix2d::Identity(), Eigen::VectorXd::Constant(1, free_gap)};
+    problem.free_slip = Eigen::VectorXd::Zero(1);
+    problem.law = law_of_all(Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1));
+    problem.rigid = mode;
+    problem.resultant = Eigen::VectorXd::Constant(1, load);
+    const ScaledProblem scaled = equilibrate(problem);
+    const std::vector<Motion> motions = {load > 0 ? Motion::Forward : Motion::Open};
+    const Closure closure = close(scaled, motions);
+    CHECK(closure.solvable);
+    return uniqueness(scaled, closure);
+  };
+  CHECK(verdict({1, 0}, 1, 1.5) == Uniqueness::Proved);
+  CHECK(verdict({1, 0}, 1, 0) == Uniqueness::Unknown);  // it hovers, how high nothing says
+  CHECK(verdict({0, 1}, 1, 0) == Uniqueness::Unknown);  // it slides along the wall
+  CHECK(verdict({0, 0}, 1, 0) == Uniqueness::Unknown);  // no pair notices how it moves
+}

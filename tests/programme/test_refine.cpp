@@ -166,12 +166,16 @@ TEST_CASE("forces that do not balance the load of a free body are not confirmed"
   programme.load = Eigen::Vector2d(1, 0);
   programme.A = Eigen::MatrixXd(Eigen::RowVector2d(0, 1)).sparseView();
   programme.initial_gap = Eigen::VectorXd::Zero(1);
+  const Eigen::MatrixXd modes = Eigen::Vector2d::Ones();
+  const ContactProblem condensed{Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Zero(1)};
+  const ScaledProblem scaled = equilibrate(condensed);
+  const std::function<Eigen::VectorXd(const Eigen::VectorXd&)> unused;
+  const RefinementData data{programme, unused, condensed, scaled, modes};
   Refinement numbers;
   numbers.settled = true;
   numbers.movement = Eigen::VectorXd::Zero(1);
   for (const double force : {1.0, 1 + 1e-12, 0.5}) {
     numbers.solution = {Eigen::Vector2d(1, 0), {}, Eigen::VectorXd::Constant(1, force)};
-    CHECK(judge(programme, {}, numbers, {Motion::Stick}, Eigen::Vector2d::Ones()).confirmed ==
-          (force == 1));
+    CHECK(judge(data, numbers, {Motion::Stick}).confirmed == (force == 1));
   }
 }

@@ -1,9 +1,11 @@
 // Where the road ends when the solver on it is wrong: solvers that recite answers.
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/programme/rigid_modes.hpp"
 #include "signorini/programme/road.hpp"
 
 using Eigen::MatrixXd;
@@ -96,4 +98,37 @@ TEST_CASE("pairs whose set was never confirmed are named by their numbers", "[ro
   CHECK(end.state.force == Eigen::Vector2d(1, 0));
   CHECK(end.state.gap == Eigen::Vector2d(0, 0.5));
   CHECK(end.state.active == std::vector<Eigen::Index>{0});
+}
+
+TEST_CASE("where a claim that is not solved has moved the body is not believed",
+          "[road][floating]") {
+  // A point that rubs on the ground with mu = 0, so that nothing holds it along; grounded by K = I.
+  const MatrixXd modes = MatrixXd::Identity(2, 2);
+  const VectorXd load = Eigen::Vector2d(0, -1);
+  const MatrixXd A = (MatrixXd(2, 2) << 0, -1, -1, 0).finished();
+  const QuadraticProgramme programme{Eigen::SparseMatrix<double>(2, 2), load, A.sparseView(),
+                                     Eigen::Vector2d::Zero()};
+  ContactProblem problem{MatrixXd::Identity(2, 2), -VectorXd::Ones(1), VectorXd::Zero(1),
+                         law_of_all(VectorXd::Zero(1), VectorXd::Zero(1))};
+  add_rigid_modes(programme, modes, problem);
+  const auto along = [&](Status status) {
+    ContactState state = claim(status, VectorXd::Ones(1), {0});
+    state.rubbing = {0};
+    state.motion = {Motion::Forward};
+    state.friction = VectorXd::Zero(1);
+    state.slip = VectorXd::Constant(1, 0.25);
+    state.amplitude = Eigen::Vector2d(0.25, 0);
+    recital = {{state}};
+    const Solver solver = {"recital", "says what it was told to", recite};
+    Ledger ledger;
+    const CertifiedEnd end =
+        certified_end(programme, {problem, load, [](const VectorXd& force) { return force; }},
+                      modes, solver.with_friction(Takes::Also), {}, ledger);
+    CHECK(end.state.report.status == Status::Solved);
+    CHECK(end.state.force(0) == 1);
+    CHECK(end.state.slip(0) == end.solution.displacement(0));
+    return end.solution.displacement(0);
+  };
+  CHECK(along(Status::Solved) == 0.25);
+  CHECK(std::abs(along(Status::IterationLimit)) < 1e-15);  // rounding of the load along it
 }

@@ -32,8 +32,10 @@ inline Refined refined(const signorini::QuadraticProgramme& programme,
     condensed.resultant = Eigen::VectorXd::Zero(modes.cols());
   }
   const std::vector<signorini::Motion> motions = signorini::motions_of(closed, pairs);
-  Refined result{signorini::refine(programme, solve, condensed, std::move(start), motions, modes)};
-  result.confirmed = signorini::judge(programme, {}, result, motions, modes).confirmed;
+  const signorini::ScaledProblem scaled = signorini::equilibrate(condensed);
+  const signorini::RefinementData data{programme, solve, condensed, scaled, modes};
+  Refined result{signorini::refine(data, std::move(start), motions)};
+  result.confirmed = signorini::judge(data, result, motions).confirmed;
   return result;
 }
 

@@ -49,8 +49,8 @@ MatrixXd row_space(const MatrixXd& matrix) {
 
 /// Puts every friction force that is at its bound there.
 void impose(const KnownSet& set, VectorXd& force) {
-  for (const SlidingPair& pair : set.sliding)  // LinEtAl 15, 16
-    force(pair.slip) = pair.slope * force(pair.gap) + pair.offset;
+  for (const SlidingPair& pair : set.sliding)
+    force(pair.slip) = pair.friction(force(pair.gap)).value();
 }
 
 /// The numbers to start from: no force that the set excludes.

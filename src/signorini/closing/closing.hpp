@@ -9,6 +9,7 @@
 
 #include "signorini/closing/scaled.hpp"
 #include "signorini/core/dense.hpp"
+#include "signorini/core/exact_sum.hpp"
 
 namespace signorini {
 
@@ -18,6 +19,16 @@ struct SlidingPair {
   Eigen::Index slip;  ///< row of its slip
   double slope;       ///< -mu, 0 or mu [-]
   double offset;      ///< -c, 0 or c [force]
+
+  /// \param normal  lambda, rounded [force]
+  /// \param low     what rounding took away from it [force]
+  /// \return tau in twice the working precision, \PaperEq{LinEtAl, 15}, \PaperEq{LinEtAl, 16}
+  [[nodiscard]] ExactSum friction(double normal, double low = 0) const {
+    ExactSum tau(offset);
+    tau.add_product(slope, normal);
+    tau.add(slope * low);
+    return tau;
+  }
 };
 
 /// What follows for the rows of gaps and slips: which of them do not move, and which friction forces are at

@@ -95,16 +95,14 @@ bool solves(const ScaledProblem& problem, const std::vector<Motion>& motions,
   if (!closure.solvable || predict(problem, closure, 1, next) != 0) return false;
   for (const Index row : known_set(motions, problem.law).closed)
     if (!closure.closes(row)) return false;
+  Claim claim{closure.force, closure.movement, closure.amplitude};
   const Index pairs = problem.pairs();
-  const Index slips = closure.force.size() - pairs;
-  ContactState state;
-  state.force = closure.force.head(pairs).cwiseMax(0.0);
-  state.gap = closure.movement.head(pairs).cwiseMax(0.0);
-  state.friction = closure.force.tail(slips);
-  state.slip = closure.movement.tail(slips);
-  state.amplitude = closure.amplitude;
+  claim.force.head(pairs) = closure.force.head(pairs).cwiseMax(0.0);
+  claim.movement.head(pairs) = closure.movement.head(pairs).cwiseMax(0.0);
   // Its bound is 1e-12; in the units of the problem every number is rounded once more.
-  return certify(as_posed(problem), state).holds(0.25e-12);
+  const ProblemBlocks blocks{problem.compliance, problem.free, problem.law, problem.rigid,
+                             problem.resultant};
+  return certify(blocks, claim).holds(0.25e-12);
 }
 
 Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& candidates,

@@ -66,8 +66,7 @@ VectorXd lacking(const Pushes& all) {
   const MatrixXd& D = all.direction;
   VectorXd weight = VectorXd::Zero(D.rows());
   std::vector<Index> used;
-  const double rounding =
-      static_cast<double>(D.rows() + D.cols()) * epsilon * all.target.norm();
+  const double rounding = static_cast<double>(D.rows() + D.cols()) * epsilon * all.target.norm();
   while (true) {
     const VectorXd missing = all.target - D.transpose() * weight;
     VectorXd gain = D * missing;
@@ -89,8 +88,7 @@ VectorXd lacking(const Pushes& all) {
         const double now = weight(used[k]);
         const double end = best(static_cast<Index>(k));
         if (end <= 0) part = std::min(part, now / (now - end));
-        if (end > all.most(used[k]))
-          part = std::min(part, (all.most(used[k]) - now) / (end - now));
+        if (end > all.most(used[k])) part = std::min(part, (all.most(used[k]) - now) / (end - now));
       }
       std::vector<Index> kept;
       for (std::size_t k = 0; k < used.size(); ++k) {
@@ -165,6 +163,18 @@ bool bound_excludes_others(const ScaledProblem& problem) {
   return CholeskyFactor(S).positive();
 }
 
+/// Whether pairs whose forces are no rounding let no body move rigidly.
+bool holds_modes(const ScaledProblem& problem, const Closure& solution) {
+  if (problem.inverse.rows() > problem.rigid.cols()) return false;  // a motion that moves no pair
+  if (problem.rigid.cols() == 0) return true;
+  std::vector<Index> pressed;
+  for (Index i = 0; i < problem.pairs(); ++i)
+    if (solution.force(i) > solution.force_rounding) pressed.push_back(i);
+  if (pressed.empty()) return false;
+  const MatrixXd held = problem.rigid(pressed, Eigen::all).transpose();
+  return column_span(held).rank == problem.rigid.cols();
+}
+
 }  // namespace
 
 bool refutes(const ContactProblem& problem, const VectorXd& y) {
@@ -175,7 +185,7 @@ bool refutes(const ContactProblem& problem, const VectorXd& y) {
   for (Index i = 0; i < y.size(); ++i) overlap.add_product(-d(i), y(i));
   const double lost = static_cast<double>(y.size()) * proof_rounding * d.cwiseAbs().dot(y);
   if (!(overlap.value() > lost)) return false;
-  const VectorXd scale = pair_scales(problem.compliance);
+  const VectorXd scale = row_scales(problem.compliance, problem.rigid, free_movement(problem));
   const VectorXd scaled = y.cwiseQuotient(scale.head(y.size()));
   if (problem.rigid.cols() > 0) {
     const VectorXd terms = problem.rigid.topRows(y.size()).cwiseAbs().transpose() * y;
@@ -183,14 +193,12 @@ bool refutes(const ContactProblem& problem, const VectorXd& y) {
     if ((moved.array() > proof_rounding * terms.array()).any()) return false;
   }
   const double deepest = -d.cwiseProduct(scale.head(y.size())).minCoeff();
-  const double most =
-      combined(problem.compliance, y).cwiseProduct(scale).cwiseAbs().maxCoeff();
+  const double most = combined(problem.compliance, y).cwiseProduct(scale).cwiseAbs().maxCoeff();
   return most <= proof_rounding * scaled.sum() &&
          most * deepest < overlap.value() * std::sqrt(epsilon);
 }
 
-VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& active,
-                       Index pair) {
+VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& active, Index pair) {
   ScaledProblem pressed = problem;
   pressed.free = problem.compliance.col(pair);
   if (problem.rigid.cols() > 0) pressed.resultant = -problem.rigid.row(pair).transpose();
@@ -224,8 +232,7 @@ std::optional<ContactState> pulled_away(const ContactProblem& problem,
   none.force = VectorXd::Zero(scaled.free.size());
   none.movement = scaled.free;
   none.amplitude = VectorXd::Zero(scaled.rigid.cols());
-  ContactState state =
-      finished(problem, scaled, none, motions_of({}, scaled.pairs()), Report());
+  ContactState state = finished(problem, scaled, none, motions_of({}, scaled.pairs()), Report());
   state.report.status = Status::Infeasible;
   if (!problem.law.pair.empty())
     state.reason =
@@ -246,7 +253,8 @@ Uniqueness uniqueness(const ScaledProblem& problem, const Closure& solution) {
   }
   const bool rubs = !law.coefficient.isZero(0) || !law.cohesion.isZero(0);
   if (rubs && (problem.rigid.cols() > 0 || !law.cohesion.isZero(0))) return Uniqueness::Unknown;
-  return bound_excludes_others(problem) ? Uniqueness::Proved : Uniqueness::Unknown;
+  const bool only = bound_excludes_others(problem) && holds_modes(problem, solution);
+  return only ? Uniqueness::Proved : Uniqueness::Unknown;
 }
 
 }  // namespace signorini

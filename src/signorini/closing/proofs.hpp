@@ -51,9 +51,9 @@ namespace signorini {
 [[nodiscard]] std::optional<ContactState> pulled_away(const ContactProblem& problem,
                                                       const ScaledProblem& scaled);
 
-/// Whether a problem of these matrices can have several solutions.
+/// Whether a problem can have several solutions.
 ///
-/// *Proved* means: none can, for any free gaps and slips. With F split into G of the gaps, T of the slips and C
+/// *Proved* means: none of these matrices can, for any free gaps and slips. With F split into G of the gaps, T of the slips and C
 /// between them, (Delta lambda, Delta tau) the difference of two solutions and v that of their slips,
 ///
 /// \f[ \Delta\lambda^T (G - C T^{-1} C^T) \Delta\lambda + v^T T^{-1} v \le
@@ -61,7 +61,8 @@ namespace signorini {
 ///
 /// which leaves no difference if \f$ G - C T^{-1} C^T - \tfrac14\mu\,|T|\,\mu \f$ is positive definite, or
 /// if C = 0, so that the normal forces do not feel the friction. It is not claimed with cohesion, whose
-/// bound jumps, nor with rigid modes, unless nothing rubs. *Doubtful* is a warning: either
+/// bound jumps, nor with rigid modes, unless nothing rubs and the pairs that press hold all of them: else the
+/// forces are the only ones, but gaps of the same load may not be. *Doubtful* is a warning: either
 /// \f$ \mu_i |C_{ii}| > G_{ii} \f$ for some pair, which alone already has several solutions for some free
 /// gaps and slips; or the system of the motions found has a determinant of the sign opposite to that
 /// without friction, which for held bodies without cohesion means that there are others. Neither is

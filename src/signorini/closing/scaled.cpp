@@ -41,7 +41,8 @@ void scale_modes(const ContactProblem& problem, ScaledProblem& scaled) {
         static_cast<double>(rigid.rows() + rigid.cols()) * epsilon * all.values(0);
     rank = (all.values.array() > threshold).count();
     scaled.rigid = all.U.leftCols(rank);
-    for (Index i = 0; i < rigid.rows(); ++i)  // no amplitude, however large, may move what no mode moves
+    for (Index i = 0; i < rigid.rows();
+         ++i)  // no amplitude, however large, may move what no mode moves
       if (rigid.row(i).isZero(0)) scaled.rigid.row(i).setZero();
     inverse = all.V.leftCols(rank) * all.values.head(rank).cwiseInverse().asDiagonal();
   }
@@ -55,9 +56,10 @@ void scale_modes(const ContactProblem& problem, ScaledProblem& scaled) {
 
 ScaledProblem scaled_by_pairs(const ContactProblem& problem) {
   ScaledProblem scaled;
-  scaled.scale = pair_scales(problem.compliance);
+  const VectorXd free = free_movement(problem);
+  scaled.scale = row_scales(problem.compliance, problem.rigid, free);
   scaled.compliance = scaled.scale.asDiagonal() * problem.compliance * scaled.scale.asDiagonal();
-  scaled.free = scaled.scale.cwiseProduct(free_movement(problem));
+  scaled.free = scaled.scale.cwiseProduct(free);
   scale_law(problem.law, scaled);
   scale_modes(problem, scaled);
   return scaled;

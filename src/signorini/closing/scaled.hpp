@@ -19,7 +19,8 @@ struct ScaledProblem {
   Eigen::VectorXd scale;       ///< s; force = s * scaled force, gap = scaled gap / s
   bool symmetric = true;       ///< whether F may be factored as such: symmetric, no diagonal < 0
   FrictionLaw law = {};        ///< coefficients [-] and cohesion [sqrt(energy)] of scaled forces
-  Eigen::MatrixXd rigid = {};  ///< U `n_c + n_s` x `k`, orthonormal with the span of s R; no columns if held
+  /// U `n_c + n_s` x `k`, orthonormal with the span of s R; no columns if held
+  Eigen::MatrixXd rigid = {};
   Eigen::VectorXd resultant = {};  ///< t `k` that U^T f must be [sqrt(energy)]
   Eigen::MatrixXd inverse = {};    ///< `n_r x k`: amplitude = inverse * scaled amplitude
   /// Minus the part of r along a motion that moves no pair, as amplitudes `n_r`, or empty
@@ -31,13 +32,13 @@ struct ScaledProblem {
   }
 };
 
-/// Equilibrates a problem by its pair_scales().
+/// Equilibrates a problem by its row_scales().
 /// \param problem  any
-/// \return the scaled problem; a pair with F_ii = 0 keeps the scale 1, and dependent modes make k < n_r
+/// \return the scaled problem; dependent modes make k < n_r
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ScaledProblem equilibrate(const ContactProblem& problem);
 
-/// Equilibrates w = M z + q with any matrix by its pair_scales(): a symmetric problem as equilibrate().
+/// Equilibrates w = M z + q with any matrix by its row_scales(): a symmetric problem as equilibrate().
 /// \param problem  M and q
 /// \return the scaled problem
 /// \throws std::invalid_argument as check_finite()

@@ -93,8 +93,8 @@ Eigen::VectorXd row_norms(const RowMatrix& A) {
 /// The largest net force on an unknown, and the largest length: of a displacement towards the obstacle, or
 /// of what the forces at hand would move a node by if its neighbours stood still. Neither counts what
 /// may be large without meaning anything: the gap of a far obstacle, or contact forces that cancel.
-Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution) {
-  const Eigen::VectorXd norm = row_norms(programme.A);
+Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution,
+                 const Eigen::VectorXd& norm) {
   const Eigen::VectorXd diagonal = programme.stiffness.diagonal();
   const Eigen::VectorXd contact = programme.A.transpose() * solution.force;
   Eigen::VectorXd u = solution.displacement;
@@ -166,27 +166,6 @@ double duality_gap(const QuadraticProgramme& programme, const PrimalDual& soluti
   return ratio(std::abs(energy.value()), std::max(energies, least));
 }
 
-void raise(double& figure, double value) { figure = std::max(figure, value); }
-
-/// The figures of the pairs that rub.
-void add_friction(const QuadraticProgramme& programme, const PrimalDual& solution,
-                  const FrictionLaw& law, const Eigen::VectorXd& movement, const Scales& scale,
-                  Certificate& certificate) {
-  const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
-  const Eigen::VectorXd norm = row_norms(programme.A);
-  for (std::size_t k = 0; k < law.pair.size(); ++k) {
-    const Index row = static_cast<Index>(k);
-    const Index gap = law.pair[k];
-    const Index slip = pairs + row;
-    const double normal = law.coefficient(row) * std::max(0.0, solution.force(gap));
-    const FrictionViolation violation = friction_violation(
-        normal * norm(slip), law.cohesion(row) * norm(slip), solution.force(slip) * norm(slip),
-        movement(gap) / norm(gap), movement(slip) / norm(slip), scale.length, scale.force);
-    raise(certificate.cone, violation.cone);
-    raise(certificate.sliding, violation.sliding);
-  }
-}
-
 /// The certificate of gaps, of which some are equations, and of slips.
 Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& solution,
                         const FrictionLaw& law, Index equations) {
@@ -196,25 +175,14 @@ Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& s
     return uncertified();
   const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
   const Eigen::VectorXd movement = gaps(programme, solution);
-  const Scales scale = scales_of(programme, solution);
   const Eigen::VectorXd norm = row_norms(programme.A);
-  const Index pairs = movement.size() - static_cast<Index>(law.pair.size());
-
-  Certificate certificate;
-  for (Index pair = 0; pair < pairs; ++pair) {
-    const bool equation = pair < equations;
-    const double gap = movement(pair) / norm(pair);
-    const double length = equation ? -std::abs(gap) : gap;
-    const double force =
-        (equation ? std::abs(solution.force(pair)) : solution.force(pair)) * norm(pair);
-    raise(certificate.penetration, ratio(std::max(0.0, -length), scale.length));
-    raise(certificate.tension, ratio(std::max(0.0, -force), scale.force));
-    raise(certificate.complementarity, ratio(std::abs(length * force), scale.length * scale.force));
-  }
-  add_friction(programme, solution, law, movement, scale, certificate);
+  const Scales scale = scales_of(programme, solution, norm);
+  const Index slips = static_cast<Index>(law.pair.size());
+  Certificate certificate =
+      pair_figures({solution.force, movement, norm, scale.force, scale.length}, law, equations);
   certificate.equilibrium = ratio(largest(residual), scale.force);
-  certificate.duality_gap =
-      duality_gap(programme, solution, pairs, residual, movement, scale.length * scale.force);
+  certificate.duality_gap = duality_gap(programme, solution, movement.size() - slips, residual,
+                                        movement, scale.length * scale.force);
   return certificate;
 }
 
@@ -223,21 +191,6 @@ Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& s
 Certificate uncertified() {
   const double infinity = std::numeric_limits<double>::infinity();
   return {infinity, infinity, infinity, infinity, infinity, infinity, infinity};
-}
-
-FrictionViolation friction_violation(double normal, double cohesion, double friction, double gap,
-                                     double slip, double length, double force) {
-  const auto against = [&](double bound) {
-    return FrictionViolation{
-        ratio(std::max(0.0, std::abs(friction) - bound), force),
-        std::min(ratio(std::abs(slip), length),
-                 ratio(std::abs(std::copysign(bound, slip) + friction), force))};
-  };
-  const FrictionViolation open = against(normal);
-  if (cohesion == 0) return open;
-  FrictionViolation closed = against(normal + cohesion);
-  closed.cone = std::max(closed.cone, ratio(std::max(0.0, gap), length));
-  return std::max(closed.cone, closed.sliding) < std::max(open.cone, open.sliding) ? closed : open;
 }
 
 double Certificate::worst() const {

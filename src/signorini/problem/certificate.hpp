@@ -88,32 +88,54 @@ struct PrimalDual {
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                                   const FrictionLaw& law);
 
-/// How far a pair is from the law of friction, for both certificates. All numbers are scaled: those of one
-/// pair to its unit, and then length and force to 1.
-struct FrictionViolation {
-  double cone = 0;  ///< what the friction force exceeds its bound by, or the gap of a closed pair
-  double sliding = 0;  ///< what slides without being resisted
+/// Forces and movements of all rows, gaps first, and what they are measured by.
+struct RowNumbers {
+  const Eigen::VectorXd& force;     ///< `n_c + n_s` [force]
+  const Eigen::VectorXd& movement;  ///< `n_c + n_s`: gaps, then slips [length]
+  /// `n_c + n_s` > 0: of all rows force * unit is in one unit, and so is movement / unit
+  const Eigen::VectorXd& unit;
+  double largest_force;  ///< that forces are measured by, in that unit
+  double length;         ///< that movements are measured by, in that unit
 };
 
-/// \param normal    mu lambda+, the bound of an open pair
-/// \param cohesion  what the bound of a closed pair has more
-/// \param friction  tau
-/// \param gap       of the pair
-/// \param slip      of the pair
-/// \param length    that gap and slip are measured by
-/// \param force     that forces are measured by
-/// \return the smaller violation of the two that it has as an open and as a closed pair
-[[nodiscard]] FrictionViolation friction_violation(double normal, double cohesion, double friction,
-                                                   double gap, double slip, double length,
-                                                   double force);
+/// What both certificates ask of pairs: no overlap, no tension, no force across a gap, the law of friction.
+/// \param rows       as they were found
+/// \param law        of the pairs that rub
+/// \param equations  so many of the first rows are equations
+/// \return penetration, tension, complementarity, cone and sliding; the other figures are 0
+[[nodiscard]] Certificate pair_figures(const RowNumbers& rows, const FrictionLaw& law,
+                                       Eigen::Index equations = 0);
+
+/// A condensed problem by its blocks, see ContactProblem.
+struct ProblemBlocks {
+  const Eigen::MatrixXd& compliance;  ///< F
+  const Eigen::VectorXd& free;        ///< d, then s
+  const FrictionLaw& law;             ///< of the pairs that rub
+  const Eigen::MatrixXd& rigid;       ///< R
+  const Eigen::VectorXd& resultant;   ///< r
+};
+
+/// What is claimed of all rows, gaps first.
+struct Claim {
+  Eigen::VectorXd force;      ///< `n_c + n_s`
+  Eigen::VectorXd movement;   ///< `n_c + n_s`
+  Eigen::VectorXd amplitude;  ///< `n_r`
+};
 
 /// Certificate of forces, gaps, slips and amplitudes against a condensed problem.
 ///
 /// Row i is measured in movement / sqrt(F_ii) and force sqrt(F_ii), which have one unit: lengths against the
 /// largest overlap without contact, or what forces and rigid motions move in sum, forces against the largest
-/// of them. Any matrix can stand in the place of G, see pair_scales(). The movements are recomputed in twice the
+/// of them. Any matrix can stand in the place of G, see row_scales(). The movements are recomputed in twice the
 /// working precision; `equilibrium` is the largest difference of the claimed from the recomputed ones, or the
 /// largest entry of R^T f - r over r or what the largest force could add to it. With friction there is no duality gap; open or closed as for a programme.
+/// \param problem  by its blocks, wherever they are
+/// \param claim    of all rows
+/// \return the figures; all infinite if any number, given or claimed, is not finite
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Certificate certify(const ProblemBlocks& problem, const Claim& claim);
+
+/// The same for a state.
 /// \param problem  as it was posed, or any M and q
 /// \param state    forces, gaps, friction forces, slips and amplitudes; nothing else is looked at
 /// \return the figures; all infinite if any number, given or claimed, is not finite

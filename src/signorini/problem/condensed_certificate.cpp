@@ -13,13 +13,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The forces and movements of all rows that a state claims.
-struct Claim {
-  VectorXd force;
-  VectorXd movement;
-  VectorXd amplitude;
-};
-
 /// Movements summed anew, and what they, forces and energies are measured by, scaled to one unit.
 struct Recomputed {
   VectorXd movement;
@@ -28,7 +21,7 @@ struct Recomputed {
 };
 
 /// What a mode can do per unit of force, at most, scaled.
-double lever(const ContactProblem& problem, Index mode, const VectorXd& unit) {
+double lever(const ProblemBlocks& problem, Index mode, const VectorXd& unit) {
   return largest(problem.rigid.col(mode).cwiseQuotient(unit));
 }
 
@@ -36,9 +29,9 @@ double lever(const ContactProblem& problem, Index mode, const VectorXd& unit) {
 /// of pairs that are far apart count nor terms that cancel. With rigid modes, whose load fixes the size of
 /// forces, all may cancel and nothing move but by rounding: then the terms are all there is to measure by, but no
 /// more than forces of that size make.
-Recomputed recomputed(const ContactProblem& problem, const Claim& claim, const VectorXd& unit) {
-  const VectorXd free = free_movement(problem);
-  const Index pairs = problem.free_gap.size();
+Recomputed recomputed(const ProblemBlocks& problem, const Claim& claim, const VectorXd& unit) {
+  const VectorXd& free = problem.free;
+  const Index pairs = free.size() - static_cast<Index>(problem.law.pair.size());
   Recomputed now{VectorXd(free.size())};
   double term = 0;
   for (Index i = 0; i < free.size(); ++i) {
@@ -69,7 +62,7 @@ Recomputed recomputed(const ContactProblem& problem, const Claim& claim, const V
 
 /// How far forces are from balance: the largest entry of R^T f - r, each over r or what the largest force could
 /// add to it. A pair on the axis of a rotation has no part in it, and forces elsewhere may all but vanish.
-double imbalance(const ContactProblem& problem, const VectorXd& force, const VectorXd& unit,
+double imbalance(const ProblemBlocks& problem, const VectorXd& force, const VectorXd& unit,
                  double largest_force) {
   double worst = 0;
   for (Index j = 0; j < problem.resultant.size(); ++j) {
@@ -83,13 +76,13 @@ double imbalance(const ContactProblem& problem, const VectorXd& force, const Vec
 }
 
 /// |f^T d + f^T F f + r^T a|, which f^T movement is if R^T f = r, over the size of the energies, or `least`.
-double duality_gap(const ContactProblem& problem, const Claim& claim, const VectorXd& movement,
+double duality_gap(const ProblemBlocks& problem, const Claim& claim, const VectorXd& movement,
                    double least) {
   ExactSum energy;
   double energies = 0;
   for (Index i = 0; i < claim.force.size(); ++i) {
     energy.add_product(claim.force(i), movement(i));
-    energies += std::abs(claim.force(i) * problem.free_gap(i));
+    energies += std::abs(claim.force(i) * problem.free(i));
     for (Index j = 0; j < claim.amplitude.size(); ++j)
       energy.add_product(-claim.force(i) * problem.rigid(i, j), claim.amplitude(j));
   }
@@ -100,37 +93,18 @@ double duality_gap(const ContactProblem& problem, const Claim& claim, const Vect
   return ratio(std::abs(energy.value()), std::max(energies, least));
 }
 
-Certificate figures(const ContactProblem& problem, const Claim& claim) {
-  const FrictionLaw& law = problem.law;
-  const Index pairs = problem.free_gap.size();
+Certificate figures(const ProblemBlocks& problem, const Claim& claim) {
   // Rows are compared after scaling: movement / sqrt(F_ii) and force * sqrt(F_ii) have one unit.
-  const VectorXd unit = pair_scales(problem.compliance).cwiseInverse();
+  const VectorXd unit = row_scales(problem.compliance, problem.rigid, problem.free).cwiseInverse();
   const Recomputed now = recomputed(problem, claim, unit);
-  const auto raise = [](double& figure, double value) { figure = std::max(figure, value); };
-  Certificate certificate;
+  Certificate certificate =
+      pair_figures({claim.force, now.movement, unit, now.force, now.length}, problem.law);
   certificate.equilibrium = imbalance(problem, claim.force, unit, now.force);
-  for (Index i = 0; i < claim.force.size(); ++i) {
-    const double moved = now.movement(i) / unit(i);
-    raise(certificate.equilibrium, ratio(std::abs(now.movement(i) - claim.movement(i)) / unit(i),
-                                         std::max(now.length, std::abs(moved))));
-    if (i >= pairs) continue;
-    const double push = claim.force(i) * unit(i);
-    raise(certificate.penetration, ratio(std::max(0.0, -moved), now.length));
-    raise(certificate.tension, ratio(std::max(0.0, -push), now.force));
-    raise(certificate.complementarity, ratio(std::abs(moved * push), now.length * now.force));
-  }
-  for (std::size_t k = 0; k < law.pair.size(); ++k) {
-    const Index i = law.pair[k];
-    const Index row = static_cast<Index>(k);
-    const Index slip = pairs + row;
-    const double normal = law.coefficient(row) * std::max(0.0, claim.force(i)) * unit(slip);
-    const FrictionViolation violation = friction_violation(
-        normal, law.cohesion(row) * unit(slip), claim.force(slip) * unit(slip),
-        now.movement(i) / unit(i), now.movement(slip) / unit(slip), now.length, now.force);
-    raise(certificate.cone, violation.cone);
-    raise(certificate.sliding, violation.sliding);
-  }
-  if (law.pair.empty())
+  for (Index i = 0; i < claim.force.size(); ++i)
+    certificate.equilibrium = std::max(
+        certificate.equilibrium, ratio(std::abs(now.movement(i) - claim.movement(i)) / unit(i),
+                                       std::max(now.length, std::abs(now.movement(i) / unit(i)))));
+  if (problem.law.pair.empty())
     certificate.duality_gap = duality_gap(problem, claim, now.movement, now.length * now.force);
   return certificate;
 }
@@ -143,30 +117,39 @@ VectorXd stacked(const VectorXd& top, const VectorXd& bottom) {
 
 }  // namespace
 
+Certificate certify(const ProblemBlocks& problem, const Claim& claim) {
+  const Index rows = problem.free.size();
+  const Index modes = problem.resultant.size();
+  require(problem.compliance.rows() == rows && problem.compliance.cols() == rows,
+          "certify: compliance must be ", rows, " x ", rows, ", got ", problem.compliance.rows(),
+          " x ", problem.compliance.cols());
+  require(problem.rigid.cols() == modes && (modes == 0 || problem.rigid.rows() == rows),
+          "certify: rigid must be ", rows, " x ", modes, ", got ", problem.rigid.rows(), " x ",
+          problem.rigid.cols());
+  require(claim.force.size() == rows && claim.movement.size() == rows &&
+              claim.amplitude.size() == modes,
+          "certify: need ", rows, " forces and movements and ", modes, " amplitudes, got ",
+          claim.force.size(), ", ", claim.movement.size(), " and ", claim.amplitude.size());
+  if (!problem.compliance.allFinite() || !problem.free.allFinite() || !problem.rigid.allFinite() ||
+      !problem.resultant.allFinite() || !claim.force.allFinite() || !claim.movement.allFinite() ||
+      !claim.amplitude.allFinite())
+    return uncertified();
+  return figures(problem, claim);
+}
+
 Certificate certify(const ContactProblem& problem, const ContactState& state) {
   const Index pairs = problem.free_gap.size();
   const Index slips = problem.free_slip.size();
-  const Index modes = problem.resultant.size();
   check_law(problem.law, pairs, slips);
-  require(problem.compliance.rows() == pairs + slips && problem.compliance.cols() == pairs + slips,
-          "certify: compliance must be ", pairs + slips, " x ", pairs + slips, ", got ",
-          problem.compliance.rows(), " x ", problem.compliance.cols());
-  require(problem.rigid.cols() == modes && (modes == 0 || problem.rigid.rows() == pairs + slips),
-          "certify: rigid must be ", pairs + slips, " x ", modes, ", got ", problem.rigid.rows(),
-          " x ", problem.rigid.cols());
   require(state.force.size() == pairs && state.gap.size() == pairs &&
-              state.friction.size() == slips && state.slip.size() == slips &&
-              state.amplitude.size() == modes,
-          "certify: need ", pairs, " forces and gaps, ", slips, " friction forces and slips and ",
-          modes, " amplitudes, got ", state.force.size(), ", ", state.gap.size(), ", ",
-          state.friction.size(), ", ", state.slip.size(), " and ", state.amplitude.size());
-  const Claim claim{stacked(state.force, state.friction), stacked(state.gap, state.slip),
-                    state.amplitude};
-  if (!problem.compliance.allFinite() || !free_movement(problem).allFinite() ||
-      !problem.rigid.allFinite() || !problem.resultant.allFinite() || !claim.force.allFinite() ||
-      !claim.movement.allFinite() || !claim.amplitude.allFinite())
-    return uncertified();
-  return figures(problem, claim);
+              state.friction.size() == slips && state.slip.size() == slips,
+          "certify: need ", pairs, " forces and gaps and ", slips,
+          " friction forces and slips, got ", state.force.size(), ", ", state.gap.size(), ", ",
+          state.friction.size(), " and ", state.slip.size());
+  return certify(
+      ProblemBlocks{problem.compliance, free_movement(problem), problem.law, problem.rigid,
+                    problem.resultant},
+      Claim{stacked(state.force, state.friction), stacked(state.gap, state.slip), state.amplitude});
 }
 
 }  // namespace signorini

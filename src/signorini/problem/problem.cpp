@@ -39,6 +39,31 @@ double asymmetry(const Eigen::MatrixXd& G) {
   return largest;
 }
 
+/// The scales of rows that no other is coupled with, where those of the others are known: by rigid modes, whose
+/// units make them 1 where they move the others most, else by the free movement.
+void scale_apart(const Eigen::MatrixXd& rigid, const Eigen::VectorXd& free,
+                 const std::vector<Eigen::Index>& apart, Eigen::VectorXd& scale) {
+  const Eigen::VectorXd known = scale;
+  const double moved = known.cwiseProduct(free).cwiseAbs().maxCoeff();
+  Eigen::VectorXd unit = Eigen::VectorXd::Zero(rigid.cols());
+  for (Eigen::Index j = 0; j < rigid.cols(); ++j) {
+    const double most = known.cwiseProduct(rigid.col(j)).cwiseAbs().maxCoeff();
+    if (most > 0) unit(j) = 1 / most;
+  }
+  const auto largest_part = [&](Eigen::Index i, const Eigen::VectorXd& of_modes) {
+    return rigid.cols() == 0
+               ? 0
+               : rigid.row(i).transpose().cwiseProduct(of_modes).cwiseAbs().maxCoeff();
+  };
+  for (const Eigen::Index i : apart) {
+    double size = largest_part(i, unit);
+    // No row with a scale knows these modes.
+    if (size == 0) size = largest_part(i, Eigen::VectorXd::Ones(rigid.cols()));
+    if (size == 0) size = std::abs(free(i)) / (moved > 0 ? moved : 1);
+    scale(i) = size > 0 ? 1 / size : 1;
+  }
+}
+
 const double allowed_asymmetry = 1e3 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
@@ -68,9 +93,25 @@ void check_finite(const ContactProblem& problem) {
   for (Eigen::Index j = 0; j < n; ++j) {
     const bool gap = j < pairs;
     require(fits(gap ? problem.free_gap(j) : problem.free_slip(j - pairs)) && fits(F(j, j)) &&
-                F.col(j).cwiseAbs().maxCoeff() <= largest,
+                F.col(j).cwiseAbs().maxCoeff() <= largest &&
+                (gap || (fits(problem.law.coefficient(j - pairs)) &&
+                         fits(problem.law.cohesion(j - pairs)))),
             "contact problem: ", gap ? "pair " : "slip ", gap ? j + 1 : j - pairs + 1,
             " has numbers beyond 1e102 or below 1e-102 in magnitude; change the units");
+  }
+  const auto turns = [](double x) { return x == 0 || (x >= 0x1p-170 && x <= 0x1p170); };
+  for (Eigen::Index j = 0; j < modes; ++j) {
+    double most = 0;
+    bool scales = true;  // whether entries that rows are scaled by do no harm
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double size = std::abs(problem.rigid(i, j));
+      most = std::max(most, size);
+      if (F(i, i) == 0 && !turns(size)) scales = false;
+    }
+    require(
+        scales && turns(most) && turns(std::abs(problem.resultant(j))),
+        "contact problem: rigid mode ", j + 1,
+        " has numbers beyond 1e51 or below 1e-51 in magnitude; change its amplitude or the units");
   }
 }
 
@@ -111,17 +152,25 @@ void check_problem(const ContactProblem& problem) {
           difference, " of its diagonal");
 }
 
-Eigen::VectorXd pair_scales(const Eigen::MatrixXd& M) {
-  Eigen::VectorXd scale =
-      M.diagonal().unaryExpr([](double m) { return m != 0 ? 1 / std::sqrt(std::abs(m)) : 1; });
-  for (Eigen::Index i = 0; i < M.rows(); ++i) {
-    if (M(i, i) != 0) continue;
-    double coupling = 0;
-    for (Eigen::Index j = 0; j < M.rows(); ++j)
-      if (M(j, j) != 0)
-        coupling = std::max(coupling, scale(j) * std::max(std::abs(M(i, j)), std::abs(M(j, i))));
-    if (coupling > 0) scale(i) = 1 / coupling;
+Eigen::VectorXd row_scales(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& rigid,
+                           const Eigen::VectorXd& free) {
+  const Eigen::Index n = matrix.rows();
+  Eigen::VectorXd scale = Eigen::VectorXd::Zero(n);  // 0: none yet
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (matrix(i, i) != 0) scale(i) = 1 / std::sqrt(std::abs(matrix(i, i)));
+  const Eigen::VectorXd diagonal = scale;
+  std::vector<Eigen::Index> apart;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (diagonal(i) != 0) continue;
+    const double coupling =
+        std::max(diagonal.cwiseProduct(matrix.col(i)).cwiseAbs().maxCoeff(),
+                 diagonal.cwiseProduct(matrix.row(i).transpose()).cwiseAbs().maxCoeff());
+    const bool alone = matrix.col(i).isZero(0) && matrix.row(i).isZero(0);
+    if (alone) apart.push_back(i);
+    if (!alone) scale(i) = coupling > 0 ? 1 / coupling : 1;
   }
+  if (apart.empty()) return scale;
+  scale_apart(rigid, free, apart, scale);
   return scale;
 }
 

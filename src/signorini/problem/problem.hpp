@@ -128,7 +128,7 @@ void append(Report& total, const Report& run);
 
 /// Whether other forces would do as well.
 enum class Uniqueness {
-  Proved,   ///< no other solution exists, for any free gaps and slips
+  Proved,   ///< no other solution exists, see uniqueness()
   Unknown,  ///< nothing was found that speaks for another solution, or against it
   Doubtful  ///< a warning: others may exist, see uniqueness()
 };
@@ -172,8 +172,9 @@ void check_law(const FrictionLaw& law, Eigen::Index pairs, Eigen::Index slips);
 /// Checks what every solver relies on: sizes and numbers.
 /// \param problem  any
 /// \throws std::invalid_argument unless all sizes fit, all numbers are finite, mu and c are >= 0, and the
-///   numbers of F, its diagonal, d and s are so far from overflow and underflow (2^-340 to 2^340, or 0; small
-///   numbers beside the diagonal do no harm) that forces and energies are too
+///   numbers of F, its diagonal, d, s, mu and c are so far from overflow and underflow (2^-340 to 2^340, or 0;
+///   small numbers beside the diagonal do no harm) that forces and energies are too; those of r, the largest of
+///   each column of R and all of its rows with F_ii = 0, whose quotients are forces as well, 2^-170 to 2^170
 void check_finite(const ContactProblem& problem);
 
 /// Checks what the solvers for symmetric problems rely on.
@@ -197,13 +198,18 @@ void check_plain(const ContactProblem& problem, const char* solver);
 /// \return d, then s `n_c + n_s` [length]
 [[nodiscard]] Eigen::VectorXd free_movement(const ContactProblem& problem);
 
-/// The scales of the pairs of w = M z + q, whatever the matrix: \f$ s_i = 1 / \sqrt{|M_{ii}|} \f$.
+/// The scales of the rows of a problem, whatever its matrix: \f$ s_i = 1 / \sqrt{|M_{ii}|} \f$.
 ///
-/// A pair with M_ii = 0 gets the scale that makes its largest coupling with the pairs that have a
-/// diagonal 1; if there is none, as for every pair of a compliance with G_ii = 0, it keeps 1.
-/// \param matrix  M `n_c x n_c`
-/// \return s `n_c` > 0
-[[nodiscard]] Eigen::VectorXd pair_scales(const Eigen::MatrixXd& matrix);
+/// A row with M_ii = 0 gets the scale that makes its largest coupling with the rows that have a diagonal 1. If
+/// no row is coupled with it, that is tried with the rigid modes, each measured by the rows that have a scale;
+/// if there is none either, its own movement is as large as the largest of those rows. So the scaled rows do
+/// not know in what units the rows were given, but those that are coupled and have no diagonal, which keep 1.
+/// \param matrix  M `n x n`
+/// \param rigid   R `n x n_r`, or nothing
+/// \param free    d, then s `n`
+/// \return s `n` > 0
+[[nodiscard]] Eigen::VectorXd row_scales(const Eigen::MatrixXd& matrix,
+                                         const Eigen::MatrixXd& rigid, const Eigen::VectorXd& free);
 
 /// \param half  H `n x n_c`
 /// \return G = H^T H `n_c x n_c`, exactly symmetric

@@ -35,14 +35,12 @@ struct Forces {
   VectorXd low;
 };
 
-/// Puts every force that the set fixes where it belongs: tau = slope lambda + offset, others 0.
+/// Puts every force that the set fixes where it belongs: friction forces at their bounds, others 0.
 void impose(const KnownSet& set, Forces& force) {
   std::vector<bool> carries(static_cast<std::size_t>(force.high.size()), false);
   for (const Index row : set.closed) carries[static_cast<std::size_t>(row)] = true;
   for (const SlidingPair& pair : set.sliding) {
-    ExactSum tau(pair.offset);
-    tau.add_product(pair.slope, force.high(pair.gap));
-    tau.add(pair.slope * force.low(pair.gap));
+    ExactSum tau = pair.friction(force.high(pair.gap), force.low(pair.gap));
     force.high(pair.slip) = tau.value();
     tau.add(-force.high(pair.slip));
     force.low(pair.slip) = tau.value();
@@ -55,25 +53,18 @@ void impose(const KnownSet& set, Forces& force) {
 /// One refinement from beginning to end.
 class Refining {
  public:
-  Refining(const QuadraticProgramme& programme,
-           const std::function<VectorXd(const VectorXd&)>& solve_stiffness,
-           const ContactProblem& condensed, PrimalDual start, const std::vector<Motion>& motions,
-           const MatrixXd& modes)
-      : programme_(programme),
-        solve_stiffness_(solve_stiffness),
-        compliance_(condensed.compliance),
-        set_(known_set(motions, condensed.law)),
-        modes_(modes),
-        scaled_(equilibrate(condensed)),
-        closing_(scaled_, known_set(motions, scaled_.law)) {
+  Refining(const RefinementData& data, PrimalDual start, const std::vector<Motion>& motions)
+      : data_(data),
+        set_(known_set(motions, data.condensed.law)),
+        closing_(data.scaled, known_set(motions, data.scaled.law)) {
     PrimalDual& solution = result_.solution;
     solution = std::move(start);
     const Index n = solution.displacement.size();
     if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
-    if (modes.cols() > 0 && solution.rigid.size() == 0) solution.rigid.setZero(n);
+    if (floats() && solution.rigid.size() == 0) solution.rigid.setZero(n);
     force_ = {solution.force, VectorXd::Zero(solution.force.size())};
     impose(set_, force_);
-    result_.amplitude.setZero(modes.cols());
+    result_.amplitude.setZero(data.null_vectors.cols());
   }
 
   Refinement run();
@@ -96,12 +87,10 @@ class Refining {
   /// Whether a change of forces moves more than rounding beside the displacements.
   [[nodiscard]] bool felt(const VectorXd& pushed) const;
 
-  const QuadraticProgramme& programme_;
-  const std::function<VectorXd(const VectorXd&)>& solve_stiffness_;
-  const MatrixXd& compliance_;
+  [[nodiscard]] bool floats() const { return data_.null_vectors.cols() > 0; }
+
+  const RefinementData& data_;
   KnownSet set_;
-  const MatrixXd& modes_;
-  ScaledProblem scaled_;
   Closing closing_;
   Forces force_;
   Refinement result_;
@@ -115,27 +104,29 @@ constexpr Index rigid_sweeps = 2;
 
 VectorXd Refining::unbalanced() {
   result_.solution.force = force_.high;
-  return equilibrium_residual(programme_, result_.solution) - programme_.A.transpose() * force_.low;
+  return equilibrium_residual(data_.programme, result_.solution) -
+         data_.programme.A.transpose() * force_.low;
 }
 
 std::pair<VectorXd, VectorXd> Refining::closed(const VectorXd& residual) const {
   const std::vector<Index>& rows = closing_.rows();
-  const VectorXd scale = scaled_.scale(rows);
+  const VectorXd scale = data_.scaled.scale(rows);
   VectorXd bottom;
-  if (modes_.cols() > 0)  // of orthonormal modes; inverse takes their amplitudes to those of N
-    bottom = -(modes_ * scaled_.inverse).transpose() * residual;
+  if (floats())  // of orthonormal modes; inverse takes their amplitudes to those of N
+    bottom = -(data_.null_vectors * data_.scaled.inverse).transpose() * residual;
   const auto [force, amplitude] =
       closing_.solve(-scale.cwiseProduct(VectorXd(result_.movement(rows))), bottom);
-  return {scale.cwiseProduct(force), modes_.cols() > 0 ? VectorXd(scaled_.inverse * amplitude)
-                                                       : VectorXd()};
+  return {scale.cwiseProduct(force),
+          floats() ? VectorXd(data_.scaled.inverse * amplitude) : VectorXd()};
 }
 
 bool Refining::felt(const VectorXd& pushed) const {
-  return largest(compliance_ * pushed) > 0.25 * epsilon * largest(result_.solution.displacement);
+  return largest(data_.condensed.compliance * pushed) >
+         0.25 * epsilon * largest(result_.solution.displacement);
 }
 
 void Refining::move(const VectorXd& amplitude) {
-  const VectorXd moved = modes_ * amplitude;
+  const VectorXd moved = data_.null_vectors * amplitude;
   result_.amplitude += amplitude;
   if (sweeps_ <= rigid_sweeps)
     add_rigid(result_.solution, moved);
@@ -147,14 +138,13 @@ Refining::Change Refining::sweep() {
   ++sweeps_;
   PrimalDual& solution = result_.solution;
   const VectorXd residual = unbalanced();
-  VectorXd moved = solve_stiffness_(residual);
+  VectorXd moved = data_.solve_stiffness(residual);
   ++result_.solves;
   add_displacement(solution, moved);
-  result_.movement = gaps(programme_, solution);
-  const bool floats = modes_.cols() > 0;
+  result_.movement = gaps(data_.programme, solution);
   Change change;
   change.displacement = relative(largest(moved), largest(solution.displacement));
-  if (sweeps_ == 1 && !floats) {  // u was a guess: what it misses would be taken for forces
+  if (sweeps_ == 1 && !floats()) {  // u was a guess: what it misses would be taken for forces
     change.pending = true;
     return change;
   }
@@ -168,14 +158,14 @@ Refining::Change Refining::sweep() {
   const VectorXd pushed = (force_.high - last.high) + (force_.low - last.low);
   change.pending = felt(pushed);
   if (slow_ && change.pending) {
-    const VectorXd back = solve_stiffness_(-(programme_.A.transpose() * pushed));
+    const VectorXd back = data_.solve_stiffness(-(data_.programme.A.transpose() * pushed));
     ++result_.solves;
     add_displacement(solution, back);
     moved += back;
     change.pending = false;
   }
-  if (floats) {
-    moved += modes_ * amplitude;
+  if (floats()) {
+    moved += data_.null_vectors * amplitude;
     move(amplitude);
   }
   change.force = relative(largest(pushed), largest(force_.high));
@@ -194,7 +184,7 @@ Refinement Refining::run() {
     // A sweep shrinks the error of u by the error of the factor, which shows where no change of forces
     // adds to it; so the next correction is known beforehand. Not by the first sweep, and not while the
     // rigid part is rounded anew.
-    const bool steady = sweeps_ > (modes_.cols() > 0 ? rigid_sweeps : 1);
+    const bool steady = sweeps_ > (floats() ? rigid_sweeps : 1);
     if (steady) rate = std::min(slow_ ? 1 : rate, ratio(now.displacement, last.displacement));
     const double next =
         std::max(now.displacement * rate,
@@ -211,7 +201,7 @@ Refinement Refining::run() {
         !now.pending && now.worst() <= epsilon * static_cast<double>(set_.closed.size() + 1);
   }
   result_.solution.force = force_.high;
-  result_.movement = gaps(programme_, result_.solution);
+  result_.movement = gaps(data_.programme, result_.solution);
   return std::move(result_);
 }
 
@@ -230,14 +220,9 @@ bool balanced(const QuadraticProgramme& programme, const PrimalDual& solution,
   return (left.array().abs() <= (rounding + row * epsilon) * size.array()).all();
 }
 
-/// What a pair that rubs would rather do, if it is closed.
-Motion rubbing(Motion motion, double bound, double friction, double slip, double force,
-               double length) {
-  if (motion == Motion::Stick)
-    return std::abs(friction) <= bound + force ? Motion::Stick
-           : friction > 0                      ? Motion::Backward
-                                               : Motion::Forward;
-  return bound > 0 && friction_sign(motion) * slip > length ? Motion::Stick : motion;
+/// What movements are measured by.
+double length_of(const RefinementData& data, const PrimalDual& solution) {
+  return largest(data.programme.initial_gap) + largest(solution.displacement);
 }
 
 }  // namespace
@@ -256,51 +241,39 @@ void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change) {
   add_displacement(solution, solution.rigid - last);
 }
 
-Refinement refine(const QuadraticProgramme& programme,
-                  const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
-                  const ContactProblem& condensed, PrimalDual start,
-                  const std::vector<Motion>& motions, const Eigen::MatrixXd& null_vectors) {
-  return Refining(programme, solve_stiffness, condensed, std::move(start), motions, null_vectors)
-      .run();
+Refinement refine(const RefinementData& data, PrimalDual start,
+                  const std::vector<Motion>& motions) {
+  return Refining(data, std::move(start), motions).run();
 }
 
-Judgement judge(const QuadraticProgramme& programme, const FrictionLaw& law,
-                const Refinement& refined, const std::vector<Motion>& motions,
-                const Eigen::MatrixXd& null_vectors) {
-  const Index pairs = static_cast<Index>(motions.size());
-  const VectorXd& force = refined.solution.force;
-  Index closed = 1;
-  for (const Motion motion : motions) closed += motion != Motion::Open ? 1 : 0;
-  const double rounding = epsilon * static_cast<double>(closed);
-  const double small_force = rounding * largest(force);
-  const double length = largest(programme.initial_gap) + largest(refined.solution.displacement);
-  const double small_length = rounding * length;
+Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,
+                       const VectorXd& movement, double part) {
+  const VectorXd& scale = data.scaled.scale;
+  Closure numbers;
+  numbers.force = solution.force.cwiseQuotient(scale);
+  numbers.movement = movement.cwiseProduct(scale);
+  numbers.force_rounding = part * largest(numbers.force);
+  numbers.movement_rounding = part * length_of(data, solution) * scale;
+  return numbers;
+}
+
+Judgement judge(const RefinementData& data, const Refinement& refined,
+                const std::vector<Motion>& motions) {
+  const double rounding = epsilon * static_cast<double>(closed_pairs(motions).size() + 1);
   // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.
-  const double contradicted = std::max(rounding, 1e-12) * length;
+  const double contradicted = std::max(rounding, 1e-12) * length_of(data, refined.solution);
+  Closure numbers = scaled_numbers(data, refined.solution, refined.movement, rounding);
   bool closes = true;
+  for (const Index row : known_set(motions, data.condensed.law).closed) {
+    if (std::abs(refined.movement(row)) > contradicted) closes = false;
+    numbers.movement(row) = 0;
+  }
   Judgement result{motions, 0, false};
-  const auto at = [&](Index i) -> Motion& { return result.motions[static_cast<std::size_t>(i)]; };
-  for (Index i = 0; i < pairs; ++i) {
-    if (at(i) == Motion::Open && refined.movement(i) < -small_length) at(i) = Motion::Stick;
-    if (motions[static_cast<std::size_t>(i)] == Motion::Open) continue;
-    if (force(i) < -small_force) at(i) = Motion::Open;
-    if (std::abs(refined.movement(i)) > contradicted) closes = false;
-  }
-  for (std::size_t k = 0; k < law.pair.size(); ++k) {
-    const Index i = law.pair[k];
-    const Index row = static_cast<Index>(k);
-    if (law.coefficient(row) == 0 && law.cohesion(row) == 0) continue;
-    if (at(i) == Motion::Open || motions[static_cast<std::size_t>(i)] == Motion::Open) continue;
-    if (at(i) == Motion::Stick && std::abs(refined.movement(pairs + row)) > contradicted)
-      closes = false;
-    const double bound = law.coefficient(row) * std::max(0.0, force(i)) + law.cohesion(row);
-    at(i) = rubbing(at(i), bound, force(pairs + row), refined.movement(pairs + row),
-                    (1 + law.coefficient(row)) * small_force, small_length);
-  }
-  for (std::size_t i = 0; i < motions.size(); ++i) result.wrong += result.motions[i] != motions[i];
-  const bool finite = refined.solution.displacement.allFinite() && force.allFinite();
+  result.wrong = predict(data.scaled, numbers, 1, result.motions);
+  const PrimalDual& solution = refined.solution;
+  const bool finite = solution.displacement.allFinite() && solution.force.allFinite();
   result.confirmed = refined.settled && result.wrong == 0 && finite && closes &&
-                     balanced(programme, refined.solution, null_vectors, rounding);
+                     balanced(data.programme, solution, data.null_vectors, rounding);
   return result;
 }
 

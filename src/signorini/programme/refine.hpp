@@ -18,6 +18,18 @@ void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
 /// \param change    `n` [length]
 void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change);
 
+/// What refine() and judge() take their equations from.
+struct RefinementData {
+  const QuadraticProgramme&
+      programme;  ///< K, p, A, g as posed; with friction the last rows of A are -T
+  /// K^-1 applied to a vector [force] -> [length]; need not be accurate
+  const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness;
+  const ContactProblem&
+      condensed;  ///< only compliance and rigid, which may be inaccurate, and law count
+  const ScaledProblem& scaled;          ///< `condensed`, equilibrated
+  const Eigen::MatrixXd& null_vectors;  ///< N, or nothing if K is regular
+};
+
 /// What refine() did.
 struct Refinement {
   PrimalDual solution;        ///< u in two parts, and the forces of all rows of A
@@ -46,20 +58,14 @@ struct Refinement {
 /// With rigid modes K is singular, and `solve_stiffness` and `condensed` belong to the grounded K_g of
 /// add_rigid_modes(). Residuals are still those of K; the amplitudes take up what only a rigid
 /// motion feels of them, so that no spring takes part.
-/// \param programme        K, p, A, g as they were posed; with friction A has rows of slips, -T, at its end
-/// \param solve_stiffness  K^-1 applied to a vector [force] -> [length]; need not be accurate
-/// \param condensed        of which compliance, law and rigid modes are used; these need not be accurate
-/// \param start            where to start: u may still be that without contact; forces that the motions
-///                         exclude are dropped
-/// \param motions          `n_c`
-/// \param null_vectors     N, or nothing if K is regular
+/// \param data     the problem
+/// \param start    where to start: u may still be that without contact; forces that the motions
+///                 exclude are dropped
+/// \param motions  `n_c`
 /// \return the refined numbers; whether all signs are right is for judge() to say
-/// \throws std::invalid_argument if the sizes of `programme`, `start` and N do not fit
-[[nodiscard]] Refinement refine(
-    const QuadraticProgramme& programme,
-    const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness,
-    const ContactProblem& condensed, PrimalDual start, const std::vector<Motion>& motions,
-    const Eigen::MatrixXd& null_vectors = {});
+/// \throws std::invalid_argument if the sizes of K, p, A, g, `start` and N do not fit
+[[nodiscard]] Refinement refine(const RefinementData& data, PrimalDual start,
+                                const std::vector<Motion>& motions);
 
 /// What refined numbers say of every pair.
 struct Judgement {
@@ -68,16 +74,22 @@ struct Judgement {
   bool confirmed = false;       ///< refined, balanced and no pair wrong: the solution
 };
 
-/// Looks at all signs beyond rounding: closed pairs press, open ones do not overlap, friction forces of
-/// sticking pairs keep their bound, sliding ones resist.
-/// \param programme     as refine()
-/// \param law           of the pairs that rub
-/// \param refined       from refine() for `motions`
-/// \param motions       `n_c` what was assumed
-/// \param null_vectors  N, or nothing
+/// Refined numbers in the units of the equilibrated problem, for predict().
+/// \param data     the problem
+/// \param solution  as refined
+/// \param movement  of all rows
+/// \param part     of the largest force and of the largest displacement and initial gap, that counts as rounding
+/// \return forces and movements of all rows with these roundings
+[[nodiscard]] Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,
+                                     const Eigen::VectorXd& movement, double part);
+
+/// Looks at all signs beyond rounding, by predict(): closed pairs press, open ones do not overlap, friction
+/// forces of sticking pairs keep their bound, sliding ones resist.
+/// \param data     the problem
+/// \param refined  from refine() for `motions`
+/// \param motions  `n_c` what was assumed
 /// \return the verdict
-[[nodiscard]] Judgement judge(const QuadraticProgramme& programme, const FrictionLaw& law,
-                              const Refinement& refined, const std::vector<Motion>& motions,
-                              const Eigen::MatrixXd& null_vectors = {});
+[[nodiscard]] Judgement judge(const RefinementData& data, const Refinement& refined,
+                              const std::vector<Motion>& motions);
 
 }  // namespace signorini

@@ -27,6 +27,8 @@ class Road {
         modes_(modes),
         ledger_(ledger),
         problem_(condensed.problem),
+        scaled_(equilibrate(problem_)),
+        data_{programme, condensed.solve_stiffness, problem_, scaled_, modes},
         base_{condensed.free_displacement, VectorXd::Zero(programme.load.size()),
               VectorXd::Zero(programme.initial_gap.size())},
         base_amplitude_(VectorXd::Zero(modes.cols())),
@@ -62,7 +64,9 @@ class Road {
   const MatrixXd& modes_;
   Ledger& ledger_;
   ContactProblem problem_;  // condensed, corrected from pass to pass
-  PrimalDual base_;         // what the free movements of problem_ belong to, with its forces
+  ScaledProblem scaled_;    // as it was condensed; of corrections refinement knows by itself
+  RefinementData data_;
+  PrimalDual base_;  // what the free movements of problem_ belong to, with its forces
   VectorXd base_amplitude_;
   PrimalDual now_;
   VectorXd amplitude_;
@@ -82,12 +86,12 @@ bool Road::usable(const ContactState& claim) const {
 }
 
 Judgement Road::look(const std::vector<Motion>& motions) {
-  refined_ = refine(programme_, condensed_.solve_stiffness, problem_, now_, motions, modes_);
+  refined_ = refine(data_, now_, motions);
   ledger_.count("sets", 1);
   ledger_.count("solves", refined_.solves);
   now_ = refined_.solution;
   amplitude_ += refined_.amplitude;
-  Judgement verdict = judge(programme_, problem_.law, refined_, motions, modes_);
+  Judgement verdict = judge(data_, refined_, motions);
   const Certificate certificate = certify(programme_, now_, problem_.law);
   if (verdict.confirmed || !(end_.certificate.worst() <= certificate.worst())) {
     confirmed_ = verdict.confirmed;
@@ -101,21 +105,8 @@ Judgement Road::look(const std::vector<Motion>& motions) {
 }
 
 void Road::read_off() {
-  const double small = 1e-12;  // what a certificate lets pass
-  const double small_force = small * largest(end_.solution.force);
-  const double small_length = small * largest(end_.solution.displacement);
-  const Index pairs = static_cast<Index>(motions_.size());
-  for (Index i = 0; i < pairs; ++i)
-    if (movement_(i) > small_length && end_.solution.force(i) <= small_force)
-      motions_[static_cast<std::size_t>(i)] = Motion::Open;
-    else if (motions_[static_cast<std::size_t>(i)] == Motion::Open)
-      motions_[static_cast<std::size_t>(i)] = Motion::Stick;
-  for (std::size_t k = 0; k < problem_.law.pair.size(); ++k) {
-    Motion& motion = motions_[static_cast<std::size_t>(problem_.law.pair[k])];
-    const double slip = movement_(pairs + static_cast<Index>(k));
-    if (motion != Motion::Open && std::abs(slip) > small_length)
-      motion = slip > 0 ? Motion::Forward : Motion::Backward;
-  }
+  // What a certificate lets pass.
+  predict(scaled_, scaled_numbers(data_, end_.solution, movement_, 1e-12), 1, motions_);
 }
 
 bool Road::settle(std::vector<Motion> motions) {
@@ -132,8 +123,8 @@ bool Road::settle(std::vector<Motion> motions) {
 
 void Road::correct() {
   VectorXd free = refined_.movement - problem_.compliance * refined_.solution.force;
-  VectorXd terms = refined_.movement.cwiseAbs() + problem_.compliance.cwiseAbs() *
-                                                      refined_.solution.force.cwiseAbs();
+  VectorXd terms = refined_.movement.cwiseAbs() +
+                   problem_.compliance.cwiseAbs() * refined_.solution.force.cwiseAbs();
   if (modes_.cols() > 0) {
     free -= problem_.rigid * amplitude_;
     terms += problem_.rigid.cwiseAbs() * amplitude_.cwiseAbs();
@@ -141,7 +132,8 @@ void Road::correct() {
     strained.force.setZero();
     problem_.resultant = -modes_.transpose() * equilibrium_residual(programme_, strained);
   }
-  free = (free.array().abs() > epsilon * terms.array()).select(free, 0.0);  // the others are rounding
+  free =
+      (free.array().abs() > epsilon * terms.array()).select(free, 0.0);  // the others are rounding
   const Index pairs = problem_.free_gap.size();
   problem_.free_gap = free.head(pairs);
   problem_.free_slip = free.tail(free.size() - pairs);

@@ -41,7 +41,7 @@ struct End {
 };
 
 /// Forces and gaps of the last basis, from the data.
-End closed_basis(const ScaledProblem& scaled, const Dictionary& dictionary, Report report) {
+End end_of_path(const ScaledProblem& scaled, const Dictionary& dictionary, Report report) {
   const Index n = scaled.free.size();
   Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
   std::vector<Index> active;
@@ -108,14 +108,14 @@ End pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index 
   const Index n = scaled.free.size();
   Report report;
   Dictionary dictionary(scaled, covering);
-  if (n == 0 || (scaled.free.array() >= 0).all()) return closed_basis(scaled, dictionary, report);
+  if (n == 0 || (scaled.free.array() >= 0).all()) return end_of_path(scaled, dictionary, report);
   Index entering = dictionary.artificial();
   Index row = dictionary.first_row();
   while (true) {
     const Index leaving = dictionary.basic(row);
     dictionary.pivot(row, entering);
     ++report.iterations;
-    if (leaving == dictionary.artificial()) return closed_basis(scaled, dictionary, report);
+    if (leaving == dictionary.artificial()) return end_of_path(scaled, dictionary, report);
     entering = dictionary.partner(leaving);
     row = dictionary.blocking_row(entering);
     if (row < 0) return ray(scaled, dictionary, entering, report);

@@ -5,7 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/closing/proofs.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/solvers/goldfarb_idnani.hpp"
@@ -20,23 +19,6 @@ using Eigen::VectorXd;
 /// What Armijo's rule asks of a step: this part of the decrease that the slope promises. Any number
 /// below 1/2 lets the full Newton step pass near a solution.
 constexpr double enough = 1e-4;
-
-/// P F P, or F if there are no modes.
-MatrixXd in_balance(const ScaledProblem& problem) {
-  const MatrixXd& U = problem.rigid;
-  const MatrixXd& F = problem.compliance;
-  if (U.cols() == 0) return F;
-  MatrixXd projected = F - U * (U.transpose() * F);
-  projected -= (projected * U).eval() * U.transpose();
-  const double rounding = static_cast<double>(F.rows() + 1) * epsilon;
-  if (reach(projected) <= rounding * reach(F)) projected.setZero();  // only rigid motions
-  return projected;
-}
-
-/// The factor on forces; where no force strains anything, that of the grounded body.
-double reach_of(const ScaledProblem& problem, const MatrixXd& compliance) {
-  return reach(compliance.isZero(0) ? problem.compliance : compliance);
-}
 
 /// Newton's method with memory of its own.
 class Newton {
@@ -150,118 +132,7 @@ bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
   return false;
 }
 
-// The law: phi(tau + b, phi(b - tau, -slip)) = 0.
-void evaluate_nested(const ContactEquations& equations, const VectorXd& x, VectorXd& residual) {
-  for (Index k = 0; k < equations.slips(); ++k) {
-    const Index row = equations.pairs() + k;
-    const double b = equations.bound(x, k);
-    const double inner = fischer_burmeister(b - x(row), -equations.movement()(row));
-    residual(row) = fischer_burmeister(x(row) + b, inner);
-  }
-}
-
-void differentiate_nested(const ContactEquations& equations, const VectorXd& x, MatrixXd& J) {
-  for (Index k = 0; k < equations.slips(); ++k) {
-    const Index row = equations.pairs() + k;
-    const double b = equations.bound(x, k);
-    const double tau = x(row);
-    const double slip = equations.movement()(row);
-    const ComplementaritySlope in = fischer_burmeister_slope(b - tau, -slip);
-    const ComplementaritySlope out =
-        fischer_burmeister_slope(tau + b, fischer_burmeister(b - tau, -slip));
-    J.row(row) *= -out.b * in.b;
-    J(row, row) += out.a - out.b * in.a;
-    J(row, equations.pair(k)) += (out.a + out.b * in.a) * equations.bound_slope(x, k);
-  }
-}
-
 }  // namespace
-
-const Formulation nested_friction = {0, nullptr, evaluate_nested, differentiate_nested};
-
-ContactEquations::ContactEquations(const ScaledProblem& problem, const Formulation& law)
-    : problem_(problem),
-      law_(law),
-      compliance_(in_balance(problem)),
-      free_(problem.free),
-      reach_(reach_of(problem, compliance_)),
-      movement_(problem.free.size()),
-      cohesion_(VectorXd::Zero(slips())) {
-  compliance_ /= reach_;
-  if (modes() == 0) return;
-  const MatrixXd& U = problem.rigid;
-  free_ += problem.compliance * (U * problem.resultant);
-  free_ -= U * (U.transpose() * free_);
-}
-
-VectorXd ContactEquations::unknowns(const Attempt& attempt) {
-  const Closure& now = attempt.closure;
-  VectorXd x = VectorXd::Zero(size());
-  x.head(rows()) = reach_ * now.force;
-  if (modes() > 0)
-    x.segment(rows(), modes()) =
-        now.amplitude +
-        problem_.rigid.transpose() * (problem_.free + problem_.compliance * now.force);
-  choose_closed(x);
-  if (law_.start != nullptr) law_.start(*this, x);
-  return x;
-}
-
-void ContactEquations::read(const VectorXd& x, Closure& closure) const {
-  closure.force = x.head(rows()) / reach_;
-  closure.movement = movement_;
-  closure.amplitude = x.segment(rows(), modes());
-  if (modes() > 0)
-    closure.amplitude -=
-        problem_.rigid.transpose() * (problem_.free + problem_.compliance * closure.force);
-  closure.movement_rounding.resize(0);
-}
-
-void ContactEquations::move(const VectorXd& x) {
-  movement_ = free_;
-  movement_.noalias() += compliance_ * x.head(rows());
-  if (modes() > 0) movement_.noalias() += problem_.rigid * x.segment(rows(), modes());
-}
-
-void ContactEquations::choose_closed(const VectorXd& x) {
-  move(x);
-  for (Index k = 0; k < slips(); ++k)
-    cohesion_(k) = x(pair(k)) > movement_(pair(k)) ? reach_ * problem_.law.cohesion(k) : 0;
-}
-
-double ContactEquations::bound(const VectorXd& x, Index k) const {
-  return problem_.law.coefficient(k) * std::max(x(pair(k)), 0.0) + cohesion_(k);
-}
-
-double ContactEquations::bound_slope(const VectorXd& x, Index k) const {
-  return x(pair(k)) > 0 ? problem_.law.coefficient(k) : 0;
-}
-
-void ContactEquations::evaluate(const VectorXd& x, VectorXd& residual) {
-  move(x);
-  for (Index i = 0; i < pairs(); ++i) residual(i) = fischer_burmeister(movement_(i), x(i));
-  if (modes() > 0) {
-    auto balance = residual.segment(rows(), modes());
-    balance = -reach_ * problem_.resultant;
-    balance.noalias() += problem_.rigid.transpose() * x.head(rows());
-  }
-  law_.evaluate(*this, x, residual);
-}
-
-void ContactEquations::differentiate(const VectorXd& x, MatrixXd& J) const {
-  J.setZero();
-  J.topLeftCorner(rows(), rows()) = compliance_;
-  if (modes() > 0) {
-    J.block(0, rows(), rows(), modes()) = problem_.rigid;
-    J.block(rows(), 0, modes(), rows()) = problem_.rigid.transpose();
-  }
-  for (Index i = 0; i < pairs(); ++i) {
-    const ComplementaritySlope slope = fischer_burmeister_slope(movement_(i), x(i));
-    J.row(i) *= slope.a;
-    J(i, i) += slope.b;
-  }
-  law_.differentiate(*this, x, J);
-}
 
 Attempt first_attempt(const ScaledProblem& problem) {
   const Index pairs = problem.pairs();
@@ -272,12 +143,12 @@ Attempt first_attempt(const ScaledProblem& problem) {
   now.amplitude.setZero(U.cols());
   double unit = reach(problem.compliance);
   if (U.cols() > 0) {
-    unit = reach_of(problem, in_balance(problem));
+    unit = ContactEquations(problem, nested_friction).reach();
     now.force = U * problem.resultant;
     now.amplitude = -U.transpose() * (problem.free + problem.compliance * now.force);
   } else if (!problem.law.pair.empty()) {
-    const ContactState normal = goldfarb_idnani(
-        {problem.compliance.topLeftCorner(pairs, pairs), problem.free.head(pairs)});
+    const ContactState normal =
+        goldfarb_idnani({problem.compliance.topLeftCorner(pairs, pairs), problem.free.head(pairs)});
     if (normal.report.status == Status::Solved) now.force.head(pairs) = normal.force;
   }
   now.movement = problem.free + problem.compliance * now.force;
@@ -309,11 +180,11 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   return state;
 }
 
-void follow_newton(const ScaledProblem& problem, const Formulation& law, Index limit,
+void follow_newton(const ScaledProblem& problem, const Formulation& form, Index limit,
                    Attempt& attempt) {
-  ContactEquations equations(problem, law);
+  ContactEquations equations(problem, form);
   const double unit = equations.reach();
-  VectorXd x = equations.unknowns(attempt);
+  VectorXd x = equations.unknowns(attempt.closure);
   Newton newton(equations, x);
   Report& report = attempt.report;
   const auto look = [&] {
@@ -340,8 +211,9 @@ void follow_newton(const ScaledProblem& problem, const Formulation& law, Index l
     if (ends(problem, unit, attempt)) return;
     last_changes = 0;
     report.status = limited ? Status::IterationLimit : Status::Breakdown;
-    attempt.reason = limited ? "Newton's method did not settle on what each pair does"
-                             : "no step lowers the residual any more, at a point that is no solution";
+    attempt.reason = limited
+                         ? "Newton's method did not settle on what each pair does"
+                         : "no step lowers the residual any more, at a point that is no solution";
     if (!settled) return;
   }
 }

@@ -25,7 +25,7 @@ signorini::ContactProblem with_rows(const signorini::ContactProblem& problem,
   other.free_gap.array() *= row.array();
   other.free_slip.array() *= row(problem.law.pair).array();
   other.law.cohesion.array() /= row(problem.law.pair).array();
-  other.rigid = all.asDiagonal() * problem.rigid;
+  if (problem.rigid.cols() > 0) other.rigid = all.asDiagonal() * problem.rigid;
   return other;
 }
 
