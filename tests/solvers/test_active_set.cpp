@@ -8,6 +8,7 @@
 #include "signorini/problem/examples.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
+#include "signorini/solvers/quasi_active_set.hpp"
 #include "support/problems.hpp"
 
 using Eigen::Index;
@@ -133,6 +134,29 @@ TEST_CASE("on a string over a wave the sets shrink to the answer without going b
   for (std::size_t k = 1; k < state.report.history.size(); ++k)
     CHECK(state.report.history[k].active <= state.report.history[k - 1].active);
   CHECK(state.report.history.back().changes == 0);
+}
+
+TEST_CASE("a clamped beam that overlaps everywhere starts from every second pair", "[active_set]") {
+  for (const Index pairs : {100, 200, 400}) {
+    ContactProblem beam{Eigen::MatrixXd(pairs, pairs), Eigen::VectorXd(pairs)};
+    for (Index i = 0; i < pairs; ++i) {
+      const double x = static_cast<double>(i + 1) / static_cast<double>(pairs);
+      for (Index j = 0; j < pairs; ++j) {
+        const double y = static_cast<double>(j + 1) / static_cast<double>(pairs);
+        beam.compliance(i, j) =
+            std::pow(std::min(x, y), 2) * (3 * std::max(x, y) - std::min(x, y)) / 6;
+      }
+      beam.free_gap(i) = 1e-3 - x * x * (6 - 4 * x + x * x) / 24;
+    }
+    beam.free_gap = beam.free_gap.cwiseMin(-1e-6);  // all overlap
+    const ContactState found = primal_dual_active_set(beam);
+    const ContactState sure = quasi_active_set(beam);
+    CAPTURE(pairs, found.report.factorisations);
+    REQUIRE(found.report.status == Status::Solved);
+    CHECK(found.active == sure.active);
+    CHECK(found.report.iterations <= 4);
+    CHECK(found.report.iterations == static_cast<Index>(found.report.history.size()));
+  }
 }
 
 TEST_CASE("a limit on iterations is kept and reported, not called solved", "[active_set]") {

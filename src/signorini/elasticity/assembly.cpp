@@ -1,6 +1,8 @@
 #include "signorini/elasticity/assembly.hpp"
 
+#include <algorithm>
 #include <map>
+#include <vector>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/mesh/side_curve.hpp"
@@ -66,6 +68,49 @@ void add_edge_load(const Mesh& mesh, double thickness, const EdgeLoad& edge, Nod
       });
 }
 
+/// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
+struct CellsAround {
+  Eigen::ArrayX<Index> first;
+  Eigen::ArrayX<Index> cell;
+};
+
+CellsAround cells_around(const Mesh& mesh) {
+  CellsAround around{Eigen::ArrayX<Index>::Zero(mesh.n_nodes() + 1),
+                     Eigen::ArrayX<Index>(mesh.cells.size())};
+  for (Index k = 0; k < mesh.cells.size(); ++k) ++around.first(mesh.cells.data()[k]);
+  for (Index node = 0; node < mesh.n_nodes(); ++node) around.first(node + 1) += around.first(node);
+  for (Index cell = mesh.n_cells() - 1; cell >= 0; --cell)
+    for (Index k = 0; k < mesh.cells.cols(); ++k)
+      around.cell(--around.first(mesh.cells(cell, k))) = cell;
+  return around;
+}
+
+/// K with every entry in its place, and zero: unknowns are joined if their nodes share a cell.
+Eigen::SparseMatrix<double> pattern(const Mesh& mesh, const Unknowns& unknowns) {
+  const CellsAround around = cells_around(mesh);
+  Eigen::SparseMatrix<double> K(unknowns.count, unknowns.count);
+  K.reserve(4 * mesh.cells.size() * mesh.cells.cols());  // more than enough: cells share entries
+  std::vector<Index> rows;
+  Index last = -1;
+  for (Index column = 0; column < unknowns.count; ++column) {
+    const Index node = unknowns.node_of[static_cast<std::size_t>(column)];
+    if (node != last) {
+      rows.clear();
+      for (Index k = around.first(node); k < around.first(node + 1); ++k)
+        for (const Index other : mesh.cells.row(around.cell(k)))
+          for (const Index number : unknowns.number.row(other))
+            if (number >= 0) rows.push_back(number);
+      std::sort(rows.begin(), rows.end());
+      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+      last = node;
+    }
+    K.startVec(column);
+    for (const Index row : rows) K.insertBack(row, column) = 0;
+  }
+  K.finalize();
+  return K;
+}
+
 }  // namespace
 
 CellNodes cell_nodes(const Mesh& mesh, Index cell) {
@@ -107,10 +152,7 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const Material& 
   check_element(mesh, element);
   const Eigen::Matrix3d D = elasticity_matrix(material);
   const Index n_cell = 2 * element.n_nodes;
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(mesh.n_cells() * n_cell * n_cell));
-
-  LinearSystem system;
+  LinearSystem system{pattern(mesh, unknowns), {}};
   const NodeArray nodal = nodal_loads(mesh, element, material, loads);
   system.load.resize(unknowns.count);
   for (Index node = 0; node < mesh.n_nodes(); ++node)
@@ -128,14 +170,12 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const Material& 
       for (Index j = 0; j < n_cell; ++j) {
         const Index column = unknowns.number(mesh.cells(cell, j / 2), j % 2);
         if (column >= 0)
-          entries.emplace_back(static_cast<int>(row), static_cast<int>(column), K(i, j));
+          system.stiffness.coeffRef(row, column) += K(i, j);
         else
           system.load(row) -= K(i, j) * unknowns.held(mesh.cells(cell, j / 2), j % 2);
       }
     }
   }
-  system.stiffness.resize(unknowns.count, unknowns.count);
-  system.stiffness.setFromTriplets(entries.begin(), entries.end());
   return system;
 }
 

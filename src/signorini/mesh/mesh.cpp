@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <ostream>
 #include <set>
 #include <utility>
 
@@ -18,13 +19,18 @@ double corner_jacobian(const Mesh& mesh, Eigen::Index cell, int k) {
   return next.x() * last.y() - next.y() * last.x();
 }
 
-std::string corners_of(const Mesh& mesh, Eigen::Index cell) {
-  std::string list;
+/// The corners of a cell, put into words only where a message is written.
+struct Corners {
+  const Mesh& mesh;
+  Eigen::Index cell;
+};
+
+std::ostream& operator<<(std::ostream& out, const Corners& corners) {
   for (int k = 0; k < 4; ++k) {
-    const Eigen::RowVector2d x = mesh.nodes.row(mesh.cells(cell, k));
-    list += text(k == 0 ? "" : ", ", '(', x.x(), ", ", x.y(), ')');
+    const Eigen::RowVector2d x = corners.mesh.nodes.row(corners.mesh.cells(corners.cell, k));
+    out << (k == 0 ? "" : ", ") << '(' << x.x() << ", " << x.y() << ')';
   }
-  return list;
+  return out;
 }
 
 void check_node_numbers(const Mesh& mesh) {
@@ -148,7 +154,7 @@ MeshQuality check_mesh(const Mesh& mesh) {
          highest < -flat
              ? " is inverted (its corners run clockwise)"
              : " is degenerate (a corner of 180 degrees or more, or two corners in one place)",
-         ": corners ", corners_of(mesh, cell));
+         ": corners ", Corners{mesh, cell});
     check_digits(mesh, away, lowest / longest, "the height of cell ", cell);
     check_midpoints(mesh, cell);
     quality.smallest_jacobian_ratio = std::min(quality.smallest_jacobian_ratio, lowest / highest);

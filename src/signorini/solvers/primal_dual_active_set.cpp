@@ -32,6 +32,32 @@ void keep_first_change(const std::vector<Motion>& last, std::vector<Motion>& nex
   for (++i; i < next.size(); ++i) next[i] = last[i];
 }
 
+/// Fewer overlapping pairs than these are exchanged as fast as a start for them is found.
+constexpr std::size_t many = 64;
+
+/// Where to start from without friction and rigid modes. Of many overlapping pairs most will open: every second one
+/// is solved alone first, by the same rule, and those between closed ones are closed.
+Attempt coarse_attempt(const ScaledProblem& problem) {
+  Attempt attempt = first_attempt(problem);
+  const std::vector<Index> overlapping = closed_pairs(attempt.motions);
+  if (overlapping.size() < many) return attempt;
+  std::vector<Index> half;
+  for (std::size_t k = 0; k < overlapping.size(); k += 2) half.push_back(overlapping[k]);
+  const ScaledProblem coarse{problem.compliance(half, half), problem.free(half),
+                             problem.scale(half), problem.symmetric};
+  Attempt found = coarse_attempt(coarse);
+  exchange_motions(coarse, 10 * coarse.pairs() + 10, found);
+  attempt.report.factorisations = found.report.factorisations;
+  if (!found.confirmed) return attempt;
+  const auto opens = [&](std::size_t k) {
+    return found.motions[std::min(k, half.size() - 1)] == Motion::Open;
+  };
+  for (std::size_t k = 0; k < overlapping.size(); ++k)
+    if (opens(k / 2) || opens((k + 1) / 2))
+      attempt.motions[static_cast<std::size_t>(overlapping[k])] = Motion::Open;
+  return attempt;
+}
+
 }  // namespace
 
 void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attempt) {
@@ -88,10 +114,10 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   const Index asked = options.iteration_limit;
   const bool rubs = !scaled.law.pair.empty();
   const Index own_limit = rubs ? exchange_limit : 10 * scaled.pairs() + 10;
-  Attempt attempt = first_attempt(scaled);
+  const bool floats = problem.resultant.size() > 0;
+  Attempt attempt = rubs || floats ? first_attempt(scaled) : coarse_attempt(scaled);
   exchange_motions(scaled, asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit,
                    attempt);
-  const bool floats = problem.resultant.size() > 0;
   if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
     Attempt again = first_attempt(scaled);
     again.report = std::move(attempt.report);
