@@ -65,8 +65,8 @@ struct DenseProgramme {
 /// modes it need not exist either: pairs that could balance r may not be pressed hard enough. For held
 /// bodies without cohesion and a positive definite F there is one for every mu, see lemke().
 struct ContactProblem {
-  Eigen::MatrixXd compliance;     ///< F `n_c + n_s` square, symmetric; gaps first [length/force]
-  Eigen::VectorXd free_gap;       ///< d `n_c` [length]: the gap when contact is ignored, overlap < 0
+  Eigen::MatrixXd compliance;  ///< F `n_c + n_s` square, symmetric; gaps first [length/force]
+  Eigen::VectorXd free_gap;    ///< d `n_c` [length]: the gap when contact is ignored, overlap < 0
   Eigen::VectorXd free_slip = {};  ///< s `n_s` [length] of the pairs that rub
   FrictionLaw law = {};            ///< of the pairs that rub
   Eigen::MatrixXd rigid = {};      ///< R `n_c + n_s` x `n_r` [length/amplitude]
@@ -136,17 +136,17 @@ enum class Uniqueness {
 /// Forces, gaps and status of all pairs. Unless `report.status` is Solved, these are the last ones
 /// that the method looked at and no solution.
 struct ContactState {
-  Eigen::VectorXd force;             ///< lambda `n_c` [force], compression > 0
-  Eigen::VectorXd gap;               ///< `n_c` [length], open > 0
-  std::vector<Eigen::Index> active;  ///< closed pairs, in increasing order
-  Report report;                     ///< how the solver got there
+  Eigen::VectorXd force;                   ///< lambda `n_c` [force], compression > 0
+  Eigen::VectorXd gap;                     ///< `n_c` [length], open > 0
+  std::vector<Eigen::Index> active;        ///< closed pairs, in increasing order
+  Report report;                           ///< how the solver got there
   std::vector<Eigen::Index> rubbing = {};  ///< `n_s` pairs that the next three belong to
-  Eigen::VectorXd friction = {};     ///< tau `n_s` [force], on the source along the tangent
-  Eigen::VectorXd slip = {};         ///< `n_s` [length], of the source along the tangent
-  std::vector<Motion> motion = {};   ///< `n_s` what these pairs do
-  Eigen::VectorXd amplitude = {};    ///< a `n_r`
+  Eigen::VectorXd friction = {};           ///< tau `n_s` [force], on the source along the tangent
+  Eigen::VectorXd slip = {};               ///< `n_s` [length], of the source along the tangent
+  std::vector<Motion> motion = {};         ///< `n_s` what these pairs do
+  Eigen::VectorXd amplitude = {};          ///< a `n_r`
   Uniqueness uniqueness = Uniqueness::Unknown;  ///< of a solution with friction
-  std::string reason = {};  ///< what stopped the solver, in words; may be empty
+  std::string reason = {};                      ///< what stopped the solver, in words; may be empty
   /// Proof that nothing solves the problem, or empty: y `n_c` >= 0 with G y = 0 and d^T y < 0. For any
   /// forces, \f$ y^T(d + G\lambda) = d^T y < 0 \f$, so some gap stays negative.
   Eigen::VectorXd infeasibility = {};
