@@ -1,9 +1,9 @@
 // What the pressures of Gauss points may be while nothing that can be seen of the bodies changes.
 #pragma once
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <vector>
 
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/programme/active_set_programme.hpp"
 #include "signorini/scene/readings.hpp"
@@ -36,9 +36,9 @@ inline ClosedPoints closed_points(const SolvedScene& run) {
   Eigen::MatrixXd forces(run.model.unknowns.count, n);  // of the unit of root * pressure
   for (Eigen::Index k = 0; k < n; ++k)
     forces.col(k) = closed.root(k) * run.model.programme.A.row(closed.points[k]).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(forces.transpose() * forces);
-  closed.rank = (eigen.eigenvalues().array() > 1e-12 * eigen.eigenvalues().maxCoeff()).count();
-  closed.free = eigen.eigenvectors().leftCols(n - closed.rank);
+  const SingularValues felt = singular_values(forces.transpose() * forces);
+  closed.rank = (felt.values.array() > 1e-12 * felt.values.maxCoeff()).count();
+  closed.free = felt.V.rightCols(n - closed.rank);
   return closed;
 }
 // [closed]

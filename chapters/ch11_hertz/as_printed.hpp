@@ -3,12 +3,12 @@
 /// displacements and the pressures of Gauss points together, by Newton's method. saddle_point_newton() is the library's, with forces as unknowns,
 /// in one unit and with shorter steps where whole ones fail.
 #pragma once
-#include <Eigen/SparseLU>
 #include <vector>
 
 #include "hertz_scene.hpp"
 #include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/core/dense.hpp"
+#include "signorini/core/sparse_lu.hpp"
 
 namespace signorini {
 
@@ -81,7 +81,7 @@ inline PrintedRun run_as_printed(const HertzCase& now, const PrintedEquations& h
   springs *= now.theory().modulus / springs.sum();
   Eigen::VectorXd U = Eigen::VectorXd::Zero(n), F(n + pairs);
   run.pressure = Eigen::VectorXd::Zero(pairs);
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor;
+  SparseLuFactor factor;
   for (int k = 0;; ++k) {
     run.gap = initial_gap - A * U;
     F.head(n) = K * U - external - forces * run.pressure;  // (42) and (33)-(36)
@@ -91,9 +91,7 @@ inline PrintedRun run_as_printed(const HertzCase& now, const PrintedEquations& h
     if (k == how.steps) return run;
     const Eigen::SparseMatrix<double> J =
         printed_jacobian(run, forces, how, (k == 0 ? 1 : 0) * springs);
-    if (k == 0) factor.analyzePattern(J);
-    factor.factorize(J);
-    if (factor.info() != Eigen::Success) continue;  // no step
+    if (!factor.factorise(J)) continue;  // no step
     const Eigen::VectorXd step = -factor.solve(F);
     if (!step.allFinite()) continue;
     U += step.head(n);

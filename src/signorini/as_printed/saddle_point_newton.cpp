@@ -1,7 +1,6 @@
 #include "signorini/as_printed/saddle_point_newton.hpp"
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/sparse_lu.hpp"
 #include "signorini/programme/refine.hpp"
 
 namespace signorini {
@@ -165,11 +165,10 @@ VectorXd start(const QuadraticProgramme& programme, const SaddlePointOptions& op
 
 /// One step of the method.
 /// \return false if J is singular or |F| falls no more; the point is where it was
-bool step_on(const QuadraticProgramme& programme, const Units& units,
-             Eigen::SparseLU<Eigen::SparseMatrix<double>>& factor, bool whole, Point& point) {
+bool step_on(const QuadraticProgramme& programme, const Units& units, SparseLuFactor& factor,
+             bool whole, Point& point) {
   const Eigen::SparseMatrix<double> J = jacobian(programme, units, point);
-  factor.compute(J);
-  if (factor.info() != Eigen::Success) return false;
+  if (!factor.factorise(J)) return false;
   const VectorXd step = factor.solve(-point.residual);
   // A factor of a singular J gives a step that does not even solve for half of F.
   if (!step.allFinite() || (J * step + point.residual).norm() > 0.5 * point.size) return false;
@@ -191,7 +190,7 @@ SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
   std::vector<bool> closed(static_cast<std::size_t>(point.gap.size()));
   Report report;
   report.status = Status::Breakdown;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> factor;
+  SparseLuFactor factor;
   const auto done = [&] {
     return printed ? point.size <= options.tolerance * first
                    : certify(programme, point.solution).holds(options.tolerance);
