@@ -126,8 +126,8 @@ std::pair<VectorXd, VectorXd> Refining::closed(const VectorXd& residual) const {
     bottom = -(modes_ * scaled_.inverse).transpose() * residual;
   const auto [force, amplitude] =
       closing_.solve(-scale.cwiseProduct(VectorXd(result_.movement(rows))), bottom);
-  return {scale.cwiseProduct(force), modes_.cols() > 0 ? VectorXd(scaled_.inverse * amplitude)
-                                                       : VectorXd()};
+  return {scale.cwiseProduct(force),
+          modes_.cols() > 0 ? VectorXd(scaled_.inverse * amplitude) : VectorXd()};
 }
 
 bool Refining::felt(const VectorXd& pushed) const {
@@ -192,9 +192,9 @@ Refinement Refining::run() {
     const Change now = sweep();
     if (!std::isfinite(now.worst())) break;
     // A sweep shrinks the error of u by the error of the factor, which shows where no change of forces
-    // adds to it; so the next correction is known beforehand. Not by the first sweep, and not while the
-    // rigid part is rounded anew.
-    const bool steady = sweeps_ > (modes_.cols() > 0 ? rigid_sweeps : 1);
+    // adds to it; so the next correction is known beforehand. Not by the first sweep, not while the
+    // rigid part is rounded anew, and not behind a sweep that moved u by more than u.
+    const bool steady = sweeps_ > (modes_.cols() > 0 ? rigid_sweeps : 1) && last.displacement < 1;
     if (steady) rate = std::min(slow_ ? 1 : rate, ratio(now.displacement, last.displacement));
     const double next =
         std::max(now.displacement * rate,
