@@ -133,10 +133,9 @@ bool contact(Table& table) {
     Ledger ledger;
     const Model model = build(pressed_block(999, cells_y), ledger);
     const Eigen::SparseMatrix<double>& K = model.programme.stiffness;
-    const EliminationOrder order =
-        nested_dissection(K, unknown_positions(model.bodies[0].mesh, model.unknowns));
-    const double factor =
-        mean_seconds(1, [&] { const ContactLastFactor alone(K, order, 0, ledger); });
+    const SeparatorTree tree =
+        separator_tree(K, unknown_positions(model.bodies[0].mesh, model.unknowns));
+    const double factor = mean_seconds(1, [&] { const FrontalFactor alone(K, tree, ledger); });
     const Condensed condensed = condense(model, ledger);
     const Solver& solver = find_solver("quasi_active_set");
     std::vector<double> seconds;

@@ -48,8 +48,7 @@ struct Cost {
 void plain_run(const Model& model, const Eigen::SparseMatrix<double>& K, Cost& cost) {
   Ledger unused;
   const auto begin = std::chrono::steady_clock::now();
-  const EliminationOrder order = nested_dissection(K, unknown_positions(model));
-  const ContactLastFactor factor(K, order, 0, unused);
+  const FrontalFactor factor(K, separator_tree(K, unknown_positions(model)), unused);
   const Eigen::VectorXd u = factor.solve(model.programme.load);
   cost.seconds.push_back(seconds_since(begin));
   cost.fill = static_cast<double>(factor.nonzeros());

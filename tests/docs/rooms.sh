@@ -10,7 +10,7 @@ check() ( # the library in $1/src/signorini; a line per fault
         function fault(what) { print "src/signorini/" FILENAME ":" FNR ": " what; bad = 1 }
         BEGIN { # what a room may include besides itself
             below["core"] = ""
-            below["mesh"] = below["closed_form"] = below["problem"] = "core"
+            below["mesh"] = below["closed_form"] = below["problem"] = below["factor"] = "core"
             below["gmsh"] = "core mesh"
             below["closing"] = below["problem_file"] = "core problem"
             below["solvers"] = "core problem closing"
@@ -18,8 +18,8 @@ check() ( # the library in $1/src/signorini; a line per fault
             below["as_printed"] = "core problem closing solvers programme"
             below["elasticity"] = "core mesh"
             below["contact"] = "core mesh elasticity"
-            below["scene"] = "core mesh problem closing solvers programme elasticity contact"
-            below["report"] = "core mesh closed_form problem closing solvers programme as_printed problem_file elasticity contact scene"
+            below["scene"] = "core mesh problem factor closing solvers programme elasticity contact"
+            below["report"] = "core mesh closed_form problem factor closing solvers programme as_printed problem_file elasticity contact scene"
         }
         FNR == 1 {
             room = FILENAME
@@ -67,7 +67,7 @@ expect found closing/closed_basis.hpp '"signorini/solvers/lemke.hpp"'
 expect found solvers/lemke.cpp '"signorini/programme/refine.hpp"'
 expect found scene/solve.cpp '"signorini/as_printed/surrogate_dual.hpp"'
 expect found problem/problem.hpp '"signorini/mesh/mesh.hpp"'                          # beside
-expect found programme/refine.cpp '"signorini/elasticity/contact_last_factor.hpp"'
+expect found programme/refine.cpp '"signorini/factor/frontal_factor.hpp"'
 expect found problem_file/two_sided.cpp '"signorini/mesh/mesh.hpp"'
 expect found problem/problem.hpp '"signorini/problem_file/two_sided.hpp"'
 expect found closed_form/beam.cpp '"signorini/problem/problem.hpp"'

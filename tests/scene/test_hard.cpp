@@ -80,9 +80,8 @@ TEST_CASE("a free body never passes the factor, whatever its size", "[free]") {
         const LinearSystem system = assemble(scene.bodies[0].mesh, find_element(element),
                                              scene.bodies[0].material, unknowns, {});
         Ledger ledger;
-        CHECK_THROWS_AS(
-            ContactLastFactor(system.stiffness, minimum_degree(system.stiffness), 0, ledger),
-            ProblemError);
+        CHECK_THROWS_AS(FrontalFactor(system.stiffness, separator_tree(system.stiffness), ledger),
+                        ProblemError);
       }
 }
 

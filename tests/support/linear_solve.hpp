@@ -1,7 +1,7 @@
 // Plain solution of K u = p for tests without contact.
 #pragma once
 #include "signorini/elasticity/assembly.hpp"
-#include "signorini/elasticity/contact_last_factor.hpp"
+#include "signorini/factor/frontal_factor.hpp"
 
 namespace signorini_test {
 
@@ -14,9 +14,9 @@ inline signorini::NodeArray solve_body(const signorini::Mesh& mesh,
   const signorini::LinearSystem system =
       signorini::assemble(mesh, element, material, unknowns, loads);
   signorini::Ledger ledger;
-  const signorini::ContactLastFactor factor(
+  const signorini::FrontalFactor factor(
       system.stiffness,
-      signorini::nested_dissection(system.stiffness, unknown_positions(mesh, unknowns)), 0, ledger);
+      signorini::separator_tree(system.stiffness, unknown_positions(mesh, unknowns)), ledger);
   return expand(unknowns, factor.solve(system.load));
 }
 

@@ -182,9 +182,9 @@ Refinement Refining::run() {
     const Change now = sweep();
     if (!std::isfinite(now.worst())) break;
     // A sweep shrinks the error of u by the error of the factor, which shows where no change of forces
-    // adds to it; so the next correction is known beforehand. Not by the first sweep, and not while the
-    // rigid part is rounded anew.
-    const bool steady = sweeps_ > (floats() ? rigid_sweeps : 1);
+    // adds to it; so the next correction is known beforehand. Not by the first sweep, not while the
+    // rigid part is rounded anew, and not behind a sweep that moved u by more than u.
+    const bool steady = sweeps_ > (floats() ? rigid_sweeps : 1) && last.displacement < 1;
     if (steady) rate = std::min(slow_ ? 1 : rate, ratio(now.displacement, last.displacement));
     const double next =
         std::max(now.displacement * rate,

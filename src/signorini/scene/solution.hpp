@@ -7,9 +7,9 @@
 #include "signorini/contact/pairs.hpp"
 #include "signorini/core/ledger.hpp"
 #include "signorini/elasticity/assembly.hpp"
-#include "signorini/elasticity/contact_last_factor.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/elasticity/free_motions.hpp"
+#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -39,7 +39,7 @@ struct Model {
 
 /// The model with all unknowns but the contact forces eliminated.
 struct Condensed {
-  ContactLastFactor factor;           ///< of K, or of K and one spring per rigid mode
+  FrontalFactor factor;               ///< of K, or of K and one spring per rigid mode
   ContactProblem problem;             ///< F = A K^-1 A^T, d, s, the law, R and r
   Eigen::VectorXd free_displacement;  ///< u0 = K^-1 p `n` [length]
 };
@@ -60,11 +60,11 @@ struct Solution {
   Ledger ledger;  ///< what it cost
 };
 
-/// Factors K with the contact unknowns last and reads the compliance off the trailing block.
+/// Factors K front by front and carries the rows of A up the fronts to the compliance.
 /// \param model   from build()
 /// \param ledger  receives the phases `factor` and `condensation`
 /// \return the small problem, and the factor to recover displacements with
-/// \throws ProblemError if K is singular to working precision, see ContactLastFactor
+/// \throws ProblemError if K is singular to working precision, see FrontalFactor
 [[nodiscard]] Condensed condense(const Model& model, Ledger& ledger);
 
 /// Solves the condensed problem and recovers displacements, all refined from the original data.

@@ -24,15 +24,14 @@ std::string describe_unknown(const Model& model, Index unknown) {
               body.unknowns.describe(body.mesh, unknown - body.first_unknown));
 }
 
-ContactLastFactor factor_last(const Model& model, const Eigen::SparseMatrix<double>& K,
-                              const std::vector<Index>& last, Ledger& ledger) {
+FrontalFactor factor(const Model& model, const Eigen::SparseMatrix<double>& K, Ledger& ledger) {
   const auto describe = [&model](Index unknown) { return describe_unknown(model, unknown); };
   const Ledger::Phase phase(ledger, "factor");
-  const EliminationOrder order = [&] {
+  const SeparatorTree tree = [&] {
     const Ledger::Phase ordering(ledger, "ordering");
-    return nested_dissection(K, unknown_positions(model), last);
+    return separator_tree(K, unknown_positions(model));
   }();
-  return ContactLastFactor(K, order, static_cast<Index>(last.size()), ledger, describe);
+  return {K, tree, ledger, describe};
 }
 
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
@@ -91,7 +90,7 @@ Condensed condense(const Model& model, Ledger& ledger) {
   const Eigen::SparseMatrix<double> held =
       floats ? grounded_stiffness(model) : Eigen::SparseMatrix<double>();
   const Eigen::SparseMatrix<double>& K = floats ? held : programme.stiffness;
-  Condensed condensed{factor_last(model, K, contact_unknowns(programme.A), ledger), {}, {}};
+  Condensed condensed{factor(model, K, ledger), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
   condensed.free_displacement = condensed.factor.solve(programme.load);
   ContactProblem& problem = condensed.problem;

@@ -1,0 +1,160 @@
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <vector>
+
+#include "catch_compat.hpp"
+#include "support/factors.hpp"
+#include "support/message.hpp"
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;
+using namespace signorini;
+using signorini_test::Placed;
+using signorini_test::problem_message;
+
+namespace {
+
+FrontalFactor factored(const Placed& placed) {
+  Ledger ledger;
+  return {placed.K, separator_tree(placed.K, placed.positions), ledger};
+}
+
+VectorXd random_vector(Index n, std::uint64_t seed) {
+  signorini_test::Random random(seed);
+  VectorXd v(n);
+  for (Index k = 0; k < n; ++k) v(k) = random.uniform(-1, 1);
+  return v;
+}
+
+/// Entries and operations of L by playing the elimination on the full pattern, separator by separator: the own
+/// unknowns of one, and all later ones that any of them is joined to, become a clique.
+struct Recount {
+  long long nonzeros = 0;
+  long long operations = 0;
+};
+Recount recount(const Matrix& K, const SeparatorTree& tree) {
+  const std::size_t n = tree.order.size();
+  std::vector<std::vector<bool>> joined(n, std::vector<bool>(n, false));
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = 0; b < n; ++b)
+      joined[a][b] = a == b || K.coeff(tree.order[a], tree.order[b]) != 0;
+  Recount count;
+  for (const Separator& separator : tree.separators) {
+    std::vector<std::size_t> front;
+    const std::size_t first = static_cast<std::size_t>(separator.first);
+    const std::size_t end = first + static_cast<std::size_t>(separator.own);
+    for (std::size_t a = first; a < n; ++a) {
+      bool in = a < end;
+      for (std::size_t own = first; own < end; ++own) in = in || joined[a][own];
+      if (in) front.push_back(a);
+    }
+    for (const std::size_t a : front)
+      for (const std::size_t b : front) joined[a][b] = true;
+    for (std::size_t k = 0; k < end - first; ++k) {
+      const long long below = static_cast<long long>(front.size() - k) - 1;
+      count.nonzeros += 1 + below;
+      count.operations += below + below * (below + 1);  // quotients; products and differences
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("fronts solve what dense elimination solves: every element, pieces, random patterns",
+          "[factor]") {
+  for (const Placed& placed : signorini_test::placed_matrices()) {
+    CAPTURE(placed.name, placed.K.cols(), placed.positions.rows());
+    const FrontalFactor factor = factored(placed);
+    REQUIRE(factor.size() == placed.K.cols());
+    const VectorXd exact = random_vector(factor.size(), 5);
+    const VectorXd load = placed.K * exact;
+    const VectorXd u = factor.solve(load);
+    const Eigen::MatrixXd dense(placed.K);
+    const VectorXd expected = dense.llt().solve(load);
+    CHECK((placed.K * u - load).norm() <= 1e-13 * load.norm());
+    CHECK((u - expected).norm() <= 1e-11 * expected.norm());  // rounding times condition number
+  }
+}
+
+// A front of a mesh has what its own unknowns touch. In other patterns a part below may hand on what they do not.
+TEST_CASE("entries and operations of the factor equal a recount", "[factor]") {
+  for (const Placed& placed : signorini_test::placed_matrices()) {
+    if (placed.K.cols() > 200) continue;
+    CAPTURE(placed.name, placed.K.cols());
+    Ledger ledger;
+    const SeparatorTree tree = separator_tree(placed.K, placed.positions);
+    const FrontalFactor factor(placed.K, tree, ledger);
+    const Recount expected = recount(placed.K, tree);
+    CHECK(factor.nonzeros() >= expected.nonzeros);
+    CHECK(factor.operations() >= static_cast<double>(expected.operations));
+    CHECK((factor.nonzeros() == expected.nonzeros || placed.name == "random"));
+    CHECK((factor.operations() == static_cast<double>(expected.operations) ||
+           placed.name == "random"));
+    CHECK(ledger.counted("numeric", "nonzeros") == factor.nonzeros());
+    CHECK(static_cast<double>(ledger.counted("numeric", "operations")) == factor.operations());
+  }
+}
+
+TEST_CASE("the same numbers each time, and in all units, to the last bit", "[factor]") {
+  const Mesh mesh = signorini_test::block_for(q8(), {3, 2}, 24, 16);
+  const Placed body = signorini_test::stiffness("block", mesh, q8(), {fixed("left")});
+  const VectorXd load = random_vector(body.K.cols(), 1);
+  const VectorXd u = factored(body).solve(load);
+  CHECK(factored(body).solve(load) == u);
+  for (const int power : {-900, -31, 1, 2, 600}) {
+    const double unit = std::ldexp(1.0, power);
+    CHECK(factored({"scaled", unit * body.K, body.positions}).solve(unit * load) == u);
+  }
+}
+
+TEST_CASE("a free body is found out on every mesh, whatever rounding leaves of the last pivot",
+          "[factor]") {
+  int found = 0;
+  for (Index n = 1; n <= 12; ++n)
+    for (const char* side : {"bottom", "left"}) {
+      const Mesh mesh = signorini_test::distorted(
+          signorini_test::block_for(q4(), {3, 2}, n + 1, n), {3, 2},
+          {3.0 / static_cast<double>(n + 1), 2.0 / static_cast<double>(n)},
+          static_cast<std::uint64_t>(n));
+      const Placed body = signorini_test::stiffness("free", mesh, q4(), {symmetric(side)});
+      for (const NodeArray& positions : {body.positions, NodeArray(0, 2)})
+        found += problem_message([&] { factored({"free", body.K, positions}); }).empty() ? 0 : 1;
+    }
+  CHECK(found == 48);
+}
+
+TEST_CASE("a slender body is not taken for a free one", "[factor]") {
+  const Mesh mesh = signorini_test::block_for(q4(), {1000, 1}, 400, 2);
+  const Placed body = signorini_test::stiffness("beam", mesh, q4(), {fixed("left")});
+  CHECK_NOTHROW(factored(body));
+  CHECK_NOTHROW(factored({"beam somewhere", body.K, {}}));
+}
+
+TEST_CASE("numbers that are none, negative and zero diagonals are singular", "[factor]") {
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double entry : {0.0, -1.0, inf, std::nan("")}) {
+    Matrix K(3, 3);
+    for (int k = 0; k < 3; ++k) K.insert(k, k) = k == 1 ? entry : 1;
+    CHECK_THAT(problem_message([&] {
+                 factored({"bad", K, {}});
+               }),
+               ContainsSubstring("singular") && ContainsSubstring("diagonal entry"));
+  }
+  CHECK_THROWS_AS(factored({"nothing stored", Matrix(2, 2), {}}), ProblemError);
+}
+
+TEST_CASE("sizes that do not fit are refused", "[factor]") {
+  const Placed body = signorini_test::random_matrix(5, 0.5, 1);
+  const FrontalFactor factor = factored(body);
+  Ledger ledger;
+  CHECK_THROWS_AS(factor.solve(VectorXd::Zero(3)), std::invalid_argument);
+  CHECK_THROWS_AS(factor.compliance(Eigen::SparseMatrix<double, Eigen::RowMajor>(1, 3)),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(
+      FrontalFactor(signorini_test::random_matrix(4, 0.5, 1).K, separator_tree(body.K), ledger),
+      std::invalid_argument);
+  CHECK_THROWS_AS(FrontalFactor(Matrix(3, 5), separator_tree(body.K), ledger),
+                  std::invalid_argument);
+}
