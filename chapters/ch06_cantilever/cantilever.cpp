@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "elimination.hpp"
 #include "signorini/closed_form/beam.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
@@ -204,7 +205,9 @@ void as_linear_programme(const ProgramOptions& /*run*/, Results& results) {
   results.add("lp_pivots_once", static_cast<double>(once.report.iterations), "-");
   results.add("lp_pivots_steps", static_cast<double>(pivots), "-");
   results.add("lp_increments", static_cast<double>(steps.size()), "-");
-  results.add("active_sets", static_cast<double>(beam.solution.contact.report.iterations), "-");
+  const Report& report = beam.solution.contact.report;
+  results.add("active_sets", static_cast<double>(report.iterations), "-");
+  results.add("factorisations", static_cast<double>(report.factorisations), "-");
 }
 
 // 9. The method of the paper as it is printed, on so few cells that each node can be drawn.
@@ -229,7 +232,24 @@ void as_printed(const ProgramOptions& run, Results& results) {
   results.add("printed_deepest", -beam.condensed.problem.free_gap.minCoeff(), "cm");
 }
 
-// 10. What total_force_2d is the limit of.
+// 10. The order of elimination, and how much of it the rows of A meet, on a square body and on the beam.
+void elimination(const ProgramOptions& run, Results& results) {
+  Ledger ledger;
+  Scene square = cantilever(paper, "q4", 100);
+  BlockSpec block;
+  block.size = {paper.height, paper.height};
+  block.cells_x = block.cells_y = 24;
+  square.bodies[0].mesh = make_block(block);
+  const Model body = build(square, ledger);
+  const ch06::DrawnTree tree = ch06::drawn_tree(body);
+  write_file(run.out / "fig_6_6.csv", ch06::drawn_nodes(tree, body).csv());
+  write_file(run.out / "fig_6_6_tree.csv", ch06::drawn_branches(tree).csv());
+  results.add("visited_square", 100 * ch06::visited_share(tree), "%");
+  const Model beam = build(cantilever(paper, "q4", 100), ledger);
+  results.add("visited_beam", 100 * ch06::visited_share(ch06::drawn_tree(beam)), "%");
+}
+
+// 11. What total_force_2d is the limit of.
 void finest_mesh(const ProgramOptions& /*run*/, Results& results) {
   const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 800);
   results.add("fine_800", total_force(beam), "kN", Repeats::No);
@@ -243,7 +263,8 @@ Status chapter(const ProgramOptions& run) {
       {"contact pressure", contact_pressure},
       {"units", change_units},
       {"linear programme", as_linear_programme},
-      {"the printed method", as_printed}};
+      {"the printed method", as_printed},
+      {"elimination", elimination}};
   if (run.full) studies.push_back({"800 x 80 cells", finest_mesh});
   for (std::size_t k = 0; k < studies.size(); ++k) {
     if (run.full)
