@@ -37,7 +37,12 @@ class FrontalFactor::Walk {
   }
 
  private:
-  /// The rows of A that have an entry in a front or below it, rising.
+  /// Whether there is a front, and anything that it is joined to.
+  [[nodiscard]] bool hands_on(int below) const {
+    return below >= 0 && factor_.front(below).rim() > 0;
+  }
+
+  /// The rows of A that have an entry in a front, or below it in what it is joined to; rising.
   [[nodiscard]] std::vector<std::vector<int>> pairs_of_fronts() const {
     std::vector<std::vector<int>> pairs(factor_.fronts_.size());
     std::vector<int> seen(static_cast<std::size_t>(entries_.rows()), -1);
@@ -51,7 +56,7 @@ class FrontalFactor::Walk {
              ++entry)
           take(static_cast<int>(entry.row()));
       for (const int below : separator.below)
-        if (below >= 0) std::for_each(pairs[at(below)].begin(), pairs[at(below)].end(), take);
+        if (hands_on(below)) std::for_each(pairs[at(below)].begin(), pairs[at(below)].end(), take);
       std::sort(pairs[at(number)].begin(), pairs[at(number)].end());
     }
     return pairs;
@@ -85,7 +90,7 @@ class FrontalFactor::Walk {
            entry; ++entry)
         rows(k, column_[at(static_cast<int>(entry.row()))]) = entry.value();
     for (const int below : front.separator.below)
-      if (below >= 0) add(below, rows);
+      if (hands_on(below)) add(below, rows);
     const auto L = factor_.columns(front);
     auto H = rows.topRows(front.own());
     auto R = rows.bottomRows(front.rim());

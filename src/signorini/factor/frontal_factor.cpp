@@ -102,9 +102,10 @@ class FrontalFactor::Elimination {
                    [&](int place) { return row_[at(place)]; });
     const double* from = stack_.kept(below);
     for (std::size_t j = 0; j < to_.size(); ++j, from += to_.size()) {
-      double* column = to_[j] < own ? columns.data() + to_[j] * columns.rows()
-                                    : update.data() + (to_[j] - own) * update.rows() - own;
-      for (std::size_t i = j; i < to_.size(); ++i) column[to_[i]] += from[i];
+      const bool eliminated = to_[j] < own;
+      const Index shift = eliminated ? 0 : own;
+      double* column = eliminated ? &columns(0, to_[j]) : &update(0, to_[j] - own);
+      for (std::size_t i = j; i < to_.size(); ++i) column[to_[i] - shift] += from[i];
     }
   }
 
