@@ -64,7 +64,7 @@ book: lint                ## the web pages, build/book/index.html
 	@tools/docs.sh $B/book && echo "open $B/book/index.html"
 browser: book             ## open every page in a browser and check it
 	@python3 tools/check-docs.py --all $B/book
-bench:                    ## what accuracy costs: work and seconds, measured
+bench:                    ## what contact costs over one plain linear solve, measured
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target price
 	@$B/bin/price --full

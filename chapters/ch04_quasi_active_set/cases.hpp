@@ -50,9 +50,7 @@ inline DenseProgramme floating(const exact::Programme& q) {
   return result;
 }
 
-inline ContactProblem condensed(const DenseProgramme& q) {
-  return condense(q).problem;
-}
+inline ContactProblem condensed(const DenseProgramme& q) { return condense(q).problem; }
 
 inline Eigen::VectorXd displacement(const DenseProgramme& q, const ContactState& state) {  // K = I
   return q.load - q.A.transpose() * state.force;

@@ -1,6 +1,6 @@
 // Figure 6.6: in which order the unknowns of a body are eliminated, and whom the rows of A meet on their way.
 #pragma once
-#include <algorithm>
+#include <set>
 #include <vector>
 
 #include "signorini/core/table.hpp"
@@ -46,12 +46,42 @@ inline DrawnTree drawn_tree(const Model& model) {
   return drawn;
 }
 
-/// The share of the unknowns that belong to separators and parts which a row of A visits.
-inline double visited_share(const DrawnTree& drawn) {
-  double visited = 0;
-  for (std::size_t s = 0; s < drawn.visited.size(); ++s)
-    if (drawn.visited[s]) visited += drawn.tree.separators[s].own;
-  return visited / static_cast<double>(drawn.tree.order.size());
+/// Multiplications for the compliance of all rows of A over those for the factor, front by front: H and what it
+/// hands up, then H^T H; and the dense elimination of the own unknowns.
+inline double price_of_compliance(const DrawnTree& drawn, const Model& model) {
+  const std::vector<Separator>& separators = drawn.tree.separators;
+  const Eigen::SparseMatrix<double> A = model.programme.A;  // by columns
+  std::vector<int> place(drawn.tree.order.size());
+  for (std::size_t k = 0; k < place.size(); ++k)
+    place[static_cast<std::size_t>(drawn.tree.order[k])] = static_cast<int>(k);
+  std::vector<std::set<int>> boundary(separators.size());
+  std::vector<std::set<Eigen::Index>> rows(separators.size());
+  double compliance = 0;
+  double factor = 0;
+  for (std::size_t s = 0; s < separators.size(); ++s) {
+    const int end = separators[s].first + separators[s].own;
+    for (const int below : separators[s].below) {
+      if (below < 0) continue;
+      const std::size_t part = static_cast<std::size_t>(below);
+      boundary[s].insert(boundary[part].lower_bound(end), boundary[part].end());
+      rows[s].insert(rows[part].begin(), rows[part].end());
+    }
+    for (int k = separators[s].first; k < end; ++k) {
+      const int unknown = drawn.tree.order[static_cast<std::size_t>(k)];
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(A, unknown); entry; ++entry)
+        rows[s].insert(entry.row());
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(model.programme.stiffness, unknown);
+           entry; ++entry)
+        if (const int other = place[static_cast<std::size_t>(entry.row())]; other >= end)
+          boundary[s].insert(other);
+    }
+    const double own = separators[s].own;
+    const double rim = static_cast<double>(boundary[s].size());
+    const double carried = static_cast<double>(rows[s].size());
+    factor += own * own * own / 6 + own * own * rim / 2 + own * rim * rim / 2;
+    compliance += carried * (own * own / 2 + own * rim) + own * carried * carried / 2;
+  }
+  return compliance / factor;
 }
 
 /// Where the unknowns of every separator are.

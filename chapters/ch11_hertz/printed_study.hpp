@@ -66,7 +66,7 @@ inline double rms_error(const PrintedRun& run, const LineContact& theory) {
 /// \param results  to add to
 /// \param ours     the example, solved by the condensed Newton method
 inline void study_as_printed(const std::filesystem::path& folder, Results& results,
-                           const HertzRun& ours) {
+                             const HertzRun& ours) {
   const LineContact theory = ours.now.theory();
   const double b = hertz_half_width(theory), q0 = hertz_peak_pressure(theory);
   Table table({"pressures at", "meshes", "J", "closed", "independent", "steps", "steps, scaled",

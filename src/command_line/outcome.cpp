@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/programme/dense_programme.hpp"
 
 namespace command_line {
@@ -74,8 +74,7 @@ Matrix kind_of(const ContactProblem& problem) {
   const Eigen::MatrixXd scaled = scale.asDiagonal() * M * scale.asDiagonal();
   if (!scaled.allFinite()) return Matrix::Indefinite;
   const Eigen::VectorXd values = symmetric_eigenvalues(scaled);
-  const double rounding = static_cast<double>(M.rows()) * std::numeric_limits<double>::epsilon() *
-                          values.cwiseAbs().maxCoeff();
+  const double rounding = static_cast<double>(M.rows()) * epsilon * values.cwiseAbs().maxCoeff();
   if (values.minCoeff() > rounding) return Matrix::PositiveDefinite;
   return values.minCoeff() >= -rounding ? Matrix::PositiveSemidefinite : Matrix::Indefinite;
 }

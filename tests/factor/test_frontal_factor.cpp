@@ -36,9 +36,13 @@ struct Recount {
 Recount recount(const Matrix& K, const SeparatorTree& tree) {
   const std::size_t n = tree.order.size();
   std::vector<std::vector<bool>> joined(n, std::vector<bool>(n, false));
-  for (std::size_t a = 0; a < n; ++a)
-    for (std::size_t b = 0; b < n; ++b)
-      joined[a][b] = a == b || K.coeff(tree.order[a], tree.order[b]) != 0;
+  std::vector<std::size_t> place(n);
+  for (std::size_t a = 0; a < n; ++a) place[static_cast<std::size_t>(tree.order[a])] = a;
+  for (std::size_t a = 0; a < n; ++a) {
+    joined[a][a] = true;
+    for (Matrix::InnerIterator entry(K, tree.order[a]); entry; ++entry)  // also those that are 0
+      joined[a][place[static_cast<std::size_t>(entry.row())]] = true;
+  }
   Recount count;
   for (const Separator& separator : tree.separators) {
     std::vector<std::size_t> front;
@@ -87,11 +91,13 @@ TEST_CASE("entries and operations of the factor equal a recount", "[factor]") {
     const SeparatorTree tree = separator_tree(placed.K, placed.positions);
     const FrontalFactor factor(placed.K, tree, ledger);
     const Recount expected = recount(placed.K, tree);
+    const double most = placed.name == "random" ? 1.05 : 1;
+    const double nonzeros = static_cast<double>(expected.nonzeros);
+    const double operations = static_cast<double>(expected.operations);
     CHECK(factor.nonzeros() >= expected.nonzeros);
-    CHECK(factor.operations() >= static_cast<double>(expected.operations));
-    CHECK((factor.nonzeros() == expected.nonzeros || placed.name == "random"));
-    CHECK((factor.operations() == static_cast<double>(expected.operations) ||
-           placed.name == "random"));
+    CHECK(static_cast<double>(factor.nonzeros()) <= most * nonzeros);
+    CHECK(factor.operations() >= operations);
+    CHECK(factor.operations() <= most * operations);
     CHECK(ledger.counted("numeric", "nonzeros") == factor.nonzeros());
     CHECK(static_cast<double>(ledger.counted("numeric", "operations")) == factor.operations());
   }
@@ -132,15 +138,18 @@ TEST_CASE("a slender body is not taken for a free one", "[factor]") {
   CHECK_NOTHROW(factored({"beam somewhere", body.K, {}}));
 }
 
-TEST_CASE("numbers that are none, negative and zero diagonals are singular", "[factor]") {
+TEST_CASE("numbers that are none, negative and zero diagonals are told apart", "[factor]") {
   const double inf = std::numeric_limits<double>::infinity();
   for (const double entry : {0.0, -1.0, inf, std::nan("")}) {
     Matrix K(3, 3);
     for (int k = 0; k < 3; ++k) K.insert(k, k) = k == 1 ? entry : 1;
-    CHECK_THAT(problem_message([&] {
-                 factored({"bad", K, {}});
-               }),
-               ContainsSubstring("singular") && ContainsSubstring("diagonal entry"));
+    K.makeCompressed();
+    const std::string message = problem_message([&] { factored({"bad", K, {}}); });
+    CHECK_THAT(message, ContainsSubstring("at unknown 1"));
+    if (std::isfinite(entry))
+      CHECK_THAT(message, ContainsSubstring("singular") && ContainsSubstring("diagonal entry"));
+    else
+      CHECK_THAT(message, ContainsSubstring("no finite number") && !ContainsSubstring("support"));
   }
   CHECK_THROWS_AS(factored({"nothing stored", Matrix(2, 2), {}}), ProblemError);
 }

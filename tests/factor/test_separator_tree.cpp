@@ -76,13 +76,20 @@ int height(const SeparatorTree& tree) {
   return heights.empty() ? 0 : heights.back();
 }
 
-double operations(const Placed& placed) {
+/// What a factor has and costs.
+struct Work {
+  double nonzeros = 0;
+  double operations = 0;
+};
+
+Work work(const Placed& placed) {
   Ledger ledger;
-  return FrontalFactor(placed.K, separator_tree(placed.K, placed.positions), ledger).operations();
+  const FrontalFactor factor(placed.K, separator_tree(placed.K, placed.positions), ledger);
+  return {static_cast<double>(factor.nonzeros()), factor.operations()};
 }
 
-/// Operations of a factor in the order of minimum degree, column by column.
-double operations_by_degree(const Matrix& K) {
+/// That of a factor in the order of minimum degree, column by column.
+Work work_by_degree(const Matrix& K) {
   const Eigen::SimplicialLLT<Matrix> factor(K);
   const Matrix L = factor.matrixL();
   double sum = 0;
@@ -90,7 +97,7 @@ double operations_by_degree(const Matrix& K) {
     const double below = L.outerIndexPtr()[k + 1] - L.outerIndexPtr()[k] - 1;
     sum += below * (below + 2);
   }
-  return sum;
+  return {static_cast<double>(L.nonZeros()), sum};
 }
 
 }  // namespace
@@ -131,7 +138,7 @@ TEST_CASE("bodies that do not touch are parted by nothing", "[tree]") {
     const SeparatorTree tree = separator_tree(two.K, two.positions);
     CHECK(tree.separators.back().own == 0);
     CHECK(joined_parts(two.K, tree) == 0);
-    CHECK(operations(two) <= 1.2 * 2 * operations(body));
+    CHECK(work(two).operations <= 1.01 * 2 * work(body).operations);
   }
 }
 
@@ -152,12 +159,19 @@ TEST_CASE("graphs of no mesh are cut as well, and the tree stays low", "[tree]")
     CHECK(in_order(tree));
     CHECK(joined_parts(K, tree) == 0);
     CHECK(height(tree) <= low);
-    CHECK(FrontalFactor(K, tree, ledger).nonzeros() <= 20 * n);
+    CHECK(FrontalFactor(K, tree, ledger).nonzeros() <= 6 * n);
   }
 }
 
 TEST_CASE("about the work of minimum degree on small squares, beams and the graded meshes of Hertz",
           "[tree]") {
+  // Coordinates cut squares and discs better than minimum degree, beams and graded plates a little worse; levels
+  // of the graph alone know less.
+  struct Bound {
+    double with_positions;
+    double without;
+  };
+  const std::vector<Bound> bounds = {{0.75, 1.25}, {1.25, 1.65}, {1.0, 1.25}, {1.25, 1.4}};
   std::vector<Placed> bodies;
   for (const auto& [length, cells] : {std::pair{1, 60}, {10, 16}}) {
     const Mesh mesh = signorini_test::block_for(q4(), {double(length), 1}, length * cells, cells);
@@ -170,10 +184,14 @@ TEST_CASE("about the work of minimum degree on small squares, beams and the grad
   const HertzMeshes meshes = make_hertz_meshes(spec);
   bodies.push_back(signorini_test::stiffness("disc", meshes.disc, q4(), {fixed("axis")}));
   bodies.push_back(signorini_test::stiffness("plate", meshes.plate, q4(), {fixed("base")}));
-  for (const Placed& body : bodies) {
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Placed& body = bodies[k];
     CAPTURE(body.name, body.K.cols());
-    CHECK(operations(body) <= 1.25 * operations_by_degree(body.K));
-    CHECK(operations({body.name, body.K, {}}) <= 1.75 * operations_by_degree(body.K));
+    const Work degree = work_by_degree(body.K);
+    const Work own = work(body);
+    CHECK(own.operations <= bounds[k].with_positions * degree.operations);
+    if (k == 0) CHECK(own.nonzeros <= degree.nonzeros);
+    CHECK(work({body.name, body.K, {}}).operations <= bounds[k].without * degree.operations);
   }
 }
 

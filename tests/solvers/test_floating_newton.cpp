@@ -56,8 +56,7 @@ TEST_CASE("Hertz under a given force: at most 10 iterations, and the pressure of
       const double h = 2.0 / static_cast<double>(n);  // forces are right to the order of h
       CHECK(difference(state.force, exact.force) <= 2 * h);
       CHECK(state.force.sum() == Approx(exact.total_force).epsilon(1e-14));
-      for (const Index i : state.active)
-        CHECK(std::abs(exact.position(i)) <= exact.half_width + h);
+      for (const Index i : state.active) CHECK(std::abs(exact.position(i)) <= exact.half_width + h);
     }
 }
 
@@ -69,8 +68,7 @@ TEST_CASE("neither height nor overlap at the start cost an iteration", "[floatin
       const ContactState state = direct_solution(punch(100, lift), solver, 10);
       CHECK(state.report.iterations == touching.report.iterations);
       // Gaps of the size of the lift are rounded, and the profile with them.
-      CHECK(difference(state.force, touching.force) <=
-            1e-14 + 1e-13 * std::abs(lift));
+      CHECK(difference(state.force, touching.force) <= 1e-14 + 1e-13 * std::abs(lift));
       CHECK(state.amplitude(0) == Approx(touching.amplitude(0) - lift).epsilon(1e-13));
     }
   }

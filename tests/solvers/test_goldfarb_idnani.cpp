@@ -104,7 +104,8 @@ TEST_CASE("nearly parallel pairs, with forces that are large and nearly cancel",
   const DenseProgramme given = programme(A, Vector2d(-1, 1 - t));
   const ContactState state = goldfarb_idnani(whole_problem(given));
   REQUIRE(state.report.status == Status::Solved);
-  CHECK((state.force - Vector2d(513, 512)).norm() <= 1e-7);  // rounding times condition 1e6, times 700
+  CHECK((state.force - Vector2d(513, 512)).norm() <=
+        1e-7);  // rounding times condition 1e6, times 700
   CHECK(certify(whole_problem(given), state).worst() <= 1e-12);
   CHECK((goldfarb_idnani(given).refined.force - Vector2d(513, 512)).norm() <= 1e-10);
 }

@@ -158,10 +158,9 @@ void Checked::look_at_friction(Index k) {
   const Motion status = told.motion[at(k)];
   const Wide slip = movement(row);
   const Wide normal = std::max<Wide>(solution_.refined.force(pair), 0);
-  const Wide bound =
-      norm_[at(row)] * (status == Motion::Open
-                            ? Wide(0)
-                            : model_.law.coefficient(k) * normal + Wide(model_.law.cohesion(k)));
+  const Wide bound = norm_[at(row)] * (status == Motion::Open ? Wide(0)
+                                                              : model_.law.coefficient(k) * normal +
+                                                                    Wide(model_.law.cohesion(k)));
   const double slides = over(size(slip), length_);
   grow(errors_.cone, over(std::max<Wide>(size(force(row)) - bound, 0), force_));
   if (status != Motion::Open && model_.law.cohesion(k) > 0)
@@ -177,9 +176,7 @@ void Checked::look_at_rigid_motions() {
   const Index gaps = static_cast<Index>(model_.pairs.weight.size());
   std::vector<Wides> basis;
   for (Index row = 0; row < given_.A.rows(); ++row) {
-    const bool sticks =
-        row >= gaps &&
-        solution_.contact.motion[at(row - gaps)] == Motion::Stick;
+    const bool sticks = row >= gaps && solution_.contact.motion[at(row - gaps)] == Motion::Stick;
     if (row < gaps ? !carries(row) : !sticks) continue;
     Wides moved;
     for (const FreeMotion& mode : model_.modes) {

@@ -8,6 +8,7 @@
 #include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/closing/contact_equations.hpp"
 #include "signorini/closing/proofs.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/solvers/newton.hpp"

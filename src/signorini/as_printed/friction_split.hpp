@@ -23,7 +23,7 @@ namespace signorini {
 ///   the Jacobian is singular, or if the equations are solved, but not contact; `IterationLimit`
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ContactState friction_split_literal(const ContactProblem& problem,
-                                                   const SolverOptions& options = {});
+                                                  const SolverOptions& options = {});
 
 /// The same split, repaired.
 ///
@@ -38,6 +38,6 @@ namespace signorini {
 ///   step lowers the residual any more
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ContactState friction_split(const ContactProblem& problem,
-                                           const SolverOptions& options = {});
+                                          const SolverOptions& options = {});
 
 }  // namespace signorini

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "signorini/as_printed/surrogate_dual.hpp"
 #include "signorini/closing/closed_basis.hpp"
 #include "signorini/closing/closing.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -71,7 +71,8 @@ LiteralMethod::LiteralMethod(const ContactProblem& problem, const SolverOptions&
                              QuasiActiveRows rows)
     : problem_(problem),
       scaled_(equilibrate(problem)),
-      choice_(rows), tolerance_(options.tolerance) {
+      choice_(rows),
+      tolerance_(options.tolerance) {
   const Index n = scaled_.free.size();
   limit_ = options.iteration_limit > 0 ? options.iteration_limit : 100 * n + 1000;
   largest_overlap_ = n > 0 ? std::max(0.0, -scaled_.free.minCoeff()) : 0;
@@ -80,8 +81,7 @@ LiteralMethod::LiteralMethod(const ContactProblem& problem, const SolverOptions&
 }
 
 void LiteralMethod::place(Closure& point) const {  // with unit diagonal no |G_ij| exceeds 1
-  const double unit =
-      static_cast<double>(point.force.size() + 1) * std::numeric_limits<double>::epsilon();
+  const double unit = static_cast<double>(point.force.size() + 1) * epsilon;
   point.movement = scaled_.free + scaled_.compliance * point.force;
   point.movement_rounding = unit * (scaled_.free.array().abs() + point.force.sum());
 }
@@ -96,7 +96,8 @@ std::vector<Index> LiteralMethod::violated(const Closure& point) const {
 
 void LiteralMethod::sort_by_violation(std::vector<Index>& rows) const {
   const auto larger = [this](Index one, Index other) {
-    return now_.movement(one) + now_.movement_rounding(one) + now_.movement_rounding(other) < now_.movement(other);
+    return now_.movement(one) + now_.movement_rounding(one) + now_.movement_rounding(other) <
+           now_.movement(other);
   };
   for (auto first = rows.begin(); first != rows.end(); ++first) {
     auto worst = first;
@@ -191,7 +192,8 @@ bool LiteralMethod::last_step() {
   way_.optimal = close_to(next);
   way_.left_over = violated(next);
   for (const Index i : way_.left_over)  // (34)
-    way_.fraction = std::min(way_.fraction, now_.movement(i) / (now_.movement(i) - next.movement(i)));
+    way_.fraction =
+        std::min(way_.fraction, now_.movement(i) / (now_.movement(i) - next.movement(i)));
   now_.force += way_.fraction * (next.force - now_.force);  // (35)
   place(now_);
   note(now_, static_cast<Index>(violated(now_).size()));

@@ -3,12 +3,12 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/sparse_lu.hpp"
 #include "signorini/programme/refine.hpp"
 
@@ -35,8 +35,7 @@ double reach_of(const QuadraticProgramme& programme, const Units& units) {
   const Eigen::SparseMatrix<double> K =
       units.row.asDiagonal() * programme.stiffness * units.row.asDiagonal();
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(K);
-  const double rounding =
-      static_cast<double>(K.rows() + 1) * std::numeric_limits<double>::epsilon();
+  const double rounding = static_cast<double>(K.rows() + 1) * epsilon;
   if (K.rows() == 0 || factor.info() != Eigen::Success || factor.vectorD().minCoeff() <= rounding)
     return pairs;
   const VectorXd forces = programme.A.transpose() * units.force.cwiseInverse();
@@ -126,7 +125,7 @@ Point moved(const QuadraticProgramme& programme, const Units& units, const Point
 /// \return false if it falls no more
 bool search(const QuadraticProgramme& programme, const Units& units, const VectorXd& step,
             Point& point) {
-  for (double length = 1; length > std::numeric_limits<double>::epsilon(); length /= 2) {
+  for (double length = 1; length > epsilon; length /= 2) {
     Point trial = moved(programme, units, point, step, length);
     if (!(trial.size < point.size) ||
         trial.size * trial.size > (1 - 2 * enough * length) * point.size * point.size)

@@ -24,9 +24,9 @@ Solver member(const char* name, const char* summary,
 const std::vector<Trait> all_but_several = {
     Trait::Ordinary,   Trait::Asymmetric,     Trait::Dependent, Trait::Infeasible,
     Trait::Degenerate, Trait::IllConditioned, Trait::Slow};
-const std::vector<Trait> everything = {
-    Trait::Ordinary,   Trait::Asymmetric,     Trait::Dependent, Trait::Infeasible,
-    Trait::Degenerate, Trait::IllConditioned, Trait::Slow,      Trait::Several};
+const std::vector<Trait> everything = {Trait::Ordinary,   Trait::Asymmetric, Trait::Dependent,
+                                       Trait::Infeasible, Trait::Degenerate, Trait::IllConditioned,
+                                       Trait::Slow,       Trait::Several};
 
 }  // namespace
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "signorini/as_printed/weight_iteration.hpp"
 #include "signorini/closing/closing.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -56,8 +56,7 @@ Iteration summary(const ScaledProblem& scaled, const WeightIteration& run) {
 /// Whether G y = 0 to rounding, for y of a problem with unit diagonal.
 bool is_proof(const ContactProblem& unit, const Eigen::VectorXd& y) {
   const Eigen::VectorXd root = unit.compliance.diagonal().cwiseSqrt();
-  const double rounding =
-      2 * static_cast<double>(y.size()) * std::numeric_limits<double>::epsilon() * root.dot(y);
+  const double rounding = 2 * static_cast<double>(y.size()) * epsilon * root.dot(y);
   return ((unit.compliance * y).array().abs() <= rounding * root.array()).all() &&
          unit.free_gap.dot(y) < 0;
 }

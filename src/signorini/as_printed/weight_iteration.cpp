@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "signorini/closing/scaled.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 
@@ -54,7 +55,7 @@ bool WeightIteration::step() {
   if (end_ != WeightEnd::None) return false;
   if (weights_.size() == 0) return stop(WeightEnd::Optimal);
   const double n = static_cast<double>(weights_.size());
-  const double rounding = n * std::numeric_limits<double>::epsilon();
+  const double rounding = n * epsilon;
   const double size = root_.dot(weights_);
   if (problem_.free_gap.dot(weights_) < 0 &&
       (product_.array().abs() <= rounding * size * root_.array()).all()) {

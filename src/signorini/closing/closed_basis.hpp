@@ -72,8 +72,9 @@ class ClosedBasis {
 
   /// How the basis answers when one more pair p is pressed while its own pairs stay closed.
   struct Response {
-    Eigen::VectorXd yield;  ///< \f$ r = G_{WW}^{-1} G_{Wp} \f$ `size` [-]: forces change by -r per unit force
-    double opening = 0;     ///< of the gap of p per unit force [-]; 0 if p depends on W to rounding
+    Eigen::VectorXd
+        yield;  ///< \f$ r = G_{WW}^{-1} G_{Wp} \f$ `size` [-]: forces change by -r per unit force
+    double opening = 0;  ///< of the gap of p per unit force [-]; 0 if p depends on W to rounding
   };
   /// \param candidates  one pair, as for append()
   /// \return the answer

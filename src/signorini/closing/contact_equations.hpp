@@ -34,10 +34,10 @@ struct Formulation {
 
 /// Contact as equations Phi(x) = 0.
 ///
-/// The unknowns x are the forces of all rows, amplitudes `k`, and what a formulation adds. The first equations belong to
-/// gaps and slips, then come U^T f = t and the added ones. A force counts as the gap that such forces on all
-/// pairs make: without that factor the steps grow with the number of pairs, for a beam of 200 pairs from 15 to
-/// 55.
+/// The unknowns x are the forces of all rows, amplitudes `k`, and what a formulation adds. The first equations
+/// belong to gaps and slips, then come U^T f = t and the added ones. A force counts as the gap that such forces on
+/// all pairs make: without that factor the steps grow with the number of pairs, for a beam of 200 pairs from 15
+/// to 55.
 ///
 /// With rigid modes, two things are left to find: how forces in balance differ from the least of them, and
 /// the amplitudes. With \f$ P = I - U U^T \f$ the movements that they make are \f$ P F P f + U b \f$: neither
@@ -63,8 +63,9 @@ class ContactEquations {
   [[nodiscard]] Eigen::Index pair(Eigen::Index k) const {
     return problem_.law.pair[static_cast<std::size_t>(k)];
   }
+  /// Decides which pairs carry cohesion, as choose_closed(), and sets what the formulation adds.
   /// \param closure  forces and amplitudes
-  /// \return all unknowns, those that the formulation adds included
+  /// \return all unknowns
   [[nodiscard]] Eigen::VectorXd unknowns(const Closure& closure);
   /// \param x        all unknowns
   /// \param closure  gets the forces, movements and amplitudes that they stand for

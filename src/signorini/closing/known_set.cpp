@@ -1,5 +1,7 @@
 // What the motions of pairs mean, and what numbers say of them.
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "signorini/closing/closing.hpp"
 #include "signorini/closing/proofs.hpp"

@@ -53,8 +53,8 @@ namespace signorini {
 
 /// Whether a problem can have several solutions.
 ///
-/// *Proved* means: none of these matrices can, for any free gaps and slips. With F split into G of the gaps, T of the slips and C
-/// between them, (Delta lambda, Delta tau) the difference of two solutions and v that of their slips,
+/// *Proved* means: none of these matrices can, for any free gaps and slips. With F split into G of the gaps, T of
+/// the slips and C between them, (Delta lambda, Delta tau) the difference of two solutions and v that of their slips,
 ///
 /// \f[ \Delta\lambda^T (G - C T^{-1} C^T) \Delta\lambda + v^T T^{-1} v \le
 ///     \sum_i \mu_i |\Delta\lambda_i| |v_i|, \f]

@@ -15,7 +15,8 @@ struct RowSource {
   Eigen::Index equations =
       0;                  ///< so many of the first are always closed, their forces have any sign
   Eigen::Index rank = 0;  ///< most rows that can be independent
-  const Eigen::VectorXd* unit = nullptr;    ///< `m` gaps in the units of the problem = gaps / unit; null: 1
+  const Eigen::VectorXd* unit =
+      nullptr;  ///< `m` gaps in the units of the problem = gaps / unit; null: 1
   const Eigen::VectorXd* weight = nullptr;  ///< `m` about 1 / |h_i|, to compare overlaps with
   /// Sets the gaps of all rows `m` and what rounding may have done to each.
   std::function<void(const ClosedBasis&, Eigen::VectorXd& gap, Eigen::VectorXd& rounding)> gaps;

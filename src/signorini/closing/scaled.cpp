@@ -41,8 +41,8 @@ void scale_modes(const ContactProblem& problem, ScaledProblem& scaled) {
         static_cast<double>(rigid.rows() + rigid.cols()) * epsilon * all.values(0);
     rank = (all.values.array() > threshold).count();
     scaled.rigid = all.U.leftCols(rank);
-    for (Index i = 0; i < rigid.rows();
-         ++i)  // no amplitude, however large, may move what no mode moves
+    // No amplitude, however large, may move what no mode moves.
+    for (Index i = 0; i < rigid.rows(); ++i)
       if (rigid.row(i).isZero(0)) scaled.rigid.row(i).setZero();
     inverse = all.V.leftCols(rank) * all.values.head(rank).cwiseInverse().asDiagonal();
   }

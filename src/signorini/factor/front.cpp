@@ -88,7 +88,7 @@ Index eliminate(Block columns, Block update, const Eigen::Ref<const VectorXd>& l
     const Index done =
         eliminate_narrow(columns.block(j, j, own + rim - j, width), least.segment(j, width));
     if (done < width) return j + done;
-    const auto pivots = columns.block(j + width, j, rest, width);
+    const Block pivots = columns.block(j + width, j, rest, width);
     if (rest > 0) {
       columns.block(j + width, j + width, rest, rest)
           .selfadjointView<Eigen::Lower>()
@@ -97,7 +97,7 @@ Index eliminate(Block columns, Block update, const Eigen::Ref<const VectorXd>& l
           columns.block(own, j, rim, width) * pivots.transpose();
     }
   }
-  const auto below = columns.bottomRows(rim);
+  const Block below = columns.bottomRows(rim);
   if (own < wide)
     subtract_square(below, update);
   else

@@ -1,3 +1,4 @@
+// A K^-1 A^T: the rows of A walk up the tree of separators.
 #include <algorithm>
 #include <utility>
 
@@ -21,7 +22,7 @@ class FrontalFactor::Walk {
  public:
   Walk(const FrontalFactor& factor, const Eigen::SparseMatrix<double, Eigen::RowMajor>& A)
       : factor_(factor),
-        entries_(A),
+        A_(A),
         pairs_(pairs_of_fronts()),
         stack_(handed_on()),
         row_(factor.order_.size()),
@@ -45,14 +46,14 @@ class FrontalFactor::Walk {
   /// The rows of A that have an entry in a front, or below it in what it is joined to; rising.
   [[nodiscard]] std::vector<std::vector<int>> pairs_of_fronts() const {
     std::vector<std::vector<int>> pairs(factor_.fronts_.size());
-    std::vector<int> seen(static_cast<std::size_t>(entries_.rows()), -1);
+    std::vector<int> seen(static_cast<std::size_t>(A_.rows()), -1);
     for (int number = 0; number < static_cast<int>(pairs.size()); ++number) {
       const Separator& separator = factor_.front(number).separator;
       const auto take = [&](int pair) {
         if (std::exchange(seen[at(pair)], number) != number) pairs[at(number)].push_back(pair);
       };
       for (int k = 0; k < separator.own; ++k)
-        for (Columns::InnerIterator entry(entries_, factor_.order_[at(separator.first + k)]); entry;
+        for (ByUnknown::InnerIterator entry(A_, factor_.order_[at(separator.first + k)]); entry;
              ++entry)
           take(static_cast<int>(entry.row()));
       for (const int below : separator.below)
@@ -86,14 +87,14 @@ class FrontalFactor::Walk {
     factor_.number_rows(front, row_);
     for (std::size_t k = 0; k < pairs.size(); ++k) column_[at(pairs[k])] = static_cast<int>(k);
     for (int k = 0; k < front.separator.own; ++k)
-      for (Columns::InnerIterator entry(entries_, factor_.order_[at(front.separator.first + k)]);
-           entry; ++entry)
+      for (ByUnknown::InnerIterator entry(A_, factor_.order_[at(front.separator.first + k)]); entry;
+           ++entry)
         rows(k, column_[at(static_cast<int>(entry.row()))]) = entry.value();
     for (const int below : front.separator.below)
       if (hands_on(below)) add(below, rows);
-    const auto L = factor_.columns(front);
-    auto H = rows.topRows(front.own());
-    auto R = rows.bottomRows(front.rim());
+    const Columns L = factor_.columns(front);
+    Eigen::Ref<MatrixXd> H = rows.topRows(front.own());
+    Eigen::Ref<MatrixXd> R = rows.bottomRows(front.rim());
     if (front.own() > 0) {
       L.topRows(front.own()).triangularView<Eigen::Lower>().solveInPlace(H);
       R.noalias() -= L.bottomRows(front.rim()) * H;
@@ -127,10 +128,10 @@ class FrontalFactor::Walk {
         G_(pairs[static_cast<std::size_t>(i)], pairs[static_cast<std::size_t>(j)]) += square(i, j);
   }
 
-  using Columns = Eigen::SparseMatrix<double>;
+  using ByUnknown = Eigen::SparseMatrix<double>;
 
   const FrontalFactor& factor_;
-  Columns entries_;  // of A, by unknown
+  ByUnknown A_;  // of A, by unknown
   std::vector<std::vector<int>> pairs_;
   VectorXd rows_;     // room for the largest front
   VectorXd squares_;  // and for the most pairs

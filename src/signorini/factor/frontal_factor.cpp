@@ -1,9 +1,11 @@
 #include "signorini/factor/frontal_factor.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -18,6 +20,31 @@ using Eigen::VectorXd;
 namespace {
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
+
+/// Whether a tree has each of n unknowns once, and separators that follow each other.
+bool is_of(const SeparatorTree& tree, Index n) {
+  std::vector<bool> seen(static_cast<std::size_t>(n), false);
+  for (const int unknown : tree.order) {
+    if (unknown < 0 || unknown >= n || seen[at(unknown)]) return false;
+    seen[at(unknown)] = true;
+  }
+  Index next = 0;
+  for (std::size_t s = 0; s < tree.separators.size(); ++s) {
+    const Separator& separator = tree.separators[s];
+    if (separator.first != next || separator.own < 0) return false;
+    for (const int below : separator.below)
+      if (below < -1 || below >= static_cast<int>(s)) return false;
+    next += separator.own;
+  }
+  return next == n && static_cast<Index>(tree.order.size()) == n;
+}
+
+Index first_not_finite(const Eigen::SparseMatrix<double>& K) {
+  for (Index k = 0; k < K.cols(); ++k)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(K, k); entry; ++entry)
+      if (!std::isfinite(entry.value())) return k;
+  return K.cols();
+}
 
 }  // namespace
 
@@ -119,10 +146,19 @@ class FrontalFactor::Elimination {
 
 FrontalFactor::FrontalFactor(const Matrix& stiffness, const SeparatorTree& tree, Ledger& ledger,
                              const std::function<std::string(Index)>& describe) {
-  require(stiffness.rows() == stiffness.cols() &&
-              static_cast<Index>(tree.order.size()) == stiffness.cols(),
-          "FrontalFactor: need a square matrix and an order of all its unknowns, got ",
-          stiffness.rows(), " x ", stiffness.cols(), " and ", tree.order.size(), " places");
+  require(stiffness.rows() == stiffness.cols() && stiffness.isCompressed(),
+          "FrontalFactor: need a square matrix after makeCompressed(), got ", stiffness.rows(),
+          " x ", stiffness.cols());
+  require(is_of(tree, stiffness.cols()), "FrontalFactor: need a tree with each of the ",
+          stiffness.cols(), " unknowns once, got one of ", tree.order.size());
+  const auto name = [&](Index unknown) {
+    return text(unknown, describe ? " (" + describe(unknown) + ")" : "");
+  };
+  const Eigen::Map<const VectorXd> values(stiffness.valuePtr(), stiffness.nonZeros());
+  if (!values.allFinite())
+    throw ProblemError(text("stiffness matrix has an entry that is no finite number at unknown ",
+                            name(first_not_finite(stiffness)),
+                            ": look at the material and the thickness of its body"));
   {
     const Ledger::Phase phase(ledger, "symbolic");
     analyse(stiffness, tree);
@@ -133,9 +169,8 @@ FrontalFactor::FrontalFactor(const Matrix& stiffness, const SeparatorTree& tree,
   if (place < size()) {
     const Index unknown = order_[static_cast<std::size_t>(place)];
     throw ProblemError(
-        text("stiffness matrix is singular at unknown ", unknown,
-             describe ? " (" + describe(unknown) + ")" : "", ": pivot ", elimination.pivot(place),
-             " of a diagonal entry ", stiffness.coeff(unknown, unknown),
+        text("stiffness matrix is singular at unknown ", name(unknown), ": pivot ",
+             elimination.pivot(place), " of a diagonal entry ", stiffness.coeff(unknown, unknown),
              ". Something can move there without resistance: add a support; or the cells are too "
              "slender for double precision: use more of them"));
   }
@@ -171,9 +206,10 @@ void FrontalFactor::analyse(const Matrix& stiffness, const SeparatorTree& tree) 
     fronts_.push_back(std::move(front));
   }
   entries_.resize(n_entries);
-  int exponent = 0;
   const double most = stiffness.nonZeros() > 0 ? stiffness.coeffs().abs().maxCoeff() : 1;
-  if (std::isfinite(most)) static_cast<void>(std::frexp(most, &exponent));
+  int exponent = 0;
+  static_cast<void>(std::frexp(most, &exponent));
+  // The largest entry becomes about 1; one that has lost digits to underflow stays as it is.
   scale_ = std::ldexp(1, -std::max(exponent, std::numeric_limits<double>::min_exponent));
 }
 
@@ -199,7 +235,7 @@ void FrontalFactor::forward(VectorXd& x) const {
   VectorXd rim(widest_);
   for (const Front& front : fronts_) {
     const Columns L = columns(front);
-    auto own = x.segment(front.separator.first, front.own());
+    Eigen::Ref<VectorXd> own = x.segment(front.separator.first, front.own());
     L.topRows(front.own()).triangularView<Eigen::Lower>().solveInPlace(own);
     rim.head(front.rim()).noalias() = L.bottomRows(front.rim()) * own;
     for (std::size_t k = 0; k < front.boundary.size(); ++k)
@@ -211,7 +247,7 @@ void FrontalFactor::backward(VectorXd& x) const {
   VectorXd rim(widest_);
   for (auto front = fronts_.rbegin(); front != fronts_.rend(); ++front) {
     const Columns L = columns(*front);
-    auto own = x.segment(front->separator.first, front->own());
+    Eigen::Ref<VectorXd> own = x.segment(front->separator.first, front->own());
     for (std::size_t k = 0; k < front->boundary.size(); ++k)
       rim(static_cast<Index>(k)) = x(front->boundary[k]);
     own.noalias() -= L.bottomRows(front->rim()).transpose() * rim.head(front->rim());

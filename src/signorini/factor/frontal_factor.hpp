@@ -22,13 +22,13 @@ namespace signorini {
 class FrontalFactor {
  public:
   /// Factors a stiffness matrix.
-  /// \param stiffness  `n x n` symmetric, both triangles [force/length]
+  /// \param stiffness  `n x n` compressed, symmetric, both triangles [force/length]
   /// \param tree       separator_tree() of it
   /// \param ledger     receives the phases `symbolic` and `numeric` and the counts of the factor
   /// \param describe   names an unknown in the message about a bad pivot
-  /// \throws std::invalid_argument if sizes differ
-  /// \throws ProblemError if a pivot is not larger than the rounding errors of its own computation:
-  ///   the matrix is singular to working precision and some part can move without resistance
+  /// \throws std::invalid_argument if the matrix is not square and compressed, or the tree not one of its unknowns
+  /// \throws ProblemError if an entry is not finite, or a pivot is not larger than the rounding errors of its own
+  ///   computation: the matrix is singular to working precision and some part can move without resistance
   FrontalFactor(const Eigen::SparseMatrix<double>& stiffness, const SeparatorTree& tree,
                 Ledger& ledger, const std::function<std::string(Eigen::Index)>& describe = {});
 
@@ -86,7 +86,7 @@ class FrontalFactor {
   std::vector<Front> fronts_;  // what is below comes before
   Eigen::VectorXd entries_;    // of L, front by front
   double scale_ = 1;         // L L^T = scale K, a power of two: no unit of force changes a bit of L
-  Eigen::Index widest_ = 0;  // boundary
+  Eigen::Index widest_ = 0;  // the most rows that a boundary has
 };
 
 }  // namespace signorini

@@ -15,7 +15,8 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-/// So many groups are eliminated together rather than cut again.
+/// So many groups are eliminated together rather than cut again: below that, fronts are so small that to walk
+/// through them costs more than the zeros that they would save (between 4 and 16 it hardly matters).
 constexpr std::size_t leaf = 8;
 
 /// Neighbouring unknowns with equal columns, taken as one: a graph of half the size.
@@ -235,11 +236,12 @@ class Dissection {
 }  // namespace
 
 SeparatorTree separator_tree(const Matrix& matrix, const Positions& positions) {
-  require(matrix.isCompressed(), "separator_tree: the matrix must be compressed");
-  require(matrix.rows() == matrix.cols() &&
-              (positions.rows() == 0 || positions.rows() == matrix.cols()),
-          "separator_tree: need one position per unknown of a square matrix, got ",
-          positions.rows(), " positions for ", matrix.rows(), " x ", matrix.cols());
+  require(matrix.rows() == matrix.cols() && matrix.isCompressed(),
+          "separator_tree: need a square matrix after makeCompressed(), got ", matrix.rows(), " x ",
+          matrix.cols());
+  require(positions.rows() == 0 || positions.rows() == matrix.cols(),
+          "separator_tree: need one position per unknown or none, got ", positions.rows(),
+          " positions for ", matrix.rows(), " x ", matrix.cols());
   const Groups groups = grouped(matrix);
   return std::move(Dissection(groups, positions).tree);
 }

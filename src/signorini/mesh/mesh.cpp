@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -82,7 +83,7 @@ void check_midpoints(const Mesh& mesh, Eigen::Index cell) {
 /// \param size  of something [length]
 template <typename... Parts>
 void check_digits(const Mesh& mesh, double away, double size, const Parts&... something) {
-  const double rounding = std::numeric_limits<double>::epsilon() * away;
+  const double rounding = epsilon * away;
   pose(rounding <= 1e-6 * size, "mesh '", mesh.name,
        "' has lost its digits: so far from the origin its coordinates are rounded to ", rounding,
        ", expected at most a millionth of ", something..., ", which is ", size,
@@ -124,7 +125,7 @@ MeshQuality check_mesh(const Mesh& mesh) {
   const double away = low.cwiseMax(-high).cwiseMax(0).norm();
   check_digits(mesh, away, size, "its size");
   // A side shorter than rounding of the coordinates of a mesh on the origin has no length.
-  const double no_length = 4 * std::numeric_limits<double>::epsilon() * size;
+  const double no_length = 4 * epsilon * size;
   for (const auto& [name, sides] : mesh.boundaries)
     for (std::size_t s = 0; s < sides.size(); ++s) {
       const std::vector<Eigen::Index> ends = mesh.side_nodes(sides[s]);
@@ -149,7 +150,7 @@ MeshQuality check_mesh(const Mesh& mesh) {
       shortest = std::min(shortest, side);
       longest = std::max(longest, side);
     }
-    const double flat = 16 * std::numeric_limits<double>::epsilon() * longest * size;
+    const double flat = 16 * epsilon * longest * size;
     pose(lowest > flat, "mesh '", mesh.name, "': cell ", cell,
          highest < -flat
              ? " is inverted (its corners run clockwise)"

@@ -128,11 +128,12 @@ struct Claim {
 /// largest overlap without contact, or what forces and rigid motions move in sum, forces against the largest
 /// of them. Any matrix can stand in the place of G, see row_scales(). The movements are recomputed in twice the
 /// working precision; `equilibrium` is the largest difference of the claimed from the recomputed ones, or the
-/// largest entry of R^T f - r over r or what the largest force could add to it. With friction there is no duality gap; open or closed as for a programme.
+/// largest entry of R^T f - r over r or what the largest force could add to it. With friction there is no duality
+/// gap; open or closed as for a programme.
 /// \param problem  by its blocks, wherever they are
 /// \param claim    of all rows
-/// \return the figures; all infinite if any number, given or claimed, is not finite
-/// \throws std::invalid_argument if sizes do not fit
+/// \return the figures; all infinite if any number of F, d, s, R, r, given or claimed, is not finite
+/// \throws std::invalid_argument if sizes do not fit, or as check_law()
 [[nodiscard]] Certificate certify(const ProblemBlocks& problem, const Claim& claim);
 
 /// The same for a state.

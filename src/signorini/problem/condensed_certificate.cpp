@@ -120,6 +120,8 @@ VectorXd stacked(const VectorXd& top, const VectorXd& bottom) {
 Certificate certify(const ProblemBlocks& problem, const Claim& claim) {
   const Index rows = problem.free.size();
   const Index modes = problem.resultant.size();
+  const Index slips = static_cast<Index>(problem.law.pair.size());
+  check_law(problem.law, rows - slips, slips);
   require(problem.compliance.rows() == rows && problem.compliance.cols() == rows,
           "certify: compliance must be ", rows, " x ", rows, ", got ", problem.compliance.rows(),
           " x ", problem.compliance.cols());

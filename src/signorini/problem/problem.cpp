@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 
@@ -64,7 +64,7 @@ void scale_apart(const Eigen::MatrixXd& rigid, const Eigen::VectorXd& free,
   }
 }
 
-const double allowed_asymmetry = 1e3 * std::numeric_limits<double>::epsilon();
+const double allowed_asymmetry = 1e3 * epsilon;
 
 }  // namespace
 

@@ -10,7 +10,7 @@ namespace signorini {
 
 /// A dense programme with displacements eliminated and rigid modes left as unknowns.
 struct FloatingCondensed {
-  CholeskyFactor factor;    ///< of the grounded stiffness K_s `n x n`
+  CholeskyFactor factor;   ///< of the grounded stiffness K_s `n x n`
   ContactProblem problem;  ///< G = A K_s^-1 A^T, d = g - A K_s^-1 p, R = -A N, r = -N^T p
   Eigen::VectorXd free_displacement;  ///< K_s^-1 p `n`, of the grounded body
 };

@@ -186,9 +186,9 @@ Refinement Refining::run() {
     // rigid part is rounded anew, and not behind a sweep that moved u by more than u.
     const bool steady = sweeps_ > (floats() ? rigid_sweeps : 1) && last.displacement < 1;
     if (steady) rate = std::min(slow_ ? 1 : rate, ratio(now.displacement, last.displacement));
-    const double next =
-        std::max(now.displacement * rate,
-                 now.force * (last.force > 0 ? std::min(1.0, now.force / last.force) : rate));
+    const bool known = last.force > 0 && std::isfinite(last.force);
+    const double force_rate = known ? std::min(1.0, now.force / last.force) : 1;
+    const double next = std::max(now.displacement * rate, now.force * force_rate);
     result_.settled = !now.pending && next <= 0.25 * epsilon;
     if (result_.settled) break;
     const bool better = now.displacement < 0.5 * best.displacement || now.force < 0.5 * best.force;
@@ -203,21 +203,6 @@ Refinement Refining::run() {
   result_.solution.force = force_.high;
   result_.movement = gaps(data_.programme, result_.solution);
   return std::move(result_);
-}
-
-/// Whether no force is left along a rigid mode but what rounding makes of the terms; in K u, of as many as
-/// K has in a row.
-bool balanced(const QuadraticProgramme& programme, const PrimalDual& solution,
-              const MatrixXd& modes, double rounding) {
-  if (modes.cols() == 0) return true;
-  const double row = static_cast<double>(programme.stiffness.nonZeros()) /
-                     static_cast<double>(programme.stiffness.rows());
-  const VectorXd left = modes.transpose() * equilibrium_residual(programme, solution);
-  const VectorXd size = modes.cwiseAbs().transpose() *
-                        VectorXd(programme.load.cwiseAbs() +
-                                 programme.stiffness.cwiseAbs() * strained(solution).cwiseAbs() +
-                                 programme.A.cwiseAbs().transpose() * solution.force.cwiseAbs());
-  return (left.array().abs() <= (rounding + row * epsilon) * size.array()).all();
 }
 
 /// What movements are measured by.
@@ -239,6 +224,19 @@ void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change) {
   const VectorXd last = solution.rigid;
   solution.rigid += change;
   add_displacement(solution, solution.rigid - last);
+}
+
+VectorXd resultant_left(const QuadraticProgramme& programme, const PrimalDual& solution,
+                        const MatrixXd& null_vectors, double rounding) {
+  if (null_vectors.cols() == 0) return {};
+  const double row = static_cast<double>(programme.stiffness.nonZeros()) /
+                     static_cast<double>(programme.stiffness.rows());
+  const VectorXd left = null_vectors.transpose() * equilibrium_residual(programme, solution);
+  const VectorXd size = null_vectors.cwiseAbs().transpose() *
+                        VectorXd(programme.load.cwiseAbs() +
+                                 programme.stiffness.cwiseAbs() * strained(solution).cwiseAbs() +
+                                 programme.A.cwiseAbs().transpose() * solution.force.cwiseAbs());
+  return (left.array().abs() > (rounding + row * epsilon) * size.array()).select(left, 0.0);
 }
 
 Refinement refine(const RefinementData& data, PrimalDual start,
@@ -272,8 +270,9 @@ Judgement judge(const RefinementData& data, const Refinement& refined,
   result.wrong = predict(data.scaled, numbers, 1, result.motions);
   const PrimalDual& solution = refined.solution;
   const bool finite = solution.displacement.allFinite() && solution.force.allFinite();
-  result.confirmed = refined.settled && result.wrong == 0 && finite && closes &&
-                     balanced(data.programme, solution, data.null_vectors, rounding);
+  result.confirmed =
+      refined.settled && result.wrong == 0 && finite && closes &&
+      largest(resultant_left(data.programme, solution, data.null_vectors, rounding)) == 0;
   return result;
 }
 

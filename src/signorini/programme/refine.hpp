@@ -20,12 +20,12 @@ void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change);
 
 /// What refine() and judge() take their equations from.
 struct RefinementData {
-  const QuadraticProgramme&
-      programme;  ///< K, p, A, g as posed; with friction the last rows of A are -T
+  /// K, p, A, g as posed; with friction the last rows of A are -T
+  const QuadraticProgramme& programme;
   /// K^-1 applied to a vector [force] -> [length]; need not be accurate
   const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness;
-  const ContactProblem&
-      condensed;  ///< only compliance and rigid, which may be inaccurate, and law count
+  /// Only compliance and rigid, which may be inaccurate, and law count
+  const ContactProblem& condensed;
   const ScaledProblem& scaled;          ///< `condensed`, equilibrated
   const Eigen::MatrixXd& null_vectors;  ///< N, or nothing if K is regular
 };
@@ -67,6 +67,16 @@ struct Refinement {
 [[nodiscard]] Refinement refine(const RefinementData& data, PrimalDual start,
                                 const std::vector<Motion>& motions);
 
+/// What is out of balance along rigid modes.
+/// \param programme     K, p, A
+/// \param solution      u and f
+/// \param null_vectors  N `n x n_r`, or nothing
+/// \param rounding      of the terms counts as none; as many roundings as K has entries in a row are added
+/// \return `n_r` N^T (p - K u - A^T f), 0 where it is of rounding size [force]
+[[nodiscard]] Eigen::VectorXd resultant_left(const QuadraticProgramme& programme,
+                                             const PrimalDual& solution,
+                                             const Eigen::MatrixXd& null_vectors, double rounding);
+
 /// What refined numbers say of every pair.
 struct Judgement {
   std::vector<Motion> motions;  ///< what the pairs would rather do
@@ -75,11 +85,12 @@ struct Judgement {
 };
 
 /// Refined numbers in the units of the equilibrated problem, for predict().
-/// \param data     the problem
-/// \param solution  as refined
-/// \param movement  of all rows
-/// \param part     of the largest force and of the largest displacement and initial gap, that counts as rounding
-/// \return forces and movements of all rows with these roundings
+/// \param data      the problem
+/// \param solution  as refined, forces `n_c + n_s` [force]
+/// \param movement  `n_c + n_s` of all rows [length]
+/// \param part      of the largest force, and of the largest displacement and initial gap, that counts as
+///   rounding [-]
+/// \return forces and movements of all rows with these roundings [sqrt(energy)]
 [[nodiscard]] Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,
                                      const Eigen::VectorXd& movement, double part);
 

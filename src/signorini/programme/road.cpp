@@ -1,7 +1,6 @@
 #include "signorini/programme/road.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
@@ -130,7 +129,7 @@ void Road::correct() {
     terms += problem_.rigid.cwiseAbs() * amplitude_.cwiseAbs();
     PrimalDual strained = now_;
     strained.force.setZero();
-    problem_.resultant = -modes_.transpose() * equilibrium_residual(programme_, strained);
+    problem_.resultant = -resultant_left(programme_, strained, modes_, 0);
   }
   free =
       (free.array().abs() > epsilon * terms.array()).select(free, 0.0);  // the others are rounding

@@ -22,8 +22,8 @@ struct CondensedProgramme {
 /// be refined, or empty if none could.
 struct CertifiedEnd {
   PrimalDual solution;  ///< u in two parts, and the forces of all rows of A
-  ContactState
-      state;  ///< the same forces, gaps, slips and amplitudes, what the pairs do, and the report
+  /// The same forces, gaps, slips and amplitudes, what the pairs do, and the report
+  ContactState state;
   Certificate certificate = uncertified();  ///< of `solution`, from the original data
 };
 

@@ -33,8 +33,8 @@ Resultants resultants(const Pairs& pairs, const Solution& solution) {
   }
   for (std::size_t k = 0; k < contact.rubbing.size(); ++k) {
     const auto normal = pairs.normal.row(contact.rubbing[k]);
-    add(contact.rubbing[k], contact.friction(static_cast<Index>(k)) *
-                                Eigen::Vector2d(normal.y(), -normal.x()));
+    add(contact.rubbing[k],
+        contact.friction(static_cast<Index>(k)) * Eigen::Vector2d(normal.y(), -normal.x()));
   }
   for (const Index pair : solution.contact.active) sum.closed_weight += pairs.weight(pair);
   return sum;

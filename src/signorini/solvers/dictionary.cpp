@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "signorini/core/rounding.hpp"
+
 namespace signorini {
 
 using Eigen::Index;
@@ -69,9 +71,7 @@ void Dictionary::pivot(Index row, Index entering) {
   ++pivots_;
 }
 
-double Dictionary::rounding() const {
-  return static_cast<double>(n_ + pivots_ + 1) * std::numeric_limits<double>::epsilon();
-}
+double Dictionary::rounding() const { return static_cast<double>(n_ + pivots_ + 1) * epsilon; }
 
 bool Dictionary::is_basic(Index variable) const {
   const Index k = place_[at(variable)];

@@ -22,8 +22,8 @@ bool rises(double now, double before, Index size) {
 
 }  // namespace
 
-GroupActiveSet::GroupActiveSet(const RowSource& rows, ClosedBasis basis, Report& report, Index limit,
-                               Pace pace)
+GroupActiveSet::GroupActiveSet(const RowSource& rows, ClosedBasis basis, Report& report,
+                               Index limit, Pace pace)
     : rows_(rows),
       basis_(std::move(basis)),
       saved_(0, 0),

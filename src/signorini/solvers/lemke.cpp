@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
 #include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/solvers/dictionary.hpp"
 #include "signorini/solvers/newton.hpp"
 
@@ -19,7 +19,7 @@ using Eigen::Index;
 /// The proof that nothing solves a problem, if forces in a ratio of these give one; otherwise empty.
 Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direction) {
   // Some of the smallest entries may be rounding; they are left out digit by digit.
-  for (double small = std::numeric_limits<double>::epsilon(); small < 1; small *= 10) {
+  for (double small = epsilon; small < 1; small *= 10) {
     const double least = small * direction.maxCoeff();
     std::vector<Index> support =
         by_falling(direction.unaryExpr([=](double x) { return x > least ? x : 0; }));

@@ -90,8 +90,10 @@ void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd
     const double slip = now.movement(pairs + j);
     const double forward = z(pairs + j);
     if (motion == Motion::Open) continue;
-    if (slip > std::max(forward, 0.0)) motion = Motion::Forward;
-    else if (-slip > std::max(2 * bound(j) - forward, 0.0)) motion = Motion::Backward;
+    if (slip > std::max(forward, 0.0))
+      motion = Motion::Forward;
+    else if (-slip > std::max(2 * bound(j) - forward, 0.0))
+      motion = Motion::Backward;
   }
 }
 
@@ -108,7 +110,8 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, A
     attempt.reason = reason;
     if (!state.force.allFinite()) return;
     take(problem, cohesion, state.force, attempt);
-    exchange_motions(problem, 3, attempt);  // rounding may have the say over pairs that barely touch
+    exchange_motions(problem, 3,
+                     attempt);  // rounding may have the say over pairs that barely touch
     if (attempt.confirmed) return;
     attempt.report.status = state.report.status;
     attempt.reason = std::move(reason);
@@ -121,9 +124,10 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, A
     }
   }
   attempt.report.status = Status::Breakdown;
-  attempt.reason = problem.law.cohesion.isZero(0)
-                       ? "rounding hides what the pairs do where Lemke's method arrived"
-                       : "pairs close only without cohesion and open only with it, or rounding decides";
+  attempt.reason =
+      problem.law.cohesion.isZero(0)
+          ? "rounding hides what the pairs do where Lemke's method arrived"
+          : "pairs close only without cohesion and open only with it, or rounding decides";
 }
 
 }  // namespace signorini

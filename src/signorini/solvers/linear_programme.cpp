@@ -8,6 +8,7 @@
 #include "signorini/closing/closing.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -111,8 +112,7 @@ class Tableau {
     entry.changes = static_cast<Index>(artificial_.sum());
     entry.penetration = std::max(0.0, -now.movement.cwiseQuotient(problem_->scale).minCoeff());
     entry.tension = std::max(0.0, -now.force.cwiseProduct(problem_->scale).minCoeff());
-    entry.dual_energy =
-        -now.force.dot(problem_->free + 0.5 * (problem_->compliance * now.force));
+    entry.dual_energy = -now.force.dot(problem_->free + 0.5 * (problem_->compliance * now.force));
     entry.residual = artificial_sum() / first_sum;
     return entry;
   }
@@ -125,17 +125,13 @@ class Tableau {
     const VectorXd moved = problem_->compliance * y;
     const VectorXd size = problem_->compliance.cwiseAbs() * y;
     if ((moved.cwiseAbs().array() > rounding() * size.array()).any()) return {};
-    return problem_->free.dot(y) < -rounding() * problem_->free.cwiseAbs().dot(y)
-               ? y
-               : VectorXd();
+    return problem_->free.dot(y) < -rounding() * problem_->free.cwiseAbs().dot(y) ? y : VectorXd();
   }
 
  private:
   [[nodiscard]] Index basis(Index row) const { return basis_[static_cast<std::size_t>(row)]; }
   [[nodiscard]] Eigen::MatrixXd::ConstColXpr values() const { return rows_.col(2 * n_); }
-  [[nodiscard]] double rounding() const {
-    return static_cast<double>(n_ + 1) * std::numeric_limits<double>::epsilon();
-  }
+  [[nodiscard]] double rounding() const { return static_cast<double>(n_ + 1) * epsilon; }
 
   /// Keeps the rows whose entry in a column, times a sign, over the pivot is smallest to rounding.
   void keep_smallest(std::vector<Index>& rows, Index column, Index of, double sign) const {

@@ -32,6 +32,9 @@ void keep_first_change(const std::vector<Motion>& last, std::vector<Motion>& nex
   for (++i; i < next.size(); ++i) next[i] = last[i];
 }
 
+/// How many sets the exchange without friction may look at.
+Index most_exchanges(const ScaledProblem& problem) { return 10 * problem.pairs() + 10; }
+
 /// Fewer overlapping pairs than these are exchanged as fast as a start for them is found.
 constexpr std::size_t many = 64;
 
@@ -46,7 +49,7 @@ Attempt coarse_attempt(const ScaledProblem& problem) {
   const ScaledProblem coarse{problem.compliance(half, half), problem.free(half),
                              problem.scale(half), problem.symmetric};
   Attempt found = coarse_attempt(coarse);
-  exchange_motions(coarse, 10 * coarse.pairs() + 10, found);
+  exchange_motions(coarse, most_exchanges(coarse), found);
   attempt.report.factorisations = found.report.factorisations;
   if (!found.confirmed) return attempt;
   const auto opens = [&](std::size_t k) {
@@ -113,7 +116,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   if (auto away = pulled_away(problem, scaled)) return *away;
   const Index asked = options.iteration_limit;
   const bool rubs = !scaled.law.pair.empty();
-  const Index own_limit = rubs ? exchange_limit : 10 * scaled.pairs() + 10;
+  const Index own_limit = rubs ? exchange_limit : most_exchanges(scaled);
   const bool floats = problem.resultant.size() > 0;
   Attempt attempt = rubs || floats ? first_attempt(scaled) : coarse_attempt(scaled);
   exchange_motions(scaled, asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit,

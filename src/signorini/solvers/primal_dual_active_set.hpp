@@ -31,7 +31,7 @@ namespace signorini {
 /// than the gap their share of the load makes, and the same two methods follow; then there is solve() with springs.
 ///
 /// \param problem  any, F positive semidefinite
-/// \param options  `iteration_limit` for the exchange and quasi_active_set() together; 0 stands for 10 n_c + 10
+/// \param options  `iteration_limit` for the exchange with all pairs and quasi_active_set() together; 0 stands for 10 n_c + 10
 ///   and what that takes, with friction for 50 exchanges, after which nothing else comes if there is a limit
 /// \return `Solved` with forces and gaps >= 0; `Infeasible` with `escape` if no forces balance r; otherwise what the
 ///   last method says. `iterations` and `history` are those of all methods, one behind the other, with all

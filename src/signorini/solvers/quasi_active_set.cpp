@@ -59,7 +59,8 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
     method.basis().set_force(force);
     method.release(tension);
   }
-  if (report.status == Status::Infeasible) static_cast<void>(close_rows());  // where the method stood
+  if (report.status == Status::Infeasible)
+    static_cast<void>(close_rows());  // where the method stood
   return finished(problem, scaled, closed, motions_of(sorted_rows(method.basis()), rows.count),
                   std::move(report), std::move(proof));
 }

@@ -48,8 +48,8 @@ struct Solver {
   /// Asymmetric throws for such a matrix.
   std::vector<Trait> may_fail = {};
   Takes friction = Takes::No;  ///< whether it takes slips
-  bool rigid_modes =
-      false;  ///< whether it takes rigid modes itself, or needs the springs of solve()
+  /// Whether it takes rigid modes itself, or needs the springs of solve()
+  bool rigid_modes = false;
   /// The same from K, p, A and g to the refined end, or null: then the programme is condensed.
   DenseSolution (*solve_programme)(const DenseProgramme& programme,
                                    const SolverOptions& options) = nullptr;

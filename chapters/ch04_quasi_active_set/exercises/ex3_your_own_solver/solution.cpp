@@ -45,7 +45,8 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
     }
     std::vector<Index> wrong = wrong_pairs(closed, now);
     if (wrong.empty()) {
-      report.status = solves(scaled, motions_of(active, n), now) ? Status::Solved : Status::Breakdown;
+      report.status =
+          solves(scaled, motions_of(active, n), now) ? Status::Solved : Status::Breakdown;
       break;
     }
     if (report.iterations >= limit) {
