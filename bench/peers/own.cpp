@@ -1,6 +1,6 @@
-#include <ctime>
 #include <utility>
 
+#include "bench/measure.hpp"
 #include "bench/peers/peer.hpp"
 #include "signorini/programme/dense_programme.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -30,14 +30,9 @@ Run condensed(const Solver& solver, const DenseProgramme& programme, int calls) 
 }  // namespace
 
 double mean_seconds(int calls, const std::function<void()>& call) {
-  const auto now = [] {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  };
-  const double begin = now();
+  const double begin = processor_seconds();
   for (int i = 0; i < calls; ++i) call();
-  return (now() - begin) / calls;
+  return (processor_seconds() - begin) / calls;
 }
 
 Run by_condensation(const DenseProgramme& programme, int calls,
@@ -47,9 +42,8 @@ Run by_condensation(const DenseProgramme& programme, int calls,
   run.seconds = mean_seconds(calls, [&] {
     const DenseCondensed small = condense(programme);
     run.solution.force = whole(small.problem, run);
-    run.solution.displacement =
-        small.free_displacement -
-        small.factor.solve_transposed_half(small.half * run.solution.force);
+    run.solution.displacement = small.free_displacement -
+                                small.factor.solve_transposed_half(small.half * run.solution.force);
   });
   return run;
 }
