@@ -2,6 +2,7 @@
 JOBS ?= $(shell nproc)
 B := build
 comma := ,
+ONE_THREAD := OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 BLIS_NUM_THREADS=1
 MAKEFLAGS += --no-print-directory
 CHAPTERS := $(wildcard chapters/ch[0-9][0-9]_*)
 PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword $(subst _, ,$(notdir $c))))))
@@ -67,11 +68,11 @@ browser: book             ## open every page in a browser and check it
 bench:                    ## what contact costs over one plain linear solve, measured
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target price
-	@$B/bin/price --full
+	@$(ONE_THREAD) $B/bin/price --full
 peers:                    ## the same problems by other people's solvers, as far as installed
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target peers
-	@OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 BLIS_NUM_THREADS=1 $B/bin/peers --full
+	@$(ONE_THREAD) $B/bin/peers --full
 handout:                  ## build/signorini-handout.tar.gz, without solutions and held-out tests
 	@mkdir -p $B && git archive --format=tar.gz --prefix=signorini/ -o $B/signorini-handout.tar.gz HEAD
 	@ls -l $B/signorini-handout.tar.gz

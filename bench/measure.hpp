@@ -3,7 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -13,10 +13,10 @@
 
 namespace signorini::bench {
 
-/// Time since a moment. \param begin  the moment
-/// \return wall time [s]
-inline double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+/// The clock of all measurements: what others do on the same machine does not count.
+/// \return processor time of this program so far, all threads together [s]
+inline double processor_seconds() {
+  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
 }
 
 /// The middle value. \param values  at least one
@@ -30,8 +30,11 @@ inline double median(std::vector<double> values) {
 /// A block of height 1 with a rounded base, pressed by its top face on a flat foundation.
 /// \param cells_x  along the base, which has one candidate pair more
 /// \param cells_y  over the height
+/// \param rise     of the base from one end to the other
+/// \param depth    by which the top face is pressed down
 /// \return the scene; its cells are square
-inline Scene pressed_block(Eigen::Index cells_x, Eigen::Index cells_y) {
+inline Scene pressed_block(Eigen::Index cells_x, Eigen::Index cells_y, double rise = 0.1,
+                           double depth = 0.02) {
   Scene scene;
   Body& body = scene.bodies[0];
   BlockSpec spec;
@@ -39,12 +42,12 @@ inline Scene pressed_block(Eigen::Index cells_x, Eigen::Index cells_y) {
   spec.size.x() = static_cast<double>(cells_x) / static_cast<double>(cells_y);
   spec.cells_x = cells_x;
   spec.cells_y = cells_y;
-  const double curvature = 0.1 / (spec.size.x() * spec.size.x());
+  const double curvature = rise / (spec.size.x() * spec.size.x());
   body.mesh = mapped(make_block(spec), [curvature](const Eigen::Vector2d& x) {
     return Eigen::Vector2d(x.x(), x.y() + curvature * x.x() * x.x() * (1 - x.y()));
   });
   body.material = {1, 0.3, PlaneState::Strain, 1};
-  body.supports = {symmetric("left"), prescribed("top", Axis::Y, -0.02)};
+  body.supports = {symmetric("left"), prescribed("top", Axis::Y, -depth)};
   scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
   return scene;
 }

@@ -1,27 +1,29 @@
-// What contact costs: everything after assembly, over one plain linear solve of the same mesh.
-// Run:  make bench     Reads: nothing     Writes: price.md, price.csv, saddle_point.md, saddle_point.csv
+// What contact costs: each phase of a solution, over one plain linear solve of the same mesh by our factor and by those of others.
+// Run:  make bench     Reads: nothing     Writes: price, phases, exponents and saddle_point, each as .md and .csv
 // Without --full on small meshes: a test of this program and of what it judges, not a measurement.
 #include <algorithm>
-#include <chrono>
+#include <cmath>
+#include <functional>
 #include <iostream>
 
 #include "bench/measure.hpp"
+#include "bench/rounds.hpp"
 #include "signorini/as_printed/saddle_point_newton.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/report/program.hpp"
-#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace {
 
 using namespace signorini;
 using namespace signorini::bench;
+using Eigen::Index;
 
 /// The cantilever of chapter 6: ten times longer than high, its whole lower side a candidate.
-Scene cantilever(Eigen::Index cells_y) {
+Scene cantilever(Index cells_y) {
   Scene scene;
   Body& body = scene.bodies[0];
   BlockSpec spec;
@@ -37,65 +39,97 @@ Scene cantilever(Eigen::Index cells_y) {
   return scene;
 }
 
-/// Seconds of runs, and the work of one.
-struct Cost {
-  std::vector<double> seconds;
-  double fill = 0;
-  double operations = 0;
+/// Scenes that differ in size.
+struct Family {
+  std::string name;
+  std::function<Scene(Index)> scene;
+  std::vector<Index> sizes;  // rising
 };
 
-/// Ordering, factor and one solve, as without contact.
-void plain_run(const Model& model, const Eigen::SparseMatrix<double>& K, Cost& cost) {
-  Ledger unused;
-  const auto begin = std::chrono::steady_clock::now();
-  const FrontalFactor factor(K, separator_tree(K, unknown_positions(model)), unused);
-  const Eigen::VectorXd u = factor.solve(model.programme.load);
-  cost.seconds.push_back(seconds_since(begin));
-  cost.fill = static_cast<double>(factor.nonzeros());
-  cost.operations = factor.operations();
-  pose(u.allFinite(), "price: the plain solve failed");
+std::vector<Family> families(bool full) {
+  const auto square = [](Index cells) { return pressed_block(cells, cells); };
+  const auto cylinder = [](Index part) { return hertz(46 * part, 34 * part, 44 * part - 1); };
+  const auto few_close = [](Index cells) { return pressed_block(1999, cells, 0.4, 0.001); };
+  if (!full)
+    return {
+        {"block", square, {12, 20}},
+        {"cantilever", cantilever, {3, 5}},
+        {"hertz", [](Index part) { return hertz(8 * part, 6 * part, 8 * part - 1); }, {1, 2}},
+        {"few close", [](Index cells) { return pressed_block(99, cells, 0.4, 0.001); }, {2, 4}}};
+  return {{"block", square, {99, 199, 299, 706}},
+          {"cantilever", cantilever, {31, 63, 94, 223}},
+          {"hertz", cylinder, {1, 2, 3, 7}},
+          {"few close", few_close, {4, 19, 44, 249}}};
 }
 
-/// Ordering, factor, condensation, solver, refinement and certificate.
-Solution contact_run(const Model& model, const Scene& scene, Cost& cost) {
-  Ledger ledger;
-  const auto begin = std::chrono::steady_clock::now();
-  const Condensed condensed = condense(model, ledger);
-  Solution solution = solve(model, condensed, scene.solver, std::move(ledger));
-  cost.seconds.push_back(seconds_since(begin));
-  cost.fill = static_cast<double>(condensed.factor.nonzeros());
-  cost.operations = condensed.factor.operations();
-  return solution;
+/// \return median ratio of two ways in the same rounds, "-" if one of them was left out
+std::string ratio(const Cost& cost, const std::string& way, const std::string& over) {
+  std::vector<double> ratios;
+  if (cost.times.count(way) == 0 || cost.times.count(over) == 0) return "-";
+  const std::vector<double>& a = cost.times.at(way);
+  const std::vector<double>& b = cost.times.at(over);
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) ratios.push_back(a[k] / b[k]);
+  return number(median(ratios), "%.2f");
 }
 
-bool is_certified(const Solution& solution) {
-  return solution.contact.report.status == Status::Solved && solution.certificate.holds();
-}
-
-/// Times both ways in turn, so that a change of the machine's speed meets both.
-/// \return whether every run is certified and takes as many steps as the first
-bool price(const std::string& name, const Scene& scene, int runs, Table& table) {
-  Ledger setup;
-  const Model model = build(scene, setup);
-  const Eigen::SparseMatrix<double> K = grounded_stiffness(model);
-  Cost plain, contact;
-  std::vector<double> ratio;
-  Solution solution;
-  bool good = true;
-  for (int run = 0; run < runs; ++run) {
-    const Eigen::Index steps = solution.contact.report.iterations;
-    plain_run(model, K, plain);
-    solution = contact_run(model, scene, contact);
-    ratio.push_back(contact.seconds.back() / plain.seconds.back());
-    good =
-        good && is_certified(solution) && (run == 0 || solution.contact.report.iterations == steps);
+/// \return exponent of seconds against unknowns, fitted over all sizes, "-" where one was left out
+std::string exponent(const std::vector<Cost>& costs, const std::string& way) {
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (const Cost& cost : costs) {
+    if (cost.times.count(way) == 0) return "-";
+    const double size = std::log(static_cast<double>(cost.unknowns));
+    const double seconds = std::log(median(cost.times.at(way)));
+    x += size;
+    y += seconds;
+    xx += size * size;
+    xy += size * seconds;
   }
-  table.row({name, text(model.unknowns.count), text(model.programme.A.rows()),
-             number(median(plain.seconds), "%.3f"), number(median(contact.seconds), "%.3f"),
-             number(median(ratio), "%.2f"), number(plain.fill / 1e6, "%.2f"),
-             number(contact.fill / 1e6, "%.2f"), number(plain.operations / 1e9, "%.2f"),
-             number(contact.operations / 1e9, "%.2f"), text(solution.contact.report.iterations),
-             number(solution.certificate.worst(), "%.0e")});
+  const double n = static_cast<double>(costs.size());
+  return number((n * xy - x * y) / (n * xx - x * x), "%.2f");
+}
+
+const std::vector<std::string> phases = {
+    "plan",         "assembly", "factor/ordering", "factor/symbolic", "factor/numeric",
+    "condensation", "contact",  "refinement",      "recovery"};
+
+struct Tables {
+  Table price{{"scene", "unknowns", "pairs", "closed", "steps", "solves", "plain s",
+               "condensed / plain", "contact / plain", "set-up / plain", "contact / SimplicialLLT",
+               "plain / CHOLMOD", "certificate"}};
+  Table phases{{"scene", "unknowns", "plan", "assembly", "tree", "symbolic", "numeric",
+                "condensation", "contact", "refinement", "recovery", "fill", "work", "MB"}};
+  Table exponents{{"scene", "plain", "contact", "SimplicialLLT", "CHOLMOD"}};
+};
+
+void note(const std::string& name, const Cost& cost, Tables& tables) {
+  const Solution& solution = cost.first;
+  tables.price.row({name, text(cost.unknowns), text(solution.contact.force.size()),
+                    text(solution.contact.active.size()), text(solution.contact.report.iterations),
+                    text(solution.ledger.counted("refinement", "solves")),
+                    number(median(cost.times.at("plain")), "%.3f"),
+                    ratio(cost, "condense", "plain"), ratio(cost, "whole", "plain"),
+                    ratio(cost, "set-up", "plain"), ratio(cost, "whole", "SimplicialLLT"),
+                    ratio(cost, "plain", "CHOLMOD"), number(solution.certificate.worst(), "%.0e")});
+  std::vector<std::string> row = {name, text(cost.unknowns)};
+  for (const std::string& phase : phases)
+    row.push_back(number(median(cost.times.at(phase)), "%.4f"));
+  row.insert(row.end(), {number(cost.fill / 1e6, "%.2f"), number(cost.operations / 1e9, "%.2f"),
+                         number(cost.megabytes, "%.0f")});
+  tables.phases.row(std::move(row));
+}
+
+/// \return whether all is as it should be
+bool price(const Family& family, const std::vector<int>& rounds, Tables& tables) {
+  std::vector<Cost> costs;
+  bool good = true;
+  for (std::size_t k = 0; k < family.sizes.size(); ++k) {
+    costs.push_back(
+        measure(family.scene(family.sizes[k]), rounds[k], costs.empty() ? nullptr : &costs.back()));
+    note(family.name, costs.back(), tables);
+    good = good && costs.back().good;
+  }
+  tables.exponents.row({family.name, exponent(costs, "plain"), exponent(costs, "whole"),
+                        exponent(costs, "SimplicialLLT"), exponent(costs, "CHOLMOD")});
   return good;
 }
 
@@ -103,68 +137,66 @@ bool price(const std::string& name, const Scene& scene, int runs, Table& table) 
 /// \param least_ratio  how many times faster the first must be
 /// \param most_steps   of either; finer meshes take more
 /// \return whether both end in so few steps at the same forces, and the first is as fast as asked
-bool saddle_point(const Scene& scene, double least_ratio, Eigen::Index most_steps, Table& table) {
+bool saddle_point(const Scene& scene, double least_ratio, Index most_steps, Table& table) {
   Ledger ledger;
   const Model model = build(scene, ledger);
-  Cost condensed;
-  const Solution ours = contact_run(model, scene, condensed);
-  const auto begin = std::chrono::steady_clock::now();
+  const double start = processor_seconds();
+  const Condensed condensed = condense(model, ledger);
+  const Solution ours = solve(model, condensed, ledger);
+  const double middle = processor_seconds();
   SaddlePointOptions options;  // at rest nothing holds the disc: an equal share of the load
   options.start_force = ours.contact.force.sum() * model.pairs.weight / model.pairs.weight.sum();
   const SaddlePointSolution paper = saddle_point_newton(model.programme, options);
-  const double seconds = seconds_since(begin);
-  const double ratio = seconds / condensed.seconds.back();
+  const double end = processor_seconds();
+  const double ratio = (end - middle) / (middle - start);
   const double difference =
       (paper.solution.force - ours.contact.force).norm() / ours.contact.force.norm();
-  table.row({text(model.unknowns.number.rows()), number(condensed.seconds.back(), "%.3f"),
-             text(ours.contact.report.iterations), number(seconds, "%.3f"),
+  table.row({text(model.unknowns.number.rows()), number(middle - start, "%.3f"),
+             text(ours.contact.report.iterations), number(end - middle, "%.3f"),
              text(paper.report.iterations), number(ratio, "%.1f"), number(difference, "%.0e")});
   return is_certified(ours) && paper.report.status == Status::Solved && difference <= 1e-11 &&
          std::max(ours.contact.report.iterations, paper.report.iterations) <= most_steps &&
          ratio >= least_ratio;
 }
 
-bool price_all(bool full, Table& table) {
-  if (!full) {
-    bool good = price("block", pressed_block(20, 20), 2, table);
-    good = price("cantilever", cantilever(4), 2, table) && good;
-    return price("hertz", hertz(16, 12, 15), 2, table) && good;
-  }
-  bool good = true;
-  for (const auto& [cells, runs] : {std::pair{99, 15}, {199, 7}, {299, 5}})
-    good = price("block", pressed_block(cells, cells), runs, table) && good;
-  for (const auto& [cells, runs] : {std::pair{31, 15}, {63, 7}, {94, 5}})
-    good = price("cantilever", cantilever(cells), runs, table) && good;
-  for (const auto& [part, runs] : {std::pair{1, 15}, {2, 7}, {3, 5}})
-    good = price("hertz", hertz(46 * part, 34 * part, 44 * part - 1), runs, table) && good;
-  return good;
+void write_table(const std::filesystem::path& out, const std::string& name, const Table& table) {
+  std::cout << '\n' << table.markdown();
+  write_file(out / (name + ".md"), table.markdown());
+  write_file(out / (name + ".csv"), table.csv());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   const auto body = [](const ProgramOptions& options) {
-    Table prices({"scene", "unknowns", "pairs", "plain s", "contact s", "ratio", "fill plain",
-                  "fill contact", "work plain", "work contact", "steps", "certificate"});
-    const bool certified = price_all(options.full, prices);
-    std::cout << "contact: ordering, factor, condensation, solver, refinement, certificate; plain: "
-                 "ordering, factor,\none solve. Medians of runs in turn; fill in millions of "
-                 "entries, work in 1e9 operations.\n\n"
-              << prices.markdown();
+    Tables tables;
+    const std::vector<int> rounds =
+        options.full ? std::vector<int>{9, 5, 3, 5} : std::vector<int>{2, 2};
+    bool good = true;
+    for (const Family& family : families(options.full))
+      good = price(family, rounds, tables) && good;
     Table methods({"nodes", "condensed s", "steps", "uncondensed s", "factors", "ratio",
                    "difference of forces"});
     const bool equal = options.full ? saddle_point(hertz(64, 48, 60), 10, 15, methods)
                                     : saddle_point(hertz(16, 12, 15), 0, 10, methods);
+    std::cout
+        << "Medians of processor seconds, all ways in turn. Plain: tree, factor, one solve. "
+           "Condensed: tree, factor,\ncompliance. Contact: all from K, p, A, g to the certificate. "
+           "Set-up: plan and assembly. SimplicialLLT of Eigen and\nCHOLMOD, which order by minimum "
+           "degree, are not repeated beyond 5 s; - where they are not installed or,\nby the size "
+           "before, would need more than 45 s.\n";
+    write_table(options.out, "price", tables.price);
+    std::cout << "\nPhases in seconds; entries of the factor in millions, operations in 1e9, "
+                 "largest memory.\n";
+    write_table(options.out, "phases", tables.phases);
+    std::cout << "\nExponents of seconds against unknowns, over all sizes.\n";
+    write_table(options.out, "exponents", tables.exponents);
     std::cout << "\nThe cylinder on a plate, condensed and not: at least 10 times faster where "
-                 "there are 20 000 nodes,\nthe same forces to 1e-11.\n\n"
-              << methods.markdown()
-              << "\ncertified in as many steps each time: " << (certified ? "yes" : "NO")
+                 "there are 20 000 nodes,\nthe same forces to 1e-11.\n";
+    write_table(options.out, "saddle_point", methods);
+    std::cout << "\ncertified in few steps, to the same bits each time: " << (good ? "yes" : "NO")
               << "; same forces, few steps, as fast as asked: " << (equal ? "yes" : "NO") << '\n';
-    write_file(options.out / "price.md", prices.markdown());
-    write_file(options.out / "price.csv", prices.csv());
-    write_file(options.out / "saddle_point.md", methods.markdown());
-    write_file(options.out / "saddle_point.csv", methods.csv());
-    return certified && equal ? Status::Solved : Status::Breakdown;
+    return good && equal ? Status::Solved : Status::Breakdown;
   };
   return run_program("price", "What contact costs over one plain linear solve; --full measures",
                      SIGNORINI_BENCH_OUT, argc, argv, body);

@@ -1,6 +1,6 @@
-#include <ctime>
 #include <utility>
 
+#include "bench/measure.hpp"
 #include "bench/peers/peer.hpp"
 #include "signorini/programme/dense_programme.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -30,14 +30,9 @@ Run condensed(const Solver& solver, const DenseProgramme& programme, int calls) 
 }  // namespace
 
 double mean_seconds(int calls, const std::function<void()>& call) {
-  const auto now = [] {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  };
-  const double begin = now();
+  const double begin = processor_seconds();
   for (int i = 0; i < calls; ++i) call();
-  return (now() - begin) / calls;
+  return (processor_seconds() - begin) / calls;
 }
 
 Run by_condensation(const DenseProgramme& programme, int calls,

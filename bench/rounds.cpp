@@ -1,0 +1,137 @@
+#include "bench/rounds.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include "bench/measure.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini::bench {
+namespace {
+
+using Eigen::VectorXd;
+
+const double once = 5;      // what takes more seconds is not repeated
+const double longest = 45;  // a yardstick that will need more seconds is left out
+
+const Eigen::Index most_steps = 25;  // of the active set, whatever the size
+const long long most_solves = 5;     // with K, to refine
+
+/// The largest memory of this program since forget_peak().
+/// \return [MB], 0 where the system does not tell
+double peak_megabytes() {
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kilobytes = 0;
+  while (status >> word)
+    if (word == "VmHWM:") status >> kilobytes;
+  return kilobytes / 1e3;
+}
+
+void forget_peak() {
+#ifdef __GLIBC__
+  malloc_trim(0);  // else what earlier scenes freed may still count
+#endif
+  std::ofstream("/proc/self/clear_refs") << '5';
+}
+
+/// Takes the phases of a ledger over. They are wall times; what others did on the machine is taken off in proportion.
+void split(const Ledger& ledger, double share, Times& times) {
+  for (const LedgerEntry& entry : ledger.entries())
+    times[entry.path].push_back(share * entry.seconds);
+}
+
+/// Mesh to certified solution; every round must end at the same bits.
+Model contact_round(const Scene& scene, Cost& cost) {
+  Ledger ledger;
+  const auto wall = std::chrono::steady_clock::now();
+  const double begin = processor_seconds();
+  Model model = build(scene, ledger);
+  const double built = processor_seconds();
+  const Condensed condensed = condense(model, ledger);
+  const double small = processor_seconds();
+  Solution solution = solve(model, condensed, std::move(ledger));
+  const double end = processor_seconds();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - wall;
+  split(solution.ledger, (end - begin) / elapsed.count(), cost.times);
+  cost.times["set-up"].push_back(built - begin);
+  cost.times["condense"].push_back(small - built);
+  cost.times["whole"].push_back(end - built);
+  cost.fill = static_cast<double>(condensed.factor.nonzeros());
+  cost.operations = condensed.factor.operations();
+  cost.unknowns = model.unknowns.count;
+  const ContactState& contact = solution.contact;
+  const bool first = cost.times["whole"].size() == 1;
+  cost.good = cost.good && is_certified(solution) && contact.report.iterations <= most_steps &&
+              solution.ledger.counted("refinement", "solves") <= most_solves &&
+              (first || (contact.force == cost.first.contact.force &&
+                         contact.report.iterations == cost.first.contact.report.iterations));
+  if (first) cost.first = std::move(solution);
+  return model;
+}
+
+/// Whether u solves K u = p up to the rounding of a sum.
+bool solves(const Eigen::SparseMatrix<double>& K, const VectorXd& u, const VectorXd& p) {
+  const VectorXd terms = K.cwiseAbs() * u.cwiseAbs() + p.cwiseAbs();
+  return (p - K * u).cwiseAbs().maxCoeff() <= 1e-12 * terms.maxCoeff();
+}
+
+/// A plain solve: ordering, factor and one solve, as without contact.
+void plain_round(const Model& model, const Eigen::SparseMatrix<double>& K, Cost& cost) {
+  Ledger unused;
+  const double begin = processor_seconds();
+  const FrontalFactor factor(K, separator_tree(K, unknown_positions(model)), unused);
+  const VectorXd u = factor.solve(model.programme.load);
+  cost.times["plain"].push_back(processor_seconds() - begin);
+  cost.good = cost.good && solves(K, u, model.programme.load) &&
+              cost.fill == static_cast<double>(factor.nonzeros()) &&
+              cost.operations == factor.operations();
+}
+
+void yardstick_round(const Yardstick& other, const Model& model,
+                     const Eigen::SparseMatrix<double>& K, Cost& cost) {
+  const double begin = processor_seconds();
+  const VectorXd u = other.solve(K, model.programme.load);
+  cost.times[other.name].push_back(processor_seconds() - begin);
+  cost.good = cost.good && solves(K, u, model.programme.load);
+}
+
+/// Whether the work of a factor in the plane, which grows like the power 3/2, lets a yardstick end in time.
+bool in_time(const Yardstick& other, const Scene& scene, const Cost* smaller) {
+  if (smaller == nullptr) return true;
+  const auto last = smaller->times.find(other.name);
+  if (last == smaller->times.end()) return false;
+  double unknowns = 0;
+  for (const Body& part : scene.bodies) unknowns += 2 * static_cast<double>(part.mesh.n_nodes());
+  const double growth = unknowns / static_cast<double>(smaller->unknowns);
+  return std::pow(growth, 1.5) * median(last->second) < longest;
+}
+
+}  // namespace
+
+bool is_certified(const Solution& solution) {
+  return solution.contact.report.status == Status::Solved && solution.certificate.holds();
+}
+
+Cost measure(const Scene& scene, int rounds, const Cost* smaller) {
+  Cost cost;
+  for (int round = 0; round < rounds; ++round) {
+    forget_peak();
+    const Model model = contact_round(scene, cost);
+    if (round == 0) cost.megabytes = peak_megabytes();
+    const Eigen::SparseMatrix<double> K = grounded_stiffness(model);
+    plain_round(model, K, cost);
+    for (const Yardstick& other : yardsticks())
+      if (round == 0 ? in_time(other, scene, smaller)
+                     : cost.times.count(other.name) > 0 && cost.times[other.name][0] < once)
+        yardstick_round(other, model, K, cost);
+  }
+  return cost;
+}
+
+}  // namespace signorini::bench
