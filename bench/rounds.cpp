@@ -112,6 +112,13 @@ bool in_time(const Yardstick& other, const Scene& scene, const Cost* smaller) {
   return std::pow(growth, 1.5) * median(last->second) < longest;
 }
 
+/// K with the springs that condense() gives to the factor, for yardsticks that take one matrix.
+Eigen::SparseMatrix<double> grounded_stiffness(const Model& model) {
+  Eigen::SparseMatrix<double> K = model.programme.stiffness;
+  for (const Eigen::Index unknown : grounding(model.modes)) K.coeffRef(unknown, unknown) *= 2;
+  return K;
+}
+
 }  // namespace
 
 bool is_certified(const Solution& solution) {

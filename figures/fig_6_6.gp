@@ -4,8 +4,8 @@ load 'style.gp'
 set multiplot
 unset border; unset tics; unset grid
 set lmargin 1; set rmargin 1
-set key at screen 0.5,0.99 center top maxrows 2 samplen 1 width 3
-set tmargin at screen 0.92; set bmargin at screen 0.41
+set key at screen 0.5,0.99 center top maxrows 3 samplen 1 width -2
+set tmargin at screen 0.895; set bmargin at screen 0.40
 set size ratio -1
 set xrange [-0.2:5.2]
 set yrange [-0.45:5.25]

@@ -131,6 +131,21 @@ TEST_CASE("a free body is found out on every mesh, whatever rounding leaves of t
   CHECK(found == 48);
 }
 
+TEST_CASE("springs hold a free body as a matrix with them does, to the last bit", "[factor]") {
+  const Mesh mesh = signorini_test::block_for(q4(), {3, 2}, 6, 4);
+  const Placed free = signorini_test::stiffness("free", mesh, q4(), {});
+  const std::vector<Index> grounded = {0, 1, free.K.cols() - 1};
+  Matrix held = free.K;
+  for (const Index unknown : grounded) held.coeffRef(unknown, unknown) *= 2;
+  const SeparatorTree tree = separator_tree(free.K, free.positions);
+  Ledger ledger;
+  const FrontalFactor springs(free.K, tree, ledger, {}, grounded);
+  const VectorXd load = random_vector(free.K.cols(), 3);
+  CHECK(springs.solve(load) == FrontalFactor(held, tree, ledger).solve(load));
+  CHECK_THROWS_AS(FrontalFactor(free.K, tree, ledger), ProblemError);
+  CHECK_THROWS_AS(FrontalFactor(free.K, tree, ledger, {}, {free.K.cols()}), std::invalid_argument);
+}
+
 TEST_CASE("a slender body is not taken for a free one", "[factor]") {
   const Mesh mesh = signorini_test::block_for(q4(), {1000, 1}, 400, 2);
   const Placed body = signorini_test::stiffness("beam", mesh, q4(), {fixed("left")});

@@ -51,9 +51,10 @@ Index first_not_finite(const Eigen::SparseMatrix<double>& K) {
 /// Works through the fronts with a stack of what those below hand to those above.
 class FrontalFactor::Elimination {
  public:
-  Elimination(FrontalFactor& factor, const Matrix& stiffness)
+  Elimination(FrontalFactor& factor, const Matrix& stiffness, const std::vector<Index>& grounded)
       : factor_(factor),
         stiffness_(stiffness),
+        grounded_(grounded),
         least_(least_pivots()),
         stack_(updates()),
         row_(factor.order_.size()) {}
@@ -69,6 +70,7 @@ class FrontalFactor::Elimination {
       update.setZero();
       factor_.number_rows(front, row_);
       gather(front, columns);
+      ground(front, columns);
       for (const int below : front.separator.below)
         if (below >= 0) add(below, columns, update);
       const Index first = front.separator.first;
@@ -96,7 +98,8 @@ class FrontalFactor::Elimination {
       for (int k = 0; k < front.separator.own; ++k) terms(front.separator.first + k) = k + 1;
     for (const Front& front : factor_.fronts_)
       for (const int place : front.boundary) terms(place) += static_cast<double>(front.own());
-    const VectorXd diagonal = stiffness_.diagonal();
+    VectorXd diagonal = stiffness_.diagonal();
+    for (const Index unknown : grounded_) diagonal(unknown) *= 2;
     for (Index k = 0; k < terms.size(); ++k)
       terms(k) *= epsilon * factor_.scale_ *
                   std::abs(diagonal(factor_.order_[static_cast<std::size_t>(k)]));
@@ -120,6 +123,14 @@ class FrontalFactor::Elimination {
       }
   }
 
+  /// Doubles the diagonal entries of grounded unknowns.
+  void ground(const Front& front, Eigen::Map<MatrixXd>& columns) const {
+    for (const Index unknown : grounded_) {
+      const Index k = factor_.place_[static_cast<std::size_t>(unknown)] - front.separator.first;
+      if (k >= 0 && k < front.own()) columns(k, k) *= 2;
+    }
+  }
+
   /// Adds the update of a front below to the one above.
   void add(int below, Eigen::Map<MatrixXd>& columns, Eigen::Map<MatrixXd>& update) {
     const std::vector<int>& boundary = factor_.front(below).boundary;
@@ -138,6 +149,7 @@ class FrontalFactor::Elimination {
 
   FrontalFactor& factor_;
   const Matrix& stiffness_;
+  const std::vector<Index>& grounded_;
   VectorXd least_;
   FrontStack stack_;
   std::vector<int> row_;  // of the present front, by place
@@ -145,7 +157,8 @@ class FrontalFactor::Elimination {
 };
 
 FrontalFactor::FrontalFactor(const Matrix& stiffness, const SeparatorTree& tree, Ledger& ledger,
-                             const std::function<std::string(Index)>& describe) {
+                             const std::function<std::string(Index)>& describe,
+                             const std::vector<Index>& grounded) {
   require(stiffness.rows() == stiffness.cols() && stiffness.isCompressed(),
           "FrontalFactor: need a square matrix after makeCompressed(), got ", stiffness.rows(),
           " x ", stiffness.cols());
@@ -154,6 +167,9 @@ FrontalFactor::FrontalFactor(const Matrix& stiffness, const SeparatorTree& tree,
   const auto name = [&](Index unknown) {
     return text(unknown, describe ? " (" + describe(unknown) + ")" : "");
   };
+  for (const Index unknown : grounded)
+    require(unknown >= 0 && unknown < stiffness.cols(),
+            "FrontalFactor: grounded unknowns are 0 to ", stiffness.cols() - 1, ", got ", unknown);
   const Eigen::Map<const VectorXd> values(stiffness.valuePtr(), stiffness.nonZeros());
   if (!values.allFinite())
     throw ProblemError(text("stiffness matrix has an entry that is no finite number at unknown ",
@@ -164,7 +180,7 @@ FrontalFactor::FrontalFactor(const Matrix& stiffness, const SeparatorTree& tree,
     analyse(stiffness, tree);
   }
   const Ledger::Phase phase(ledger, "numeric");
-  Elimination elimination(*this, stiffness);
+  Elimination elimination(*this, stiffness, grounded);
   const Index place = elimination.run();
   if (place < size()) {
     const Index unknown = order_[static_cast<std::size_t>(place)];

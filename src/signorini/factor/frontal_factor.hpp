@@ -26,11 +26,13 @@ class FrontalFactor {
   /// \param tree       separator_tree() of it
   /// \param ledger     receives the phases `symbolic` and `numeric` and the counts of the factor
   /// \param describe   names an unknown in the message about a bad pivot
+  /// \param grounded   unknowns, each once, that a spring as stiff as their diagonal entry holds besides
   /// \throws std::invalid_argument if the matrix is not square and compressed, or the tree not one of its unknowns
   /// \throws ProblemError if an entry is not finite, or a pivot is not larger than the rounding errors of its own
   ///   computation: the matrix is singular to working precision and some part can move without resistance
   FrontalFactor(const Eigen::SparseMatrix<double>& stiffness, const SeparatorTree& tree,
-                Ledger& ledger, const std::function<std::string(Eigen::Index)>& describe = {});
+                Ledger& ledger, const std::function<std::string(Eigen::Index)>& describe = {},
+                const std::vector<Eigen::Index>& grounded = {});
 
   /// Solves K u = p.
   /// \param load  `n` p [force]

@@ -78,12 +78,6 @@ std::vector<Index> grounding(const std::vector<FreeMotion>& modes) {
   return unknowns;
 }
 
-Eigen::SparseMatrix<double> grounded_stiffness(const Model& model) {
-  Eigen::SparseMatrix<double> K = model.programme.stiffness;
-  for (const Index unknown : grounding(model.modes)) K.coeffRef(unknown, unknown) *= 2;
-  return K;
-}
-
 NodeArray unknown_positions(const Model& model) {
   NodeArray positions(model.unknowns.count, 2);
   for (const BodyModel& body : model.bodies)

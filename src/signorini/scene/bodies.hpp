@@ -55,12 +55,6 @@ namespace signorini {
 /// \return `n x n_r`; empty if there are none
 [[nodiscard]] Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes);
 
-/// K with one spring per rigid mode, which alone hold the bodies. In balance they carry nothing, so their
-/// size is free: that of the diagonal there.
-/// \param model  from build()
-/// \return `n x n`, both triangles, regular [force/length]; K itself if there are no modes
-[[nodiscard]] Eigen::SparseMatrix<double> grounded_stiffness(const Model& model);
-
 /// Where the unknowns of all bodies are.
 /// \param model  from build()
 /// \return `n x 2` position of the node of each unknown [length]

@@ -24,14 +24,16 @@ std::string describe_unknown(const Model& model, Index unknown) {
               body.unknowns.describe(body.mesh, unknown - body.first_unknown));
 }
 
-FrontalFactor factor(const Model& model, const Eigen::SparseMatrix<double>& K, Ledger& ledger) {
+/// K, and one spring per rigid mode, which alone hold the bodies. In balance they carry nothing, so their size is free.
+FrontalFactor factor(const Model& model, Ledger& ledger) {
+  const Eigen::SparseMatrix<double>& K = model.programme.stiffness;
   const auto describe = [&model](Index unknown) { return describe_unknown(model, unknown); };
   const Ledger::Phase phase(ledger, "factor");
   const SeparatorTree tree = [&] {
     const Ledger::Phase ordering(ledger, "ordering");
     return separator_tree(K, unknown_positions(model));
   }();
-  return {K, tree, ledger, describe};
+  return {K, tree, ledger, describe, grounding(model.modes)};
 }
 
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
@@ -86,11 +88,7 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
 
 Condensed condense(const Model& model, Ledger& ledger) {
   const QuadraticProgramme& programme = model.programme;
-  const bool floats = !model.modes.empty();
-  const Eigen::SparseMatrix<double> held =
-      floats ? grounded_stiffness(model) : Eigen::SparseMatrix<double>();
-  const Eigen::SparseMatrix<double>& K = floats ? held : programme.stiffness;
-  Condensed condensed{factor(model, K, ledger), {}, {}};
+  Condensed condensed{factor(model, ledger), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
   condensed.free_displacement = condensed.factor.solve(programme.load);
   ContactProblem& problem = condensed.problem;
@@ -101,7 +99,7 @@ Condensed condense(const Model& model, Ledger& ledger) {
   const Index slips = static_cast<Index>(model.law.pair.size());
   problem.free_gap = free.head(free.size() - slips);
   problem.free_slip = free.tail(slips);
-  if (floats) add_rigid_modes(programme, mode_shapes(model.modes), problem);
+  if (!model.modes.empty()) add_rigid_modes(programme, mode_shapes(model.modes), problem);
   return condensed;
 }
 
