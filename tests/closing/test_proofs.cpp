@@ -4,6 +4,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/closing/proofs.hpp"
+#include "support/problems.hpp"
 #include "support/random.hpp"
 
 using Eigen::Index;
@@ -11,7 +12,7 @@ using Eigen::Matrix2d;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using namespace signorini;
-using signorini_test::Random;
+using namespace signorini_test;
 
 TEST_CASE("overlaps that a rigid motion opens prove nothing", "[closing][floating]") {
   const Matrix2d G = (Matrix2d() << 1, -1, -1, 1).finished();  // pressing both pairs moves nothing
@@ -117,4 +118,30 @@ TEST_CASE("one solution is proved only if the pairs that press leave no body fre
   CHECK(verdict({1, 0}, 1, 0) == Uniqueness::Unknown);  // it hovers, how high nothing says
   CHECK(verdict({0, 1}, 1, 0) == Uniqueness::Unknown);  // it slides along the wall
   CHECK(verdict({0, 0}, 1, 0) == Uniqueness::Unknown);  // no pair notices how it moves
+}
+
+TEST_CASE("units of rows decide about no escape, not even where modes are dependent",
+          "[proofs][units]") {
+  Random random(5);
+  int away = 0;
+  for (int sample = 0; sample < 6000; ++sample) {
+    const Index pairs = random.whole(1, 4);
+    ContactProblem problem = random_problem(random, pairs);
+    problem.rigid = Eigen::MatrixXd::NullaryExpr(
+        pairs, 3, [&] { return random.whole(0, 3) > 0 ? random.uniform(-1, 1) : 0; });
+    const Eigen::VectorXd force =
+        Eigen::VectorXd::NullaryExpr(pairs, [&] { return random.uniform(0, 1); });
+    problem.resultant = problem.rigid.transpose() * force;
+    if (random.whole(0, 2) == 0)
+      problem.resultant = Eigen::Vector3d::NullaryExpr([&] { return random.uniform(-1, 1); });
+    const Eigen::VectorXd row = Eigen::VectorXd::NullaryExpr(
+        pairs, [&] { return std::ldexp(1.0, static_cast<int>(random.whole(-40, 40))); });
+    const ContactProblem other = with_rows(problem, row);
+    const bool one = pulled_away(problem, equilibrate(problem)).has_value();
+    CAPTURE(sample, pairs);
+    CHECK(one == pulled_away(other, equilibrate(other)).has_value());
+    away += one ? 1 : 0;
+  }
+  CHECK(away > 1000);
+  CHECK(away < 5000);
 }

@@ -226,8 +226,10 @@ VectorXd escape(const ScaledProblem& problem) {
 std::optional<ContactState> pulled_away(const ContactProblem& problem,
                                         const ScaledProblem& scaled) {
   VectorXd way = escape(scaled);
-  if (way.size() == 0 || !drags(problem.rigid, problem.resultant, problem.law, way))
-    return std::nullopt;
+  if (way.size() == 0) return std::nullopt;
+  // Once more for the modes and the load as posed; only the rows are measured in the units of the problem.
+  const MatrixXd rigid = scaled.scale.asDiagonal() * problem.rigid;
+  if (!drags(rigid, problem.resultant, scaled.law, way)) return std::nullopt;
   Closure none;
   none.force = VectorXd::Zero(scaled.free.size());
   none.movement = scaled.free;
