@@ -132,6 +132,8 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& wanted) {
     if (wanted.get_exit_code() == 0) return app.exit(wanted);
+    pose(lcp->parsed() || qp->parsed() || argv[1][0] == '-', "unknown command '", argv[1],
+         "'; expected lcp FILE, qp FILE or --list. Try signorini --help");
     throw ProblemError(text(wanted.what(), ". Try signorini --help"));
   }
   if (list) {

@@ -48,6 +48,7 @@ expect 2 'missing: there is no such file' lcp missing
 expect 2 'this is a folder' qp "$qp"
 expect 2 'FILE is required' qp
 expect 2 'expected lcp FILE, qp FILE or --list'
+expect 2 "unknown command 'foo'; expected lcp FILE, qp FILE or --list" foo odd
 expect 2 'Try signorini --help' solve
 expect 2 '--tolerance' lcp odd --tolerance word
 expect 2 '--tolerance: expected a number above 0' lcp odd --tolerance -1
