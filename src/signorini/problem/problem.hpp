@@ -118,7 +118,7 @@ struct Report {
   Status status = Status::Breakdown;  ///< how it ended
   Eigen::Index iterations = 0;        ///< steps of the method, for active sets: sets it looked at
   Eigen::Index factorisations = 0;    ///< dense factorisations, none for an empty set
-  std::vector<Iteration> history;     ///< one entry per iteration, or empty
+  std::vector<Iteration> history;     ///< what a method shows of its iterations, in order; or empty
 };
 
 /// Adds a run to those before it.
