@@ -40,7 +40,9 @@ std::string verdict(Solve solve, const Instance& instance, const std::vector<Tra
 }
 
 ContactState state(const ContactProblem& problem, const VectorXd& force, Status status) {
-  ContactState made{force, problem.compliance * force + problem.free_gap, {}, {}};
+  const Eigen::Index pairs = force.size();
+  ContactState made{
+      force, problem.compliance.topLeftCorner(pairs, pairs) * force + problem.free_gap, {}, {}};
   made.report.status = status;
   return made;
 }
