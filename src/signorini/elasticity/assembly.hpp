@@ -19,10 +19,18 @@ struct EdgeLoad {
   VectorField traction;  ///< (x, y) components [force/length^2]; none if empty
 };
 
+/// A force at one place. At a node it acts on that node alone; elsewhere on the edge of a body it is shared
+/// by the nodes of the side as their shape functions say.
+struct PointForce {
+  Eigen::Vector2d point;  ///< a node, or a place on the edge [length]
+  Eigen::Vector2d force;  ///< (x, y) components; in axial symmetry of the whole circle [force]
+};
+
 /// What acts on a body.
 struct Loads {
-  VectorField body_force;       ///< [force/length^3]; none if empty
-  std::vector<EdgeLoad> edges;  ///< several on one boundary add up
+  VectorField body_force;               ///< [force/length^3]; none if empty
+  std::vector<EdgeLoad> edges;          ///< several on one boundary add up
+  std::vector<PointForce> points = {};  ///< several at one place add up
 };
 
 /// K and p of one body or several, supports already taken out.

@@ -8,7 +8,8 @@ namespace signorini {
 /// What does not happen across the plane.
 enum class PlaneState {
   Stress,  ///< thin sheet: no stress across, sigma_zz = 0
-  Strain   ///< long body: no strain across, epsilon_zz = 0
+  Strain,  ///< long body: no strain across, epsilon_zz = 0
+  Axial  ///< body of revolution about x = 0: x is the radius, y the height, the hoop strain is u_x / x
 };
 
 /// Isotropic material and the body's extent across the plane.
@@ -17,6 +18,7 @@ struct Material {
   double poisson_ratio = 0;               ///< nu [-], above -1; at most 1/2 (below in plane strain)
   PlaneState state = PlaneState::Strain;  ///< what does not happen across the plane
   double thickness = 1;                   ///< across the plane [length], positive
+  double expansion = 0;                   ///< alpha, thermal strain per temperature [1/temperature]
 };
 
 /// Checks a material.

@@ -51,6 +51,8 @@ struct Mesh {
   NodeArray nodes;                                          ///< `n_nodes x 2` positions [length]
   CellArray cells;                                          ///< `n_cells x 4` or `n_cells x 8`
   std::map<std::string, std::vector<CellSide>> boundaries;  ///< by name
+  /// Numbers of the cells of a part of the body, by name of the part; usually none.
+  std::map<std::string, std::vector<Eigen::Index>> regions = {};
 
   /// \return number of nodes
   [[nodiscard]] Eigen::Index n_nodes() const { return nodes.rows(); }

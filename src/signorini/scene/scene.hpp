@@ -16,13 +16,37 @@
 
 namespace signorini {
 
+/// A part of a body that is of another material.
+struct Layer {
+  std::string region;  ///< name in Mesh::regions
+  Material material;   ///< of the cells of that region
+};
+
+/// How much warmer a body is than where it is free of stress:
+/// \f$ \Delta T(x) = \Delta T_0 + \nabla T \cdot x \f$.
+struct Temperature {
+  double uniform = 0;                                  ///< at the origin [temperature]
+  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [temperature/length]
+};
+
+/// Springs between a body and the ground, at rest where nothing moves.
+struct Spring {
+  std::string boundary;                                 ///< all along it
+  Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();  ///< in x and y, >= 0 [force/length^3]
+  std::optional<Eigen::Vector2d> only_at =
+      {};  ///< one node of it; stiffness then in [force/length]
+};
+
 /// An elastic body, what holds it and what loads it. The name of its mesh is the name of the body.
 struct Body {
-  Mesh mesh;                                ///< has a name that no other body has
-  std::string element = "q4_incompatible";  ///< name in elements(); fits the cells
-  Material material;                        ///< of all cells
-  std::vector<Support> supports;            ///< may leave rigid motions if contact stops them
-  Loads loads;                              ///< none by default
+  Mesh mesh;                                    ///< has a name that no other body has
+  std::string element = "q4_incompatible";      ///< name in elements(); fits the cells
+  Material material;                            ///< of all cells that are in no layer
+  std::vector<Layer> layers;                    ///< none by default
+  std::vector<Support> supports;                ///< may leave rigid motions if contact stops them
+  std::vector<Spring> springs;                  ///< none by default
+  Loads loads;                                  ///< none by default
+  std::optional<Temperature> temperature = {};  ///< none by default
 };
 
 /// A boundary of a body.
@@ -45,6 +69,10 @@ struct ContactSpec {
   Quadrature quadrature = Quadrature::Segments;  ///< where the operator integrates
   int points = 0;                                ///< Gauss points; 0: as many as the operator wants
   std::optional<Friction> friction = {};         ///< none by default
+  /// Everywhere on the source, the sides overlap by so much more than the meshes say [length]: a press fit.
+  std::optional<double> interference = {};
+  /// Gaps and overlaps of the meshes up to this are none [length]: nodes are moved there without strain.
+  std::optional<double> adjust = {};
 };
 
 /// Elastic bodies and what they may touch. Every effect is an optional entry, see effects.hpp; one that is
