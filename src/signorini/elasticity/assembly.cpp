@@ -63,6 +63,13 @@ void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, N
       });
 }
 
+void add_point_force(const Mesh& mesh, const PointForce& point, NodeArray& load) {
+  if ((point.force.array() == 0).all()) return;
+  const Place place = place_of(mesh, point);
+  for (std::size_t k = 0; k < place.nodes.size(); ++k)
+    load.row(place.nodes[k]) += place.share(static_cast<Index>(k)) * point.force.transpose();
+}
+
 /// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
 struct CellsAround {
   Eigen::ArrayX<Index> first;
@@ -129,11 +136,18 @@ CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   return 0.5 * (K + CellMatrix(K.transpose()));  // exactly symmetric
 }
 
+Place place_of(const Mesh& mesh, const PointForce& load) {
+  pose(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(), ", ",
+       load.point.y(), "): not finite");
+  return place_on_edge(mesh, load.point);
+}
+
 NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Material& material,
                       const Loads& loads) {
   NodeArray load = NodeArray::Zero(mesh.n_nodes(), 2);
   if (loads.body_force) add_body_force(mesh, element, material, loads.body_force, load);
   for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, depth_of(material), edge, load);
+  for (const PointForce& force : loads.points) add_point_force(mesh, force, load);
   return load;
 }
 

@@ -7,6 +7,7 @@
 
 #include "signorini/elasticity/cells.hpp"
 #include "signorini/elasticity/material.hpp"
+#include "signorini/elasticity/places.hpp"
 #include "signorini/elasticity/unknowns.hpp"
 #include "signorini/mesh/mesh.hpp"
 
@@ -64,13 +65,20 @@ void check_element(const Mesh& mesh, const Element& element);
                                     const Material& material, const Unknowns& unknowns,
                                     const Loads& loads);
 
+/// Where a point force acts.
+/// \param mesh  the body
+/// \param load  on it
+/// \return the nodes that share it
+/// \throws ProblemError if the force is not finite, or as place_on_edge()
+[[nodiscard]] Place place_of(const Mesh& mesh, const PointForce& load);
+
 /// Nodal forces of the loads, consistent with the shape functions.
 /// \param mesh      the body
 /// \param element   fits its cells
 /// \param material  whose depth multiplies the loads
 /// \param loads     on the body
 /// \return `n_nodes x 2` on all nodes, held or not [force]
-/// \throws ProblemError if a load is not finite or its boundary does not exist
+/// \throws ProblemError if a load is not finite, its boundary does not exist, or as place_of()
 [[nodiscard]] NodeArray nodal_loads(const Mesh& mesh, const Element& element,
                                     const Material& material, const Loads& loads);
 

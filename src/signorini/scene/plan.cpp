@@ -51,13 +51,7 @@ void plan_unknowns(Plan& plan) {
   std::vector<Unknowns> unknowns;
   for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
   plan.unknowns = joined(unknowns);
-  for (const BodyModel& body : plan.bodies)
-    for (FreeMotion& mode : free_motions(body.mesh, body.unknowns)) {
-      const Eigen::VectorXd own = std::move(mode.shape);
-      mode.shape.setZero(plan.unknowns.count);
-      mode.shape.segment(body.first_unknown, own.size()) = own;
-      plan.modes.push_back(std::move(mode));
-    }
+  plan.modes = rigid_modes(plan.bodies);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "signorini/contact/obstacle.hpp"
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/free_motions.hpp"
+#include "signorini/elasticity/springs.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {
@@ -27,14 +28,6 @@ struct Layer {
 struct Temperature {
   double uniform = 0;                                  ///< at the origin [temperature]
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [temperature/length]
-};
-
-/// Springs between a body and the ground, at rest where nothing moves.
-struct Spring {
-  std::string boundary;                                 ///< all along it
-  Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();  ///< in x and y, >= 0 [force/length^3]
-  std::optional<Eigen::Vector2d> only_at =
-      {};  ///< one node of it; stiffness then in [force/length]
 };
 
 /// An elastic body, what holds it and what loads it. The name of its mesh is the name of the body.
