@@ -58,6 +58,19 @@ struct Mesh {
   [[nodiscard]] Eigen::Index n_nodes() const { return nodes.rows(); }
   /// \return number of cells
   [[nodiscard]] Eigen::Index n_cells() const { return cells.rows(); }
+  /// \return whether sides have 2 nodes or 3
+  [[nodiscard]] MeshOrder order() const {
+    return cells.cols() > 4 ? MeshOrder::Quadratic : MeshOrder::Linear;
+  }
+  /// \param cell  its number \return how many corners it has, and sides: 3 or 4
+  [[nodiscard]] int corners(Eigen::Index cell) const {
+    const Eigen::Index last = cells.cols() - 1;
+    return last % 4 == 3 && cells(cell, last) >= 0 ? 4 : 3;
+  }
+  /// \param cell  its number \return how many nodes it has: 3, 4, 6 or 8
+  [[nodiscard]] Eigen::Index cell_size(Eigen::Index cell) const {
+    return cells.cols() > 4 ? 2 * corners(cell) : corners(cell);
+  }
   /// Nodes of one cell side.
   /// \param side  must exist
   /// \return their numbers in walking order: 2, or 3 with the midpoint between the corners

@@ -4,6 +4,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -47,16 +48,31 @@ void plan_body(const Body& body, Plan& plan) {
 }
 
 /// What supports leave: the unknowns of all bodies, and their rigid motions.
-void plan_unknowns(Plan& plan) {
+void plan_unknowns(const Scene& scene, Plan& plan) {
   std::vector<Unknowns> unknowns;
   for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
   plan.unknowns = joined(unknowns);
-  for (const BodyModel& body : plan.bodies)
-    for (FreeMotion& mode : free_motions(body.mesh, body.unknowns)) {
+  for (const BodyModel& body : plan.bodies) {
+    const std::vector<MeshPiece> parts = pieces(body.mesh);
+    for (std::string& note : doubts_of_mesh(scene, body.mesh, parts))
+      plan.notes.push_back(std::move(note));
+    for (FreeMotion& mode : free_motions(body.mesh, parts, body.unknowns)) {
       const Eigen::VectorXd own = std::move(mode.shape);
       mode.shape.setZero(plan.unknowns.count);
       mode.shape.segment(body.first_unknown, own.size()) = own;
       plan.modes.push_back(std::move(mode));
+    }
+  }
+}
+
+/// Asks every effect whether a scene calls for it.
+void plan_effects(const Scene& scene, Plan& plan) {
+  for (const Effect& effect : effects())
+    if (effect.present(scene, plan)) {
+      effect.price(scene, plan);
+      plan.effects.push_back(&effect);
+    } else {
+      plan.off.emplace_back(effect.name);
     }
 }
 
@@ -66,16 +82,12 @@ Plan plan(const Scene& scene) {
   Plan plan;
   check_names(scene);
   for (const Body& body : scene.bodies) plan_body(body, plan);
-  plan_unknowns(plan);
+  plan_unknowns(scene, plan);
   plan.gaps.A.resize(0, plan.unknowns.count);
   plan.solver = scene.solver;
-  for (const Effect& effect : effects())
-    if (effect.present(scene, plan)) {
-      effect.price(scene, plan);
-      plan.effects.push_back(&effect);
-    } else {
-      plan.off.emplace_back(effect.name);
-    }
+  telling(plan.notes, [&] { plan_effects(scene, plan); });
+  for (const Body& body : scene.bodies)
+    for (std::string& note : doubts_of_loads(body)) plan.notes.push_back(std::move(note));
   if (plan.gaps.A.rows() > 0)
     plan.on.push_back("solver " + plan.solver +
                       " on the condensed problem, certified from K, p, A, g");
