@@ -4,6 +4,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -47,11 +48,25 @@ void plan_body(const Body& body, Plan& plan) {
 }
 
 /// What supports leave: the unknowns of all bodies, and their rigid motions.
-void plan_unknowns(Plan& plan) {
+void plan_unknowns(const Scene& scene, Plan& plan) {
   std::vector<Unknowns> unknowns;
   for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
   plan.unknowns = joined(unknowns);
   plan.modes = rigid_modes(plan.bodies);
+  for (const BodyModel& body : plan.bodies)
+    for (std::string& note : doubts_of_mesh(scene, body.mesh, pieces(body.mesh)))
+      plan.notes.push_back(std::move(note));
+}
+
+/// Asks every effect whether a scene calls for it.
+void plan_effects(const Scene& scene, Plan& plan) {
+  for (const Effect& effect : effects())
+    if (effect.present(scene, plan)) {
+      effect.price(scene, plan);
+      plan.effects.push_back(&effect);
+    } else {
+      plan.off.emplace_back(effect.name);
+    }
 }
 
 }  // namespace
@@ -60,16 +75,12 @@ Plan plan(const Scene& scene) {
   Plan plan;
   check_names(scene);
   for (const Body& body : scene.bodies) plan_body(body, plan);
-  plan_unknowns(plan);
+  plan_unknowns(scene, plan);
   plan.gaps.A.resize(0, plan.unknowns.count);
   plan.solver = scene.solver;
-  for (const Effect& effect : effects())
-    if (effect.present(scene, plan)) {
-      effect.price(scene, plan);
-      plan.effects.push_back(&effect);
-    } else {
-      plan.off.emplace_back(effect.name);
-    }
+  telling(plan.notes, [&] { plan_effects(scene, plan); });
+  for (const Body& body : scene.bodies)
+    for (std::string& note : doubts_of_loads(body)) plan.notes.push_back(std::move(note));
   if (plan.gaps.A.rows() > 0)
     plan.on.push_back("solver " + plan.solver +
                       " on the condensed problem, certified from K, p, A, g");

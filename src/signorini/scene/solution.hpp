@@ -57,7 +57,7 @@ struct Solution {
   /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
   std::string escape;  ///< if the load pulls a body away: how it moves off
-  /// What a user should know: the notes of the plan, then such as that others may exist.
+  /// What a user should know: the notes of the plan, then such as that others may exist or that strains are large.
   std::vector<std::string> notes;
   Ledger ledger;  ///< what it cost
 };
@@ -89,7 +89,7 @@ struct Solution {
 /// Stops a program that has no use for an unsolved problem.
 /// \param solution  what solve() returned
 /// \param what      what the message calls it
-/// \throws NotSolved with the status and what stopped the solver, unless it is Solved
+/// \throws NotSolved with the status, what stopped the solver and the notes, unless it is Solved
 void require_solved(const Solution& solution, const std::string& what);
 
 }  // namespace signorini

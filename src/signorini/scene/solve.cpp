@@ -7,6 +7,7 @@
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/programme/road.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -82,13 +83,16 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
   solution.displacements = displacements_of_bodies(model, refined.displacement);
   solution.refined = std::move(refined);
+  if (solution.contact.report.status != Status::Solved) return;
+  for (std::string& note : doubts_of_solution(model, solution))
+    solution.notes.push_back(std::move(note));
 }
 
 }  // namespace
 
 Condensed condense(const Model& model, Ledger& ledger) {
   const QuadraticProgramme& programme = model.programme;
-  Condensed condensed{factor(model, ledger), {}, {}};
+  Condensed condensed{telling(model.notes, [&] { return factor(model, ledger); }), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
   condensed.free_displacement = condensed.factor.solve(programme.load);
   ContactProblem& problem = condensed.problem;
@@ -136,16 +140,17 @@ void require_solved(const Solution& solution, const std::string& what) {
   if (report.status == Status::Solved) return;
   const std::string& reason = solution.contact.reason;
   if (!solution.escape.empty())
-    throw NotSolved(
+    throw NotSolved(with_notes(
         text(what, " was not solved: ",
              reason.empty() ? "the load pulls a body away from all it could rest on" : reason, ": ",
-             solution.escape, ". Turn the load round or add a support"));
+             solution.escape, ". Turn the load round or add a support"),
+        solution.notes));
   std::string message = text(what, " was not solved: ", to_string(report.status), " after ",
                              report.iterations, " iterations");
   if (!reason.empty()) message += ": " + reason;
   if (std::isfinite(solution.certificate.worst()))
     message += text("; certificate: ", solution.certificate);
-  throw NotSolved(message);
+  throw NotSolved(with_notes(message, solution.notes));
 }
 
 Solution solve(const Scene& scene) {
