@@ -112,6 +112,10 @@ std::string motion_in_words(const Eigen::Vector3d& motion, const ConnectedBody& 
 
 }  // namespace
 
+Index count_pieces(const Mesh& mesh) {
+  return static_cast<Index>(connected_bodies(mesh).size());
+}
+
 std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns) {
   std::vector<FreeMotion> found;
   for (const ConnectedBody& body : connected_bodies(mesh))

@@ -15,6 +15,10 @@ struct FreeMotion {
   Eigen::VectorXd shape;  ///< `n` displacement of each unknown, at most about 1 [-]
 };
 
+/// \param mesh  any
+/// \return how many pieces it has that share no node with each other; nodes without a cell do not count
+[[nodiscard]] Eigen::Index count_pieces(const Mesh& mesh);
+
 /// Finds the rigid motions that the supports leave to each connected body of the mesh.
 /// \param mesh      one body or several
 /// \param unknowns  `n` of it
