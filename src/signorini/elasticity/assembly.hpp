@@ -46,6 +46,13 @@ struct LinearSystem {
 /// \throws ProblemError naming both numbers if they differ
 void check_element(const Mesh& mesh, const Element& element);
 
+/// K with every entry in its place, and zero: unknowns are joined if their nodes share a cell.
+/// \param mesh      the body
+/// \param unknowns  `n` of it
+/// \return `n x n` compressed, both triangles
+[[nodiscard]] Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh,
+                                                            const Unknowns& unknowns);
+
 /// Stiffness of one cell: the integral of \f$ B^T D B \f$ over its volume.
 /// \param element  of the cell, `m` nodes
 /// \param cell     from cell_body()

@@ -95,8 +95,12 @@ Condensed condense(const Model& model, Ledger& ledger) {
   Condensed condensed{telling(model.notes, [&] { return factor(model, ledger); }), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
   condensed.free_displacement = condensed.factor.solve(programme.load);
+  const long long one_solve = static_cast<long long>(condensed.factor.solve_operations());
+  ledger.count("operations", one_solve);
+  ledger.count("operations of one solve", one_solve);
   ContactProblem& problem = condensed.problem;
-  problem.compliance = condensed.factor.compliance(programme.A);
+  problem.compliance = condensed.factor.compliance(programme.A, ledger);
+  ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
   const VectorXd free =
       gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
   problem.law = model.law;
@@ -109,9 +113,12 @@ Condensed condense(const Model& model, Ledger& ledger) {
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger) {
-  const CondensedProgramme small{
-      condensed.problem, condensed.free_displacement,
-      [&](const VectorXd& load) { return condensed.factor.solve(load); }};
+  const long long one_solve = static_cast<long long>(condensed.factor.solve_operations());
+  const CondensedProgramme small{condensed.problem, condensed.free_displacement,
+                                 [&](const VectorXd& load) {
+                                   ledger.count("operations", one_solve);
+                                   return condensed.factor.solve(load);
+                                 }};
   CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),
                                    find_solver(solver), {}, ledger);
   Solution solution;
