@@ -230,15 +230,17 @@ const Keys<BodyDraft>& body_keys() {
   static const Keys<BodyDraft> keys = {
       {{"name", "text", "", "\"body\"", "of the body; no other body has it"},
        [](const Value& value, BodyDraft& draft) { take(value, draft.body.mesh.name); }},
-      {{"mesh", "table", "", "", "see meshes", true},
+      {{"mesh", "table", "", "",
+        "such as { kind = \"block\", size = [50, 5], cells = [100, 10] }, see meshes", true},
        [](const Value& value, BodyDraft& draft) {
          draft.body.mesh = read_mesh(value, draft.body.mesh.name);
        }},
       {{"element", "text", "", written(Body().element), "of the cells: " + names_of(elements())},
        [](const Value& value, BodyDraft& draft) {
          take_member(value, elements(), "element", draft.body.element);
+         value.explain([&] { check_element(draft.body.mesh, find_element(draft.body.element)); });
        }},
-      {{"material", "table", "", "the material of the scene", "see material"},
+      {{"material", "table", "", "that of the scene", "see material"},
        [](const Value& value, BodyDraft& draft) {
          draft.body.material = {};
          read_members(value, material_keys(), draft.body.material);
