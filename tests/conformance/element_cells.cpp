@@ -21,7 +21,7 @@ const Material steel{21000, 0.29, PlaneState::Strain, 1};
 
 CellMatrix stiffness_of(const Element& element, const CellNodes& nodes,
                         const Material& material = steel) {
-  return cell_stiffness(element, nodes, elasticity_matrix(material), material.thickness);
+  return cell_stiffness(element, cell_body(nodes, elasticity_matrix(material), depth_of(material)));
 }
 
 /// Displacements of a cell's nodes under u = a + F x.
@@ -92,7 +92,7 @@ TEST_CASE("every element: rigid motions cause no strain anywhere in a distorted 
     CAPTURE(element.name);
     const CellNodes nodes = distorted_cell(element);
     StrainPoints points;
-    element.strain(nodes, elasticity_matrix(steel), points);
+    element.strain(cell_body(nodes, elasticity_matrix(steel), depth_of(steel)), points);
     REQUIRE(points.size > 0);
     const CellVector rigid[] = {linear_motion(nodes, {1, 0}, Eigen::Matrix2d::Zero()),
                                 linear_motion(nodes, {0, 1}, Eigen::Matrix2d::Zero()),
@@ -118,13 +118,13 @@ TEST_CASE("every element: a linear displacement has its exact strain and area ov
     for (int k = 0; k < 4; ++k)
       area += 0.5 * (nodes(k, 0) * nodes((k + 1) % 4, 1) - nodes(k, 1) * nodes((k + 1) % 4, 0));
     StrainPoints points;
-    element.strain(nodes, elasticity_matrix(steel), points);
+    element.strain(cell_body(nodes, elasticity_matrix(steel), depth_of(steel)), points);
     Eigen::Vector3d integral = Eigen::Vector3d::Zero();
     double sum = 0;
     for (int i = 0; i < points.size; ++i) {
       const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
-      integral += point.area * (point.B * linear_motion(nodes, {1, 2}, F));
-      sum += point.area;
+      integral += point.volume * (point.B * linear_motion(nodes, {1, 2}, F));
+      sum += point.volume;
     }
     CHECK(sum == Approx(area).epsilon(1e-14).margin(0));
     CHECK((integral - area * exact).norm() < 1e-13);

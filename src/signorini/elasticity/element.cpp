@@ -45,24 +45,24 @@ Jacobian jacobian(const Shape& shape, const CellNodes& nodes) {
   return map;
 }
 
-StrainMatrix strain_matrix(const CellNodes& gradient) {
-  StrainMatrix B = StrainMatrix::Zero(3, 2 * gradient.rows());
+void write_strain_matrix(const CellNodes& gradient, StrainMatrix& B) {
+  B.setZero(3, 2 * gradient.rows());
   for (Eigen::Index k = 0; k < gradient.rows(); ++k) {
     B(0, 2 * k) = B(2, 2 * k + 1) = gradient(k, 0);
     B(1, 2 * k + 1) = B(2, 2 * k) = gradient(k, 1);
   }
-  return B;
 }
 
 void sample_strain(Shape (*shape)(double xi, double eta), const std::vector<GaussPoint>& rule,
-                   const CellNodes& nodes, StrainPoints& points) {
+                   const CellBody& cell, StrainPoints& points) {
   points.size = 0;
   for (const GaussPoint& gauss : rule) {
-    const Jacobian map = jacobian(shape(gauss.xi, gauss.eta), nodes);
+    const Shape at = shape(gauss.xi, gauss.eta);
+    const Jacobian map = jacobian(at, cell.arms);
     StrainPoint& point = points.point[static_cast<std::size_t>(points.size++)];
     point.local << gauss.xi, gauss.eta;
-    point.area = gauss.weight * map.determinant;
-    point.B = strain_matrix(map.gradient);
+    point.volume = gauss.weight * map.determinant * cell.depth_at(at.value);
+    write_strain_matrix(map.gradient, point.B);
   }
 }
 

@@ -72,17 +72,17 @@ void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displ
   const StressArray stress = nodal_stress(mesh, body.element, body.material, displacements);
   Eigen::VectorXd mises(n_nodes);
   for (Index node = 0; node < n_nodes; ++node)
-    mises(node) = von_mises(body.material, stress.row(node).transpose());
+    mises(node) = von_mises(stress.row(node).transpose());
   out << "    <Piece NumberOfPoints=\"" << n_nodes << "\" NumberOfCells=\"" << mesh.n_cells()
       << "\">\n      <PointData Vectors=\"displacement\">\n";
   write_array(out, "displacement", displacements, 3);
-  write_array(out, "stress", stress, 3);
+  write_array(out, "stress", stress, 4);
   write_array(out, "von_mises", mises, 1);
   write_array(out, "contact_pressure", contact.pressure.segment(body.first_node, n_nodes), 1);
   write_array(out, "contact_gap", contact.gap.segment(body.first_node, n_nodes), 1);
   write_array(out, "contact_status", contact.status.segment(body.first_node, n_nodes), 1);
   out << "      </PointData>\n      <CellData>\n";
-  write_array(out, "cell_stress", cell_stress(mesh, body.element, body.material, displacements), 3);
+  write_array(out, "cell_stress", cell_stress(mesh, body.element, body.material, displacements), 4);
   out << "      </CellData>\n      <Points>\n";
   write_array(out, "points", mesh.nodes, 3);
   out << "      </Points>\n";

@@ -69,7 +69,7 @@ BoundaryForces boundary_forces(const SolvedScene& run, const Side& side) {
     for (int axis = 0; axis < 2; ++axis)
       if (own.unknowns.number(node, axis) < 0) force(node, axis) += support(node, axis);
   return {own.mesh.nodes(nodes, Eigen::all), force(nodes, Eigen::all),
-          boundary_weights(own.mesh, side.boundary, own.material.thickness)};
+          boundary_weights(own.mesh, side.boundary, depth_of(own.material))};
 }
 
 }  // namespace signorini
