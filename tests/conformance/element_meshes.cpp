@@ -113,7 +113,7 @@ double manufactured_error(const Element& element, Index n) {
     const CellNodes nodes = cell_nodes(mesh, cell);
     CellNodes values(element.n_nodes, 2);
     for (Index k = 0; k < element.n_nodes; ++k) values.row(k) = u.row(mesh.cells(cell, k));
-    for (const GaussPoint& gauss : gauss_square(3)) {
+    for (const GaussPoint& gauss : gauss_cell(element)) {
       const Shape shape = element.shape(gauss.xi, gauss.eta);
       const Vector2d x = nodes.transpose() * shape.value;
       const Vector2d computed = values.transpose() * shape.value;

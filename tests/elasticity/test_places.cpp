@@ -20,7 +20,7 @@ namespace {
 /// Nodal forces of a force at one place, for a sheet half as thick as a unit: that must not matter.
 NodeArray forces(const Mesh& mesh, const Vector2d& point, const Vector2d& force) {
   const Element& element = find_element(mesh.cells.cols() == 8 ? "q8" : "q4");
-  return nodal_loads(mesh, element, {1000, 0.3, PlaneState::Stress, 0.5},
+  return nodal_loads(mesh, element, Material{1000, 0.3, PlaneState::Stress, 0.5},
                      {{}, {}, {{point, force}}});
 }
 

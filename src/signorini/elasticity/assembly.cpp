@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/elasticity/elements.hpp"
 #include "signorini/mesh/side_curve.hpp"
 
 namespace signorini {
@@ -25,8 +26,8 @@ void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit
 
 /// A curved cell can fold although its corners are in order; the map then turns over at some point.
 void check_unfolded(const Cell& cell) {
-  if (cell.element.n_nodes == 4) return;  // for straight sides the corners decide, see check_mesh()
-  for (const GaussPoint& at : gauss_square(3))
+  if (cell.element.n_nodes <= 4) return;  // for straight sides the corners decide, see check_mesh()
+  for (const GaussPoint& at : gauss_cell(cell.element))
     pose(jacobian(cell.element.shape(at.xi, at.eta), cell.body.arms).determinant > 0, "mesh '",
          cell.mesh.name, "': cell ", cell.number,
          " folds over itself: move the middle nodes of its sides closer to the straight lines");
@@ -79,19 +80,36 @@ struct CellsAround {
 CellsAround cells_around(const Mesh& mesh) {
   CellsAround around{Eigen::ArrayX<Index>::Zero(mesh.n_nodes() + 1),
                      Eigen::ArrayX<Index>(mesh.cells.size())};
-  for (Index k = 0; k < mesh.cells.size(); ++k) ++around.first(mesh.cells.data()[k]);
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (Index k = 0; k < mesh.cell_size(cell); ++k) ++around.first(mesh.cells(cell, k));
   for (Index node = 0; node < mesh.n_nodes(); ++node) around.first(node + 1) += around.first(node);
   for (Index cell = mesh.n_cells() - 1; cell >= 0; --cell)
-    for (Index k = 0; k < mesh.cells.cols(); ++k)
+    for (Index k = 0; k < mesh.cell_size(cell); ++k)
       around.cell(--around.first(mesh.cells(cell, k))) = cell;
   return around;
+}
+
+/// Nodes of its largest cell; in a mixed mesh that is a quadrilateral.
+Index largest_cell(const Mesh& mesh) {
+  Index size = 0;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) size = std::max(size, mesh.cell_size(cell));
+  return size;
 }
 
 }  // namespace
 
 void check_element(const Mesh& mesh, const Element& element) {
-  pose(mesh.cells.cols() == element.n_nodes, "mesh '", mesh.name, "' has cells of ",
-       mesh.cells.cols(), " nodes, but the element ", element.name, " needs ", element.n_nodes);
+  const Index size = largest_cell(mesh);
+  pose(size == element.n_nodes, "mesh '", mesh.name, "' has cells of ", size,
+       " nodes, but the element ", element.name, " needs ", element.n_nodes);
+}
+
+const Element& element_for(const Mesh& mesh, const std::string& name) {
+  static const std::map<Index, const char*> usual = {
+      {3, "t3"}, {4, "q4_incompatible"}, {6, "t6"}, {8, "q8"}};
+  const Element& element = find_element(name.empty() ? usual.at(largest_cell(mesh)) : name);
+  check_element(mesh, element);
+  return element;
 }
 
 CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
@@ -135,10 +153,12 @@ Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& 
     const Index node = unknowns.node_of[static_cast<std::size_t>(column)];
     if (node != last) {
       rows.clear();
-      for (Index k = around.first(node); k < around.first(node + 1); ++k)
-        for (const Index other : mesh.cells.row(around.cell(k)))
-          for (const Index number : unknowns.number.row(other))
+      for (Index k = around.first(node); k < around.first(node + 1); ++k) {
+        const Index cell = around.cell(k);
+        for (Index j = 0; j < mesh.cell_size(cell); ++j)
+          for (const Index number : unknowns.number.row(mesh.cells(cell, j)))
             if (number >= 0) rows.push_back(number);
+      }
       std::sort(rows.begin(), rows.end());
       rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
       last = node;

@@ -40,8 +40,9 @@ struct LinearSystem {
   Eigen::VectorXd load;                   ///< p `n` [force], with what given displacements cause
 };
 
-/// Checks that an element has as many nodes as the cells it is to be used in.
-/// \param mesh     cells of 4 or 8 nodes
+/// Checks that an element has as many nodes as the cells it is to be used in; where quadrilaterals and triangles
+/// are mixed, as the quadrilaterals.
+/// \param mesh     any
 /// \param element  a member of the family
 /// \throws ProblemError naming both numbers if they differ
 void check_element(const Mesh& mesh, const Element& element);
@@ -52,6 +53,14 @@ void check_element(const Mesh& mesh, const Element& element);
 /// \return `n x n` compressed, both triangles
 [[nodiscard]] Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh,
                                                             const Unknowns& unknowns);
+
+/// The element for a mesh.
+/// \param mesh  through check_mesh()
+/// \param name  of a member of the family; empty for the usual one: t3, q4_incompatible, t6 or q8, whatever its cells
+///   need
+/// \return that member
+/// \throws ProblemError as find_element() and check_element()
+[[nodiscard]] const Element& element_for(const Mesh& mesh, const std::string& name);
 
 /// Stiffness of one cell: the integral of \f$ B^T D B \f$ over its volume.
 /// \param element  of the cell, `m` nodes

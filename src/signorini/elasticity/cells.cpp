@@ -1,13 +1,19 @@
 #include "signorini/elasticity/cells.hpp"
 
+#include "signorini/elasticity/elements.hpp"
+
 namespace signorini {
 
 using Eigen::Index;
 
 CellNodes cell_nodes(const Mesh& mesh, Index cell) {
-  CellNodes nodes(mesh.cells.cols(), 2);
-  for (Index k = 0; k < mesh.cells.cols(); ++k) nodes.row(k) = mesh.nodes.row(mesh.cells(cell, k));
+  CellNodes nodes(mesh.cell_size(cell), 2);
+  for (Index k = 0; k < nodes.rows(); ++k) nodes.row(k) = mesh.nodes.row(mesh.cells(cell, k));
   return nodes;
+}
+
+const Element& triangle_beside(const Mesh& mesh) {
+  return find_element(mesh.order() == MeshOrder::Linear ? "t3" : "t6");
 }
 
 CellBody cell_body(const CellNodes& nodes, const Elasticity& D, const Depth& depth) {

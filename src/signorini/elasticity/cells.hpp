@@ -28,6 +28,11 @@ struct Cell {
 /// \return positions in the order of the cell [length]
 [[nodiscard]] CellNodes cell_nodes(const Mesh& mesh, Eigen::Index cell);
 
+/// The element of the triangles in a mesh that has quadrilaterals as well.
+/// \param mesh  any
+/// \return t3 or t6, which has as many nodes per side
+[[nodiscard]] const Element& triangle_beside(const Mesh& mesh);
+
 /// A cell as an element sees it.
 /// \param nodes  `m x 2` positions [length]
 /// \param D      elasticity_matrix() of its material [force/length^2]
@@ -43,7 +48,7 @@ struct Cell {
 
 /// Calls visit(cell) for every cell of a body, in their order.
 /// \param mesh      the body
-/// \param element   of its cells
+/// \param element   of its cells, of as many corners; triangles beside quadrilaterals are triangle_beside()
 /// \param material  of its cells
 /// \param visit     gets a Cell
 /// \throws ProblemError as check_material()
@@ -52,13 +57,15 @@ void visit_cells(const Mesh& mesh, const Element& element, const Material& mater
                  Visit&& visit) {
   const Elasticity D = elasticity_matrix(material);
   const Depth depth = depth_of(material);
+  const Element& triangle = element.corners() == 3 ? element : triangle_beside(mesh);
   for (Eigen::Index number = 0; number < mesh.n_cells(); ++number)
-    visit(Cell{number, element, material, cell_body(cell_nodes(mesh, number), D, depth), mesh});
+    visit(Cell{number, mesh.corners(number) == 3 ? triangle : element, material,
+               cell_body(cell_nodes(mesh, number), D, depth), mesh});
 }
 
 /// Calls visit(cell, points) for every cell of a body with its strain points.
 /// \param mesh      the body
-/// \param element   of its cells
+/// \param element   of its cells, as in visit_cells()
 /// \param material  of its cells
 /// \param visit     gets a Cell and its StrainPoints
 /// \throws ProblemError as check_material()

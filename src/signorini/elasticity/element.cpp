@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -92,6 +93,42 @@ const std::vector<GaussPoint>& gauss_square(int n) {
   static const std::vector<GaussPoint> rules[] = {product(2), product(3)};
   require(n == 2 || n == 3, "gauss_square: rules have 2 x 2 or 3 x 3 points, got n = ", n);
   return rules[n - 2];
+}
+
+const std::vector<GaussPoint>& gauss_triangle(int n) {
+  // The three places (a, a), (1 - 2 a, a), (a, 1 - 2 a), each of the same weight.
+  const auto three = [](double a, double weight, std::vector<GaussPoint>& rule) {
+    for (const auto& [xi, eta] : {std::pair(a, a), {1 - 2 * a, a}, {a, 1 - 2 * a}})
+      rule.push_back({xi, eta, weight});
+  };
+  static const std::array<std::vector<GaussPoint>, 2> rules = [&three] {
+    std::array<std::vector<GaussPoint>, 2> made;
+    three(1.0 / 6, 1.0 / 6, made[0]);
+    const double root = std::sqrt(10.0);
+    const double place = std::sqrt(38 - 44 * std::sqrt(0.4));
+    const double share = std::sqrt(213125 - 53320 * root);
+    three((8 - root + place) / 18, (620 + share) / 7440, made[1]);
+    three((8 - root - place) / 18, (620 - share) / 7440, made[1]);
+    return made;
+  }();
+  require(n == 3 || n == 6, "gauss_triangle: rules have 3 or 6 points, got ", n);
+  return rules[n == 3 ? 0 : 1];
+}
+
+const std::vector<GaussPoint>& gauss_cell(const Element& element) {
+  return element.corners() == 3 ? gauss_triangle(6) : gauss_square(3);
+}
+
+CellNodes reference_nodes(const Element& element) {
+  const int n = element.corners();
+  CellNodes nodes(element.n_nodes, 2);
+  if (n == 3)
+    nodes.topRows(3) << 0, 0, 1, 0, 0, 1;
+  else
+    nodes.topRows(4) << -1, -1, 1, -1, 1, 1, -1, 1;
+  for (Eigen::Index k = n; k < element.n_nodes; ++k)
+    nodes.row(k) = 0.5 * (nodes.row(k - n) + nodes.row((k - n + 1) % n));
+  return nodes;
 }
 
 }  // namespace signorini

@@ -85,7 +85,8 @@ struct CellBody {
   }
 };
 
-/// Shape functions at one place of the reference square [-1, 1]^2.
+/// Shape functions at one place of the reference cell: the square [-1, 1]^2, or the triangle with the corners
+/// (0, 0), (1, 0) and (0, 1).
 struct Shape {
   CellScalars value;  ///< N [-]
   CellNodes slope;    ///< dN/dxi in column 0, dN/deta in column 1 [-]
@@ -113,15 +114,18 @@ struct StrainPoints {
 struct Element {
   const char* name;      ///< as in find_element() and in a scene
   const char* summary;   ///< one line for lists
-  Eigen::Index n_nodes;  ///< 4 or 8, in the order of Mesh
+  Eigen::Index n_nodes;  ///< 3, 4, 6 or 8, in the order of Mesh
   int degree;  ///< complete polynomials it contains; displacements converge with degree + 1
-  /// Shape functions at (xi, eta) of the reference square.
+  /// Shape functions at (xi, eta) of the reference cell.
   Shape (*shape)(double xi, double eta);
   /// Fills `points` for a cell; B has as many rows as its D.
   void (*strain)(const CellBody& cell, StrainPoints& points);
+
+  /// \return number of corners: 4 if the reference cell is the square, 3 if it is the triangle
+  [[nodiscard]] int corners() const { return n_nodes % 3 == 0 ? 3 : 4; }
 };
 
-/// Map from the reference square to a cell at one place.
+/// Map from the reference cell to a cell at one place.
 struct Jacobian {
   Eigen::Matrix2d matrix;  ///< rows d/dxi, d/deta of (x, y) [length]
   double determinant;      ///< [length^2]
@@ -150,15 +154,30 @@ struct GaussPoint {
 /// \return points with xi running first; the weights add up to 4
 /// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_square(int n);
+/// Rules of Gauss's kind on the triangle (0, 0), (1, 0), (0, 1), with all points inside and positive weights
+/// [\ref Cowper1973].
+/// \param n  3, exact for polynomials of degree 2; or 6, of degree 4
+/// \return points; the weights add up to 1/2
+/// \throws std::invalid_argument for other n
+[[nodiscard]] const std::vector<GaussPoint>& gauss_triangle(int n);
 /// The Gauss rule on the interval [-1, 1], exact for polynomials of degree 2 n - 1.
 /// \param n  1 to 16
 /// \return points with eta = 0 and xi increasing; the weights add up to 2
 /// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_line(int n);
 
+/// The largest rule on the reference cell of an element.
+/// \param element  any
+/// \return gauss_square(3) or gauss_triangle(6)
+[[nodiscard]] const std::vector<GaussPoint>& gauss_cell(const Element& element);
+/// Where the nodes are in the reference cell of an element.
+/// \param element  any
+/// \return `n_nodes x 2` (xi, eta): corners, and midpoints of the sides [-]
+[[nodiscard]] CellNodes reference_nodes(const Element& element);
+
 /// The plain strain operator at the points of a rule, without internal modes.
 /// \param shape   shape functions of the element
-/// \param rule    gauss_square() of 2 or 3
+/// \param rule    on the reference cell of the element
 /// \param cell    any
 /// \param points  receives place, volume and B of every point of the rule, in its order
 void sample_strain(Shape (*shape)(double xi, double eta), const std::vector<GaussPoint>& rule,

@@ -1,5 +1,6 @@
 #include "signorini/elasticity/stress.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "signorini/core/dense.hpp"
@@ -42,19 +43,21 @@ void visit_stresses(const Mesh& mesh, const Element& element, const Material& ma
   });
 }
 
-/// Takes values at the strain points to the nodes through the bilinear function that fits them best.
+/// Takes values at the strain points to the nodes through the function that fits them best: bilinear on the square,
+/// linear on the triangle.
 Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points) {
-  const auto monomials = [](const Eigen::Vector2d& x) {
-    return Eigen::RowVector4d(1, x.x(), x.y(), x.x() * x.y());
+  const Index n_terms = element.corners();
+  const auto monomials = [n_terms](double x, double y) {
+    return Eigen::RowVector4d(1, x, y, x * y).head(n_terms).eval();
   };
-  Eigen::MatrixXd at_points(points.size, 4);
-  for (int i = 0; i < points.size; ++i)
-    at_points.row(i) = monomials(points.point[static_cast<std::size_t>(i)].local);
-  const Eigen::Vector2d corner[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  Eigen::MatrixXd at_nodes(element.n_nodes, 4);
-  for (Index k = 0; k < element.n_nodes; ++k)
-    at_nodes.row(k) =
-        monomials(k < 4 ? corner[k] : Eigen::Vector2d(0.5 * (corner[k - 4] + corner[(k - 3) % 4])));
+  Eigen::MatrixXd at_points(points.size, n_terms);
+  for (int i = 0; i < points.size; ++i) {
+    const Eigen::Vector2d& local = points.point[static_cast<std::size_t>(i)].local;
+    at_points.row(i) = monomials(local.x(), local.y());
+  }
+  const CellNodes nodes = reference_nodes(element);
+  Eigen::MatrixXd at_nodes(element.n_nodes, n_terms);
+  for (Index k = 0; k < element.n_nodes; ++k) at_nodes.row(k) = monomials(nodes(k, 0), nodes(k, 1));
   return at_nodes * pseudo_inverse(at_points);
 }
 
@@ -64,9 +67,10 @@ StressArray nodal_stress(const Mesh& mesh, const Element& element, const Materia
                          const NodeArray& displacements) {
   StressArray stress = StressArray::Zero(mesh.n_nodes(), 4);
   Eigen::VectorXd cells_at = Eigen::VectorXd::Zero(mesh.n_nodes());
-  Eigen::MatrixXd to_nodes;
+  std::array<Eigen::MatrixXd, 2> of_kind;  // triangles, quadrilaterals
   visit_stresses(mesh, element, material, displacements,
                  [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
+                   Eigen::MatrixXd& to_nodes = of_kind[cell.element.corners() == 3 ? 0 : 1];
                    if (to_nodes.size() == 0) to_nodes = extrapolation(cell.element, points);
                    for (Index k = 0; k < cell.element.n_nodes; ++k) {
                      stress.row(cell.node(k)) += to_nodes.row(k) * at_points;

@@ -14,7 +14,7 @@ namespace signorini {
 using StressArray = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
 /// Stress at the nodes: the values at the strain points of each cell are fitted by a bilinear
-/// function, evaluated at the nodes and averaged over the cells that meet there.
+/// function (of a triangle, linear), evaluated at the nodes and averaged over the cells that meet there.
 /// \param mesh           the body
 /// \param element        fits its cells
 /// \param material       of all cells

@@ -33,7 +33,7 @@ struct Temperature {
 /// An elastic body, what holds it and what loads it. The name of its mesh is the name of the body.
 struct Body {
   Mesh mesh;                                    ///< has a name that no other body has
-  std::string element = "q4_incompatible";      ///< name in elements(); fits the cells
+  std::string element;                          ///< name in elements(); empty: see element_for()
   Material material;                            ///< of all cells that are in no layer
   std::vector<Layer> layers;                    ///< none by default
   std::vector<Support> supports;                ///< may leave rigid motions if contact stops them
