@@ -7,8 +7,8 @@
 
 namespace signorini_test {
 
-/// Whether any contact of a scene rubs.
-enum class RandomScenes { Frictionless, Frictional };
+/// Whether any contact of a scene rubs, or its bodies are bodies of revolution.
+enum class RandomScenes { Frictionless, Frictional, Revolved };
 
 /// A scene and what it is, in words.
 struct RandomScene {
@@ -27,7 +27,8 @@ struct RandomScene {
 ///
 /// Only whole numbers are drawn, and all numbers come from them by single roundings before a mesh is made.
 /// \param seed  names the scene
-/// \param kind  Frictional: at least one contact rubs
+/// \param kind  Frictional: at least one contact rubs. Revolved: the frictionless scene of the same seed as the
+///   cross-section of bodies of revolution, which reach the axis or keep off it by up to three sizes
 /// \return the scene, with the default solvers
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind);
 

@@ -27,17 +27,20 @@ void plan_body(const Body& body, Plan& plan) {
   const Element& element = find_element(body.element);
   check_element(body.mesh, element);
   check_material(body.material);
-  Unknowns unknowns = number_unknowns(body.mesh, body.supports);
+  Unknowns unknowns = number_unknowns(body.mesh, body.supports, body.material.state);
   const Index count = unknowns.count;
-  const bool stress = body.material.state == PlaneState::Stress;
+  const PlaneState state = body.material.state;
+  const char* const state_name = state == PlaneState::Stress   ? "plane stress"
+                                 : state == PlaneState::Strain ? "plane strain"
+                                                               : "axial symmetry";
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ", body.element, ", ",
-                         count, " unknowns, plane ", stress ? "stress" : "strain"));
+                         count, " unknowns, ", state_name));
   plan.on.push_back(
       text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
-  if (body.element == "q4" && !stress && body.material.poisson_ratio > 0.4)
-    plan.notes.push_back(
-        text("q4 locks for Poisson's ratio ", body.material.poisson_ratio,
-             " in plane strain and bears too much load: use q4_bbar or q4_incompatible"));
+  if (body.element == "q4" && state != PlaneState::Stress && body.material.poisson_ratio > 0.4)
+    plan.notes.push_back(text("q4 locks for Poisson's ratio ", body.material.poisson_ratio, " in ",
+                              state_name,
+                              " and bears too much load: use q4_bbar or q4_incompatible"));
   const bool first = plan.bodies.empty();
   const Index first_node = first ? 0 : count_nodes(plan.bodies);
   const Index first_unknown =
@@ -52,7 +55,7 @@ void plan_unknowns(Plan& plan) {
   for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
   plan.unknowns = joined(unknowns);
   for (const BodyModel& body : plan.bodies)
-    for (FreeMotion& mode : free_motions(body.mesh, body.unknowns)) {
+    for (FreeMotion& mode : free_motions(body.mesh, body.unknowns, body.material.state)) {
       const Eigen::VectorXd own = std::move(mode.shape);
       mode.shape.setZero(plan.unknowns.count);
       mode.shape.segment(body.first_unknown, own.size()) = own;
