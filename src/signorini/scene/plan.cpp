@@ -39,8 +39,8 @@ std::string elements_in_words(const Mesh& mesh, const Element& element) {
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
   const auto sentence = [&](const char* name, const char* way_out) {
-    return text(name, " locks for Poisson's ratio ", material.poisson_ratio,
-                " in plane strain and bears too much load: use ", way_out);
+    return text(name, " locks for Poisson's ratio ", material.poisson_ratio, " in ",
+                to_string(material.state), " and bears too much load: use ", way_out);
   };
   if (locks && std::string(element.name) == "q4")
     return sentence("q4", "q4_bbar or q4_incompatible");
@@ -57,12 +57,11 @@ void plan_body(const Body& body, Plan& plan) {
   plan.quality.push_back(check_mesh(body.mesh));
   const Element& element = element_for(body.mesh, body.element);
   check_material(body.material);
-  Unknowns unknowns = number_unknowns(body.mesh, body.supports);
+  Unknowns unknowns = number_unknowns(body.mesh, body.supports, body.material.state);
   const Index count = unknowns.count;
-  const bool stress = body.material.state == PlaneState::Stress;
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",
-                         elements_in_words(body.mesh, element), ", ", count, " unknowns, plane ",
-                         stress ? "stress" : "strain"));
+                         elements_in_words(body.mesh, element), ", ", count, " unknowns, ",
+                         to_string(body.material.state)));
   plan.on.push_back(
       text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
   const std::string note = note_on_locking(body.mesh, element, body.material);
