@@ -11,7 +11,7 @@ namespace signorini_test {
 enum class RandomScenes {
   Frictionless,
   Frictional,
-  Varied  ///< as Frictional, and often with point forces, springs, interference or adjusted gaps
+  Varied  ///< as Frictional, and often with point forces, springs, layers, heat, interference, adjusted gaps
 };
 
 /// A scene and what it is, in words.
