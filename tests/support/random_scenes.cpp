@@ -266,6 +266,21 @@ void Drawing::vary(Body& body) {
     draw_.say("; force ", force);
   }
   if (draw_.chance(5)) {
+    body.material.expansion = 1;
+    body.temperature = Temperature{make_->load * draw_.sixteenths(-4, 16), {0, 0}};
+    if (draw_.chance(8)) body.temperature->gradient = make_->load / length * Vector2d(1, -0.5);
+    draw_.say("; warmer by ", body.temperature->uniform);
+  }
+  if (draw_.chance(5)) {
+    for (Eigen::Index cell = 0; cell < body.mesh.n_cells(); ++cell)
+      if (draw_.chance(8)) body.mesh.regions["other"].push_back(cell);
+    Material other = body.material;
+    other.youngs_modulus *= draw_.decade(-4, 4);
+    other.poisson_ratio = draw_.pick({0.0, 0.3, 0.49});
+    if (!body.mesh.regions.empty()) body.layers = {{"other", other}};
+    draw_.say("; layer E ", other.youngs_modulus, ", nu ", other.poisson_ratio);
+  }
+  if (draw_.chance(5)) {
     const double stiffness = make_->stress / length * draw_.decade(-3, 3);
     body.springs = {{boundary, {stiffness, draw_.chance(8) ? stiffness : 0}}};
     if (draw_.chance(8))

@@ -11,7 +11,7 @@ namespace signorini_test {
 enum class RandomScenes {
   Frictionless,
   Frictional,
-  Varied,   ///< as Frictional, and often with point forces, springs, interference or adjusted gaps
+  Varied,  ///< as Frictional, and often with point forces, springs, layers, heat, interference, adjusted gaps
   Revolved  ///< the cross-sections are of bodies of revolution
 };
 

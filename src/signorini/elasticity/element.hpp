@@ -113,9 +113,13 @@ struct StrainPoints {
   int size = 0;                                      ///< how many there are
 };
 
+/// A strain at each strain point of a cell, one column per point: xx, yy, 2 xy, in axial symmetry also hoop [-].
+using PointStrains =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 4, max_strain_points>;
+
 /// One member of the family.
 ///
-/// Everything else (stiffness, loads, stresses) follows from the two functions. The strain operator
+/// Everything else (stiffness, loads, stresses) follows from its functions. The strain operator
 /// may depend on D, because internal modes are condensed with it; it must give zero strain for
 /// every rigid motion and the exact strain for every linear displacement (after integration over
 /// the cell).
@@ -128,6 +132,9 @@ struct Element {
   Shape (*shape)(double xi, double eta);
   /// Fills `points` for a cell; B has as many rows as its D.
   void (*strain)(const CellBody& cell, StrainPoints& points);
+  /// Takes from strains at those points what internal modes give way to where nothing moves the nodes; null if there
+  /// are no modes. A uniform strain they leave alone.
+  void (*relax)(const CellBody& cell, const StrainPoints& points, PointStrains& strains) = nullptr;
 
   /// \return number of corners: 4 if the reference cell is the square, 3 if it is the triangle
   [[nodiscard]] int corners() const { return n_nodes % 3 == 0 ? 3 : 4; }

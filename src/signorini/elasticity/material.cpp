@@ -18,6 +18,8 @@ void check_material(const Material& material) {
   pose(E > 0 && std::isfinite(E), "material: Young's modulus must be positive, got ", E);
   pose(material.thickness > 0 && std::isfinite(material.thickness),
        "material: thickness must be positive, got ", material.thickness);
+  pose(std::isfinite(material.expansion), "material: the thermal expansion must be a number, got ",
+       material.expansion);
   pose(nu > -1 && nu <= 0.5, "material: Poisson's ratio must lie between -1 and 0.5, got ", nu);
   pose(nu < 0.5 || material.state == PlaneState::Stress,
        "material: Poisson's ratio 0.5 makes the body incompressible, and its stiffness in plane "
@@ -49,11 +51,13 @@ Elasticity elasticity_matrix(const Material& material) {
   return D;
 }
 
-double stress_across(const Material& material, const Eigen::Vector3d& stress) {
+double stress_across(const Material& material, const Eigen::Vector3d& stress, double warmer) {
   require(material.state != PlaneState::Axial,
           "stress_across: in axial symmetry the hoop stress does not follow from the others");
-  return material.state == PlaneState::Stress ? 0.0
-                                              : material.poisson_ratio * (stress(0) + stress(1));
+  return material.state == PlaneState::Stress
+             ? 0.0
+             : material.poisson_ratio * (stress(0) + stress(1)) -
+                   material.youngs_modulus * material.expansion * warmer;
 }
 
 }  // namespace signorini

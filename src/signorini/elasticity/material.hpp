@@ -68,8 +68,10 @@ void check_material(const Material& material);
 /// Stress across the plane from the stress in it.
 /// \param material  whose state and Poisson's ratio count
 /// \param stress    (xx, yy, xy) [force/length^2], tension positive
-/// \return nu (xx + yy) in plane strain, 0 in plane stress [force/length^2]
+/// \param warmer    how much warmer than without stress [temperature]
+/// \return nu (xx + yy) - E alpha times that in plane strain, 0 in plane stress [force/length^2]
 /// \throws std::invalid_argument in axial symmetry, where it is a component of its own
-[[nodiscard]] double stress_across(const Material& material, const Eigen::Vector3d& stress);
+[[nodiscard]] double stress_across(const Material& material, const Eigen::Vector3d& stress,
+                                   double warmer = 0);
 
 }  // namespace signorini

@@ -47,14 +47,21 @@ void subtract_mean(const StrainPoints& points, std::array<ModeStrain<4>, 4>& mod
   for (ModeStrain<4>& mode : modes) mode -= mean / volume;
 }
 
+/// The strains of the modes at the strain points.
 template <int n_rows>
-void add_modes(const CellBody& cell, StrainPoints& points) {
-  const auto& D = fixed_rows<n_rows>(cell.D);
+std::array<ModeStrain<n_rows>, 4> mode_strains(const CellBody& cell, const StrainPoints& points) {
   const Jacobian centre = jacobian(bilinear_shape(0, 0), cell.arms);
   std::array<ModeStrain<n_rows>, 4> modes;
   for (std::size_t i = 0; i < 4; ++i)
     modes[i] = mode_strain<n_rows>(cell, points.point[i], gauss_square(2)[i].weight, centre);
   if constexpr (n_rows == 4) subtract_mean(points, modes);
+  return modes;
+}
+
+template <int n_rows>
+void add_modes(const CellBody& cell, StrainPoints& points) {
+  const auto& D = fixed_rows<n_rows>(cell.D);
+  const std::array<ModeStrain<n_rows>, 4> modes = mode_strains<n_rows>(cell, points);
   Eigen::Matrix<double, 4, 4> K_modes = Eigen::Matrix<double, 4, 4>::Zero();
   Eigen::Matrix<double, 4, 8> K_mixed = Eigen::Matrix<double, 4, 8>::Zero();
   for (std::size_t i = 0; i < 4; ++i) {
@@ -68,16 +75,42 @@ void add_modes(const CellBody& cell, StrainPoints& points) {
   for (std::size_t i = 0; i < 4; ++i) points.point[i].B += modes[i] * amplitudes;
 }
 
+template <int n_rows>
+void relax_modes(const CellBody& cell, const StrainPoints& points, PointStrains& strains) {
+  const auto& D = fixed_rows<n_rows>(cell.D);
+  const std::array<ModeStrain<n_rows>, 4> modes = mode_strains<n_rows>(cell, points);
+  Eigen::Matrix<double, 4, 4> K_modes = Eigen::Matrix<double, 4, 4>::Zero();
+  Eigen::Vector4d load = Eigen::Vector4d::Zero();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Matrix<double, 4, n_rows> stress =
+        points.point[i].volume * modes[i].transpose() * D;
+    K_modes += stress * modes[i];
+    load += stress * strains.col(static_cast<Eigen::Index>(i));
+  }
+  const Eigen::Vector4d amplitudes = K_modes.ldlt().solve(load);
+  for (std::size_t i = 0; i < 4; ++i)
+    strains.col(static_cast<Eigen::Index>(i)) -= modes[i] * amplitudes;
+}
+
 void incompatible_strain(const CellBody& cell, StrainPoints& points) {
   sample_strain(bilinear_shape, gauss_square(2), cell, points);
   with_rows(cell.D.rows(), [&](auto n_rows) { add_modes<n_rows>(cell, points); });
 }
 
+void relax(const CellBody& cell, const StrainPoints& points, PointStrains& strains) {
+  with_rows(cell.D.rows(), [&](auto n_rows) { relax_modes<n_rows>(cell, points, strains); });
+}
+
 }  // namespace
 
 Element q4_incompatible() {
-  return {"q4_incompatible",  "4 nodes, four incompatible modes", 4, 1, bilinear_shape,
-          incompatible_strain};
+  return {"q4_incompatible",
+          "4 nodes, four incompatible modes",
+          4,
+          1,
+          bilinear_shape,
+          incompatible_strain,
+          relax};
 }
 
 }  // namespace signorini

@@ -180,7 +180,7 @@ std::pair<Most, Most> deformation(const Model& model, const Solution& solution) 
       strain.see(std::abs(G(0, 0) + G(1, 1)) / 2 + std::sqrt(half * half + shear * shear), body,
                  cell);
       rotation.see(std::abs(G(1, 0) - G(0, 1)) / 2, body, cell);
-      if (body.material.state == PlaneState::Axial)
+      if (body.material.bulk.state == PlaneState::Axial)
         strain.see(std::abs(hoop_strain(body.mesh, solution.displacements[b], cell)), body, cell);
     }
   }
@@ -193,7 +193,9 @@ double softer_modulus(const Model& model, Index pair) {
   for (NodalRows::InnerIterator it(model.pairs.opening, pair); it; ++it) {
     std::size_t b = model.bodies.size() - 1;
     while (model.bodies[b].first_node > it.col() / 2) --b;
-    softest = std::min(softest, model.bodies[b].material.youngs_modulus);
+    const Matter& matter = model.bodies[b].material;
+    for (std::size_t layer = 0; layer <= matter.layers.size(); ++layer)
+      softest = std::min(softest, matter.material(layer).youngs_modulus);
   }
   return softest;
 }

@@ -52,6 +52,18 @@ std::string note_on_locking(const Mesh& mesh, const Element& element, const Mate
               "quadrilaterals");
 }
 
+void note_on_body(const Body& body, const Element& element, std::vector<std::string>& notes) {
+  std::string last = note_on_locking(body.mesh, element, body.material);
+  if (!last.empty()) notes.push_back(last);
+  for (const Layer& layer : body.layers) {
+    const std::string note = note_on_locking(body.mesh, element, layer.material);
+    if (!note.empty() && note != last) notes.push_back(note);
+    last = note;
+  }
+  if (body.material.expansion != 0 && !(body.temperature && body.temperature->warms()))
+    notes.push_back(text("'", body.mesh.name, "' has a thermal expansion but no temperature"));
+}
+
 void plan_body(const Body& body, Plan& plan) {
   const std::string& name = body.mesh.name;
   plan.quality.push_back(check_mesh(body.mesh));
@@ -64,8 +76,7 @@ void plan_body(const Body& body, Plan& plan) {
                          to_string(body.material.state)));
   plan.on.push_back(
       text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
-  const std::string note = note_on_locking(body.mesh, element, body.material);
-  if (!note.empty()) plan.notes.push_back(note);
+  note_on_body(body, element, plan.notes);
   const bool first = plan.bodies.empty();
   const Index first_node = first ? 0 : count_nodes(plan.bodies);
   const Index first_unknown =
