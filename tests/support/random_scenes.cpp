@@ -4,11 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include "signorini/mesh/split.hpp"
 #include "support/random_bodies.hpp"
 
 namespace signorini_test {
 namespace {
 
+using Eigen::Index;
 using Eigen::Vector2d;
 using namespace signorini;
 
@@ -38,6 +40,8 @@ class Drawing {
   void draw_operator(ContactSpec& contact);
   Friction draw_friction();
   void walls(const std::string& body);
+  /// Puts triangles in the place of quadrilaterals.
+  void cut();
 
   Draws draw_;
   RandomScenes kind_;
@@ -248,6 +252,18 @@ void Drawing::rings() {
   }
 }
 
+void Drawing::cut() {
+  Index step = 1;
+  for (Body& body : scene_.bodies) {
+    std::vector<Index> cells;
+    for (Index cell = 0; cell < body.mesh.n_cells(); cell += step) cells.push_back(cell);
+    body.mesh = split(body.mesh, cells);
+    if (step == 1) body.element.clear();
+    step = 2;
+  }
+  draw_.say("; in triangles");
+}
+
 RandomScene Drawing::drawn() {
   const int what = draw_.whole(0, 15);
   if (what < 5)
@@ -258,6 +274,7 @@ RandomScene Drawing::drawn() {
     symmetric_half();
   else
     rings();
+  if (kind_ == RandomScenes::Triangles) cut();
   return {std::move(scene_), std::move(draw_.text)};
 }
 

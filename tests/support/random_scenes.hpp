@@ -7,8 +7,8 @@
 
 namespace signorini_test {
 
-/// Whether any contact of a scene rubs.
-enum class RandomScenes { Frictionless, Frictional };
+/// Whether any contact of a scene rubs; and scenes without friction on triangles.
+enum class RandomScenes { Frictionless, Frictional, Triangles };
 
 /// A scene and what it is, in words.
 struct RandomScene {
@@ -27,7 +27,8 @@ struct RandomScene {
 ///
 /// Only whole numbers are drawn, and all numbers come from them by single roundings before a mesh is made.
 /// \param seed  names the scene
-/// \param kind  Frictional: at least one contact rubs
+/// \param kind  Frictional: at least one contact rubs; Triangles: the scene of Frictionless with the cells of its
+///   first body cut into triangles, and every second one of the others
 /// \return the scene, with the default solvers
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind);
 
