@@ -1,5 +1,5 @@
 // The program `signorini`: solves problems from files with the solvers of the book.
-// Run:  signorini lcp FILE | qp FILE [--solver NAME|all] [--tolerance T] [--json];  signorini --list
+// Run:  signorini lcp FILE | qp FILE [--solver NAME|all] [--tolerance T] [--json];  signorini --list | --keys
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <iostream>
@@ -9,6 +9,7 @@
 #include "command_line/print.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
+#include "signorini/scene_file/scene_file.hpp"
 
 namespace {
 
@@ -120,9 +121,11 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* title, Reques
 int run(int argc, char** argv) {
   Request request;
   bool list = false;
+  bool keys = false;
   CLI::App app("Solves complementarity problems and quadratic programmes, and certifies the result",
                "signorini");
   app.add_flag("--list", list, "the solvers, and on which problems each may fail");
+  app.add_flag("--keys", keys, "the keys of scene files, in Markdown");
   app.require_subcommand(0, 1);
   CLI::App* const lcp = add_command(
       app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
@@ -138,6 +141,10 @@ int run(int argc, char** argv) {
   }
   if (list) {
     command_line::print_family(std::cout);
+    return solved;
+  }
+  if (keys) {
+    std::cout << key_reference();
     return solved;
   }
   pose(request.tolerance > 0 && std::isfinite(request.tolerance),

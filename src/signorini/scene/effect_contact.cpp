@@ -50,15 +50,17 @@ void price_contact(const Scene& scene, Plan& draft) {
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const ContactSpec& contact = scene.contacts[k];
     const std::string what = describe(draft.bodies, contact);
-    const Pairs found = pair_up(contact, sliding, draft);
+    Pairs found = pair_up(contact, sliding, draft);
     for (std::string& note : doubts_of_places(contact, draft.bodies, found))
       draft.notes.push_back(std::move(note));
+    const std::string fitted = fit(contact, found);
     const Gaps gaps = reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what);
     const std::size_t pairs = gaps.pairs.node.size();
     const bool rigid = std::holds_alternative<Obstacle>(contact.target);
     draft.on.push_back(
         text(what, ": ", pairs, " candidate pairs",
-             rigid ? ", no mesh and no search for the obstacle" : " by " + contact.gap_operator));
+             rigid ? ", no mesh and no search for the obstacle" : " by " + contact.gap_operator,
+             fitted));
     if (pairs == 0)
       draft.notes.push_back(what +
                             ": no pair can open or close, supports hold both sides everywhere");
