@@ -35,6 +35,8 @@ struct Model {
   FrictionLaw law;                 ///< of the pairs that rub, empty if none does
   std::string solver;              ///< of the family that the model needs, as the scene names it
   std::vector<std::string> notes;  ///< of the plan
+  /// p `n` without the loads of the bodies, kept by change_loads(); empty before its first call [force].
+  Eigen::VectorXd unloaded = {};
 };
 
 /// The model with all unknowns but the contact forces eliminated.
@@ -66,6 +68,16 @@ struct Solution {
 /// \return the small problem, and the factor to recover displacements with
 /// \throws ProblemError if K is singular to working precision, see FrontalFactor
 [[nodiscard]] Condensed condense(const Model& model, Ledger& ledger);
+
+/// Puts other loads on the bodies, for many loads with one factor: a change costs a pair of triangular solves.
+///
+/// What else moves the bodies, such as given displacements, stays.
+/// \param loads      of each body, in place of those that it has; body force, edge loads and point forces
+/// \param model      gets the loads and p
+/// \param condensed  from condense() of the model; gets the free displacements and gaps of the new p
+/// \throws ProblemError unless there are loads for every body, if one is not finite or its boundary does not
+///   exist; model and condensed problem are then as before
+void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& condensed);
 
 /// Solves the condensed problem and recovers displacements, all refined from the original data.
 ///

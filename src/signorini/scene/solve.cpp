@@ -36,6 +36,29 @@ FrontalFactor factor(const Model& model, Ledger& ledger) {
   return {K, tree, ledger, describe, grounding(model.modes)};
 }
 
+/// What the load does to a condensed problem whose factor, compliance and law are there.
+void condense_loads(const Model& model, Condensed& condensed) {
+  const QuadraticProgramme& programme = model.programme;
+  ContactProblem& problem = condensed.problem;
+  condensed.free_displacement = condensed.factor.solve(programme.load);
+  const VectorXd free =
+      gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
+  const Index slips = static_cast<Index>(model.law.pair.size());
+  problem.free_gap = free.head(free.size() - slips);
+  problem.free_slip = free.tail(slips);
+  if (!model.modes.empty()) add_rigid_modes(programme, mode_shapes(model.modes), problem);
+}
+
+/// Adds the loads of a body, times a sign, to p of all bodies.
+void add_loads(const BodyModel& body, const Loads& loads, double sign, VectorXd& load) {
+  const NodeArray nodal = nodal_loads(body.mesh, body.element, body.material, loads);
+  for (Index k = 0; k < body.unknowns.count; ++k) {
+    const Index node = body.unknowns.node_of[static_cast<std::size_t>(k)];
+    const int axis = body.unknowns.number(node, 0) == k ? 0 : 1;
+    load(body.first_unknown + k) += sign * nodal(node, axis);
+  }
+}
+
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
   const NodeArray all = expand(model.unknowns, displacement);
   std::vector<NodeArray> bodies;
@@ -84,35 +107,46 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   solution.refined = std::move(refined);
 }
 
+long long one_solve(const Condensed& condensed) {
+  return static_cast<long long>(condensed.factor.solve_operations());
+}
+
 }  // namespace
 
 Condensed condense(const Model& model, Ledger& ledger) {
   const QuadraticProgramme& programme = model.programme;
   Condensed condensed{factor(model, ledger), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
-  condensed.free_displacement = condensed.factor.solve(programme.load);
-  const long long one_solve = static_cast<long long>(condensed.factor.solve_operations());
-  ledger.count("operations", one_solve);
-  ledger.count("operations of one solve", one_solve);
+  ledger.count("operations of one solve", one_solve(condensed));
   ContactProblem& problem = condensed.problem;
   problem.compliance = condensed.factor.compliance(programme.A, ledger);
   ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
-  const VectorXd free =
-      gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
   problem.law = model.law;
-  const Index slips = static_cast<Index>(model.law.pair.size());
-  problem.free_gap = free.head(free.size() - slips);
-  problem.free_slip = free.tail(slips);
-  if (!model.modes.empty()) add_rigid_modes(programme, mode_shapes(model.modes), problem);
+  ledger.count("operations", one_solve(condensed));
+  condense_loads(model, condensed);
   return condensed;
+}
+
+void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& condensed) {
+  pose(loads.size() == model.bodies.size(), "change_loads: expected the loads of ",
+       model.bodies.size(), " bodies, got those of ", loads.size());
+  if (model.unloaded.size() == 0) {
+    model.unloaded = model.programme.load;
+    for (const BodyModel& body : model.bodies) add_loads(body, body.loads, -1, model.unloaded);
+  }
+  VectorXd load = model.unloaded;
+  for (std::size_t b = 0; b < loads.size(); ++b) add_loads(model.bodies[b], loads[b], 1, load);
+  model.programme.load.swap(load);
+  for (std::size_t b = 0; b < loads.size(); ++b) model.bodies[b].loads = loads[b];
+  condense_loads(model, condensed);
 }
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger) {
-  const long long one_solve = static_cast<long long>(condensed.factor.solve_operations());
+  const long long operations = one_solve(condensed);
   const CondensedProgramme small{condensed.problem, condensed.free_displacement,
                                  [&](const VectorXd& load) {
-                                   ledger.count("operations", one_solve);
+                                   ledger.count("operations", operations);
                                    return condensed.factor.solve(load);
                                  }};
   CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),

@@ -1,0 +1,52 @@
+// A wheel on a rail, in mm.  wheel_on_rail.msh is what Gmsh makes of it:
+//   gmsh -2 -format msh41 wheel_on_rail.geo
+SetFactory("Built-in");
+R = 40;  // of the wheel
+Point(1) = {0, 0, 0};
+Point(2) = {0, R, 0};
+Point(3) = {R, R, 0};
+Point(4) = {0, 2 * R, 0};
+Point(5) = {-R, R, 0};
+Circle(1) = {1, 2, 3};
+Circle(2) = {3, 2, 4};
+Circle(3) = {4, 2, 5};
+Circle(4) = {5, 2, 1};
+Point(6) = {R / 4, R, 0};
+Point(7) = {0, 5 * R / 4, 0};
+Point(8) = {-R / 4, R, 0};
+Point(9) = {0, 3 * R / 4, 0};
+Circle(5) = {6, 2, 7};
+Circle(6) = {7, 2, 8};
+Circle(7) = {8, 2, 9};
+Circle(8) = {9, 2, 6};
+Curve Loop(1) = {1, 2, 3, 4};
+Curve Loop(2) = {5, 6, 7, 8};
+Plane Surface(1) = {1, 2};
+Point(11) = {-30, 0, 0};
+Point(12) = {-30, -30, 0};
+Point(13) = {30, -30, 0};
+Point(14) = {30, 0, 0};
+Point(15) = {0, 0, 0};  // below the wheel, where the rail is fine
+Line(11) = {11, 12};
+Line(12) = {12, 13};
+Line(13) = {13, 14};
+Line(14) = {14, 15};
+Line(15) = {15, 11};
+Curve Loop(3) = {11, 12, 13, 14, 15};
+Plane Surface(2) = {3};
+Field[1] = Distance;
+Field[1].PointsList = {1};
+Field[2] = MathEval;
+Field[2].F = "Min(0.12 + 0.25 * F1, 7)";  // size of the cells
+Background Field = 2;
+Mesh.MeshSizeExtendFromBoundary = 0;
+Mesh.MeshSizeFromPoints = 0;
+Mesh.Algorithm = 6;
+Mesh.RecombinationAlgorithm = 2;
+Recombine Surface{1, 2};
+Physical Surface("wheel") = {1};
+Physical Surface("rail") = {2};
+Physical Curve("tread") = {1, 4};
+Physical Curve("hub") = {5, 6, 7, 8};
+Physical Curve("top") = {14, 15};
+Physical Curve("base") = {12};
