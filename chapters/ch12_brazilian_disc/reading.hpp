@@ -46,7 +46,7 @@ inline Eigen::Vector3d middle(const SolvedScene& run) {
   const Diameter axis = diameter_of(run);
   Index at = 0;
   (axis.depth.array() - R).abs().minCoeff(&at);
-  return axis.stress.row(at);
+  return axis.stress.row(at).head<3>();
 }
 
 /// \param run  solved \return number of nodes of all bodies

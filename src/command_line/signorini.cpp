@@ -13,6 +13,7 @@
 #include "command_line/scene_print.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
+#include "signorini/scene_file/scene_file.hpp"
 
 namespace {
 

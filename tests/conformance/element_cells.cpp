@@ -21,7 +21,7 @@ const Material steel{21000, 0.29, PlaneState::Strain, 1};
 
 CellMatrix stiffness_of(const Element& element, const CellNodes& nodes,
                         const Material& material = steel) {
-  return cell_stiffness(element, nodes, elasticity_matrix(material), material.thickness);
+  return cell_stiffness(element, cell_body(nodes, elasticity_matrix(material), depth_of(material)));
 }
 
 /// Displacements of a cell's nodes under u = a + F x.
@@ -39,21 +39,19 @@ TEST_CASE("every element has a name, a fitting node count and a degree", "[confo
     CAPTURE(element.name);
     CHECK(find_element(element.name).shape == element.shape);
     CHECK(std::string(element.summary).size() > 10);
-    CHECK((element.n_nodes == 4 || element.n_nodes == 8));
-    CHECK(element.degree == (element.n_nodes == 4 ? 1 : 2));
+    const int n = element.corners();
+    CHECK((element.n_nodes == n || element.n_nodes == 2 * n));
+    CHECK(element.degree == element.n_nodes / n);
   }
 }
 
 TEST_CASE("every element: shape functions are 1 at their node, 0 at the others, and sum to 1",
           "[conformance]") {
-  const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   for (const Element& element : chosen(elements())) {
     CAPTURE(element.name);
+    const CellNodes at = reference_nodes(element);
     for (int k = 0; k < element.n_nodes; ++k) {
-      const int next = (k + 1) % 4;
-      const double xi = k < 4 ? corner[k][0] : 0.5 * (corner[k - 4][0] + corner[next][0]);
-      const double eta = k < 4 ? corner[k][1] : 0.5 * (corner[k - 4][1] + corner[next][1]);
-      const CellScalars N = element.shape(xi, eta).value;
+      const CellScalars N = element.shape(at(k, 0), at(k, 1)).value;
       REQUIRE(N.size() == element.n_nodes);
       for (int j = 0; j < element.n_nodes; ++j) CHECK(std::abs(N(j) - (j == k ? 1 : 0)) < 1e-15);
     }
@@ -92,7 +90,7 @@ TEST_CASE("every element: rigid motions cause no strain anywhere in a distorted 
     CAPTURE(element.name);
     const CellNodes nodes = distorted_cell(element);
     StrainPoints points;
-    element.strain(nodes, elasticity_matrix(steel), points);
+    element.strain(cell_body(nodes, elasticity_matrix(steel), depth_of(steel)), points);
     REQUIRE(points.size > 0);
     const CellVector rigid[] = {linear_motion(nodes, {1, 0}, Eigen::Matrix2d::Zero()),
                                 linear_motion(nodes, {0, 1}, Eigen::Matrix2d::Zero()),
@@ -112,19 +110,20 @@ TEST_CASE("every element: a linear displacement has its exact strain and area ov
     CAPTURE(element.name);
     // Straight sides: the area is that of the polygon of the corners.
     CellNodes nodes = distorted_cell(element);
-    for (int side = 0; side < 4 && element.n_nodes == 8; ++side)
-      nodes.row(4 + side) = 0.5 * (nodes.row(side) + nodes.row((side + 1) % 4));
+    const int n = element.corners();
+    for (int side = 0; side < n && element.n_nodes > n; ++side)
+      nodes.row(n + side) = 0.5 * (nodes.row(side) + nodes.row((side + 1) % n));
     double area = 0;
-    for (int k = 0; k < 4; ++k)
-      area += 0.5 * (nodes(k, 0) * nodes((k + 1) % 4, 1) - nodes(k, 1) * nodes((k + 1) % 4, 0));
+    for (int k = 0; k < n; ++k)
+      area += 0.5 * (nodes(k, 0) * nodes((k + 1) % n, 1) - nodes(k, 1) * nodes((k + 1) % n, 0));
     StrainPoints points;
-    element.strain(nodes, elasticity_matrix(steel), points);
+    element.strain(cell_body(nodes, elasticity_matrix(steel), depth_of(steel)), points);
     Eigen::Vector3d integral = Eigen::Vector3d::Zero();
     double sum = 0;
     for (int i = 0; i < points.size; ++i) {
       const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
-      integral += point.area * (point.B * linear_motion(nodes, {1, 2}, F));
-      sum += point.area;
+      integral += point.volume * (point.B * linear_motion(nodes, {1, 2}, F));
+      sum += point.volume;
     }
     CHECK(sum == Approx(area).epsilon(1e-14).margin(0));
     CHECK((integral - area * exact).norm() < 1e-13);
@@ -147,13 +146,13 @@ TEST_CASE("every element: a cell has three motions without energy and no more", 
 TEST_CASE("every element: stiffness does not depend on the corner a cell begins with",
           "[conformance]") {
   for (const Element& element : chosen(elements()))
-    for (int shift = 1; shift < 4; ++shift) {
+    for (int n = element.corners(), shift = 1; shift < n; ++shift) {
       CAPTURE(element.name, shift);
       const CellNodes nodes = distorted_cell(element);
       CellNodes turned(element.n_nodes, 2);
       std::vector<Index> from;
       for (int k = 0; k < element.n_nodes; ++k) {
-        from.push_back((k + shift) % 4 + (k < 4 ? 0 : 4));
+        from.push_back((k + shift) % n + (k < n ? 0 : n));
         turned.row(k) = nodes.row(from.back());
       }
       const CellMatrix K = stiffness_of(element, nodes);

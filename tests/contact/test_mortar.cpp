@@ -24,7 +24,7 @@ TEST_CASE("the operator's own points suffice for sides with their midpoint off t
   const Pairs exact = over(source, target, many);
   CHECK((MatrixXd(pairs.opening) - MatrixXd(exact.opening)).cwiseAbs().maxCoeff() <= 1e-13);
   const NodeArray force = on_nodes(pairs.opening, pairs.weight);
-  const VectorXd share = boundary_weights(source, "bottom", 1);
+  const VectorXd share = boundary_weights(source, "bottom", {1});
   for (std::size_t k = 0; k < nodes.size(); ++k)
     CHECK(force(nodes[k], 1) == Approx(share(static_cast<Index>(k))).epsilon(1e-13));
 }

@@ -22,7 +22,7 @@ TEST_CASE("a uniform pressure reaches a covered target as if it were a load", "[
         const NodeArray force = on_nodes(pairs.opening, pairs.weight);
         const Vector2d down(std::sin(angle), -std::cos(angle));
         NodeArray load = NodeArray::Zero(target.n_nodes(), 2);
-        const VectorXd share = boundary_weights(target, "top", 1);
+        const VectorXd share = boundary_weights(target, "top", {1});
         const std::vector<Index> nodes = boundary_nodes(target, "top");
         for (std::size_t k = 0; k < nodes.size(); ++k)
           load.row(nodes[k]) = share(static_cast<Index>(k)) * down.transpose();
@@ -38,7 +38,7 @@ TEST_CASE("an overhang or an offset of five digits is seen", "[mortar]") {
   const Pairs pairs = over(source, target);
   CHECK(pairs.weight.sum() == Approx(2).epsilon(1e-13));
   const NodeArray force = on_nodes(pairs.opening, pairs.weight).bottomRows(target.n_nodes());
-  const VectorXd share = boundary_weights(target, "top", 1);
+  const VectorXd share = boundary_weights(target, "top", {1});
   const std::vector<Index> nodes = boundary_nodes(target, "top");
   for (std::size_t k = 0; k < nodes.size(); ++k)
     CHECK(force(nodes[k], 1) == Approx(-share(static_cast<Index>(k))).epsilon(1e-13));

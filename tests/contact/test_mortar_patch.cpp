@@ -36,6 +36,32 @@ TEST_CASE("a uniform pressure passes between any two meshes: the contact patch t
     }
 }
 
+TEST_CASE("triangles pass a uniform pressure too, among themselves and to quadrilaterals",
+          "[mortar][patch]") {
+  struct Pair {
+    const char *source, *target;
+    bool mixed;
+  };
+  const auto inclination = GENERATE(0.0, 15.0);
+  for (const Pair& pair : {Pair{"t3", "t3", false},
+                           {"t6", "t6", false},
+                           {"t3", "q4", false},
+                           {"q8", "t6", false},
+                           {"t6", "t3", false},  // sides of three nodes against those of two
+                           {"t3", "t6", false},
+                           {"q4", "t6", false},
+                           {"q4_incompatible", "q4", true},
+                           {"q8", "q8", true},
+                           {"t6", "q8", true}})
+    for (const Edges& edges : non_matching) {
+      CAPTURE(pair.source, pair.target, pair.mixed, edges.source, edges.target, inclination);
+      const PatchResult result = press_blocks(
+          weighted(), {},
+          {edges.source, edges.target, inclination, 1, pair.source, pair.target, pair.mixed});
+      CHECK(result.deviation <= 3e-13);
+    }
+}
+
 TEST_CASE("without segments the pressure is off by about a percent, less with more points",
           "[mortar][patch]") {
   for (const char* element : {"q4", "q8"})

@@ -105,7 +105,7 @@ TEST_CASE("a node weighs what its shape function covers of the source", "[gap_op
   for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
     const TwoBodies bodies = two_blocks({0.5, 3.5, 4}, {0, 4, 3}, 0.1, Form::Curved, order);
     const Pairs pairs = pairs_of(member(), bodies);
-    CHECK((pairs.weight - boundary_weights(bodies.source, "bottom", 0.5)).norm() == 0);
+    CHECK((pairs.weight - boundary_weights(bodies.source, "bottom", {0.5})).norm() == 0);
     CHECK(pairs.node == boundary_nodes(bodies.source, "bottom"));
   }
 }

@@ -107,7 +107,7 @@ TEST_CASE("the weights of a boundary sum to its length times thickness", "[assem
     const Mesh mesh = mapped(block_for(element, {3, 2}, 3, 2), [](const Vector2d& x) {
       return Vector2d(3 * x.x() - 4 * x.y(), 4 * x.x() + 3 * x.y());  // turned and 5 times larger
     });
-    const Eigen::VectorXd weights = boundary_weights(mesh, "bottom", 0.5);
+    const Eigen::VectorXd weights = boundary_weights(mesh, "bottom", {0.5});
     CHECK(weights.sum() == Approx(7.5).epsilon(1e-14));
     if (element.n_nodes == 4) {
       const Eigen::Vector4d share(0.5, 1, 1, 0.5);

@@ -15,7 +15,7 @@ namespace signorini_test {
 inline double area_by_rim(const signorini::Mesh& mesh) {
   std::set<std::pair<Eigen::Index, Eigen::Index>> rim;
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (int side = 0; side < 4; ++side) {
+    for (int side = 0; side < mesh.corners(cell); ++side) {
       const std::vector<Eigen::Index> ends = mesh.side_nodes({cell, side});
       if (rim.erase({ends.back(), ends.front()}) == 0) rim.insert({ends.front(), ends.back()});
     }
@@ -31,11 +31,15 @@ inline double area_by_rim(const signorini::Mesh& mesh) {
 inline std::string check_read(const signorini::Mesh& mesh) {
   using namespace signorini;
   if (mesh.n_cells() == 0 || mesh.n_nodes() == 0) return "a mesh without cells or nodes";
-  if (mesh.cells.minCoeff() < 0 || mesh.cells.maxCoeff() >= mesh.n_nodes()) return "node numbers";
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const auto nodes = mesh.cells.row(cell).head(mesh.cell_size(cell));
+    if (nodes.minCoeff() < 0 || nodes.maxCoeff() >= mesh.n_nodes()) return "node numbers";
+  }
   for (const auto& [name, sides] : mesh.boundaries) {
     if (sides.empty()) return "a boundary without sides";
     for (const CellSide& side : sides)
-      if (side.cell < 0 || side.cell >= mesh.n_cells() || side.side < 0 || side.side > 3)
+      if (side.cell < 0 || side.cell >= mesh.n_cells() || side.side < 0 ||
+          side.side >= mesh.corners(side.cell))
         return "a side that does not exist";
     if (boundary_nodes(mesh, name).empty()) return "a boundary without nodes";
   }

@@ -55,18 +55,59 @@ TEST_CASE("files of another kind are refused", "[mesh][gmsh]") {
         "file:1: the mesh is divided for parallel computers; save it without partitions");
 }
 
+TEST_CASE("files of other programs are called by their names, with what to do", "[mesh][gmsh]") {
+  std::string stl(84 + 50, ' ');
+  stl.replace(80, 4, std::string("\1\0\0\0", 4));
+  const std::string to_convert = "Gmsh does not read it: convert it";
+  const std::string to_mesh = "not yet a mesh: put its surfaces and curves into physical groups";
+  const std::string to_open = "Gmsh can read it: open it there";
+  struct Given {
+    std::string content, name, way_out;
+  };
+  const Given files[] = {
+      {"solid a\nfacet normal 0 0 1\nouter loop\n", "an STL file", to_open},
+      {stl, "an STL file", to_open},
+      {"# vtk DataFile Version 2.0\nplate\nASCII\n", "a VTK file", to_open},
+      {"<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\">\n", "a VTK file in XML",
+       to_convert},
+      {"<?xml version=\"1.0\"?>\n<mesh>\n", "an XML file", to_convert},
+      {"** made by a program\n*Heading\n*NODE\n1, 0, 0\n", "an Abaqus or CalculiX input file",
+       to_convert},
+      {"*KEYWORD\n*NODE\n", "an LS-DYNA file", to_convert},
+      {"$ a remark\nGRID    1       0       0.0     0.0     0.0\n", "a Nastran file", to_open},
+      {"SOL 101\nCEND\nBEGIN BULK\n", "a Nastran file", to_open},
+      {"\x89HDF\r\n\x1a\n and more", "an HDF5 file, as MED and CGNS are", to_open},
+      {"CDF\x01 and more", "a netCDF file, as Exodus is", to_convert},
+      {"ISO-10303-21;\nHEADER;\n", "a STEP file", to_mesh},
+      {"DBRep_DrawableShape\n\nCASCADE Topology V3\n", "a BREP file", to_mesh},
+      {" MeshVersionFormatted 2\n Dimension\n 3\n", "an INRIA mesh file", to_open},
+      {"    -1\n  2411\n", "a UNV file", to_open},
+      {"NDIME= 2\nNELEM= 1\n", "an SU2 file", to_convert},
+      {"// a plate\nSetFactory(\"OpenCASCADE\");\n", "a .geo file, the input of Gmsh", to_mesh},
+      {"lc = 0.1;\nPoint(1) = {0, 0, 0, lc};\n", "a .geo file, the input of Gmsh", to_mesh},
+      {"\x1f\x8b\x08", "a compressed file", "unpack it first"},
+      {std::string("\1\0\2", 3), "a binary file that no Gmsh wrote", "Mesh.Binary = 0"}};
+  for (const Given& file : files) {
+    CAPTURE(file.content);
+    CHECK_THAT(complaint(file.content), StartsWith("file:1: this is " + file.name + "; ") &&
+                                            ContainsSubstring(file.way_out));
+  }
+}
+
 TEST_CASE("elements that are not read say what to set in Gmsh", "[mesh][gmsh]") {
   CHECK_THAT(about_elements("1", "1 10 2 1 1 1 2 3 4 5 6 7 8 9\n"),
              StartsWith("file:15: quadrilaterals of 9 nodes") &&
                  ContainsSubstring("Mesh.SecondOrderIncomplete = 1"));
-  CHECK_THAT(about_elements("1", "1 2 2 1 1 1 2 3\n"),
-             StartsWith("file:15: triangles (type 2)") && ContainsSubstring("Recombine Surface"));
+  CHECK_THAT(about_elements("1", "1 21 2 1 1 1 2 3 4 5 6 1 2 3 4\n"),  // triangles of 10 nodes
+             StartsWith("file:15: expected points, lines, triangles and quadrilaterals") &&
+                 ContainsSubstring("type 21; set Mesh.ElementOrder to 1 or 2"));
   CHECK_THAT(about_elements("1", "1 5 0 1 2 3 4 5 6 7 8\n"),
              StartsWith("file:15: solids (type 5)") && ContainsSubstring("gmsh -2"));
   CHECK_THAT(about_elements("1", "1 26 0 1 2 3 4\n"),
-             StartsWith("file:15: expected points, lines and quadrilaterals") &&
+             StartsWith("file:15: expected points, lines, triangles and quadrilaterals") &&
                  ContainsSubstring("type 26; set Mesh.ElementOrder to 1 or 2"));
-  CHECK_THAT(about_elements("1", "1 1 2 1 1 1 2\n"), ContainsSubstring("no quadrilaterals"));
+  CHECK_THAT(about_elements("1", "1 1 2 1 1 1 2\n"),
+             ContainsSubstring("no triangles or quadrilaterals"));
 }
 
 TEST_CASE("counts that do not fit are refused, and nothing is allocated for them", "[mesh][gmsh]") {
@@ -164,7 +205,7 @@ TEST_CASE("cells of 8 nodes fit to their neighbours, and are not mixed with thos
   CHECK_THAT(second("2 16 2 1 1 2 3 4 5 11 12 13 14"),
              StartsWith("file:24: this cell and that of line 23 share the ends of a side but not"));
   CHECK_THAT(second("2 3 2 1 1 2 3 4 5"),
-             StartsWith("file:24: expected a cell of 8 nodes as in line 23, got 4"));
+             StartsWith("file:24: expected a cell of 3 nodes per side as in line 23, got 2"));
 }
 
 TEST_CASE("names that nothing bears, or that two bear, are refused", "[mesh][gmsh]") {

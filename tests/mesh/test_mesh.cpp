@@ -1,7 +1,9 @@
+#include <cmath>
 #include <limits>
 
 #include "catch_compat.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/mesh/split.hpp"
 #include "support/message.hpp"
 
 using Eigen::Index;
@@ -127,13 +129,65 @@ TEST_CASE("a midside node far from the middle is named with its cell and side", 
   CHECK_THAT(complaint(mesh), ContainsSubstring("cell 0") && ContainsSubstring("side 0 at 0.8"));
 }
 
-TEST_CASE("cells of three nodes and positions that are not finite are refused", "[mesh]") {
+TEST_CASE("cells of five nodes and positions that are not finite are refused", "[mesh]") {
   Mesh mesh = plate();
   mesh.nodes(3, 0) = std::numeric_limits<double>::quiet_NaN();
   CHECK_THAT(complaint(mesh), ContainsSubstring("not finite"));
   mesh = plate();
-  mesh.cells.conservativeResize(Eigen::NoChange, 3);
-  CHECK_THAT(complaint(mesh), ContainsSubstring("4 or 8 nodes, got 3"));
+  mesh.cells.conservativeResizeLike(signorini::CellArray::Zero(mesh.n_cells(), 5));
+  CHECK_THAT(complaint(mesh), ContainsSubstring("3 or 4 nodes, or 6 or 8, got 5"));
+}
+
+TEST_CASE("triangles stand alone, or beside quadrilaterals with -1 after their nodes", "[mesh]") {
+  for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
+    const Index per_corner = order == MeshOrder::Linear ? 1 : 2;
+    const Mesh whole = plate(order);
+    const Mesh mixed = signorini::split(whole, {0, 5});
+    const Mesh triangles = signorini::split(whole);
+    CHECK(whole.cell_size(1) == 4 * per_corner);
+    CHECK(mixed.cells.cols() == 4 * per_corner);
+    CHECK(triangles.cells.cols() == 3 * per_corner);
+    CHECK(mixed.corners(0) == 3);
+    CHECK(mixed.corners(2) == 4);
+    CHECK(mixed.cell_size(0) == 3 * per_corner);
+    for (const Mesh& mesh : {mixed, triangles}) {
+      CHECK(mesh.order() == order);
+      CHECK_NOTHROW(check_mesh(mesh));
+      for (const auto& [name, sides] : mesh.boundaries)
+        CHECK(signorini::boundary_nodes(mesh, name) == signorini::boundary_nodes(whole, name));
+    }
+    Mesh wrong = mixed;
+    wrong.cells(1, 3 * per_corner) = -2;
+    CHECK_THAT(complaint(wrong), ContainsSubstring("cell 1, a triangle in rows of") &&
+                                     ContainsSubstring("must have -1 after its"));
+    wrong = mixed;
+    wrong.cells(2, 0) = -1;
+    CHECK_THAT(complaint(wrong), ContainsSubstring("cell 2 refers to node -1"));
+    wrong = mixed;
+    wrong.boundaries["bottom"].front().side = 3;
+    CHECK_THAT(complaint(wrong),
+               ContainsSubstring("side 3 of cell 0") && ContainsSubstring("with sides 0 to 2"));
+    wrong = mixed;
+    wrong.cells.row(0).head(3).reverseInPlace();
+    CHECK_THAT(complaint(wrong),
+               ContainsSubstring("cell 0 is inverted") && ContainsSubstring("clockwise"));
+  }
+}
+
+// Height 0.1 on the longest side of 2; and three equal sides.
+TEST_CASE("a triangle is as slender as its height is small beside its longest side", "[mesh]") {
+  Mesh mesh;
+  mesh.nodes.resize(3, 2);
+  mesh.nodes << 0, 0, 2, 0, 1, 0.1;
+  mesh.cells.resize(1, 3);
+  mesh.cells << 0, 1, 2;
+  CHECK(check_mesh(mesh).smallest_jacobian_ratio == Approx(1).epsilon(1e-14));
+  CHECK(check_mesh(mesh).largest_aspect_ratio ==
+        Approx(20 * std::sqrt(0.75)).epsilon(1e-13).margin(0));
+  mesh.nodes.row(2) << 1, std::sqrt(3.0);
+  CHECK(check_mesh(mesh).largest_aspect_ratio == Approx(1).epsilon(1e-13).margin(0));
+  mesh.nodes.row(2) << 1, 0;
+  CHECK_THAT(complaint(mesh), ContainsSubstring("cell 0 is degenerate"));
 }
 
 TEST_CASE("an unknown boundary is answered with those that exist", "[mesh]") {

@@ -119,7 +119,7 @@ TEST_CASE("meshes that do not meet node by node are not joined", "[reshape]") {
   CHECK_THAT(message(mirrored(block(MeshOrder::Linear, 4), MirrorLine::Upright, 1)),
              ContainsSubstring("has 4 nodes on 'left', but 'block' has 5 on 'left'"));
   CHECK_THAT(message(mirrored(block(MeshOrder::Quadratic), MirrorLine::Upright, 1)),
-             ContainsSubstring("cells of 'block' have 4 nodes, those of 'block' have 8"));
+             ContainsSubstring("sides of 'block' have 2 nodes, those of 'block' have 3"));
 }
 
 TEST_CASE("a block bends into a wedge whose faces rise with one slope", "[reshape]") {

@@ -68,7 +68,6 @@ Scene on_obstacle(Mesh mesh, const std::string& side, const Obstacle& obstacle,
                   const std::string& pressed, const std::vector<Support>& supports) {
   Scene scene;
   Body& body = scene.bodies[0];
-  body.element = mesh.cells.cols() == 8 ? "q8" : "q4_incompatible";
   body.mesh = std::move(mesh);
   body.material = {100, 0.3, PlaneState::Strain, 1};
   body.supports = supports;

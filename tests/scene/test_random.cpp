@@ -111,3 +111,11 @@ TEST_CASE("the check of random scenes sees a millionth of any number, and false 
     if (kind == RandomScenes::Frictional) CHECK(right_when(kind, status) <= 2 * right / 3);
   }
 }
+
+TEST_CASE("no random scene with the rarer effects is solved and wrong", "[random][effects]") {
+  const Counts counts = outcomes(RandomScenes::Varied, "", 150);
+  CHECK(of(counts, Outcome::Solved) >= 100);
+  CHECK(of(counts, Outcome::Refused) + of(counts, Outcome::Escaped) <= 30);
+  CHECK(of(counts, Outcome::Infeasible) == 0);
+  CHECK(given_up(counts) <= 9);
+}

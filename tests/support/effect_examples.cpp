@@ -20,6 +20,19 @@ Scene without_contact() {
   return scene;
 }
 
+/// Of a mesh that was written with few digits.
+Scene slightly_off() {
+  Scene scene = plain_beam();
+  scene.contacts[0].target = half_plane({0, -1e-4}, {0, 1});
+  return scene;
+}
+
+Scene on_disc() {
+  Scene scene = plain_beam();
+  scene.contacts[0].target = disc({40, -10}, 10.5);
+  return scene;
+}
+
 Scene above_disc() {
   Scene scene = plain_beam();
   scene.contacts[0].target = disc({40, -10}, 9.5);
@@ -46,6 +59,24 @@ const std::map<std::string, EffectExample>& effect_examples() {
         },
         {"p"},
         {}}},
+      {"point forces",
+       {plain_beam(),
+        [](Scene& scene) {
+          scene.bodies[0].loads.points = {{{50, 5}, {0, -1}}};
+        },
+        {"p"},
+        {}}},
+      {"springs",
+       {plain_beam(),
+        [](Scene& scene) {
+          scene.bodies[0].springs = {{"right", {0, 2}}};
+        },
+        {"K"},
+        {}}},
+      {"adjusted gaps",
+       {slightly_off(), [](Scene& scene) { scene.contacts[0].adjust = 1e-3; }, {"g"}, {}}},
+      {"interference",
+       {on_disc(), [](Scene& scene) { scene.contacts[0].interference = 0.01; }, {"g"}, {}}},
       {"contact",
        {without_contact(),
         [](Scene& scene) { scene.contacts = plain_beam().contacts; },

@@ -29,7 +29,7 @@ double along_side(const signorini::Mesh& mesh, const signorini::CellSide& side, 
 inline double area_of(const signorini::Mesh& mesh) {
   double area = 0;
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (int side = 0; side < 4; ++side)
+    for (int side = 0; side < mesh.corners(cell); ++side)
       area += along_side(mesh, {cell, side},
                          [](const Eigen::RowVector2d& x, const Eigen::RowVector2d& along) {
                            return 0.5 * (x.x() * along.y() - x.y() * along.x());
@@ -49,11 +49,12 @@ inline double length_of(const signorini::Mesh& mesh, const std::string& name) {
 /// How many nodes a mesh without holes has if no two are in one place: by Euler, corners - sides + cells = 1.
 inline Eigen::Index nodes_if_joined(const signorini::Mesh& mesh,
                                     const std::vector<std::string>& rim) {
-  Eigen::Index ends = 4 * mesh.n_cells();  // every side inside has two cells
+  Eigen::Index ends = 0;  // every side inside has two cells
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) ends += mesh.corners(cell);
   for (const std::string& name : rim)
     ends += static_cast<Eigen::Index>(signorini::boundary(mesh, name).size());
   const Eigen::Index corners = 1 + ends / 2 - mesh.n_cells();
-  return mesh.cells.cols() == 8 ? corners + ends / 2 : corners;
+  return mesh.order() == signorini::MeshOrder::Quadratic ? corners + ends / 2 : corners;
 }
 
 /// Whether the boundaries in this order are one walk once round, each side beginning where the last

@@ -5,15 +5,16 @@
 #include "signorini/elasticity/element.hpp"
 #include "signorini/elasticity/unknowns.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/mesh/split.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {
 
 inline signorini::MeshOrder order_of(const signorini::Element& element) {
-  return element.n_nodes == 8 ? signorini::MeshOrder::Quadratic : signorini::MeshOrder::Linear;
+  return element.n_nodes > 4 ? signorini::MeshOrder::Quadratic : signorini::MeshOrder::Linear;
 }
 
-/// A rectangle from the origin for the cells of `element`.
+/// A rectangle from the origin for the cells of `element`; triangles come in pairs.
 inline signorini::Mesh block_for(const signorini::Element& element, Eigen::Vector2d size,
                                  Eigen::Index cells_x, Eigen::Index cells_y) {
   signorini::BlockSpec spec;
@@ -21,7 +22,8 @@ inline signorini::Mesh block_for(const signorini::Element& element, Eigen::Vecto
   spec.cells_x = cells_x;
   spec.cells_y = cells_y;
   spec.order = order_of(element);
-  return signorini::make_block(spec);
+  const signorini::Mesh mesh = signorini::make_block(spec);
+  return element.corners() == 3 ? split(mesh) : mesh;
 }
 
 /// Moves the inner corners by up to a fifth of a cell; midside nodes follow, so that sides stay straight.
@@ -36,23 +38,25 @@ inline signorini::Mesh distorted(signorini::Mesh mesh, Eigen::Vector2d size,
     const bool inside = x > 1e-9 && x < size.x() - 1e-9 && y > 1e-9 && y < size.y() - 1e-9;
     if (inside) mesh.nodes.row(node) += shift;
   }
-  for (Eigen::Index cell = 0; cell < mesh.n_cells() && mesh.cells.cols() == 8; ++cell)
-    for (int side = 0; side < 4; ++side)
-      mesh.nodes.row(mesh.cells(cell, 4 + side)) =
+  if (mesh.order() == signorini::MeshOrder::Linear) return mesh;
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (int n = mesh.corners(cell), side = 0; side < n; ++side)
+      mesh.nodes.row(mesh.cells(cell, n + side)) =
           0.5 * (mesh.nodes.row(mesh.cells(cell, side)) +
-                 mesh.nodes.row(mesh.cells(cell, (side + 1) % 4)));
+                 mesh.nodes.row(mesh.cells(cell, (side + 1) % n)));
   return mesh;
 }
 
-/// Corners of a general quadrilateral and, for 8 nodes, midside nodes near but not at the middle.
+/// Corners of a general quadrilateral or triangle and, for 8 or 6 nodes, midside nodes near but not at the middle.
 inline signorini::CellNodes distorted_cell(const signorini::Element& element) {
   signorini::CellNodes nodes(element.n_nodes, 2);
   nodes.row(0) << 0.1, -0.2;
   nodes.row(1) << 2.3, 0.1;
   nodes.row(2) << 1.9, 1.7;
-  nodes.row(3) << -0.3, 1.2;
-  for (int side = 0; side < 4 && element.n_nodes == 8; ++side)
-    nodes.row(4 + side) = 0.5 * (nodes.row(side) + nodes.row((side + 1) % 4)) +
+  const int n = element.corners();
+  if (n == 4) nodes.row(3) << -0.3, 1.2;
+  for (int side = 0; side < n && order_of(element) == signorini::MeshOrder::Quadratic; ++side)
+    nodes.row(n + side) = 0.5 * (nodes.row(side) + nodes.row((side + 1) % n)) +
                           Eigen::RowVector2d(0.05 - 0.03 * side, 0.02 * side - 0.04);
   return nodes;
 }

@@ -25,6 +25,8 @@ class Drawing {
   void two_bodies();
   void symmetric_half();
   void rings();
+  void vary(Body& body);
+  void vary(ContactSpec& contact);
 
   /// Holds one node of a boundary.
   Support at_node(const Body& body, const std::string& boundary, int place, Axis axis);
@@ -79,7 +81,7 @@ void Drawing::hold_ring(Body& ring, const std::string& boundary, Sector sector) 
 void Drawing::load(Body& body, const char* far, const char* beside) {
   double pressure = make_->stress * make_->load;
   pressure *= draw_.chance(1) ? -draw_.sixteenths(1, 8) : draw_.sixteenths(4, 32);
-  const bool drags = draw_.chance(kind_ == RandomScenes::Frictional ? 10 : 4);
+  const bool drags = draw_.chance(kind_ != RandomScenes::Frictionless ? 10 : 4);
   Vector2d drag(0, 0);
   if (drags) drag = pressure * make_->turned({draw_.sixteenths(-16, 16), 0});
   const int what = draw_.whole(0, 7);
@@ -132,7 +134,7 @@ void Drawing::add_contact(const Side& source, std::variant<Obstacle, Side> targe
   contact.target = std::move(target);
   if (std::holds_alternative<Side>(contact.target)) draw_operator(contact);
   const bool rubs = scene_.contacts.empty() || draw_.chance(8);
-  if (kind_ == RandomScenes::Frictional && rubs) contact.friction = draw_friction();
+  if (kind_ != RandomScenes::Frictionless && rubs) contact.friction = draw_friction();
   scene_.contacts.push_back(std::move(contact));
 }
 
@@ -248,6 +250,34 @@ void Drawing::rings() {
   }
 }
 
+void Drawing::vary(Body& body) {
+  const std::string& boundary = body.mesh.boundaries.begin()->first;
+  const std::vector<Eigen::Index> nodes = boundary_nodes(body.mesh, boundary);
+  const auto some_node = [&]() -> Vector2d {
+    return body.mesh.nodes.row(nodes[static_cast<std::size_t>(draw_.whole(0, 99)) % nodes.size()]);
+  };
+  const double length = make_->length;
+  if (draw_.chance(5)) {
+    const double force = make_->stress * make_->load * length * length * draw_.sixteenths(-16, 16);
+    body.loads.points = {{some_node(), make_->turned({0, force})}};
+    draw_.say("; force ", force);
+  }
+  if (draw_.chance(5)) {
+    const double stiffness = make_->stress / length * draw_.decade(-3, 3);
+    body.springs = {{boundary, {stiffness, draw_.chance(8) ? stiffness : 0}}};
+    if (draw_.chance(8))
+      body.springs[0] = {boundary, length * length * body.springs[0].stiffness, some_node()};
+    draw_.say("; springs ", body.springs[0].stiffness.transpose());
+  }
+}
+
+void Drawing::vary(ContactSpec& contact) {
+  if (draw_.chance(4)) contact.interference = make_->length * draw_.decade(-5, -2);
+  if (draw_.chance(4)) contact.adjust = make_->length * draw_.decade(-5, -2);
+  draw_.say("; interference ", contact.interference.value_or(0), ", adjust ",
+            contact.adjust.value_or(0));
+}
+
 RandomScene Drawing::drawn() {
   const int what = draw_.whole(0, 15);
   if (what < 5)
@@ -258,6 +288,10 @@ RandomScene Drawing::drawn() {
     symmetric_half();
   else
     rings();
+  if (kind_ == RandomScenes::Varied) {
+    for (Body& body : scene_.bodies) vary(body);
+    for (ContactSpec& contact : scene_.contacts) vary(contact);
+  }
   return {std::move(scene_), std::move(draw_.text)};
 }
 

@@ -7,8 +7,12 @@
 
 namespace signorini_test {
 
-/// Whether any contact of a scene rubs.
-enum class RandomScenes { Frictionless, Frictional };
+/// Whether any contact of a scene rubs, and whether it has the rarer effects.
+enum class RandomScenes {
+  Frictionless,
+  Frictional,
+  Varied  ///< as Frictional, and often with point forces, springs, interference or adjusted gaps
+};
 
 /// A scene and what it is, in words.
 struct RandomScene {
@@ -27,7 +31,7 @@ struct RandomScene {
 ///
 /// Only whole numbers are drawn, and all numbers come from them by single roundings before a mesh is made.
 /// \param seed  names the scene
-/// \param kind  Frictional: at least one contact rubs
+/// \param kind  Frictional and Varied: at least one contact rubs
 /// \return the scene, with the default solvers
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind);
 

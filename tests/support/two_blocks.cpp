@@ -7,7 +7,9 @@
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/mesh/split.hpp"
 #include "signorini/programme/floating_programme.hpp"
+#include "support/meshes.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -36,16 +38,22 @@ double interface_at(double x, double inclination) {
 
 /// A block of three layers of cells between the curve below and the curve above it.
 template <typename Below, typename Above>
-Mesh layered(const char* name, Index edges, const Element& element, Below&& below, Above&& above) {
+Mesh layered(const char* name, Index edges, const Element& element, bool mixed, Below&& below,
+             Above&& above) {
   BlockSpec spec;
   spec.name = name;
   spec.size = {width, 1};
   spec.cells_x = edges;
   spec.cells_y = 3;
-  spec.order = element.n_nodes == 8 ? MeshOrder::Quadratic : MeshOrder::Linear;
-  return mapped(make_block(spec), [&](const Vector2d& x) -> Vector2d {
+  spec.order = order_of(element);
+  const Mesh mesh = mapped(make_block(spec), [&](const Vector2d& x) -> Vector2d {
     return {x.x(), (1 - x.y()) * below(x.x()) + x.y() * above(x.x())};
   });
+  std::vector<Index> cut;
+  const Index step = element.corners() == 3 ? 1 : 2;
+  for (Index cell = 0; cell < mesh.n_cells() && (step == 1 || mixed); cell += step)
+    cut.push_back(cell);
+  return split(mesh, cut);
 }
 
 Block make(Mesh mesh, const Element& element, double youngs_modulus,
@@ -107,20 +115,21 @@ MatrixXd rigid_motions(const Block& target, const Block& source, const Vector2d&
 
 PatchResult press_blocks(const GapOperator& gap_operator, const GapOptions& options,
                          const TwoBlocks& blocks) {
-  const Element& element = find_element(blocks.element);
+  const Element& own = find_element(blocks.element);
+  const Element& other = blocks.target_element.empty() ? own : find_element(blocks.target_element);
   const auto level = [](double y) { return [y](double) { return y; }; };
   const auto sloped = [&](double x) { return interface_at(x, blocks.inclination); };
   // In-plane strain of the target: held about a place of the interface, this does not move.
   const double strain = -uniform * (1 + poisson_ratio) * (1 - 2 * poisson_ratio);
   const Block target =
-      make(layered("lower", blocks.target_edges, element, level(0), sloped), element, 1,
+      make(layered("lower", blocks.target_edges, other, blocks.mixed, level(0), sloped), other, 1,
            {prescribed("bottom", Axis::Y, -strain),
             prescribed_at("bottom", {0, 0}, Axis::X, -0.5 * width * strain)},
            {"left", "right"});
   const Vector2d pivot(0, 2);
-  const Block source = make(layered("upper", blocks.source_edges, element, sloped, level(2)),
-                            element, blocks.stiffness_ratio, {prescribed_at("top", pivot, Axis::X)},
-                            {"left", "right", "top"});
+  const Block source = make(
+      layered("upper", blocks.source_edges, own, blocks.mixed, sloped, level(2)), own,
+      blocks.stiffness_ratio, {prescribed_at("top", pivot, Axis::X)}, {"left", "right", "top"});
   GapOptions complete = options;
   complete.n_nodes = target.mesh.n_nodes() + source.mesh.n_nodes();
   PatchResult result;

@@ -11,9 +11,11 @@ namespace signorini_test {
 struct TwoBlocks {
   Eigen::Index source_edges = 8;
   Eigen::Index target_edges = 11;
-  double inclination = 0;      ///< of the interface against the x axis [degrees]
-  double stiffness_ratio = 1;  ///< Young's modulus of the source over that of the target
-  std::string element = "q4";  ///< of both blocks
+  double inclination = 0;           ///< of the interface against the x axis [degrees]
+  double stiffness_ratio = 1;       ///< Young's modulus of the source over that of the target
+  std::string element = "q4";       ///< of both blocks, or of the source
+  std::string target_element = {};  ///< of the target if it has another
+  bool mixed = false;               ///< every second quadrilateral is cut into two triangles
 };
 
 /// What the contact pressure of two blocks came to.

@@ -28,10 +28,7 @@ inline signorini::Scene two_blocks(signorini::Mesh lower, signorini::Mesh upper)
   scene.bodies.resize(2);
   scene.bodies[0].mesh = std::move(lower);
   scene.bodies[1].mesh = std::move(upper);
-  for (Body& body : scene.bodies) {
-    body.material = {1000, 0.3, PlaneState::Strain, 1};
-    body.element = body.mesh.cells.cols() == 8 ? "q8" : "q4_incompatible";
-  }
+  for (Body& body : scene.bodies) body.material = {1000, 0.3, PlaneState::Strain, 1};
   scene.bodies[0].supports = {fixed("bottom")};
   scene.contacts = {{{"bottom", "upper"}, Side{"top", "lower"}}};
   return scene;

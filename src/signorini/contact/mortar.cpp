@@ -35,7 +35,8 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
        "mortar: there are rules of 1 to 16 points (0: its own choice), got ", options.points);
   const Interface interface(source, target, options);
   const bool cut = options.quadrature == Quadrature::Segments;
-  const bool curved = source.mesh.cells.cols() == 8 || target.mesh.cells.cols() == 8;
+  const bool curved =
+      source.mesh.order() == MeshOrder::Quadratic || target.mesh.order() == MeshOrder::Quadratic;
   const int n_points = options.points > 0 ? options.points : (cut && curved ? 3 : 2);
   std::vector<std::vector<double>> cuts(interface.sides.size());
   if (cut) cuts = segment_cuts(interface);

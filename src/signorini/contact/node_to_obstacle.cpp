@@ -15,7 +15,7 @@ Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const Ga
   Pairs pairs;
   pairs.node = boundary_nodes(source.mesh, source.boundary);
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
-  pairs.weight = boundary_weights(source.mesh, source.boundary, options.thickness);
+  pairs.weight = boundary_weights(source.mesh, source.boundary, {options.thickness});
   const Index n_pairs = pairs.weight.size();
   pairs.initial_gap.resize(n_pairs);
   pairs.normal.resize(n_pairs, 2);

@@ -36,7 +36,8 @@ std::map<Index, NodeOnSide> nodes_on_sides(const std::vector<SideCurve>& sides) 
 Pairs node_to_segment(const Surface& source, const Surface& target, const GapOptions& options) {
   const Interface interface(source, target, options);
   const std::vector<Index> nodes = boundary_nodes(source.mesh, source.boundary);
-  const Eigen::VectorXd weights = boundary_weights(source.mesh, source.boundary, options.thickness);
+  const Eigen::VectorXd weights =
+      boundary_weights(source.mesh, source.boundary, {options.thickness});
   const std::map<Index, NodeOnSide> on_side = nodes_on_sides(interface.sides);
   std::vector<PairPoint> points;
   std::vector<std::size_t> paired;

@@ -133,8 +133,9 @@ double TargetSearch::depth(Index number) const {
   const SideCurve& curve = side(number);
   const Vector2d chord = (curve.point(1) - curve.point(-1)).normalized();
   double depth = 0;
-  for (int k = 2; k < 4; ++k) {
-    const Index corner = mesh_->cells(own.cell, (own.side + k) % 4);
+  const int n = mesh_->corners(own.cell);
+  for (int k = 2; k < n; ++k) {
+    const Index corner = mesh_->cells(own.cell, (own.side + k) % n);
     const Vector2d arm = mesh_->nodes.row(corner).transpose() - curve.point(-1);
     depth = std::max(depth, cross(chord, arm));
   }
@@ -144,9 +145,10 @@ double TargetSearch::depth(Index number) const {
 bool TargetSearch::inside_body(const AnchoredPoint& x) const {
   for (Index cell = 0; cell < mesh_->n_cells(); ++cell) {
     bool inside = true;
-    for (int k = 0; k < 4 && inside; ++k) {
+    const int n = mesh_->corners(cell);
+    for (int k = 0; k < n && inside; ++k) {
       const Vector2d a = mesh_->nodes.row(mesh_->cells(cell, k)).transpose();
-      const Vector2d b = mesh_->nodes.row(mesh_->cells(cell, (k + 1) % 4)).transpose();
+      const Vector2d b = mesh_->nodes.row(mesh_->cells(cell, (k + 1) % n)).transpose();
       inside = cross(b - a, x - a) >= 0;
     }
     if (inside) return true;

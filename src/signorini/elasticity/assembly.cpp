@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/elasticity/elements.hpp"
 #include "signorini/mesh/side_curve.hpp"
 
 namespace signorini {
@@ -24,36 +25,30 @@ void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit
 }
 
 /// A curved cell can fold although its corners are in order; the map then turns over at some point.
-void check_unfolded(const Mesh& mesh, const Element& element, Index cell, const CellNodes& nodes) {
-  if (element.n_nodes == 4) return;  // for straight sides the corners decide, see check_mesh()
-  const CellNodes arms = arms_from_middle(nodes);
-  for (const GaussPoint& at : gauss_square(3))
-    pose(jacobian(element.shape(at.xi, at.eta), arms).determinant > 0, "mesh '", mesh.name,
-         "': cell ", cell,
+void check_unfolded(const Cell& cell) {
+  if (cell.element.n_nodes <= 4) return;  // for straight sides the corners decide, see check_mesh()
+  for (const GaussPoint& at : gauss_cell(cell.element))
+    pose(jacobian(cell.element.shape(at.xi, at.eta), cell.body.arms).determinant > 0, "mesh '",
+         cell.mesh.name, "': cell ", cell.number,
          " folds over itself: move the middle nodes of its sides closer to the straight lines");
 }
 
-void add_body_force(const Mesh& mesh, const Element& element, const Eigen::Matrix3d& D,
-                    double thickness, const VectorField& force, NodeArray& load) {
-  StrainPoints points;
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    const CellNodes nodes = cell_nodes(mesh, cell);
-    const CellNodes arms = arms_from_middle(nodes);
-    const Eigen::RowVector2d middle = nodes.row(0) - arms.row(0);
-    element.strain(arms, D, points);
+void add_body_force(const Mesh& mesh, const Element& element, const Material& material,
+                    const VectorField& force, NodeArray& load) {
+  visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
     for (int i = 0; i < points.size; ++i) {
       const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
-      const CellScalars N = element.shape(point.local.x(), point.local.y()).value;
-      const Eigen::Vector2d position = middle.transpose() + arms.transpose() * N;
+      const CellScalars N = cell.element.shape(point.local.x(), point.local.y()).value;
+      const Eigen::Vector2d position = cell.body.position(N);
       const Eigen::Vector2d f = force(position);
       pose(f.allFinite(), "body force: not finite at (", position.x(), ", ", position.y(), ')');
-      for (Index k = 0; k < element.n_nodes; ++k)
-        load.row(mesh.cells(cell, k)) += thickness * point.area * N(k) * f.transpose();
+      for (Index k = 0; k < cell.element.n_nodes; ++k)
+        load.row(cell.node(k)) += point.volume * N(k) * f.transpose();
     }
-  }
+  });
 }
 
-void add_edge_load(const Mesh& mesh, double thickness, const EdgeLoad& edge, NodeArray& load) {
+void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, NodeArray& load) {
   integrate_boundary(
       mesh, edge.boundary,
       [&](const std::vector<Index>& nodes, const Eigen::Vector3d& N, const Eigen::Vector2d& tangent,
@@ -64,8 +59,16 @@ void add_edge_load(const Mesh& mesh, double thickness, const EdgeLoad& edge, Nod
         pose(force.allFinite(), "load on '", edge.boundary, "': not finite at (", position.x(),
              ", ", position.y(), ')');
         for (std::size_t k = 0; k < nodes.size(); ++k)
-          load.row(nodes[k]) += thickness * weight * N(static_cast<Index>(k)) * force.transpose();
+          load.row(nodes[k]) +=
+              depth.at(position.x()) * weight * N(static_cast<Index>(k)) * force.transpose();
       });
+}
+
+void add_point_force(const Mesh& mesh, const PointForce& point, NodeArray& load) {
+  if ((point.force.array() == 0).all()) return;
+  const Place place = place_of(mesh, point);
+  for (std::size_t k = 0; k < place.nodes.size(); ++k)
+    load.row(place.nodes[k]) += place.share(static_cast<Index>(k)) * point.force.transpose();
 }
 
 /// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
@@ -77,47 +80,66 @@ struct CellsAround {
 CellsAround cells_around(const Mesh& mesh) {
   CellsAround around{Eigen::ArrayX<Index>::Zero(mesh.n_nodes() + 1),
                      Eigen::ArrayX<Index>(mesh.cells.size())};
-  for (Index k = 0; k < mesh.cells.size(); ++k) ++around.first(mesh.cells.data()[k]);
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (Index k = 0; k < mesh.cell_size(cell); ++k) ++around.first(mesh.cells(cell, k));
   for (Index node = 0; node < mesh.n_nodes(); ++node) around.first(node + 1) += around.first(node);
   for (Index cell = mesh.n_cells() - 1; cell >= 0; --cell)
-    for (Index k = 0; k < mesh.cells.cols(); ++k)
+    for (Index k = 0; k < mesh.cell_size(cell); ++k)
       around.cell(--around.first(mesh.cells(cell, k))) = cell;
   return around;
 }
 
+/// Nodes of its largest cell; in a mixed mesh that is a quadrilateral.
+Index largest_cell(const Mesh& mesh) {
+  Index size = 0;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) size = std::max(size, mesh.cell_size(cell));
+  return size;
+}
+
 }  // namespace
 
-CellNodes cell_nodes(const Mesh& mesh, Index cell) {
-  CellNodes nodes(mesh.cells.cols(), 2);
-  for (Index k = 0; k < mesh.cells.cols(); ++k) nodes.row(k) = mesh.nodes.row(mesh.cells(cell, k));
-  return nodes;
-}
-
 void check_element(const Mesh& mesh, const Element& element) {
-  pose(mesh.cells.cols() == element.n_nodes, "mesh '", mesh.name, "' has cells of ",
-       mesh.cells.cols(), " nodes, but the element ", element.name, " needs ", element.n_nodes);
+  const Index size = largest_cell(mesh);
+  pose(size == element.n_nodes, "mesh '", mesh.name, "' has cells of ", size,
+       " nodes, but the element ", element.name, " needs ", element.n_nodes);
 }
 
-CellMatrix cell_stiffness(const Element& element, const CellNodes& nodes, const Eigen::Matrix3d& D,
-                          double thickness) {
+const Element& element_for(const Mesh& mesh, const std::string& name) {
+  static const std::map<Index, const char*> usual = {
+      {3, "t3"}, {4, "q4_incompatible"}, {6, "t6"}, {8, "q8"}};
+  const Element& element = find_element(name.empty() ? usual.at(largest_cell(mesh)) : name);
+  check_element(mesh, element);
+  return element;
+}
+
+CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   StrainPoints points;
-  element.strain(arms_from_middle(nodes), D, points);
+  element.strain(cell, points);
   CellMatrix K = CellMatrix::Zero(2 * element.n_nodes, 2 * element.n_nodes);
-  for (int i = 0; i < points.size; ++i) {
-    const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
-    const StrainMatrix stress = thickness * point.area * D * point.B;
-    K.noalias() += point.B.transpose() * stress;
-  }
+  with_rows(cell.D.rows(), [&](auto n_rows) {
+    const auto& D = fixed_rows<n_rows>(cell.D);
+    for (int i = 0; i < points.size; ++i) {
+      const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+      const auto& B = fixed_rows<n_rows>(point.B);
+      const FixedRows<n_rows> stress = point.volume * D * B;
+      K.noalias() += B.transpose() * stress;
+    }
+  });
   return 0.5 * (K + CellMatrix(K.transpose()));  // exactly symmetric
+}
+
+Place place_of(const Mesh& mesh, const PointForce& load) {
+  pose(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(), ", ",
+       load.point.y(), "): not finite");
+  return place_on_edge(mesh, load.point);
 }
 
 NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Material& material,
                       const Loads& loads) {
   NodeArray load = NodeArray::Zero(mesh.n_nodes(), 2);
-  if (loads.body_force)
-    add_body_force(mesh, element, elasticity_matrix(material), material.thickness, loads.body_force,
-                   load);
-  for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, material.thickness, edge, load);
+  if (loads.body_force) add_body_force(mesh, element, material, loads.body_force, load);
+  for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, depth_of(material), edge, load);
+  for (const PointForce& force : loads.points) add_point_force(mesh, force, load);
   return load;
 }
 
@@ -131,10 +153,12 @@ Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& 
     const Index node = unknowns.node_of[static_cast<std::size_t>(column)];
     if (node != last) {
       rows.clear();
-      for (Index k = around.first(node); k < around.first(node + 1); ++k)
-        for (const Index other : mesh.cells.row(around.cell(k)))
-          for (const Index number : unknowns.number.row(other))
+      for (Index k = around.first(node); k < around.first(node + 1); ++k) {
+        const Index cell = around.cell(k);
+        for (Index j = 0; j < mesh.cell_size(cell); ++j)
+          for (const Index number : unknowns.number.row(mesh.cells(cell, j)))
             if (number >= 0) rows.push_back(number);
+      }
       std::sort(rows.begin(), rows.end());
       rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
       last = node;
@@ -149,8 +173,6 @@ Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& 
 LinearSystem assemble(const Mesh& mesh, const Element& element, const Material& material,
                       const Unknowns& unknowns, const Loads& loads) {
   check_element(mesh, element);
-  const Eigen::Matrix3d D = elasticity_matrix(material);
-  const Index n_cell = 2 * element.n_nodes;
   LinearSystem system{stiffness_pattern(mesh, unknowns), {}};
   const NodeArray nodal = nodal_loads(mesh, element, material, loads);
   system.load.resize(unknowns.count);
@@ -159,22 +181,21 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const Material& 
       if (unknowns.number(node, axis) >= 0)
         system.load(unknowns.number(node, axis)) = nodal(node, axis);
 
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    const CellNodes nodes = cell_nodes(mesh, cell);
-    check_unfolded(mesh, element, cell, nodes);
-    const CellMatrix K = cell_stiffness(element, nodes, D, material.thickness);
-    for (Index i = 0; i < n_cell; ++i) {
-      const Index row = unknowns.number(mesh.cells(cell, i / 2), i % 2);
+  visit_cells(mesh, element, material, [&](const Cell& cell) {
+    check_unfolded(cell);
+    const CellMatrix K = cell_stiffness(cell.element, cell.body);
+    for (Index i = 0; i < K.rows(); ++i) {
+      const Index row = unknowns.number(cell.node(i / 2), i % 2);
       if (row < 0) continue;
-      for (Index j = 0; j < n_cell; ++j) {
-        const Index column = unknowns.number(mesh.cells(cell, j / 2), j % 2);
+      for (Index j = 0; j < K.cols(); ++j) {
+        const Index column = unknowns.number(cell.node(j / 2), j % 2);
         if (column >= 0)
           system.stiffness.coeffRef(row, column) += K(i, j);
         else
-          system.load(row) -= K(i, j) * unknowns.held(mesh.cells(cell, j / 2), j % 2);
+          system.load(row) -= K(i, j) * unknowns.held(cell.node(j / 2), j % 2);
       }
     }
-  }
+  });
   return system;
 }
 
@@ -182,28 +203,24 @@ NodeArray internal_forces(const Mesh& mesh, const Element& element, const Materi
                           const NodeArray& displacements) {
   require(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
           " displacements (one per node), got ", displacements.rows());
-  const Eigen::Matrix3d D = elasticity_matrix(material);
   NodeArray forces = NodeArray::Zero(mesh.n_nodes(), 2);
-  Eigen::VectorXd u(2 * element.n_nodes);
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    for (Index k = 0; k < element.n_nodes; ++k)
-      u.segment<2>(2 * k) = displacements.row(mesh.cells(cell, k)).transpose();
-    const Eigen::VectorXd f =
-        cell_stiffness(element, cell_nodes(mesh, cell), D, material.thickness) * u;
-    for (Index k = 0; k < element.n_nodes; ++k)
-      forces.row(mesh.cells(cell, k)) += f.segment<2>(2 * k).transpose();
-  }
+  visit_cells(mesh, element, material, [&](const Cell& cell) {
+    const CellVector f = cell_stiffness(cell.element, cell.body) * gathered(cell, displacements);
+    for (Index k = 0; k < cell.element.n_nodes; ++k)
+      forces.row(cell.node(k)) += f.segment<2>(2 * k).transpose();
+  });
   return forces;
 }
 
-Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, double thickness) {
+Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, const Depth& depth) {
   std::map<Index, double> weight;
   integrate_boundary(
       mesh, name,
       [&](const std::vector<Index>& nodes, const Eigen::Vector3d& N, const Eigen::Vector2d& tangent,
-          const Eigen::Vector2d& /*position*/, double w) {
+          const Eigen::Vector2d& position, double w) {
         for (std::size_t k = 0; k < nodes.size(); ++k)
-          weight[nodes[k]] += thickness * w * N(static_cast<Index>(k)) * tangent.norm();
+          weight[nodes[k]] +=
+              depth.at(position.x()) * w * N(static_cast<Index>(k)) * tangent.norm();
       });
   const std::vector<Index> nodes = boundary_nodes(mesh, name);
   Eigen::VectorXd weights(static_cast<Index>(nodes.size()));

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "signorini/elasticity/element.hpp"
+#include "signorini/elasticity/cells.hpp"
 #include "signorini/elasticity/material.hpp"
+#include "signorini/elasticity/places.hpp"
 #include "signorini/elasticity/unknowns.hpp"
 #include "signorini/mesh/mesh.hpp"
 
@@ -39,14 +40,9 @@ struct LinearSystem {
   Eigen::VectorXd load;                   ///< p `n` [force], with what given displacements cause
 };
 
-/// Gathers the nodes of one cell for the element functions.
-/// \param mesh  that has it
-/// \param cell  its number
-/// \return positions in the order of the cell [length]
-[[nodiscard]] CellNodes cell_nodes(const Mesh& mesh, Eigen::Index cell);
-
-/// Checks that an element has as many nodes as the cells it is to be used in.
-/// \param mesh     cells of 4 or 8 nodes
+/// Checks that an element has as many nodes as the cells it is to be used in; where quadrilaterals and triangles
+/// are mixed, as the quadrilaterals.
+/// \param mesh     any
 /// \param element  a member of the family
 /// \throws ProblemError naming both numbers if they differ
 void check_element(const Mesh& mesh, const Element& element);
@@ -58,14 +54,19 @@ void check_element(const Mesh& mesh, const Element& element);
 [[nodiscard]] Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh,
                                                             const Unknowns& unknowns);
 
-/// Stiffness of one cell: the integral of \f$ B^T D B \f$ over its area, times the thickness.
-/// \param element    of the cell, `m` nodes
-/// \param nodes      `m x 2`      positions [length]
-/// \param D          `3 x 3`      elasticity_matrix() [force/length^2]
-/// \param thickness  across the plane [length]
+/// The element for a mesh.
+/// \param mesh  through check_mesh()
+/// \param name  of a member of the family; empty for the usual one: t3, q4_incompatible, t6 or q8, whatever its cells
+///   need
+/// \return that member
+/// \throws ProblemError as find_element() and check_element()
+[[nodiscard]] const Element& element_for(const Mesh& mesh, const std::string& name);
+
+/// Stiffness of one cell: the integral of \f$ B^T D B \f$ over its volume.
+/// \param element  of the cell, `m` nodes
+/// \param cell     from cell_body()
 /// \return `2m x 2m`, exactly symmetric, positive semidefinite [force/length]
-[[nodiscard]] CellMatrix cell_stiffness(const Element& element, const CellNodes& nodes,
-                                        const Eigen::Matrix3d& D, double thickness);
+[[nodiscard]] CellMatrix cell_stiffness(const Element& element, const CellBody& cell);
 
 /// Assembles K and p of the free unknowns. \PaperEq{XuanLi2002, 12}
 /// \param mesh      the body, already through check_mesh()
@@ -80,13 +81,20 @@ void check_element(const Mesh& mesh, const Element& element);
                                     const Material& material, const Unknowns& unknowns,
                                     const Loads& loads);
 
+/// Where a point force acts.
+/// \param mesh  the body
+/// \param load  on it
+/// \return the nodes that share it
+/// \throws ProblemError if the force is not finite, or as place_on_edge()
+[[nodiscard]] Place place_of(const Mesh& mesh, const PointForce& load);
+
 /// Nodal forces of the loads, consistent with the shape functions.
 /// \param mesh      the body
 /// \param element   fits its cells
-/// \param material  whose thickness multiplies the loads
+/// \param material  whose depth multiplies the loads
 /// \param loads     on the body
 /// \return `n_nodes x 2` on all nodes, held or not [force]
-/// \throws ProblemError if a load is not finite or its boundary does not exist
+/// \throws ProblemError if a load is not finite, its boundary does not exist, or as place_of()
 [[nodiscard]] NodeArray nodal_loads(const Mesh& mesh, const Element& element,
                                     const Material& material, const Loads& loads);
 
@@ -104,14 +112,14 @@ void check_element(const Mesh& mesh, const Element& element);
                                         const Material& material, const NodeArray& displacements);
 
 /// Consistent share of a boundary for each of its nodes: the integral of its shape function along
-/// the boundary times the thickness.
-/// \param mesh       that has the boundary
-/// \param name       of the boundary
-/// \param thickness  across the plane [length]
+/// the boundary times the depth.
+/// \param mesh   that has the boundary
+/// \param name   of the boundary
+/// \param depth  across the plane
 /// \return one number per node [length^2], in the order of boundary_nodes()
 /// \throws ProblemError if there is no such boundary
 [[nodiscard]] Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name,
-                                               double thickness);
+                                               const Depth& depth);
 
 /// Displacements of all nodes.
 /// \param unknowns  which are unknown, and what the others are held at

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -45,24 +46,24 @@ Jacobian jacobian(const Shape& shape, const CellNodes& nodes) {
   return map;
 }
 
-StrainMatrix strain_matrix(const CellNodes& gradient) {
-  StrainMatrix B = StrainMatrix::Zero(3, 2 * gradient.rows());
+void write_strain_matrix(const CellNodes& gradient, StrainMatrix& B) {
+  B.setZero(3, 2 * gradient.rows());
   for (Eigen::Index k = 0; k < gradient.rows(); ++k) {
     B(0, 2 * k) = B(2, 2 * k + 1) = gradient(k, 0);
     B(1, 2 * k + 1) = B(2, 2 * k) = gradient(k, 1);
   }
-  return B;
 }
 
 void sample_strain(Shape (*shape)(double xi, double eta), const std::vector<GaussPoint>& rule,
-                   const CellNodes& nodes, StrainPoints& points) {
+                   const CellBody& cell, StrainPoints& points) {
   points.size = 0;
   for (const GaussPoint& gauss : rule) {
-    const Jacobian map = jacobian(shape(gauss.xi, gauss.eta), nodes);
+    const Shape at = shape(gauss.xi, gauss.eta);
+    const Jacobian map = jacobian(at, cell.arms);
     StrainPoint& point = points.point[static_cast<std::size_t>(points.size++)];
     point.local << gauss.xi, gauss.eta;
-    point.area = gauss.weight * map.determinant;
-    point.B = strain_matrix(map.gradient);
+    point.volume = gauss.weight * map.determinant * cell.depth_at(at.value);
+    write_strain_matrix(map.gradient, point.B);
   }
 }
 
@@ -92,6 +93,42 @@ const std::vector<GaussPoint>& gauss_square(int n) {
   static const std::vector<GaussPoint> rules[] = {product(2), product(3)};
   require(n == 2 || n == 3, "gauss_square: rules have 2 x 2 or 3 x 3 points, got n = ", n);
   return rules[n - 2];
+}
+
+const std::vector<GaussPoint>& gauss_triangle(int n) {
+  // The three places (a, a), (1 - 2 a, a), (a, 1 - 2 a), each of the same weight.
+  const auto three = [](double a, double weight, std::vector<GaussPoint>& rule) {
+    for (const auto& [xi, eta] : {std::pair(a, a), {1 - 2 * a, a}, {a, 1 - 2 * a}})
+      rule.push_back({xi, eta, weight});
+  };
+  static const std::array<std::vector<GaussPoint>, 2> rules = [&three] {
+    std::array<std::vector<GaussPoint>, 2> made;
+    three(1.0 / 6, 1.0 / 6, made[0]);
+    const double root = std::sqrt(10.0);
+    const double place = std::sqrt(38 - 44 * std::sqrt(0.4));
+    const double share = std::sqrt(213125 - 53320 * root);
+    three((8 - root + place) / 18, (620 + share) / 7440, made[1]);
+    three((8 - root - place) / 18, (620 - share) / 7440, made[1]);
+    return made;
+  }();
+  require(n == 3 || n == 6, "gauss_triangle: rules have 3 or 6 points, got ", n);
+  return rules[n == 3 ? 0 : 1];
+}
+
+const std::vector<GaussPoint>& gauss_cell(const Element& element) {
+  return element.corners() == 3 ? gauss_triangle(6) : gauss_square(3);
+}
+
+CellNodes reference_nodes(const Element& element) {
+  const int n = element.corners();
+  CellNodes nodes(element.n_nodes, 2);
+  if (n == 3)
+    nodes.topRows(3) << 0, 0, 1, 0, 0, 1;
+  else
+    nodes.topRows(4) << -1, -1, 1, -1, 1, 1, -1, 1;
+  for (Eigen::Index k = n; k < element.n_nodes; ++k)
+    nodes.row(k) = 0.5 * (nodes.row(k - n) + nodes.row((k - n + 1) % n));
+  return nodes;
 }
 
 }  // namespace signorini

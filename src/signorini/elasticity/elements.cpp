@@ -5,7 +5,7 @@
 namespace signorini {
 
 // The table: one line per function that returns a member.
-#define SIGNORINI_ELEMENTS q4(), q4_bbar(), q4_incompatible(), q8()
+#define SIGNORINI_ELEMENTS q4(), q4_bbar(), q4_incompatible(), q8(), t3(), t6()
 
 Element SIGNORINI_ELEMENTS;  // declares them
 

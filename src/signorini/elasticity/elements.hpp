@@ -31,6 +31,13 @@ namespace signorini {
 /// \return the element
 [[nodiscard]] Element q8();
 
+/// Three-node triangle. Too stiff in bending, and locks near incompressibility.
+/// \return the element
+[[nodiscard]] Element t3();
+/// Six-node triangle, 6 Gauss points.
+/// \return the element
+[[nodiscard]] Element t6();
+
 /// The family.
 /// \return all members, in the order of lists and tables
 [[nodiscard]] const std::vector<Element>& elements();

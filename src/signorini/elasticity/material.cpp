@@ -19,11 +19,11 @@ void check_material(const Material& material) {
        "infinite. Use 0.4999 with the element q4_bbar (q4 would lock: it bears far too much load)");
 }
 
-Eigen::Matrix3d elasticity_matrix(const Material& material) {
+Elasticity elasticity_matrix(const Material& material) {
   check_material(material);
   const double E = material.youngs_modulus;
   const double nu = material.poisson_ratio;
-  Eigen::Matrix3d D = Eigen::Matrix3d::Zero();
+  Elasticity D = Elasticity::Zero(3, 3);
   if (material.state == PlaneState::Stress) {
     D.topLeftCorner<2, 2>() << 1, nu, nu, 1;
     D *= E / (1 - nu * nu);

@@ -3,7 +3,12 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "signorini/core/rounding.hpp"
+
 namespace signorini {
+
+/// D of sigma = D epsilon: a row per strain component, 3 in the plane and 4 in axial symmetry; never on the heap.
+using Elasticity = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 4, 4>;
 
 /// What does not happen across the plane.
 enum class PlaneState {
@@ -21,6 +26,25 @@ struct Material {
   double expansion = 0;                   ///< alpha, thermal strain per temperature [1/temperature]
 };
 
+/// How far a body reaches across the plane at a place. Whatever is integrated over the plane, or along a line in it,
+/// is multiplied by it there, once.
+struct Depth {
+  double thickness = 1;  ///< everywhere the same part [length]
+  double per_radius =
+      0;  ///< in axial symmetry 2 pi: the length of the circle through the place [-]
+
+  /// \param x  coordinate of the place, in axial symmetry its radius [length]
+  /// \return the depth there [length]
+  [[nodiscard]] double at(double x) const { return thickness + per_radius * x; }
+};
+
+/// \param material  of a body
+/// \return its thickness, or in axial symmetry the circle
+[[nodiscard]] inline Depth depth_of(const Material& material) {
+  if (material.state == PlaneState::Axial) return {0, 2 * pi};
+  return {material.thickness, 0};
+}
+
 /// Checks a material.
 /// \param material  any
 /// \throws ProblemError naming the constant that is out of range and what to use instead
@@ -32,7 +56,7 @@ void check_material(const Material& material);
 /// \param material  within its bounds
 /// \return `3 x 3`, symmetric positive definite [force/length^2]
 /// \throws ProblemError as check_material()
-[[nodiscard]] Eigen::Matrix3d elasticity_matrix(const Material& material);
+[[nodiscard]] Elasticity elasticity_matrix(const Material& material);
 
 /// Stress across the plane from the stress in it.
 /// \param material  whose state and Poisson's ratio count

@@ -22,8 +22,8 @@ Element q4() {
           4,
           1,
           bilinear_shape,
-          [](const CellNodes& nodes, const Eigen::Matrix3d& /*D*/, StrainPoints& points) {
-            sample_strain(bilinear_shape, gauss_square(2), nodes, points);
+          [](const CellBody& cell, StrainPoints& points) {
+            sample_strain(bilinear_shape, gauss_square(2), cell, points);
           }};
 }
 

@@ -29,9 +29,8 @@ Shape serendipity_shape(double xi, double eta) {
   return shape;
 }
 
-void serendipity_strain(const CellNodes& nodes, const Eigen::Matrix3d& /*D*/,
-                        StrainPoints& points) {
-  sample_strain(serendipity_shape, gauss_square(3), nodes, points);
+void serendipity_strain(const CellBody& cell, StrainPoints& points) {
+  sample_strain(serendipity_shape, gauss_square(3), cell, points);
 }
 
 }  // namespace

@@ -1,51 +1,63 @@
 #include "signorini/elasticity/stress.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/elasticity/assembly.hpp"
+#include "signorini/elasticity/cells.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, max_strain_points, 3>;
+using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, max_strain_points, 4>;
+
+/// Stress at one strain point; across the plane it is a component of D, or follows from those in the plane.
+Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const CellVector& u) {
+  return with_rows(cell.body.D.rows(), [&](auto n_rows) {
+    const Eigen::Matrix<double, n_rows, 1> stress =
+        fixed_rows<n_rows>(cell.body.D) * (fixed_rows<n_rows>(point.B) * u);
+    Eigen::Vector4d all;
+    if constexpr (n_rows == 4)
+      all = stress;
+    else
+      all << stress, stress_across(cell.material, stress);
+    return all;
+  });
+}
 
 /// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them, row by row.
 template <typename Visit>
-void visit_cells(const Mesh& mesh, const Element& element, const Material& material,
-                 const NodeArray& displacements, Visit&& visit) {
+void visit_stresses(const Mesh& mesh, const Element& element, const Material& material,
+                    const NodeArray& displacements, Visit&& visit) {
   require(displacements.rows() == mesh.n_nodes(), "stress: need the displacements of ",
           mesh.n_nodes(), " nodes, got ", displacements.rows());
-  const Eigen::Matrix3d D = elasticity_matrix(material);
-  StrainPoints points;
-  CellVector u(2 * element.n_nodes);
   PointStress stress;
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    element.strain(arms_from_middle(cell_nodes(mesh, cell)), D, points);
-    for (Index k = 0; k < element.n_nodes; ++k)
-      u.segment<2>(2 * k) = displacements.row(mesh.cells(cell, k)).transpose();
-    stress.resize(points.size, 3);
+  visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
+    const CellVector u = gathered(cell, displacements);
+    stress.resize(points.size, 4);
     for (int i = 0; i < points.size; ++i)
-      stress.row(i) = (D * (points.point[static_cast<std::size_t>(i)].B * u)).transpose();
+      stress.row(i) = stress_at(points.point[static_cast<std::size_t>(i)], cell, u).transpose();
     visit(cell, points, stress);
-  }
+  });
 }
 
-/// Takes values at the strain points to the nodes through the bilinear function that fits them best.
+/// Takes values at the strain points to the nodes through the function that fits them best: bilinear on the square,
+/// linear on the triangle.
 Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points) {
-  const auto monomials = [](const Eigen::Vector2d& x) {
-    return Eigen::RowVector4d(1, x.x(), x.y(), x.x() * x.y());
+  const Index n_terms = element.corners();
+  const auto monomials = [n_terms](double x, double y) {
+    return Eigen::RowVector4d(1, x, y, x * y).head(n_terms).eval();
   };
-  Eigen::MatrixXd at_points(points.size, 4);
-  for (int i = 0; i < points.size; ++i)
-    at_points.row(i) = monomials(points.point[static_cast<std::size_t>(i)].local);
-  const Eigen::Vector2d corner[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  Eigen::MatrixXd at_nodes(element.n_nodes, 4);
-  for (Index k = 0; k < element.n_nodes; ++k)
-    at_nodes.row(k) =
-        monomials(k < 4 ? corner[k] : Eigen::Vector2d(0.5 * (corner[k - 4] + corner[(k - 3) % 4])));
+  Eigen::MatrixXd at_points(points.size, n_terms);
+  for (int i = 0; i < points.size; ++i) {
+    const Eigen::Vector2d& local = points.point[static_cast<std::size_t>(i)].local;
+    at_points.row(i) = monomials(local.x(), local.y());
+  }
+  const CellNodes nodes = reference_nodes(element);
+  Eigen::MatrixXd at_nodes(element.n_nodes, n_terms);
+  for (Index k = 0; k < element.n_nodes; ++k) at_nodes.row(k) = monomials(nodes(k, 0), nodes(k, 1));
   return at_nodes * pseudo_inverse(at_points);
 }
 
@@ -53,17 +65,18 @@ Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points
 
 StressArray nodal_stress(const Mesh& mesh, const Element& element, const Material& material,
                          const NodeArray& displacements) {
-  StressArray stress = StressArray::Zero(mesh.n_nodes(), 3);
+  StressArray stress = StressArray::Zero(mesh.n_nodes(), 4);
   Eigen::VectorXd cells_at = Eigen::VectorXd::Zero(mesh.n_nodes());
-  Eigen::MatrixXd to_nodes;
-  visit_cells(mesh, element, material, displacements,
-              [&](Index cell, const StrainPoints& points, const PointStress& at_points) {
-                if (to_nodes.size() == 0) to_nodes = extrapolation(element, points);
-                for (Index k = 0; k < element.n_nodes; ++k) {
-                  stress.row(mesh.cells(cell, k)) += to_nodes.row(k) * at_points;
-                  cells_at(mesh.cells(cell, k)) += 1;
-                }
-              });
+  std::array<Eigen::MatrixXd, 2> of_kind;  // triangles, quadrilaterals
+  visit_stresses(mesh, element, material, displacements,
+                 [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
+                   Eigen::MatrixXd& to_nodes = of_kind[cell.element.corners() == 3 ? 0 : 1];
+                   if (to_nodes.size() == 0) to_nodes = extrapolation(cell.element, points);
+                   for (Index k = 0; k < cell.element.n_nodes; ++k) {
+                     stress.row(cell.node(k)) += to_nodes.row(k) * at_points;
+                     cells_at(cell.node(k)) += 1;
+                   }
+                 });
   for (Index node = 0; node < mesh.n_nodes(); ++node)
     if (cells_at(node) > 0) stress.row(node) /= cells_at(node);
   return stress;
@@ -71,25 +84,24 @@ StressArray nodal_stress(const Mesh& mesh, const Element& element, const Materia
 
 StressArray cell_stress(const Mesh& mesh, const Element& element, const Material& material,
                         const NodeArray& displacements) {
-  StressArray stress = StressArray::Zero(mesh.n_cells(), 3);
-  visit_cells(mesh, element, material, displacements,
-              [&](Index cell, const StrainPoints& points, const PointStress& at_points) {
-                double area = 0;
-                for (int i = 0; i < points.size; ++i) {
-                  const double share = points.point[static_cast<std::size_t>(i)].area;
-                  stress.row(cell) += share * at_points.row(i);
-                  area += share;
-                }
-                stress.row(cell) /= area;
-              });
+  StressArray stress = StressArray::Zero(mesh.n_cells(), 4);
+  visit_stresses(mesh, element, material, displacements,
+                 [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
+                   double volume = 0;
+                   for (int i = 0; i < points.size; ++i) {
+                     const double share = points.point[static_cast<std::size_t>(i)].volume;
+                     stress.row(cell.number) += share * at_points.row(i);
+                     volume += share;
+                   }
+                   stress.row(cell.number) /= volume;
+                 });
   return stress;
 }
 
-double von_mises(const Material& material, const Eigen::Vector3d& stress) {
-  const double across = stress_across(material, stress);
+double von_mises(const Eigen::Vector4d& stress) {
   const double xy = stress(0) - stress(1);
-  const double yz = stress(1) - across;
-  const double zx = across - stress(0);
+  const double yz = stress(1) - stress(3);
+  const double zx = stress(3) - stress(0);
   return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * stress(2) * stress(2));
 }
 

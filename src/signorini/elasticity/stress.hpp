@@ -9,16 +9,17 @@
 
 namespace signorini {
 
-/// One stress (xx, yy, xy) per row [force/length^2], tension positive.
-using StressArray = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+/// One stress (xx, yy, xy, zz) per row [force/length^2], tension positive; zz is across the plane: in axial symmetry
+/// the hoop stress, see stress_across() for the others.
+using StressArray = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
 /// Stress at the nodes: the values at the strain points of each cell are fitted by a bilinear
-/// function, evaluated at the nodes and averaged over the cells that meet there.
+/// function (of a triangle, linear), evaluated at the nodes and averaged over the cells that meet there.
 /// \param mesh           the body
 /// \param element        fits its cells
 /// \param material       of all cells
 /// \param displacements  `n_nodes x 2` [length]
-/// \return `n_nodes x 3`; zero at a node without a cell
+/// \return `n_nodes x 4`; zero at a node without a cell
 /// \throws std::invalid_argument unless there is one displacement per node
 /// \throws ProblemError as check_material()
 [[nodiscard]] StressArray nodal_stress(const Mesh& mesh, const Element& element,
@@ -29,16 +30,15 @@ using StressArray = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// \param element        fits its cells
 /// \param material       of all cells
 /// \param displacements  `n_nodes x 2` [length]
-/// \return `n_cells x 3`
+/// \return `n_cells x 4`
 /// \throws std::invalid_argument or ProblemError, as nodal_stress()
 [[nodiscard]] StressArray cell_stress(const Mesh& mesh, const Element& element,
                                       const Material& material, const NodeArray& displacements);
 
-/// Von Mises stress, including the stress across the plane.
-/// \param material  gives the stress across the plane, see stress_across()
-/// \param stress    (xx, yy, xy) [force/length^2]
+/// Von Mises stress.
+/// \param stress  (xx, yy, xy, zz) [force/length^2]
 /// \return never negative [force/length^2]
-[[nodiscard]] double von_mises(const Material& material, const Eigen::Vector3d& stress);
+[[nodiscard]] double von_mises(const Eigen::Vector4d& stress);
 
 /// The force per area on a face of a body.
 struct Traction {

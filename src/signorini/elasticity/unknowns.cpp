@@ -1,10 +1,10 @@
 #include "signorini/elasticity/unknowns.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/elasticity/places.hpp"
 
 namespace signorini {
 namespace {
@@ -26,21 +26,6 @@ Axis normal_axis(const Mesh& mesh, const std::string& name) {
        "': the boundary must be straight and parallel to an axis, but it spans ", extent.x(), " x ",
        extent.y());
   return extent.x() < extent.y() ? Axis::X : Axis::Y;
-}
-
-/// The nodes that a support is about.
-std::vector<Index> supported_nodes(const Mesh& mesh, const Support& support) {
-  std::vector<Index> nodes = boundary_nodes(mesh, support.boundary);
-  if (!support.only_at) return nodes;
-  const Eigen::RowVector2d point = support.only_at->transpose();
-  const auto distance = [&](Index node) { return (mesh.nodes.row(node) - point).norm(); };
-  const Index nearest = *std::min_element(
-      nodes.begin(), nodes.end(), [&](Index a, Index b) { return distance(a) < distance(b); });
-  const double rounding = 1e3 * epsilon * mesh.nodes.cwiseAbs().maxCoeff();
-  pose(distance(nearest) <= rounding, "support on '", support.boundary, "': no node lies at (",
-       point.x(), ", ", point.y(), "); the nearest, node ", nearest, ", lies at (",
-       mesh.nodes(nearest, 0), ", ", mesh.nodes(nearest, 1), ')');
-  return {nearest};
 }
 
 }  // namespace
@@ -97,7 +82,7 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports)
     if (support.normal_only) held[normal_axis(mesh, support.boundary) == Axis::X ? 0 : 1] = true;
     pose(static_cast<bool>(support.displacement), "support on '", support.boundary,
          "': has no displacement; make it with fixed, symmetric or prescribed");
-    for (const Index node : supported_nodes(mesh, support)) {
+    for (const Index node : nodes_at(mesh, support.boundary, support.only_at, "support")) {
       const Eigen::Vector2d value = support.displacement(mesh.nodes.row(node).transpose());
       for (int axis = 0; axis < 2; ++axis) {
         if (!held[axis]) continue;

@@ -51,16 +51,19 @@ void check_neighbours(const GmshRecords& file, const std::vector<GmshBody>& bodi
 std::vector<FileSide> sorted_sides(const GmshRecords& file, const std::vector<GmshBody>& bodies) {
   std::vector<FileSide> sides;
   for (std::size_t body = 0; body < bodies.size(); ++body) {
+    const Mesh& mesh = bodies[body].mesh;
     const CellArray& cells = bodies[body].file_nodes;
-    for (Index cell = 0; cell < cells.rows(); ++cell)
-      for (int s = 0; s < 4; ++s) {
+    for (Index cell = 0; cell < cells.rows(); ++cell) {
+      const int n = mesh.corners(cell);
+      for (int s = 0; s < n; ++s) {
         const Index first = cells(cell, s);
-        const Index last = cells(cell, (s + 1) % 4);
-        const Index middle = cells.cols() == 8 ? cells(cell, 4 + s) : -1;
+        const Index last = cells(cell, (s + 1) % n);
+        const Index middle = mesh.order() == MeshOrder::Quadratic ? cells(cell, n + s) : -1;
         if (first == last) continue;  // a degenerate cell, which check_mesh() refuses
         sides.push_back(
             {std::min(first, last), std::max(first, last), middle, first < last, body, {cell, s}});
       }
+    }
   }
   std::sort(sides.begin(), sides.end(), [](const FileSide& a, const FileSide& b) {
     return std::tie(a.low, a.high, a.forward) < std::tie(b.low, b.high, b.forward);
@@ -70,10 +73,20 @@ std::vector<FileSide> sorted_sides(const GmshRecords& file, const std::vector<Gm
   return sides;
 }
 
-/// The sides that lie on a line: one, or two of different bodies.
+/// Number of the part of a body that a side belongs to; -1 if it has none.
+Index part_of(const Mesh& mesh, const CellSide& side) {
+  Index number = 0;
+  for (const auto& [name, cells] : mesh.regions) {
+    if (std::binary_search(cells.begin(), cells.end(), side.cell)) return number;
+    ++number;
+  }
+  return -1;
+}
+
+/// The sides that lie on a line: one, two of different bodies, or none between parts of a body.
 std::pair<std::vector<FileSide>::const_iterator, std::vector<FileSide>::const_iterator> sides_on(
-    const GmshRecords& file, const std::vector<FileSide>& sides, const GmshElement& line,
-    const std::string& curve) {
+    const GmshRecords& file, const std::vector<GmshBody>& bodies,
+    const std::vector<FileSide>& sides, const GmshElement& line, const std::string& curve) {
   const auto a = static_cast<Index>(line.nodes[0]);
   const auto b = static_cast<Index>(line.nodes[1]);
   const FileSide wanted{std::min(a, b), std::max(a, b), -1, true, 0, {0, 0}};
@@ -81,8 +94,13 @@ std::pair<std::vector<FileSide>::const_iterator, std::vector<FileSide>::const_it
   pose(found.first != found.second, file.name, ":", line.line, ": this line of '", curve,
        "' is no side of a cell; put the surface beside it into a physical group, or take the curve "
        "out of its group");
-  pose(found.second - found.first == 1 || found.first->body != (found.second - 1)->body, file.name,
-       ":", line.line, ": this line of '", curve,
+  const FileSide& one = *found.first;
+  const FileSide& other = *(found.second - 1);
+  const bool within = found.second - found.first == 2 && one.body == other.body;
+  if (within &&
+      part_of(bodies[one.body].mesh, one.side) != part_of(bodies[other.body].mesh, other.side))
+    return {found.second, found.second};
+  pose(!within, file.name, ":", line.line, ": this line of '", curve,
        "' lies within a body; make each part a physical surface, or take the curve out of its "
        "group");
   const Index middle = line.n_nodes == 3 ? static_cast<Index>(line.nodes[2]) : -1;
@@ -118,7 +136,7 @@ void add_boundaries(const GmshRecords& file, std::vector<GmshBody>& bodies) {
       const std::int64_t other = tags.emplace(curve, tag).first->second;
       pose(other == tag, file.name, ":", line.line, ": physical curves ", other, " and ", tag,
            " are both named '", curve, "'; rename one");
-      const auto [begin, end] = sides_on(file, sides, line, curve);
+      const auto [begin, end] = sides_on(file, bodies, sides, line, curve);
       for (auto side = begin; side != end; ++side) found[side->body][tag].push_back(side->side);
     }
   for (std::size_t body = 0; body < bodies.size(); ++body)

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/gmsh/other_kind.hpp"
 
 namespace signorini {
 namespace {
@@ -15,23 +16,24 @@ constexpr Whole any = GmshText::largest_tag;
 
 /// What to change so that Gmsh writes no elements of this type.
 std::string way_out(Whole type) {
-  static const std::set<Whole> triangles = {2, 9, 20, 21, 22, 23, 24, 25};
   static const std::set<Whole> solids = {4,  5,  6,  7,  11, 12, 13, 14,
                                          17, 18, 19, 29, 30, 31, 92, 93};
   if (type == 10)
     return "quadrilaterals of 9 nodes (type 10) are not read; set Mesh.SecondOrderIncomplete = 1 "
            "to get those of 8";
-  if (triangles.count(type) != 0)
-    return text("triangles (type ", type,
-                ") are not read; recombine them (Recombine Surface, or Mesh.RecombineAll = 1), and "
-                "if some remain set Mesh.SubdivisionAlgorithm = 1");
   if (solids.count(type) != 0)
     return text("solids (type ", type,
                 ") are not read; mesh in the plane only (gmsh -2) and put surfaces, not volumes, "
                 "into physical groups");
-  return text("expected points, lines and quadrilaterals of 2 or 3 nodes per side, got element ",
-              "type ", type, "; set Mesh.ElementOrder to 1 or 2");
+  return text("expected points, lines, triangles and quadrilaterals of 2 or 3 nodes per side, got ",
+              "element type ", type, "; set Mesh.ElementOrder to 1 or 2");
 }
+
+/// What an element of a type is.
+struct ElementKind {
+  int dimension;
+  std::size_t corners, nodes;
+};
 
 class SectionReader {
  public:
@@ -188,8 +190,7 @@ class SectionReader {
       const Whole type = in_.next("element type");
       const Whole size = in_.next("number of elements");
       in_.expect_end_of_line("the head of a block");
-      const std::size_t nodes = nodes_of(type);
-      if (dimension != (nodes == 1 ? 0 : nodes < 4 ? 1 : 2))
+      if (dimension != kind_of(type).dimension)
         in_.fail(text("elements of type ", type, " cannot be of dimension ", dimension));
       const std::size_t groups = out_.groups.set_of(in_, dimension, entity);
       for (Whole k = 0; k < size; ++k, ++got) {
@@ -203,18 +204,21 @@ class SectionReader {
   /// The nodes of an element, the rest of its line.
   void read_element(Whole type, std::size_t groups) {
     GmshElement element;
-    element.n_nodes = nodes_of(type);
+    const ElementKind kind = kind_of(type);
+    element.corners = kind.corners;
+    element.n_nodes = kind.nodes;
     element.groups = groups;
     element.line = in_.line();
-    for (std::size_t k = 0; k < element.n_nodes;
-         ++k)  // resolve_nodes() puts numbers in their place
+    for (std::size_t k = 0; k < kind.nodes; ++k)  // resolve_nodes() puts numbers in their place
       element.nodes[k] = static_cast<std::size_t>(in_.next("node tag", 1));
     in_.expect_end_of_line("the nodes of the element");
-    if (element.n_nodes > 1) (element.n_nodes < 4 ? out_.lines : out_.cells).push_back(element);
+    if (kind.dimension > 0) (kind.dimension == 1 ? out_.lines : out_.cells).push_back(element);
   }
 
-  [[nodiscard]] std::size_t nodes_of(Whole type) const {
-    static const std::map<Whole, std::size_t> known = {{15, 1}, {1, 2}, {8, 3}, {3, 4}, {16, 8}};
+  [[nodiscard]] ElementKind kind_of(Whole type) const {
+    static const std::map<Whole, ElementKind> known = {
+        {15, {0, 1, 1}}, {1, {1, 2, 2}}, {8, {1, 2, 3}}, {2, {2, 3, 3}},
+        {9, {2, 3, 6}},  {3, {2, 4, 4}}, {16, {2, 4, 8}}};
     const auto found = known.find(type);
     if (found == known.end()) in_.fail(way_out(type));
     return found->second;
@@ -251,6 +255,8 @@ class SectionReader {
 }  // namespace
 
 GmshRecords gmsh_records(std::string_view content, const std::string& name) {
+  const std::string other = content.find("$MeshFormat") == content.npos ? other_kind(content) : "";
+  pose(other.empty(), name, ":1: this is ", other);
   return SectionReader(content, name).read();
 }
 

@@ -19,12 +19,13 @@ struct GmshNode {
   std::size_t line = 0;                          ///< where it stands, from 1
 };
 
-/// One line or quadrilateral of a Gmsh file.
+/// One line, triangle or quadrilateral of a Gmsh file.
 struct GmshElement {
   std::array<std::size_t, 8> nodes = {};  ///< numbers in GmshRecords::nodes: corners, midpoints
-  std::size_t n_nodes = 0;                ///< 2 or 3 of a line, 4 or 8 of a quadrilateral
-  std::size_t groups = 0;                 ///< number of its set in GmshRecords::groups
-  std::size_t line = 0;                   ///< where it stands, from 1
+  std::size_t corners = 0;                ///< 2 of a line, 3 or 4 of a cell
+  std::size_t n_nodes = 0;  ///< corners, or with midpoints 3 of a line, 6 or 8 of a cell
+  std::size_t groups = 0;   ///< number of its set in GmshRecords::groups
+  std::size_t line = 0;     ///< where it stands, from 1
 };
 
 /// Nodes, elements and physical groups of a Gmsh file.
@@ -32,7 +33,7 @@ struct GmshRecords {
   std::string name;                ///< of the file, for messages
   std::vector<GmshNode> nodes;     ///< all of them, no tag twice
   std::vector<GmshElement> lines;  ///< one-dimensional elements
-  std::vector<GmshElement> cells;  ///< quadrilaterals
+  std::vector<GmshElement> cells;  ///< triangles and quadrilaterals
   GmshGroups groups;               ///< physical groups
 };
 
@@ -42,7 +43,7 @@ struct GmshRecords {
 /// \param name     of the file, for messages
 /// \return what it holds; every element refers to nodes that are there
 /// \throws ProblemError `NAME:LINE: expected ..., got ...` if the text is no such file, is cut off,
-///   or holds elements other than points, lines and quadrilaterals of 2 or 3 nodes per side
+///   or holds elements other than points, lines, triangles and quadrilaterals of 2 or 3 nodes per side
 [[nodiscard]] GmshRecords gmsh_records(std::string_view content, const std::string& name);
 
 }  // namespace signorini

@@ -1,6 +1,7 @@
 #include "signorini/mesh/mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <ostream>
 #include <set>
@@ -15,8 +16,9 @@ namespace {
 /// Twice the area of the triangle spanned at corner `k` by its two sides: det J there, times 4.
 double corner_jacobian(const Mesh& mesh, Eigen::Index cell, int k) {
   const Eigen::RowVector2d here = mesh.nodes.row(mesh.cells(cell, k));
-  const Eigen::RowVector2d next = mesh.nodes.row(mesh.cells(cell, (k + 1) % 4)) - here;
-  const Eigen::RowVector2d last = mesh.nodes.row(mesh.cells(cell, (k + 3) % 4)) - here;
+  const int n = mesh.corners(cell);
+  const Eigen::RowVector2d next = mesh.nodes.row(mesh.cells(cell, (k + 1) % n)) - here;
+  const Eigen::RowVector2d last = mesh.nodes.row(mesh.cells(cell, (k + n - 1) % n)) - here;
   return next.x() * last.y() - next.y() * last.x();
 }
 
@@ -27,7 +29,7 @@ struct Corners {
 };
 
 std::ostream& operator<<(std::ostream& out, const Corners& corners) {
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < corners.mesh.corners(corners.cell); ++k) {
     const Eigen::RowVector2d x = corners.mesh.nodes.row(corners.mesh.cells(corners.cell, k));
     out << (k == 0 ? "" : ", ") << '(' << x.x() << ", " << x.y() << ')';
   }
@@ -36,17 +38,25 @@ std::ostream& operator<<(std::ostream& out, const Corners& corners) {
 
 void check_node_numbers(const Mesh& mesh) {
   const Eigen::Index n = mesh.n_nodes();
-  pose(mesh.cells.cols() == 4 || mesh.cells.cols() == 8, "mesh '", mesh.name,
-       "': cells must have 4 or 8 nodes, got ", mesh.cells.cols());
+  const Eigen::Index width = mesh.cells.cols();
+  pose(width == 3 || width == 4 || width == 6 || width == 8, "mesh '", mesh.name,
+       "': cells must have 3 or 4 nodes, or 6 or 8, got ", width);
   pose(mesh.n_cells() > 0, "mesh '", mesh.name, "' has no cells");
   pose(mesh.nodes.allFinite(), "mesh '", mesh.name, "': a node position is not finite");
-  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (Eigen::Index k = 0; k < mesh.cells.cols(); ++k)
-      pose(mesh.cells(cell, k) >= 0 && mesh.cells(cell, k) < n, "mesh '", mesh.name, "': cell ",
-           cell, " refers to node ", mesh.cells(cell, k), ", but the nodes are 0 to ", n - 1);
   std::vector<char> used(static_cast<std::size_t>(n), 0);
-  for (Eigen::Index k = 0; k < mesh.cells.size(); ++k)
-    used[static_cast<std::size_t>(mesh.cells.data()[k])] = 1;
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const Eigen::Index size = mesh.cell_size(cell);
+    for (Eigen::Index k = 0; k < size; ++k) {
+      const Eigen::Index node = mesh.cells(cell, k);
+      pose(node >= 0 && node < n, "mesh '", mesh.name, "': cell ", cell, " refers to node ", node,
+           ", but the nodes are 0 to ", n - 1);
+      used[static_cast<std::size_t>(node)] = 1;
+    }
+    for (Eigen::Index k = size; k < width; ++k)
+      pose(mesh.cells(cell, k) == -1, "mesh '", mesh.name, "': cell ", cell,
+           ", a triangle in rows of ", width, ", must have -1 after its ", size, " nodes, got ",
+           mesh.cells(cell, k));
+  }
   for (Eigen::Index node = 0; node < n; ++node)
     pose(used[static_cast<std::size_t>(node)] != 0, "mesh '", mesh.name, "': node ", node,
          " belongs to no cell; leave it out");
@@ -54,10 +64,11 @@ void check_node_numbers(const Mesh& mesh) {
     pose(!sides.empty(), "mesh '", mesh.name, "': the boundary '", name, "' has no sides");
     std::set<std::pair<Eigen::Index, int>> seen;
     for (const CellSide& side : sides) {
-      pose(side.cell >= 0 && side.cell < mesh.n_cells() && side.side >= 0 && side.side < 4,
-           "mesh '", mesh.name, "': the boundary '", name, "' refers to side ", side.side,
-           " of cell ", side.cell, ", but the cells are 0 to ", mesh.n_cells() - 1,
-           " with sides 0 to 3");
+      const bool has_cell = side.cell >= 0 && side.cell < mesh.n_cells();
+      const int n_sides = has_cell ? mesh.corners(side.cell) : 4;
+      pose(has_cell && side.side >= 0 && side.side < n_sides, "mesh '", mesh.name,
+           "': the boundary '", name, "' refers to side ", side.side, " of cell ", side.cell,
+           ", but the cells are 0 to ", mesh.n_cells() - 1, " with sides 0 to ", n_sides - 1);
       pose(seen.insert({side.cell, side.side}).second, "mesh '", mesh.name, "': the boundary '",
            name, "' lists side ", side.side, " of cell ", side.cell, " twice");
     }
@@ -66,10 +77,11 @@ void check_node_numbers(const Mesh& mesh) {
 
 /// Midside nodes must lie in the middle half of their side: beyond it the map of the cell folds.
 void check_midpoints(const Mesh& mesh, Eigen::Index cell) {
-  for (int s = 0; s < 4 && mesh.cells.cols() == 8; ++s) {
+  const int n = mesh.corners(cell);
+  for (int s = 0; s < n && mesh.order() == MeshOrder::Quadratic; ++s) {
     const Eigen::RowVector2d a = mesh.nodes.row(mesh.cells(cell, s));
-    const Eigen::RowVector2d along = mesh.nodes.row(mesh.cells(cell, (s + 1) % 4)) - a;
-    const Eigen::RowVector2d middle = mesh.nodes.row(mesh.cells(cell, 4 + s)) - a;
+    const Eigen::RowVector2d along = mesh.nodes.row(mesh.cells(cell, (s + 1) % n)) - a;
+    const Eigen::RowVector2d middle = mesh.nodes.row(mesh.cells(cell, n + s)) - a;
     const double t = middle.dot(along) / along.squaredNorm();
     pose(t > 0.25 && t < 0.75, "mesh '", mesh.name, "': cell ", cell,
          " has the middle node of side ", s, " at ", t,
@@ -94,9 +106,10 @@ void check_digits(const Mesh& mesh, double away, double size, const Parts&... so
 
 std::vector<Eigen::Index> Mesh::side_nodes(const CellSide& side) const {
   const Eigen::Index first = cells(side.cell, side.side);
-  const Eigen::Index last = cells(side.cell, (side.side + 1) % 4);
-  if (cells.cols() == 4) return {first, last};
-  return {first, cells(side.cell, 4 + side.side), last};
+  const int n = corners(side.cell);
+  const Eigen::Index last = cells(side.cell, (side.side + 1) % n);
+  if (order() == MeshOrder::Linear) return {first, last};
+  return {first, cells(side.cell, n + side.side), last};
 }
 
 const std::vector<CellSide>& boundary(const Mesh& mesh, const std::string& name) {
@@ -140,12 +153,13 @@ MeshQuality check_mesh(const Mesh& mesh) {
     double highest = -lowest;
     double shortest = lowest;
     double longest = 0;
-    for (int k = 0; k < 4; ++k) {
+    const int n = mesh.corners(cell);
+    for (int k = 0; k < n; ++k) {
       const double jacobian = corner_jacobian(mesh, cell, k);
       lowest = std::min(lowest, jacobian);
       highest = std::max(highest, jacobian);
       const double side =
-          (mesh.nodes.row(mesh.cells(cell, (k + 1) % 4)) - mesh.nodes.row(mesh.cells(cell, k)))
+          (mesh.nodes.row(mesh.cells(cell, (k + 1) % n)) - mesh.nodes.row(mesh.cells(cell, k)))
               .norm();
       shortest = std::min(shortest, side);
       longest = std::max(longest, side);
@@ -159,6 +173,8 @@ MeshQuality check_mesh(const Mesh& mesh) {
     check_digits(mesh, away, lowest / longest, "the height of cell ", cell);
     check_midpoints(mesh, cell);
     quality.smallest_jacobian_ratio = std::min(quality.smallest_jacobian_ratio, lowest / highest);
+    // A triangle may be flat with sides of like lengths: its height tells.
+    if (n == 3) shortest = lowest / longest / std::sqrt(0.75);
     quality.largest_aspect_ratio = std::max(quality.largest_aspect_ratio, longest / shortest);
   }
   return quality;

@@ -72,17 +72,21 @@ Mesh moved(Mesh mesh, const Eigen::Vector2d& shift) {
 Mesh mirrored(Mesh mesh, MirrorLine line, double place) {
   const Index axis = line == MirrorLine::Upright ? 0 : 1;
   mesh.nodes.col(axis) = (2 * place - mesh.nodes.col(axis).array()).matrix();
-  // Backwards from the second corner: side 0 stays side 0, side 1 becomes side 3.
-  const bool quadratic = mesh.cells.cols() == 8;
+  // Backwards from the second corner: side 0 stays side 0, side 1 becomes the last.
+  const bool quadratic = mesh.order() == MeshOrder::Quadratic;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
     auto nodes = mesh.cells.row(cell);
+    const int n = mesh.corners(cell);
     std::swap(nodes(0), nodes(1));
-    std::swap(nodes(2), nodes(3));
-    if (quadratic) std::swap(nodes(5), nodes(7));
+    if (n == 4) std::swap(nodes(2), nodes(3));
+    if (quadratic) std::swap(nodes(n + 1), nodes(2 * n - 1));
   }
   for (auto& [name, sides] : mesh.boundaries) {
     std::reverse(sides.begin(), sides.end());
-    for (CellSide& side : sides) side.side = (4 - side.side) % 4;
+    for (CellSide& side : sides) {
+      const int n = mesh.corners(side.cell);
+      side.side = (n - side.side) % n;
+    }
   }
   return mesh;
 }
@@ -100,8 +104,9 @@ Mesh renamed(Mesh mesh, const std::string& from, const std::string& to) {
 }
 
 Mesh joined(Mesh first, const std::string& along, const Mesh& second, const std::string& opposite) {
-  pose(first.cells.cols() == second.cells.cols(), "joined: cells of '", first.name, "' have ",
-       first.cells.cols(), " nodes, those of '", second.name, "' have ", second.cells.cols(),
+  const auto per_side = [](const Mesh& mesh) { return mesh.order() == MeshOrder::Linear ? 2 : 3; };
+  pose(first.order() == second.order(), "joined: sides of '", first.name, "' have ",
+       per_side(first), " nodes, those of '", second.name, "' have ", per_side(second),
        "; they must be alike");
   const std::vector<Index> number = numbers_after_joining(first, along, second, opposite);
   const Index old_nodes = first.n_nodes();
@@ -111,9 +116,10 @@ Mesh joined(Mesh first, const std::string& along, const Mesh& second, const std:
   for (std::size_t node = 0; node < number.size(); ++node)
     if (number[node] >= old_nodes)
       mesh.nodes.row(number[node]) = second.nodes.row(static_cast<Index>(node));
-  mesh.cells.conservativeResize(old_cells + second.n_cells(), Eigen::NoChange);
+  const Index width = std::max(mesh.cells.cols(), second.cells.cols());
+  mesh.cells.conservativeResizeLike(CellArray::Constant(old_cells + second.n_cells(), width, -1));
   for (Index cell = 0; cell < second.n_cells(); ++cell)
-    for (Index k = 0; k < second.cells.cols(); ++k)
+    for (Index k = 0; k < second.cell_size(cell); ++k)
       mesh.cells(old_cells + cell, k) = number[static_cast<std::size_t>(second.cells(cell, k))];
 
   mesh.boundaries.erase(along);
@@ -123,6 +129,8 @@ Mesh joined(Mesh first, const std::string& along, const Mesh& second, const std:
     for (CellSide& side : more) side.cell += old_cells;
     lengthen(mesh, more, mesh.boundaries[name]);
   }
+  for (const auto& [name, cells] : second.regions)
+    for (const Index cell : cells) mesh.regions[name].push_back(old_cells + cell);
   return mesh;
 }
 

@@ -45,13 +45,13 @@ enum class MirrorLine {
 [[nodiscard]] Mesh renamed(Mesh mesh, const std::string& from, const std::string& to);
 
 /// Glues two meshes together along a line whose nodes they share. The two boundaries along the line
-/// are gone after that; others of the same name become one, in walking order where they meet.
+/// are gone after that; others of the same name become one, in walking order where they meet. So do regions.
 /// \param first     mesh; its nodes and cells keep their numbers, name and positions are its own
 /// \param along     its boundary on the line
-/// \param second    mesh of as many nodes per cell
+/// \param second    mesh of as many nodes per side
 /// \param opposite  its boundary on the line
 /// \return one mesh: nodes and cells of the first, then the others of the second
-/// \throws ProblemError if there is no such boundary, if cells have not as many nodes in both, or
+/// \throws ProblemError if there is no such boundary, if sides have not as many nodes in both, or
 ///   if the nodes of the two boundaries differ in number or, by more than rounding (1e-12 of the
 ///   size), in place
 [[nodiscard]] Mesh joined(Mesh first, const std::string& along, const Mesh& second,

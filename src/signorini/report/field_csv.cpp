@@ -28,12 +28,14 @@ Polygon part(const Polygon& whole, double level, int sign) {
   return kept;
 }
 
-// The pieces of a cell between two levels.
+// The pieces of a cell between two levels: of a triangle one, of a quadrilateral those of four triangles.
 std::vector<Polygon> between(const Polygon& corners, const Eigen::Vector3d& middle, double low,
                              double high) {
   std::vector<Polygon> pieces;
-  for (std::size_t k = 0; k < 4; ++k) {
-    Polygon piece = part(part({corners[k], corners[(k + 1) % 4], middle}, low, 1), high, -1);
+  const bool whole = corners.size() == 3;
+  for (std::size_t k = 0; k < (whole ? 1 : 4); ++k) {
+    const Eigen::Vector3d& last = whole ? corners[2] : middle;
+    Polygon piece = part(part({corners[k], corners[(k + 1) % 4], last}, low, 1), high, -1);
     if (piece.size() > 2) pieces.push_back(std::move(piece));
   }
   return pieces;
@@ -58,8 +60,9 @@ std::string deformed_cells_csv(const Mesh& mesh, const NodeArray& displacements,
   const double largest = value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0;
   Table field({"x", "y", "value"});
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    for (const Eigen::Index corner : {0, 1, 2, 3, 0}) {
-      const Eigen::Index node = mesh.cells(cell, corner);
+    const int n = mesh.corners(cell);
+    for (int corner = 0; corner <= n; ++corner) {
+      const Eigen::Index node = mesh.cells(cell, corner % n);
       field.row({number(moved(node, 0), "%.5g"), number(moved(node, 1), "%.5g"),
                  number(value(cell), "%.5g")});
     }
@@ -93,13 +96,14 @@ std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
     Polygon corners;
     double low = limits.back(), high = limits.front(), sum = 0;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const Eigen::Index corner : {0, 1, 2, 3}) {
+    const int n = mesh.corners(cell);
+    for (int corner = 0; corner < n; ++corner) {
       const Eigen::Index node = mesh.cells(cell, corner);
       corners.push_back({moved(node, 0), moved(node, 1), snapped(value(node), levels, tolerance)});
       low = std::min(low, corners.back()[2]);
       high = std::max(high, corners.back()[2]);
-      middle += corners.back() / 4;
-      sum += value(node) / 4;
+      middle += corners.back() / n;
+      sum += value(node) / n;
     }
     middle[2] = snapped(sum, levels, tolerance);
     for (std::size_t band = 0; band + 1 < limits.size(); ++band) {
@@ -123,13 +127,14 @@ std::string deformed_zero_line_csv(const Mesh& mesh, const NodeArray& displaceme
   const double rounding = 1e-12 * (value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0);
   Table line({"x", "y"});
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    Eigen::Matrix<double, 5, 3> corner;  // x, y, value; the last is the middle
-    for (Eigen::Index k = 0; k < 4; ++k)
+    const int n = mesh.corners(cell);
+    Eigen::Matrix<double, 5, 3> corner;  // x, y, value; the last of a quadrilateral is the middle
+    for (int k = 0; k < n; ++k)
       corner.row(k) << moved.row(mesh.cells(cell, k)),
           snapped(value(mesh.cells(cell, k)), {0}, rounding);
-    corner.row(4) = corner.topRows<4>().colwise().mean();
-    for (Eigen::Index k = 0; k < 4; ++k) {
-      const Eigen::Index triangle[] = {k, (k + 1) % 4, 4};
+    if (n == 4) corner.row(4) = corner.topRows<4>().colwise().mean();
+    for (int k = 0; k < (n == 4 ? 4 : 1); ++k) {
+      const int triangle[] = {k, (k + 1) % 4, n == 4 ? 4 : 2};
       int crossings = 0;
       for (int side = 0; side < 3; ++side) {
         const Eigen::RowVector3d one = corner.row(triangle[side]);

@@ -13,7 +13,7 @@ namespace signorini {
 ///
 /// Columns x, y (deformed position, scaled displacements added), value; for
 /// `plot ... using 'x':'y':'value' with polygons fc palette`.
-/// \param mesh           of 4- or 8-node cells; only corners are drawn
+/// \param mesh           any; only corners are drawn
 /// \param displacements  `n_nodes x 2` [length]
 /// \param value          `n_cells`, one per cell
 /// \param scale          factor on the displacements [-]
@@ -25,11 +25,11 @@ namespace signorini {
 
 /// Bands of a field on the deformed mesh: every cell that a level crosses is cut along it.
 ///
-/// Within a cell the field is linear on each of four triangles about the middle, whose value is the mean
-/// of the corners. One closed polygon per piece, separated by empty lines. Columns x, y (as in
+/// Within a quadrilateral the field is linear on each of four triangles about the middle, whose value is the
+/// mean of the corners; within a triangle it is linear. One closed polygon per piece, separated by empty lines. Columns x, y (as in
 /// deformed_cells_csv()), band: k where k levels are below the field, so 0 below the first one and
 /// `n_levels` above the last; for `plot ... using 'x':'y':'band' with polygons fc palette`.
-/// \param mesh           of 4- or 8-node cells; only corners are drawn
+/// \param mesh           any; only corners are drawn
 /// \param displacements  `n_nodes x 2` [length]
 /// \param value          `n_nodes`, the field at the nodes
 /// \param levels         `n_levels`, ascending; one that a value meets to rounding is met exactly
@@ -42,10 +42,10 @@ namespace signorini {
 
 /// Where a field on the deformed mesh changes its sign: segments, separated by empty lines.
 ///
-/// Every cell is cut into four triangles about its middle, which has the mean of its corners, and the
+/// Every quadrilateral is cut into four triangles about its middle, which has the mean of its corners, and the
 /// field is linear on each. Columns x, y; for `plot ... using 'x':'y' with lines` over
 /// deformed_cells_csv().
-/// \param mesh           of 4- or 8-node cells; only corners count
+/// \param mesh           any; only corners count
 /// \param displacements  `n_nodes x 2` [length]
 /// \param value          `n_nodes`, one per node; zero counts as positive
 /// \param scale          factor on the displacements [-]

@@ -26,18 +26,22 @@ void write_array(std::ostream& out, const char* name, const Rows& values, Index 
 }
 
 void write_cells(std::ostream& out, const Mesh& mesh) {
-  constexpr int vtk_quad = 9;
-  constexpr int vtk_quadratic_quad = 23;
+  // VTK's numbers for triangles and quadrilaterals.
+  constexpr int linear[] = {5, 9};
+  constexpr int quadratic[] = {22, 23};
+  const bool is_linear = mesh.order() == MeshOrder::Linear;
   out << "      <Cells>\n        <DataArray type=\"Int64\" Name=\"connectivity\" "
-         "format=\"ascii\">\n"
-      << mesh.cells
-      << "\n        </DataArray>\n        <DataArray type=\"Int64\" Name=\"offsets\" "
          "format=\"ascii\">\n";
-  for (Index cell = 1; cell <= mesh.n_cells(); ++cell) out << cell * mesh.cells.cols() << '\n';
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    out << mesh.cells.row(cell).head(mesh.cell_size(cell)) << '\n';
+  out << "        </DataArray>\n        <DataArray type=\"Int64\" Name=\"offsets\" "
+         "format=\"ascii\">\n";
+  Index end = 0;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) out << (end += mesh.cell_size(cell)) << '\n';
   out << "        </DataArray>\n        <DataArray type=\"UInt8\" Name=\"types\" "
          "format=\"ascii\">\n";
   for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    out << (mesh.cells.cols() == 4 ? vtk_quad : vtk_quadratic_quad) << '\n';
+    out << (is_linear ? linear : quadratic)[mesh.corners(cell) - 3] << '\n';
   out << "        </DataArray>\n      </Cells>\n";
 }
 
@@ -84,17 +88,17 @@ void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displ
   const StressArray stress = nodal_stress(mesh, body.element, body.material, displacements);
   Eigen::VectorXd mises(n_nodes);
   for (Index node = 0; node < n_nodes; ++node)
-    mises(node) = von_mises(body.material, stress.row(node).transpose());
+    mises(node) = von_mises(stress.row(node).transpose());
   out << "    <Piece NumberOfPoints=\"" << n_nodes << "\" NumberOfCells=\"" << mesh.n_cells()
       << "\">\n      <PointData Vectors=\"displacement\">\n";
   write_array(out, "displacement", displacements, 3);
-  write_array(out, "stress", stress, 3);
+  write_array(out, "stress", stress, 4);
   write_array(out, "von_mises", mises, 1);
   write_array(out, "contact_pressure", contact.pressure.segment(body.first_node, n_nodes), 1);
   write_array(out, "contact_gap", contact.gap.segment(body.first_node, n_nodes), 1);
   write_array(out, "contact_status", contact.status.segment(body.first_node, n_nodes), 1);
   out << "      </PointData>\n      <CellData>\n";
-  write_array(out, "cell_stress", cell_stress(mesh, body.element, body.material, displacements), 3);
+  write_array(out, "cell_stress", cell_stress(mesh, body.element, body.material, displacements), 4);
   out << "      </CellData>\n      <Points>\n";
   write_array(out, "points", mesh.nodes, 3);
   out << "      </Points>\n";

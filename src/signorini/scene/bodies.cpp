@@ -11,6 +11,18 @@ namespace signorini {
 
 using Eigen::Index;
 
+namespace {
+
+/// A spring stops every motion that it resists, however soft it is: as if it held its nodes.
+Unknowns held_by_springs(const BodyModel& body) {
+  Unknowns unknowns = body.unknowns;
+  for (Index k = 0; k < body.springs.cols(); ++k)
+    if (body.springs.coeff(k, k) > 0) unknowns.number(k / 2, k % 2) = -1;
+  return unknowns;
+}
+
+}  // namespace
+
 std::size_t body_index(const std::vector<BodyModel>& bodies, const Side& side) {
   if (side.body.empty() && bodies.size() == 1) return 0;
   std::string names;
@@ -60,6 +72,21 @@ Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes) {
 
 NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law) {
   return below(gaps.A, -selected_rows(gaps.T, law.pair));
+}
+
+std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
+  const BodyModel& last = bodies.back();
+  std::vector<FreeMotion> modes;
+  for (const BodyModel& body : bodies)
+    for (FreeMotion& mode : body.springs.rows() == 0
+                                ? free_motions(body.mesh, body.unknowns)
+                                : free_motions(body.mesh, held_by_springs(body))) {
+      const Eigen::VectorXd own = std::move(mode.shape);
+      mode.shape.setZero(last.first_unknown + last.unknowns.count);
+      mode.shape.segment(body.first_unknown, own.size()) = own;
+      modes.push_back(std::move(mode));
+    }
+  return modes;
 }
 
 std::vector<std::string> motions_without_contact(

@@ -47,6 +47,17 @@ namespace signorini {
 /// \return the rows of the gaps, and below them those of the slips of the law
 [[nodiscard]] NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law);
 
+/// Brings the sides of a contact together as it says: small gaps adjusted first, then its interference.
+/// \param contact       whose lengths have been checked
+/// \param[in,out] pairs  of the meshes; gets new initial gaps
+/// \return what was done, to go on a line about the pairs; nothing if the contact asks for nothing
+[[nodiscard]] std::string fit(const ContactSpec& contact, Pairs& pairs);
+
+/// Rigid motions that supports and springs leave to the bodies, each on the unknowns of all of them.
+/// \param bodies  with their unknowns and springs
+/// \return `n_r` independent motions
+[[nodiscard]] std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies);
+
 /// Rigid motions that open and close no gap.
 /// \param A      `n_c x n` gaps, see Gaps
 /// \param modes  `n_r` rigid motions of `n` unknowns

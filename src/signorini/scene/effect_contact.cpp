@@ -53,13 +53,15 @@ void price_contact(const Scene& scene, Plan& draft) {
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const ContactSpec& contact = scene.contacts[k];
     const std::string what = describe(draft.bodies, contact);
-    const Gaps gaps = reduce(pair_up(contact, sliding, draft),
-                             surface(draft.bodies, contact.source), draft.unknowns, what);
+    Pairs found = pair_up(contact, sliding, draft);
+    const std::string fitted = fit(contact, found);
+    const Gaps gaps = reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what);
     const std::size_t pairs = gaps.pairs.node.size();
     const bool rigid = std::holds_alternative<Obstacle>(contact.target);
     draft.on.push_back(
         text(what, ": ", pairs, " candidate pairs",
-             rigid ? ", no mesh and no search for the obstacle" : " by " + contact.gap_operator));
+             rigid ? ", no mesh and no search for the obstacle" : " by " + contact.gap_operator,
+             fitted));
     draft.gaps = stacked(draft.gaps, gaps);
     draft.contact_of.resize(draft.contact_of.size() + pairs, k);
   }

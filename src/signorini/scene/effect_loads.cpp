@@ -21,6 +21,17 @@ bool has_weight(const Body& body) { return static_cast<bool>(body.loads.body_for
 
 bool has_edge_loads(const Body& body) { return !body.loads.edges.empty(); }
 
+bool pulls(const PointForce& load) { return (load.force.array() != 0).any(); }
+
+bool has_point_forces(const Body& body) {
+  return std::any_of(body.loads.points.begin(), body.loads.points.end(), pulls);
+}
+
+std::string describe(const Place& place) {
+  if (place.nodes.size() == 1) return text("node ", place.nodes.front());
+  return text("the side from node ", place.nodes.front(), " to ", place.nodes.back());
+}
+
 }  // namespace
 
 Effect body_force() {
@@ -34,7 +45,7 @@ Effect body_force() {
           },
           [](Plan& /*plan*/, Model& model) {
             for (const BodyModel& body : model.bodies)
-              add_load(body, {body.loads.body_force, {}}, model.programme.load);
+              add_load(body, {body.loads.body_force, {}, {}}, model.programme.load);
           }};
 }
 
@@ -54,7 +65,26 @@ Effect edge_loads() {
           },
           [](Plan& /*plan*/, Model& model) {
             for (const BodyModel& body : model.bodies)
-              add_load(body, {{}, body.loads.edges}, model.programme.load);
+              add_load(body, {{}, body.loads.edges, {}}, model.programme.load);
+          }};
+}
+
+Effect point_forces() {
+  return {"point forces",
+          [](const Scene& scene, const Plan& /*draft*/) {
+            return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_point_forces);
+          },
+          [](const Scene& scene, Plan& draft) {
+            for (const Body& body : scene.bodies)
+              for (const PointForce& load : body.loads.points)
+                if (pulls(load))
+                  draft.on.push_back(text("force (", load.force.x(), ", ", load.force.y(), ") on ",
+                                          describe(place_of(body.mesh, load)), " of '",
+                                          body.mesh.name, "'"));
+          },
+          [](Plan& /*plan*/, Model& model) {
+            for (const BodyModel& body : model.bodies)
+              add_load(body, {{}, {}, body.loads.points}, model.programme.load);
           }};
 }
 

@@ -21,23 +21,51 @@ void check_names(const Scene& scene) {
   static_cast<void>(find_solver(scene.solver));  // needed or not
 }
 
+/// How many of the cells are triangles.
+Index count_triangles(const Mesh& mesh) {
+  Index count = 0;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) count += 4 - mesh.corners(cell);
+  return count;
+}
+
+std::string elements_in_words(const Mesh& mesh, const Element& element) {
+  const Index triangles = element.corners() == 3 ? 0 : count_triangles(mesh);
+  if (triangles == 0) return element.name;
+  return text(element.name, " and ", triangles, " of them ", triangle_beside(mesh).name);
+}
+
+/// What to know of an element that is stiffer than the body; empty if there is none.
+std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
+  const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
+  const auto sentence = [&](const char* name, const char* way_out) {
+    return text(name, " locks for Poisson's ratio ", material.poisson_ratio,
+                " in plane strain and bears too much load: use ", way_out);
+  };
+  if (locks && std::string(element.name) == "q4")
+    return sentence("q4", "q4_bbar or q4_incompatible");
+  const Index triangles = mesh.order() == MeshOrder::Linear ? count_triangles(mesh) : 0;
+  if (triangles == 0) return "";
+  if (locks) return sentence("t3", "triangles of 6 nodes (t6), or quadrilaterals");
+  return text("t3 (", triangles, " of ", mesh.n_cells(), " cells of '", mesh.name,
+              "') is too stiff where the body bends: use triangles of 6 nodes (t6), or ",
+              "quadrilaterals");
+}
+
 void plan_body(const Body& body, Plan& plan) {
   const std::string& name = body.mesh.name;
   plan.quality.push_back(check_mesh(body.mesh));
-  const Element& element = find_element(body.element);
-  check_element(body.mesh, element);
+  const Element& element = element_for(body.mesh, body.element);
   check_material(body.material);
   Unknowns unknowns = number_unknowns(body.mesh, body.supports);
   const Index count = unknowns.count;
   const bool stress = body.material.state == PlaneState::Stress;
-  plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ", body.element, ", ",
-                         count, " unknowns, plane ", stress ? "stress" : "strain"));
+  plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",
+                         elements_in_words(body.mesh, element), ", ", count, " unknowns, plane ",
+                         stress ? "stress" : "strain"));
   plan.on.push_back(
       text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
-  if (body.element == "q4" && !stress && body.material.poisson_ratio > 0.4)
-    plan.notes.push_back(
-        text("q4 locks for Poisson's ratio ", body.material.poisson_ratio,
-             " in plane strain and bears too much load: use q4_bbar or q4_incompatible"));
+  const std::string note = note_on_locking(body.mesh, element, body.material);
+  if (!note.empty()) plan.notes.push_back(note);
   const bool first = plan.bodies.empty();
   const Index first_node = first ? 0 : count_nodes(plan.bodies);
   const Index first_unknown =
@@ -51,13 +79,7 @@ void plan_unknowns(Plan& plan) {
   std::vector<Unknowns> unknowns;
   for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
   plan.unknowns = joined(unknowns);
-  for (const BodyModel& body : plan.bodies)
-    for (FreeMotion& mode : free_motions(body.mesh, body.unknowns)) {
-      const Eigen::VectorXd own = std::move(mode.shape);
-      mode.shape.setZero(plan.unknowns.count);
-      mode.shape.segment(body.first_unknown, own.size()) = own;
-      plan.modes.push_back(std::move(mode));
-    }
+  plan.modes = rigid_modes(plan.bodies);
 }
 
 }  // namespace

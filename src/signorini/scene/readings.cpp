@@ -6,6 +6,14 @@
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
+namespace {
+
+void require_forces(const Solution& solution) {
+  require(solution.contact.report.status == Status::Solved,
+          "forces on the nodes: the problem was not solved");
+}
+
+}  // namespace
 
 // [solved]
 SolvedScene solved(const Scene& scene, const std::string& what) {
@@ -19,8 +27,7 @@ SolvedScene solved(const Scene& scene, const std::string& what) {
 // [solved]
 
 NodeArray contact_forces(const Model& model, const Solution& solution, std::size_t body) {
-  require(solution.contact.report.status == Status::Solved,
-          "forces on the nodes: the problem was not solved");
+  require_forces(solution);
   const BodyModel& own = model.bodies.at(body);
   Eigen::VectorXd all = model.pairs.opening.transpose() * solution.contact.force;
   const ContactState& contact = solution.contact;
@@ -36,8 +43,20 @@ NodeArray support_forces(const Model& model, const Solution& solution, std::size
   // A rigid motion strains nothing, but its rounding would.
   const NodeArray all = expand(model.unknowns, strained(solution.refined));
   const NodeArray strains = all.middleRows(own.first_node, own.mesh.n_nodes());
-  return internal_forces(own.mesh, own.element, own.material, strains) -
-         nodal_loads(own.mesh, own.element, own.material, own.loads) - contact;
+  const NodeArray held = internal_forces(own.mesh, own.element, own.material, strains) -
+                         nodal_loads(own.mesh, own.element, own.material, own.loads) - contact;
+  return own.springs.rows() == 0 ? held : held - spring_forces(model, solution, body);
+}
+
+NodeArray spring_forces(const Model& model, const Solution& solution, std::size_t body) {
+  require_forces(solution);
+  const BodyModel& own = model.bodies.at(body);
+  NodeArray force = NodeArray::Zero(own.mesh.n_nodes(), 2);
+  if (own.springs.rows() == 0) return force;
+  const NodeArray& u = solution.displacements.at(body);
+  Eigen::Map<Eigen::VectorXd>(force.data(), force.size()) =
+      -(own.springs * Eigen::Map<const Eigen::VectorXd>(u.data(), u.size()));
+  return force;
 }
 
 BoundaryForces boundary_forces(const SolvedScene& run, const Side& side) {
@@ -50,7 +69,7 @@ BoundaryForces boundary_forces(const SolvedScene& run, const Side& side) {
     for (int axis = 0; axis < 2; ++axis)
       if (own.unknowns.number(node, axis) < 0) force(node, axis) += support(node, axis);
   return {own.mesh.nodes(nodes, Eigen::all), force(nodes, Eigen::all),
-          boundary_weights(own.mesh, side.boundary, own.material.thickness)};
+          boundary_weights(own.mesh, side.boundary, depth_of(own.material))};
 }
 
 }  // namespace signorini

@@ -30,7 +30,16 @@ struct SolvedScene {
 [[nodiscard]] NodeArray contact_forces(const Model& model, const Solution& solution,
                                        std::size_t body = 0);
 
-/// Forces of the supports on the nodes of one body.
+/// Forces of the springs on the nodes of one body.
+/// \param model     from build()
+/// \param solution  of the model
+/// \param body      its number
+/// \return `n_nodes x 2` [force], zero at nodes without a spring
+/// \throws std::invalid_argument if the problem is not solved
+[[nodiscard]] NodeArray spring_forces(const Model& model, const Solution& solution,
+                                      std::size_t body = 0);
+
+/// Forces of the supports on the nodes of one body; what springs do is not among them.
 /// \param model     from build()
 /// \param solution  of the model
 /// \param body      its number

@@ -12,6 +12,7 @@
 #include "signorini/contact/obstacle.hpp"
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/free_motions.hpp"
+#include "signorini/elasticity/springs.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {
@@ -29,18 +30,10 @@ struct Temperature {
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [temperature/length]
 };
 
-/// Springs between a body and the ground, at rest where nothing moves.
-struct Spring {
-  std::string boundary;                                 ///< all along it
-  Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();  ///< in x and y, >= 0 [force/length^3]
-  std::optional<Eigen::Vector2d> only_at =
-      {};  ///< one node of it; stiffness then in [force/length]
-};
-
 /// An elastic body, what holds it and what loads it. The name of its mesh is the name of the body.
 struct Body {
   Mesh mesh;                                    ///< has a name that no other body has
-  std::string element = "q4_incompatible";      ///< name in elements(); fits the cells
+  std::string element;                          ///< name in elements(); empty: see element_for()
   Material material;                            ///< of all cells that are in no layer
   std::vector<Layer> layers;                    ///< none by default
   std::vector<Support> supports;                ///< may leave rigid motions if contact stops them

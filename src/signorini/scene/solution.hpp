@@ -23,6 +23,8 @@ struct BodyModel {
   Unknowns unknowns;           ///< of this body, numbered from 0
   Eigen::Index first_node;     ///< number of its first node among those of all bodies
   Eigen::Index first_unknown;  ///< number of its first unknown
+  /// spring_stiffness() of its springs; no rows without any
+  Eigen::SparseMatrix<double> springs = {};
 };
 
 /// Matrices of the bodies and the gaps they may close.

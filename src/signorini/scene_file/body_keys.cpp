@@ -112,9 +112,10 @@ void read_point(const Value& value, BodyDraft& draft) {
 std::string region_of_box(const Value& value, const std::vector<double>& box, Mesh& mesh) {
   std::vector<Index> cells;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const int corners = mesh.corners(cell);
     Vector2d middle = Vector2d::Zero();
-    for (int corner = 0; corner < 4; ++corner)
-      middle += mesh.nodes.row(mesh.cells(cell, corner)).transpose() / 4;
+    for (int corner = 0; corner < corners; ++corner)
+      middle += mesh.nodes.row(mesh.cells(cell, corner)).transpose() / corners;
     if (middle.x() > box[0] && middle.x() < box[2] && middle.y() > box[1] && middle.y() < box[3])
       cells.push_back(cell);
   }
@@ -230,15 +231,19 @@ const Keys<BodyDraft>& body_keys() {
   static const Keys<BodyDraft> keys = {
       {{"name", "text", "", "\"body\"", "of the body; no other body has it"},
        [](const Value& value, BodyDraft& draft) { take(value, draft.body.mesh.name); }},
-      {{"mesh", "table", "", "", "see meshes", true},
+      {{"mesh", "table", "", "",
+        "such as { kind = \"block\", size = [50, 5], cells = [100, 10] }, see meshes", true},
        [](const Value& value, BodyDraft& draft) {
          draft.body.mesh = read_mesh(value, draft.body.mesh.name);
        }},
-      {{"element", "text", "", written(Body().element), "of the cells: " + names_of(elements())},
+      {{"element", "text", "", "the usual one of its cells",
+        "of the cells: " + names_of(elements()) + "; usual are t3, t6, q4_incompatible, q8"},
        [](const Value& value, BodyDraft& draft) {
          take_member(value, elements(), "element", draft.body.element);
+         value.explain(
+             [&] { static_cast<void>(element_for(draft.body.mesh, draft.body.element)); });
        }},
-      {{"material", "table", "", "the material of the scene", "see material"},
+      {{"material", "table", "", "that of the scene", "see material"},
        [](const Value& value, BodyDraft& draft) {
          draft.body.material = {};
          read_members(value, material_keys(), draft.body.material);

@@ -10,6 +10,7 @@
 #include "signorini/mesh/plate_with_hole.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/mesh/ring.hpp"
+#include "signorini/mesh/split.hpp"
 #include "signorini/scene_file/kinds.hpp"
 
 namespace signorini {
@@ -44,6 +45,7 @@ namespace {
 constexpr Bound positive = Bound::Positive;
 constexpr double largest_mesh = 1e7;  // cells
 
+const char* const joined_body = "the body of this file";
 const double degree = std::acos(-1.0) / 180;
 
 void check_size(double cells) {
@@ -321,7 +323,8 @@ Kind<Mesh> annulus() {
 
 /// A mesh of a file.
 struct Filed {
-  std::string file, surface;
+  std::string file;
+  std::vector<std::string> surfaces;
   const Value* value = nullptr;
 };
 
@@ -332,15 +335,26 @@ Kind<Mesh> gmsh() {
          take(value, filed.file);
          filed.value = &value;
        }},
-      key("surface", &Filed::surface, "",
-          "physical surface that is the body; may be left out if there is only one")};
+      {{"surface", "text or list of them", "", "",
+        "physical surface that is the body; may be left out if there is only one. Of a list each "
+        "becomes a region, for "
+        "layers"},
+       [](const Value& value, Filed& filed) {
+         for (const Value* item : value.one_or_several())
+           take(*item, filed.surfaces.emplace_back());
+         if (filed.surfaces.empty())
+           value.fail("expected the name of a physical surface, got none");
+       }}};
   return {"gmsh", "a physical surface of a Gmsh file; boundaries are its physical curves",
           infos(keys), [keys](const Value& table) -> Mesh {
             Filed filed;
             fill(table, keys, filed);
             return filed.value->explain([&]() -> Mesh {
-              std::vector<Mesh> meshes = read_gmsh(table.origin->folder / filed.file);
-              if (!filed.surface.empty()) return mesh_named(meshes, filed.surface);
+              GmshParts parts;
+              if (filed.surfaces.size() > 1) parts[joined_body] = filed.surfaces;
+              std::vector<Mesh> meshes = read_gmsh(table.origin->folder / filed.file, parts);
+              if (filed.surfaces.size() > 1) return mesh_named(meshes, joined_body);
+              if (!filed.surfaces.empty()) return mesh_named(meshes, filed.surfaces.front());
               pose(meshes.size() == 1, "the file has ", meshes.size(),
                    " bodies: say which one with surface = \"NAME\"; there are: ", names_of(meshes));
               return std::move(meshes.front());
@@ -350,6 +364,7 @@ Kind<Mesh> gmsh() {
 
 /// What is done with a mesh of any kind, in this order.
 struct Place {
+  bool triangles = false;
   std::optional<MirrorLine> mirror;
   double turn = 0;
   Eigen::Vector2d move = Eigen::Vector2d::Zero();
@@ -357,6 +372,7 @@ struct Place {
 
 const Keys<Place>& place_keys() {
   static const Keys<Place> keys = {
+      key("triangles", &Place::triangles, "", "every quadrilateral is cut into two triangles"),
       key("mirror", &Place::mirror, "",
           "at the line x = 0 (upright) or y = 0 (level); boundaries keep their names"),
       key("turn", &Place::turn, "degree", "about the origin, counter-clockwise, after mirror"),
@@ -382,6 +398,7 @@ Mesh read_mesh(const Value& table, const std::string& name) {
   Mesh mesh = find_kind(table, mesh_kinds(), mesh_keys()).make(table);
   Place place;
   fill(table, place_keys(), place);
+  if (place.triangles) mesh = split(mesh);
   if (place.mirror) mesh = mirrored(std::move(mesh), *place.mirror);
   if (place.turn != 0) {
     const Eigen::RowVector2d e = unit_vector(place.turn * degree);

@@ -27,8 +27,7 @@ bool fails_with(const std::string& message, const Step& step) {
 /// What plan() and build() ask of a body by itself.
 void try_body(const Body& body) {
   check_mesh(body.mesh);
-  const Element& element = find_element(body.element);
-  check_element(body.mesh, element);
+  const Element& element = element_for(body.mesh, body.element);
   check_material(body.material);
   static_cast<void>(number_unknowns(body.mesh, body.supports));
   static_cast<void>(nodal_loads(body.mesh, element, body.material, body.loads));

@@ -173,9 +173,10 @@ const Keys<SceneDraft>& scene_keys() {
          read_members(value, material_keys(), draft.material.emplace());
          value.explain([&] { check_material(*draft.material); });
        }},
-      {{"body", "table or list of them", "", "", "the bodies, [[body]], see body", true},
+      {{"body", "table or list of them", "", "", "each a [[body]] with its mesh, see body", true},
        read_bodies},
-      {{"contact", "table or list of them", "", "", "what may touch, [[contact]], see contact"},
+      {{"contact", "table or list of them", "", "",
+        "what may touch, each a [[contact]], see contact"},
        read_contacts},
       {{"output", "table", "", "", "what is written, see output"},
        [](const Value& value, SceneDraft& draft) {

@@ -1,0 +1,102 @@
+#include "signorini/elasticity/places.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/mesh/side_curve.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+/// How far positions that mean the same place may lie apart.
+double position_rounding(const Mesh& mesh) {
+  return 1e3 * epsilon * mesh.nodes.cwiseAbs().maxCoeff();
+}
+
+double distance(const Mesh& mesh, Index node, const Vector2d& point) {
+  return (mesh.nodes.row(node).transpose() - point).norm();
+}
+
+Index nearest(const Mesh& mesh, const std::vector<Index>& nodes, const Vector2d& point) {
+  return *std::min_element(nodes.begin(), nodes.end(), [&](Index a, Index b) {
+    return distance(mesh, a, point) < distance(mesh, b, point);
+  });
+}
+
+std::string describe(const Mesh& mesh, Index node) {
+  return text("node ", node, ", lies at (", mesh.nodes(node, 0), ", ", mesh.nodes(node, 1), ')');
+}
+
+/// The sides that belong to one cell only.
+std::vector<CellSide> outer_sides(const Mesh& mesh) {
+  struct Joined {
+    std::pair<Index, Index> ends;
+    CellSide side;
+  };
+  std::vector<Joined> all;
+  all.reserve(static_cast<std::size_t>(4 * mesh.n_cells()));
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (int side = 0; side < 4; ++side) {
+      const Index first = mesh.cells(cell, side);
+      const Index last = mesh.cells(cell, (side + 1) % 4);
+      all.push_back({std::minmax(first, last), {cell, side}});
+    }
+  std::sort(all.begin(), all.end(),
+            [](const Joined& a, const Joined& b) { return a.ends < b.ends; });
+  std::vector<CellSide> outer;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if ((k == 0 || all[k - 1].ends != all[k].ends) &&
+        (k + 1 == all.size() || all[k + 1].ends != all[k].ends))
+      outer.push_back(all[k].side);
+  return outer;
+}
+
+}  // namespace
+
+std::vector<Index> nodes_at(const Mesh& mesh, const std::string& boundary,
+                            const std::optional<Vector2d>& only_at, const std::string& what) {
+  std::vector<Index> nodes = boundary_nodes(mesh, boundary);
+  if (!only_at) return nodes;
+  const Index found = nearest(mesh, nodes, *only_at);
+  pose(distance(mesh, found, *only_at) <= position_rounding(mesh), what, " on '", boundary,
+       "': no node lies at (", only_at->x(), ", ", only_at->y(), "); the nearest, ",
+       describe(mesh, found));
+  return {found};
+}
+
+Place place_on_edge(const Mesh& mesh, const Vector2d& point) {
+  const double rounding = position_rounding(mesh);
+  const std::string at = text("point (", point.x(), ", ", point.y(), ") of '", mesh.name, "': ");
+  pose(point.allFinite(), at, "is not finite");
+  std::vector<Index> nodes;
+  for (Index node = 0; node < mesh.n_nodes(); ++node)
+    if (distance(mesh, node, point) <= rounding) nodes.push_back(node);
+  pose(nodes.size() <= 1, at, "nodes ", nodes.empty() ? 0 : nodes.front(), " and ",
+       nodes.empty() ? 0 : nodes.back(),
+       " both lie there and are not joined. Choose a place beside them");
+  if (!nodes.empty()) return {std::move(nodes), {1, 0, 0}};
+
+  std::vector<Place> places;
+  for (const CellSide& side : outer_sides(mesh)) {
+    const SideCurve curve(mesh, side);
+    const double xi = curve.closest(point);
+    if ((curve.point(xi) - point).norm() <= rounding)
+      places.push_back({curve.nodes(), curve.shape(xi).value});
+  }
+  pose(places.size() <= 1, at, "lies on two sides that are not joined. Choose another place");
+  if (!places.empty()) return places.front();
+  nodes.resize(static_cast<std::size_t>(mesh.n_nodes()));
+  std::iota(nodes.begin(), nodes.end(), Index{0});
+  const Index close = nearest(mesh, nodes, point);
+  throw ProblemError(text(at, "neither a node nor a place on the edge. The nearest, ",
+                          describe(mesh, close), ", ", distance(mesh, close, point), " away"));
+}
+
+}  // namespace signorini

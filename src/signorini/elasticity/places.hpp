@@ -1,0 +1,38 @@
+/// \file
+/// Places of a body that a user names by where they are.
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "signorini/mesh/mesh.hpp"
+
+namespace signorini {
+
+/// The nodes of a boundary, or the one of them at a point.
+/// \param mesh      that has the boundary
+/// \param boundary  its name
+/// \param only_at   where the node lies, up to the rounding of positions [length]; all of them without it
+/// \param what      is to be done there, for messages
+/// \return node numbers in walking order
+/// \throws ProblemError if there is no such boundary, or none of its nodes at the point: the message names the nearest
+[[nodiscard]] std::vector<Eigen::Index> nodes_at(const Mesh& mesh, const std::string& boundary,
+                                                 const std::optional<Eigen::Vector2d>& only_at,
+                                                 const std::string& what);
+
+/// How the nodes of a body share what acts at one place.
+struct Place {
+  std::vector<Eigen::Index> nodes;  ///< one, or the two or three of a side
+  Eigen::Vector3d share;            ///< of each of them [-]; those of a side add up to 1
+};
+
+/// Finds a node, or a place on the edge of a body, up to the rounding of positions.
+/// \param mesh   the body
+/// \param point  where [length]
+/// \return the node, or the nodes of the side with their shape functions there
+/// \throws ProblemError if the point is neither, naming the nearest node, or lies on two sides or nodes that are
+///   not joined
+[[nodiscard]] Place place_on_edge(const Mesh& mesh, const Eigen::Vector2d& point);
+
+}  // namespace signorini

@@ -1,0 +1,55 @@
+#include "signorini/elasticity/springs.hpp"
+
+#include "signorini/core/errors.hpp"
+#include "signorini/elasticity/element.hpp"
+#include "signorini/elasticity/places.hpp"
+#include "signorini/mesh/side_curve.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// Adds a spring between two nodes, or of one, in both directions; a direction without stiffness gets no entry.
+void add(Index row, Index column, const Eigen::Vector2d& stiffness, Triplets& entries) {
+  for (int axis = 0; axis < 2; ++axis)
+    if (stiffness(axis) != 0)
+      entries.emplace_back(static_cast<int>(2 * row + axis), static_cast<int>(2 * column + axis),
+                           stiffness(axis));
+}
+
+void add_along(const Mesh& mesh, double thickness, const Spring& spring, Triplets& entries) {
+  for (const SideCurve& side : side_curves(mesh, spring.boundary))
+    for (const GaussPoint& gauss : gauss_line(3)) {
+      const Eigen::Vector3d N = side.shape(gauss.xi).value;
+      const double length = thickness * gauss.weight * side.tangent(gauss.xi).norm();
+      for (std::size_t i = 0; i < side.nodes().size(); ++i)
+        for (std::size_t j = 0; j < side.nodes().size(); ++j)
+          add(side.nodes()[i], side.nodes()[j],
+              N(static_cast<Index>(i)) * N(static_cast<Index>(j)) * length * spring.stiffness,
+              entries);
+    }
+}
+
+}  // namespace
+
+Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, double thickness,
+                                             const std::vector<Spring>& springs) {
+  Triplets entries;
+  for (const Spring& spring : springs) {
+    pose(spring.stiffness.allFinite() && spring.stiffness.minCoeff() >= 0, "springs at '",
+         spring.boundary, "' of '", mesh.name, "': a stiffness must be a number >= 0, got (",
+         spring.stiffness.x(), ", ", spring.stiffness.y(), ')');
+    const std::vector<Index> nodes = nodes_at(mesh, spring.boundary, spring.only_at, "spring");
+    if (spring.only_at)
+      add(nodes.front(), nodes.front(), spring.stiffness, entries);
+    else
+      add_along(mesh, thickness, spring, entries);
+  }
+  Eigen::SparseMatrix<double> stiffness(2 * mesh.n_nodes(), 2 * mesh.n_nodes());
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  return stiffness;
+}
+
+}  // namespace signorini

@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/effects.hpp"
+
+namespace signorini::effect {
+namespace {
+
+using Eigen::Index;
+
+bool resists(const Spring& spring) { return (spring.stiffness.array() != 0).any(); }
+
+bool on_springs(const Body& body) {
+  return std::any_of(body.springs.begin(), body.springs.end(), resists);
+}
+
+/// A rigid motion that a spring resists, however little, is none: its rows go into K.
+void price(const Scene& scene, Plan& draft) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    if (!on_springs(body)) continue;
+    draft.bodies[b].springs = spring_stiffness(body.mesh, body.material.thickness, body.springs);
+    for (const Spring& spring : body.springs)
+      if (resists(spring))
+        draft.on.push_back(text("springs at '", spring.boundary, "' of '", body.mesh.name, "': (",
+                                spring.stiffness.x(), ", ", spring.stiffness.y(),
+                                spring.only_at ? "), at one node" : "), all along"));
+  }
+  draft.modes = rigid_modes(draft.bodies);
+}
+
+/// Adds the springs of a body to K, and to p what they feel of given displacements.
+void add_springs(const BodyModel& body, QuadraticProgramme& programme) {
+  const auto number = [&body](Index component) {
+    const Index own = body.unknowns.number(component / 2, component % 2);
+    return own < 0 ? own : body.first_unknown + own;
+  };
+  for (Index k = 0; k < body.springs.outerSize(); ++k)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(body.springs, k); it; ++it) {
+      const Index row = number(it.row());
+      const Index column = number(it.col());
+      if (row < 0) continue;
+      if (column >= 0)
+        programme.stiffness.coeffRef(row, column) += it.value();
+      else
+        programme.load(row) -= it.value() * body.unknowns.held(it.col() / 2, it.col() % 2);
+    }
+}
+
+}  // namespace
+
+Effect springs() {
+  return {"springs",
+          [](const Scene& scene, const Plan& /*draft*/) {
+            return std::any_of(scene.bodies.begin(), scene.bodies.end(), on_springs);
+          },
+          price,
+          [](Plan& /*plan*/, Model& model) {
+            for (const BodyModel& body : model.bodies) add_springs(body, model.programme);
+          }};
+}
+
+}  // namespace signorini::effect
