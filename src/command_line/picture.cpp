@@ -67,7 +67,7 @@ std::string cells(const SceneRun& run, double scale) {
     const StressArray stress = cell_stress(body.mesh, body.element, body.material, u);
     Eigen::VectorXd value(stress.rows());
     for (Index cell = 0; cell < stress.rows(); ++cell)
-      value(cell) = von_mises(body.material, stress.row(cell).transpose());
+      value(cell) = von_mises(stress.row(cell).transpose());
     std::istringstream csv(deformed_cells_csv(body.mesh, u, value, scale));
     for (std::string line; std::getline(csv, line);)
       if (line.empty() || std::string("-0123456789").find(line[0]) != std::string::npos)
