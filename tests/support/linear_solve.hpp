@@ -10,7 +10,7 @@ inline signorini::NodeArray solve_body(const signorini::Mesh& mesh,
                                        const signorini::Material& material,
                                        const std::vector<signorini::Support>& supports,
                                        const signorini::Loads& loads = {}) {
-  const signorini::Unknowns unknowns = signorini::number_unknowns(mesh, supports);
+  const signorini::Unknowns unknowns = signorini::number_unknowns(mesh, supports, material.state);
   const signorini::LinearSystem system =
       signorini::assemble(mesh, element, material, unknowns, loads);
   signorini::Ledger ledger;

@@ -7,8 +7,8 @@
 
 namespace signorini_test {
 
-/// Whether any contact of a scene rubs; and scenes without friction on triangles.
-enum class RandomScenes { Frictionless, Frictional, Triangles };
+/// Whether any contact of a scene rubs, its bodies are bodies of revolution, or they are of triangles.
+enum class RandomScenes { Frictionless, Frictional, Revolved, Triangles };
 
 /// A scene and what it is, in words.
 struct RandomScene {
@@ -27,8 +27,9 @@ struct RandomScene {
 ///
 /// Only whole numbers are drawn, and all numbers come from them by single roundings before a mesh is made.
 /// \param seed  names the scene
-/// \param kind  Frictional: at least one contact rubs; Triangles: the scene of Frictionless with the cells of its
-///   first body cut into triangles, and every second one of the others
+/// \param kind  Frictional: at least one contact rubs. Revolved: the frictionless scene of the same seed as the
+///   cross-section of bodies of revolution, which reach the axis or keep off it by up to three sizes. Triangles: that
+///   scene with the cells of the first body cut into triangles, and every second one of the others
 /// \return the scene, with the default solvers
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind);
 

@@ -34,12 +34,18 @@ std::string elements_in_words(const Mesh& mesh, const Element& element) {
   return text(element.name, " and ", triangles, " of them ", triangle_beside(mesh).name);
 }
 
+const char* in_words(PlaneState state) {
+  return state == PlaneState::Stress   ? "plane stress"
+         : state == PlaneState::Strain ? "plane strain"
+                                       : "axial symmetry";
+}
+
 /// What to know of an element that is stiffer than the body; empty if there is none.
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
   const auto sentence = [&](const char* name, const char* way_out) {
-    return text(name, " locks for Poisson's ratio ", material.poisson_ratio,
-                " in plane strain and bears too much load: use ", way_out);
+    return text(name, " locks for Poisson's ratio ", material.poisson_ratio, " in ",
+                in_words(material.state), " and bears too much load: use ", way_out);
   };
   if (locks && std::string(element.name) == "q4")
     return sentence("q4", "q4_bbar or q4_incompatible");
@@ -56,12 +62,11 @@ void plan_body(const Body& body, Plan& plan) {
   plan.quality.push_back(check_mesh(body.mesh));
   const Element& element = element_for(body.mesh, body.element);
   check_material(body.material);
-  Unknowns unknowns = number_unknowns(body.mesh, body.supports);
+  Unknowns unknowns = number_unknowns(body.mesh, body.supports, body.material.state);
   const Index count = unknowns.count;
-  const bool stress = body.material.state == PlaneState::Stress;
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",
-                         elements_in_words(body.mesh, element), ", ", count, " unknowns, plane ",
-                         stress ? "stress" : "strain"));
+                         elements_in_words(body.mesh, element), ", ", count, " unknowns, ",
+                         in_words(body.material.state)));
   plan.on.push_back(
       text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
   const std::string note = note_on_locking(body.mesh, element, body.material);
@@ -80,7 +85,7 @@ void plan_unknowns(Plan& plan) {
   for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
   plan.unknowns = joined(unknowns);
   for (const BodyModel& body : plan.bodies)
-    for (FreeMotion& mode : free_motions(body.mesh, body.unknowns)) {
+    for (FreeMotion& mode : free_motions(body.mesh, body.unknowns, body.material.state)) {
       const Eigen::VectorXd own = std::move(mode.shape);
       mode.shape.setZero(plan.unknowns.count);
       mode.shape.segment(body.first_unknown, own.size()) = own;
