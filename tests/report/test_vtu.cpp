@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/mesh/split.hpp"
 #include "signorini/report/vtu.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/folder.hpp"
 #include "support/message.hpp"
@@ -92,6 +94,25 @@ TEST_CASE("a VTU file is well formed and its arrays have the sizes it names", "[
   }
 }
 
+TEST_CASE("triangles and quadrilaterals stand in a VTU file as what they are", "[vtu]") {
+  const Folder folder;
+  for (const char* element : {"q4_incompatible", "q8"}) {
+    Scene scene = signorini_test::cantilever(element, 2, 1);
+    scene.bodies[0].mesh = split(scene.bodies[0].mesh, {1});
+    const SolvedScene run = signorini::solved(scene, "beam");
+    write_vtu(folder.path() / "beam.vtu", run.model, run.solution);
+    const std::string file = content_of(folder.path() / "beam.vtu");
+    using Words = std::vector<std::string>;
+    const bool linear = run.model.bodies[0].mesh.order() == MeshOrder::Linear;
+    CHECK(array_of(file, "types") == (linear ? Words{"9", "5", "5"} : Words{"23", "22", "22"}));
+    CHECK(array_of(file, "offsets") == (linear ? Words{"4", "7", "10"} : Words{"8", "14", "20"}));
+    Words nodes;
+    for (const Eigen::Index node : run.model.bodies[0].mesh.cells.reshaped<Eigen::RowMajor>())
+      if (node >= 0) nodes.push_back(std::to_string(node));
+    CHECK(array_of(file, "connectivity") == nodes);
+  }
+}
+
 TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
   const Folder folder;
   const Solved run = solved("q4_incompatible");
@@ -142,6 +163,21 @@ TEST_CASE("pairs at Gauss points belong to no node, and no node of a VTU file sa
   CHECK(array_of(file, "contact_pressure") == std::vector<std::string>(6, "0"));
   CHECK(array_of(file, "contact_gap") == std::vector<std::string>(6, "0"));
   CHECK(array_of(file, "contact_status") == std::vector<std::string>(6, "-1"));
+}
+
+TEST_CASE("the notes of a solution go with its VTU file, and none are no field", "[vtu]") {
+  const Folder folder;
+  Solved run = solved("q4");
+  write_vtu(folder.path() / "none.vtu", run.model, run.solution);
+  CHECK(content_of(folder.path() / "none.vtu").find("FieldData") == std::string::npos);
+  run.solution.notes = {"a < b & c", "two"};
+  write_vtu(folder.path() / "notes.vtu", run.model, run.solution);
+  const std::string file = content_of(folder.path() / "notes.vtu");
+  CHECK(is_balanced(file));
+  std::string said;
+  for (const std::string& word : array_of(file, "notes"))
+    said += word == "0" ? '|' : static_cast<char>(std::stoi(word));
+  CHECK(said == "a < b & c|two|");
 }
 
 TEST_CASE("nothing is written of a problem that is not solved, or where nobody can write",
