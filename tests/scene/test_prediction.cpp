@@ -194,8 +194,8 @@ TEST_CASE("loose pieces of a body are counted", "[prediction]") {
   mesh.nodes.bottomRows(other.n_nodes()) = other.nodes;
   mesh.cells.conservativeResize(mesh.n_cells() + other.n_cells(), 4);
   mesh.cells.bottomRows(other.n_cells()) = (other.cells.array() + first).matrix();
-  CHECK(count_pieces(named_block("one", {0, 0}, {1, 1}, 3, 3)) == 1);
-  CHECK(count_pieces(mesh) == 2);
+  CHECK(pieces(named_block("one", {0, 0}, {1, 1}, 3, 3)).size() == 1);
+  CHECK(pieces(mesh).size() == 2);
 }
 
 TEST_CASE("a prediction and what became of it are printed", "[prediction]") {

@@ -1,48 +1,27 @@
 #include "signorini/contact/node_to_segment.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "signorini/contact/pair_rows.hpp"
 #include "signorini/elasticity/assembly.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
 
-/// A node on one of its sides, and the sum of the normals of all of them.
-struct NodeOnSide {
-  const SideCurve* side;
-  double xi;
-  Vector2d normal;
-};
-
-std::map<Index, NodeOnSide> nodes_on_sides(const std::vector<SideCurve>& sides) {
-  std::map<Index, NodeOnSide> found;
-  for (const SideCurve& side : sides) {
-    const double step = 2.0 / static_cast<double>(side.nodes().size() - 1);
-    for (std::size_t k = 0; k < side.nodes().size(); ++k) {
-      const double xi = -1 + step * static_cast<double>(k);
-      const auto [place, is_new] = found.insert({side.nodes()[k], {&side, xi, side.normal(xi)}});
-      if (!is_new) place->second.normal += side.normal(xi);
-    }
-  }
-  return found;
-}
-
-}  // namespace
-
 Pairs node_to_segment(const Surface& source, const Surface& target, const GapOptions& options) {
   const Interface interface(source, target, options);
   const std::vector<Index> nodes = boundary_nodes(source.mesh, source.boundary);
-  const Eigen::VectorXd weights =
-      boundary_weights(source.mesh, source.boundary, {options.thickness});
+  const Eigen::VectorXd weights = boundary_weights(source.mesh, source.boundary, options.depth);
   const std::map<Index, NodeOnSide> on_side = nodes_on_sides(interface.sides);
   std::vector<PairPoint> points;
   std::vector<std::size_t> paired;
   Pairs pairs;
+  const std::vector<Index> idle = nodes_without_share(source.mesh, source.boundary, options.depth);
   for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (std::binary_search(idle.begin(), idle.end(), nodes[k])) continue;
     const NodeOnSide& node = on_side.at(nodes[k]);
     const Vector2d x = source.mesh.nodes.row(nodes[k]).transpose();
     const Projection place = interface.closest(x, node.normal);

@@ -70,23 +70,24 @@ Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes) {
   return shapes;
 }
 
-NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law) {
-  return below(gaps.A, -selected_rows(gaps.T, law.pair));
-}
-
 std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
   const BodyModel& last = bodies.back();
   std::vector<FreeMotion> modes;
   for (const BodyModel& body : bodies)
-    for (FreeMotion& mode : body.springs.rows() == 0
-                                ? free_motions(body.mesh, body.unknowns)
-                                : free_motions(body.mesh, held_by_springs(body))) {
+    for (FreeMotion& mode :
+         body.springs.rows() == 0
+             ? free_motions(body.mesh, body.unknowns, body.material.bulk.state)
+             : free_motions(body.mesh, held_by_springs(body), body.material.bulk.state)) {
       const Eigen::VectorXd own = std::move(mode.shape);
       mode.shape.setZero(last.first_unknown + last.unknowns.count);
       mode.shape.segment(body.first_unknown, own.size()) = own;
       modes.push_back(std::move(mode));
     }
   return modes;
+}
+
+NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law) {
+  return below(gaps.A, -selected_rows(gaps.T, law.pair));
 }
 
 std::vector<std::string> motions_without_contact(

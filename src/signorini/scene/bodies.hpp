@@ -42,11 +42,6 @@ namespace signorini {
 /// \return whether it has friction or cohesion: a law that allows no friction force is none
 [[nodiscard]] bool rubs(const ContactSpec& contact);
 
-/// The rows of A as the programme has them.
-/// \param gaps  of all pairs \param law  of those that rub
-/// \return the rows of the gaps, and below them those of the slips of the law
-[[nodiscard]] NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law);
-
 /// Brings the sides of a contact together as it says: small gaps adjusted first, then its interference.
 /// \param contact       whose lengths have been checked
 /// \param[in,out] pairs  of the meshes; gets new initial gaps
@@ -57,6 +52,11 @@ namespace signorini {
 /// \param bodies  with their unknowns and springs
 /// \return `n_r` independent motions
 [[nodiscard]] std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies);
+
+/// The rows of A as the programme has them.
+/// \param gaps  of all pairs \param law  of those that rub
+/// \return the rows of the gaps, and below them those of the slips of the law
+[[nodiscard]] NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law);
 
 /// Rigid motions that open and close no gap.
 /// \param A      `n_c x n` gaps, see Gaps

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini {
@@ -26,7 +27,8 @@ LinearSystem assemble_all(const std::vector<BodyModel>& bodies, Index count) {
 Model build(Plan plan, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "assembly");
   Model model;
-  LinearSystem system = assemble_all(plan.bodies, plan.unknowns.count);
+  LinearSystem system =
+      telling(plan.notes, [&] { return assemble_all(plan.bodies, plan.unknowns.count); });
   model.programme.stiffness.swap(system.stiffness);
   model.programme.load.swap(system.load);
   model.programme.A.resize(0, plan.unknowns.count);
@@ -35,7 +37,9 @@ Model build(Plan plan, Ledger& ledger) {
   model.unknowns = std::move(plan.unknowns);
   model.solver = std::move(plan.solver);
   model.notes = std::move(plan.notes);
-  for (const Effect* effect : plan.effects) effect->add(plan, model);
+  telling(model.notes, [&] {
+    for (const Effect* effect : plan.effects) effect->add(plan, model);
+  });
   const QuadraticProgramme& programme = model.programme;
   ledger.count("unknowns", model.unknowns.count);
   ledger.count("pairs", model.pairs.weight.size());

@@ -4,6 +4,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -38,8 +39,8 @@ std::string elements_in_words(const Mesh& mesh, const Element& element) {
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
   const auto sentence = [&](const char* name, const char* way_out) {
-    return text(name, " locks for Poisson's ratio ", material.poisson_ratio,
-                " in plane strain and bears too much load: use ", way_out);
+    return text(name, " locks for Poisson's ratio ", material.poisson_ratio, " in ",
+                to_string(material.state), " and bears too much load: use ", way_out);
   };
   if (locks && std::string(element.name) == "q4")
     return sentence("q4", "q4_bbar or q4_incompatible");
@@ -51,21 +52,31 @@ std::string note_on_locking(const Mesh& mesh, const Element& element, const Mate
               "quadrilaterals");
 }
 
+void note_on_body(const Body& body, const Element& element, std::vector<std::string>& notes) {
+  std::string last = note_on_locking(body.mesh, element, body.material);
+  if (!last.empty()) notes.push_back(last);
+  for (const Layer& layer : body.layers) {
+    const std::string note = note_on_locking(body.mesh, element, layer.material);
+    if (!note.empty() && note != last) notes.push_back(note);
+    last = note;
+  }
+  if (body.material.expansion != 0 && !(body.temperature && body.temperature->warms()))
+    notes.push_back(text("'", body.mesh.name, "' has a thermal expansion but no temperature"));
+}
+
 void plan_body(const Body& body, Plan& plan) {
   const std::string& name = body.mesh.name;
   plan.quality.push_back(check_mesh(body.mesh));
   const Element& element = element_for(body.mesh, body.element);
   check_material(body.material);
-  Unknowns unknowns = number_unknowns(body.mesh, body.supports);
+  Unknowns unknowns = number_unknowns(body.mesh, body.supports, body.material.state);
   const Index count = unknowns.count;
-  const bool stress = body.material.state == PlaneState::Stress;
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",
-                         elements_in_words(body.mesh, element), ", ", count, " unknowns, plane ",
-                         stress ? "stress" : "strain"));
+                         elements_in_words(body.mesh, element), ", ", count, " unknowns, ",
+                         to_string(body.material.state)));
   plan.on.push_back(
       text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
-  const std::string note = note_on_locking(body.mesh, element, body.material);
-  if (!note.empty()) plan.notes.push_back(note);
+  note_on_body(body, element, plan.notes);
   const bool first = plan.bodies.empty();
   const Index first_node = first ? 0 : count_nodes(plan.bodies);
   const Index first_unknown =
@@ -75,11 +86,25 @@ void plan_body(const Body& body, Plan& plan) {
 }
 
 /// What supports leave: the unknowns of all bodies, and their rigid motions.
-void plan_unknowns(Plan& plan) {
+void plan_unknowns(const Scene& scene, Plan& plan) {
   std::vector<Unknowns> unknowns;
   for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
   plan.unknowns = joined(unknowns);
   plan.modes = rigid_modes(plan.bodies);
+  for (const BodyModel& body : plan.bodies)
+    for (std::string& note : doubts_of_mesh(scene, body.mesh, pieces(body.mesh)))
+      plan.notes.push_back(std::move(note));
+}
+
+/// Asks every effect whether a scene calls for it.
+void plan_effects(const Scene& scene, Plan& plan) {
+  for (const Effect& effect : effects())
+    if (effect.present(scene, plan)) {
+      effect.price(scene, plan);
+      plan.effects.push_back(&effect);
+    } else {
+      plan.off.emplace_back(effect.name);
+    }
 }
 
 }  // namespace
@@ -88,16 +113,12 @@ Plan plan(const Scene& scene) {
   Plan plan;
   check_names(scene);
   for (const Body& body : scene.bodies) plan_body(body, plan);
-  plan_unknowns(plan);
+  plan_unknowns(scene, plan);
   plan.gaps.A.resize(0, plan.unknowns.count);
   plan.solver = scene.solver;
-  for (const Effect& effect : effects())
-    if (effect.present(scene, plan)) {
-      effect.price(scene, plan);
-      plan.effects.push_back(&effect);
-    } else {
-      plan.off.emplace_back(effect.name);
-    }
+  telling(plan.notes, [&] { plan_effects(scene, plan); });
+  for (const Body& body : scene.bodies)
+    for (std::string& note : doubts_of_loads(body)) plan.notes.push_back(std::move(note));
   if (plan.gaps.A.rows() > 0)
     plan.on.push_back("solver " + plan.solver +
                       " on the condensed problem, certified from K, p, A, g");

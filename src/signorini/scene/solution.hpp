@@ -18,7 +18,7 @@ namespace signorini {
 struct BodyModel {
   Mesh mesh;                   ///< of the scene
   Element element;             ///< found by its name
-  Material material;           ///< of the scene
+  Matter material;             ///< of its cells
   Loads loads;                 ///< of the scene
   Unknowns unknowns;           ///< of this body, numbered from 0
   Eigen::Index first_node;     ///< number of its first node among those of all bodies
@@ -59,7 +59,7 @@ struct Solution {
   /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
   std::string escape;  ///< if the load pulls a body away: how it moves off
-  /// What a user should know: the notes of the plan, then such as that others may exist.
+  /// What a user should know: the notes of the plan, then such as that others may exist or that strains are large.
   std::vector<std::string> notes;
   Ledger ledger;  ///< what it cost
 };
@@ -101,7 +101,7 @@ void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& cond
 /// Stops a program that has no use for an unsolved problem.
 /// \param solution  what solve() returned
 /// \param what      what the message calls it
-/// \throws NotSolved with the status and what stopped the solver, unless it is Solved
+/// \throws NotSolved with the status, what stopped the solver and the notes, unless it is Solved
 void require_solved(const Solution& solution, const std::string& what);
 
 }  // namespace signorini

@@ -7,6 +7,7 @@
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/programme/road.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -105,25 +106,24 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
   solution.displacements = displacements_of_bodies(model, refined.displacement);
   solution.refined = std::move(refined);
-}
-
-long long one_solve(const Condensed& condensed) {
-  return static_cast<long long>(condensed.factor.solve_operations());
+  if (solution.contact.report.status != Status::Solved) return;
+  for (std::string& note : doubts_of_solution(model, solution))
+    solution.notes.push_back(std::move(note));
 }
 
 }  // namespace
 
 Condensed condense(const Model& model, Ledger& ledger) {
   const QuadraticProgramme& programme = model.programme;
-  Condensed condensed{factor(model, ledger), {}, {}};
+  Condensed condensed{telling(model.notes, [&] { return factor(model, ledger); }), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
-  ledger.count("operations of one solve", one_solve(condensed));
-  ContactProblem& problem = condensed.problem;
-  problem.compliance = condensed.factor.compliance(programme.A, ledger);
-  ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
-  problem.law = model.law;
-  ledger.count("operations", one_solve(condensed));
+  condensed.problem.compliance = condensed.factor.compliance(programme.A, ledger);
+  ledger.bytes(condensed.problem.compliance.size() * static_cast<long long>(sizeof(double)));
+  condensed.problem.law = model.law;
   condense_loads(model, condensed);
+  const long long one_solve = static_cast<long long>(condensed.factor.solve_operations());
+  ledger.count("operations", one_solve);
+  ledger.count("operations of one solve", one_solve);
   return condensed;
 }
 
@@ -143,10 +143,10 @@ void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& cond
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger) {
-  const long long operations = one_solve(condensed);
+  const long long one_solve = static_cast<long long>(condensed.factor.solve_operations());
   const CondensedProgramme small{condensed.problem, condensed.free_displacement,
                                  [&](const VectorXd& load) {
-                                   ledger.count("operations", operations);
+                                   ledger.count("operations", one_solve);
                                    return condensed.factor.solve(load);
                                  }};
   CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),
@@ -177,16 +177,17 @@ void require_solved(const Solution& solution, const std::string& what) {
   if (report.status == Status::Solved) return;
   const std::string& reason = solution.contact.reason;
   if (!solution.escape.empty())
-    throw NotSolved(
+    throw NotSolved(with_notes(
         text(what, " was not solved: ",
              reason.empty() ? "the load pulls a body away from all it could rest on" : reason, ": ",
-             solution.escape, ". Turn the load round or add a support"));
+             solution.escape, ". Turn the load round or add a support"),
+        solution.notes));
   std::string message = text(what, " was not solved: ", to_string(report.status), " after ",
                              report.iterations, " iterations");
   if (!reason.empty()) message += ": " + reason;
   if (std::isfinite(solution.certificate.worst()))
     message += text("; certificate: ", solution.certificate);
-  throw NotSolved(message);
+  throw NotSolved(with_notes(message, solution.notes));
 }
 
 Solution solve(const Scene& scene) {
