@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/mesh/split.hpp"
 #include "signorini/report/vtu.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/folder.hpp"
 #include "support/message.hpp"
@@ -89,6 +91,25 @@ TEST_CASE("a VTU file is well formed and its arrays have the sizes it names", "[
     CHECK(offsets.back() == std::to_string(nodes * cells));
     const std::vector<std::string> types = array_of(file, "types");
     CHECK(types == std::vector<std::string>(cells, nodes == 4 ? "9" : "23"));
+  }
+}
+
+TEST_CASE("triangles and quadrilaterals stand in a VTU file as what they are", "[vtu]") {
+  const Folder folder;
+  for (const char* element : {"q4_incompatible", "q8"}) {
+    Scene scene = signorini_test::cantilever(element, 2, 1);
+    scene.bodies[0].mesh = split(scene.bodies[0].mesh, {1});
+    const SolvedScene run = signorini::solved(scene, "beam");
+    write_vtu(folder.path() / "beam.vtu", run.model, run.solution);
+    const std::string file = content_of(folder.path() / "beam.vtu");
+    using Words = std::vector<std::string>;
+    const bool linear = run.model.bodies[0].mesh.order() == MeshOrder::Linear;
+    CHECK(array_of(file, "types") == (linear ? Words{"9", "5", "5"} : Words{"23", "22", "22"}));
+    CHECK(array_of(file, "offsets") == (linear ? Words{"4", "7", "10"} : Words{"8", "14", "20"}));
+    Words nodes;
+    for (const Eigen::Index node : run.model.bodies[0].mesh.cells.reshaped<Eigen::RowMajor>())
+      if (node >= 0) nodes.push_back(std::to_string(node));
+    CHECK(array_of(file, "connectivity") == nodes);
   }
 }
 

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/mesh/split.hpp"
 #include "support/far.hpp"
 #include "support/random_bodies.hpp"
 
 namespace signorini_test {
 namespace {
 
+using Eigen::Index;
 using Eigen::Vector2d;
 using namespace signorini;
 
@@ -43,6 +45,8 @@ class Drawing {
   void draw_operator(ContactSpec& contact);
   Friction draw_friction();
   void walls(const std::string& body);
+  /// Puts triangles in the place of quadrilaterals.
+  void cut();
 
   Draws draw_;
   RandomScenes kind_;
@@ -296,6 +300,18 @@ void Drawing::vary(ContactSpec& contact) {
             contact.adjust.value_or(0));
 }
 
+void Drawing::cut() {
+  Index step = 1;
+  for (Body& body : scene_.bodies) {
+    std::vector<Index> cells;
+    for (Index cell = 0; cell < body.mesh.n_cells(); cell += step) cells.push_back(cell);
+    body.mesh = split(body.mesh, cells);
+    if (step == 1) body.element.clear();
+    step = 2;
+  }
+  draw_.say("; in triangles");
+}
+
 RandomScene Drawing::drawn() {
   const int what = draw_.whole(0, 15);
   if (what < 5)
@@ -310,6 +326,7 @@ RandomScene Drawing::drawn() {
     for (Body& body : scene_.bodies) vary(body);
     for (ContactSpec& contact : scene_.contacts) vary(contact);
   }
+  if (kind_ == RandomScenes::Triangles) cut();
   return {std::move(scene_), std::move(draw_.text)};
 }
 

@@ -52,8 +52,9 @@ void note_loose_nodes(const Scene& scene, const Mesh& mesh, Notes& notes) {
   const std::set<Index> meant = touching_itself(scene, mesh);
   loose.erase(std::remove_if(loose.begin(), loose.end(),
                              [&](const LooseNode& one) {
-                               return meant.count(one.node) > 0 &&
-                                      meant.count(mesh.side_nodes(one.side).front()) > 0;
+                               const Index other =
+                                   one.other >= 0 ? one.other : mesh.side_nodes(one.side).front();
+                               return meant.count(one.node) > 0 && meant.count(other) > 0;
                              }),
               loose.end());
   const auto hangs = std::stable_partition(loose.begin(), loose.end(),

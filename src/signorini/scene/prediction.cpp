@@ -38,7 +38,7 @@ BodySummary summary_of(const BodyModel& body) {
     summary.moment +=
         body.mesh.nodes(node, 0) * load(node, 1) - body.mesh.nodes(node, 1) * load(node, 0);
   }
-  if (body.material.state == PlaneState::Axial) {  // all round the axis, these cancel
+  if (body.material.bulk.state == PlaneState::Axial) {  // all round the axis, these cancel
     summary.force.x() = 0;
     summary.moment = 0;
   }
@@ -96,7 +96,7 @@ Sampled sampled(const Plan& plan, Index stiffness_entries) {
     QuadraticProgramme programme;
     const double assembly = seconds_of([&] {
       LinearSystem system =
-          assemble(part, body.element, body.material, number_unknowns(part, {}), {});
+          assemble(part, body.element, body.material.bulk, number_unknowns(part, {}), {});
       programme.stiffness.swap(system.stiffness);
       programme.load.swap(system.load);
     });
