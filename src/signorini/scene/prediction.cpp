@@ -96,7 +96,7 @@ Sampled sampled(const Plan& plan, Index stiffness_entries) {
     QuadraticProgramme programme;
     const double assembly = seconds_of([&] {
       LinearSystem system =
-          assemble(part, body.element, body.material, number_unknowns(part, {}), {});
+          assemble(part, body.element, body.material.bulk, number_unknowns(part, {}), {});
       programme.stiffness.swap(system.stiffness);
       programme.load.swap(system.load);
     });
