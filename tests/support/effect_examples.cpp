@@ -51,6 +51,11 @@ Scene above_disc() {
 
 const std::map<std::string, EffectExample>& effect_examples() {
   static const std::map<std::string, EffectExample> all = {
+      {"axial symmetry",
+       {plain_beam(),
+        [](Scene& scene) { scene.bodies[0].material.state = PlaneState::Axial; },
+        {"K", "pairs"},
+        {}}},
       {"body force",
        {plain_beam(),
         [](Scene& scene) {

@@ -1,9 +1,12 @@
 #include "support/random_scenes.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "signorini/core/errors.hpp"
+#include "support/far.hpp"
 #include "support/random_bodies.hpp"
 
 namespace signorini_test {
@@ -310,10 +313,26 @@ RandomScene Drawing::drawn() {
   return {std::move(scene_), std::move(draw_.text)};
 }
 
+/// The scene as the cross-section of bodies of revolution, `off` sizes away from the axis.
+RandomScene revolved(RandomScene plane, double off) {
+  double lowest = plane.scene.bodies.front().mesh.nodes(0, 0);
+  for (const Body& body : plane.scene.bodies)
+    lowest = std::min(lowest, body.mesh.nodes.col(0).minCoeff());
+  RandomScene round{moved(plane.scene, {off * size_of(plane.scene) - lowest, 0}),
+                    text(plane.text, "; revolved ", off, " sizes off the axis")};
+  for (Body& body : round.scene.bodies) {
+    body.material.state = PlaneState::Axial;
+    body.material.thickness = 1;
+  }
+  return round;
+}
+
 }  // namespace
 
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
-  return Drawing(seed, kind).drawn();
+  if (kind != RandomScenes::Revolved) return Drawing(seed, kind).drawn();
+  const double off[] = {0, 0.25, 3};
+  return revolved(Drawing(seed, RandomScenes::Frictionless).drawn(), off[seed % 3]);
 }
 
 }  // namespace signorini_test

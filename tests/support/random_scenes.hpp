@@ -7,10 +7,11 @@
 
 namespace signorini_test {
 
-/// Whether any contact of a scene rubs, and whether it has the rarer effects.
+/// Whether any contact of a scene rubs, its bodies are bodies of revolution, or it has the rarer effects.
 enum class RandomScenes {
   Frictionless,
   Frictional,
+  Revolved,
   Varied  ///< as Frictional, and often with point forces, springs, layers, heat, interference, adjusted gaps
 };
 
@@ -31,7 +32,8 @@ struct RandomScene {
 ///
 /// Only whole numbers are drawn, and all numbers come from them by single roundings before a mesh is made.
 /// \param seed  names the scene
-/// \param kind  Frictional and Varied: at least one contact rubs
+/// \param kind  Frictional and Varied: at least one contact rubs. Revolved: the frictionless scene of the same seed
+///   as the cross-section of bodies of revolution, which reach the axis or keep off it by up to three sizes
 /// \return the scene, with the default solvers
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind);
 

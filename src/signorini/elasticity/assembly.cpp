@@ -232,6 +232,22 @@ Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, cons
   return weights;
 }
 
+std::vector<Index> nodes_without_share(const Mesh& mesh, const std::string& name,
+                                       const Depth& depth) {
+  std::vector<Index> nodes;
+  if (!depth.axial) return nodes;
+  const std::vector<Index> axis = axis_nodes(mesh);
+  for (const CellSide& side : boundary(mesh, name)) {
+    const std::vector<Index> own = mesh.side_nodes(side);
+    if (own.size() == 2) continue;
+    for (const Index end : {own.front(), own.back()})
+      if (std::binary_search(axis.begin(), axis.end(), end)) nodes.push_back(end);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
 NodeArray expand(const Unknowns& unknowns, const Eigen::Ref<const Eigen::VectorXd>& values) {
   require(values.size() == unknowns.count, "expand: need ", unknowns.count,
           " values (one per unknown), got ", values.size());

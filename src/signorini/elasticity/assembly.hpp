@@ -113,6 +113,17 @@ void check_element(const Mesh& mesh, const Element& element);
 [[nodiscard]] Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name,
                                                const Depth& depth);
 
+/// Nodes of a boundary on which a pressure causes no force: in axial symmetry an end of a side of three nodes on the
+/// axis, whose shape function times the radius has the mean zero. What is read there as force / weight means nothing.
+/// \param mesh   that has the boundary
+/// \param name   of the boundary
+/// \param depth  across the plane
+/// \return their numbers, increasing; none in the plane, nor on straight sides of two nodes
+/// \throws ProblemError if there is no such boundary
+[[nodiscard]] std::vector<Eigen::Index> nodes_without_share(const Mesh& mesh,
+                                                            const std::string& name,
+                                                            const Depth& depth);
+
 /// Displacements of all nodes.
 /// \param unknowns  which are unknown, and what the others are held at
 /// \param values    `n` unknowns u [length]

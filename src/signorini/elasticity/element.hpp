@@ -79,9 +79,17 @@ struct CellBody {
     return middle + arms.transpose() * N;
   }
   /// \param N  shape functions at a place
+  /// \return x there, in axial symmetry the radius [length]
+  [[nodiscard]] double x_at(const CellScalars& N) const { return middle.x() + arms.col(0).dot(N); }
+  /// \param N  shape functions at a place
   /// \return the depth there [length]
-  [[nodiscard]] double depth_at(const CellScalars& N) const {
-    return depth.at(middle.x() + arms.col(0).dot(N));
+  [[nodiscard]] double depth_at(const CellScalars& N) const { return depth.at(x_at(N)); }
+  /// Hoop strain of displacements outwards, u / x: a circle of radius x becomes one of radius x + u.
+  /// \param u  one or several at one place [-]
+  /// \param N  shape functions at that place
+  /// \return u / x in axial symmetry, else none [1/length]
+  [[nodiscard]] CellScalars hoop(const CellScalars& u, const CellScalars& N) const {
+    return D.rows() == 4 ? CellScalars(u / x_at(N)) : CellScalars();
   }
 };
 
@@ -147,8 +155,9 @@ struct Jacobian {
 
 /// The plain strain operator of displacement shape functions.
 /// \param gradient  `m x 2` dN/dx, dN/dy [1/length]
-/// \param B         receives `3 x 2m` [1/length]
-void write_strain_matrix(const CellNodes& gradient, StrainMatrix& B);
+/// \param hoop      `m` N/x in axial symmetry, else none [1/length]
+/// \param B         receives `3 x 2m`, in axial symmetry `4 x 2m` [1/length]
+void write_strain_matrix(const CellNodes& gradient, const CellScalars& hoop, StrainMatrix& B);
 
 /// One point of a Gauss rule.
 struct GaussPoint {

@@ -68,9 +68,12 @@ std::vector<ConnectedBody> connected_bodies(const Mesh& mesh) {
   return bodies;
 }
 
-/// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)) and no held component.
-std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknowns& unknowns) {
+/// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)) and no held component. What moves or turns
+/// the cross-section of a body of revolution sideways strains the body.
+std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknowns& unknowns,
+                                        PlaneState state) {
   Eigen::Matrix3d forbidden = Eigen::Matrix3d::Zero();
+  if (state == PlaneState::Axial) forbidden.diagonal() << 1, 0, 1;
   for (std::size_t k = 0; k < body.nodes.size(); ++k) {
     const Index node = body.nodes[k];
     const Eigen::Vector2d arm = body.arms.row(static_cast<Index>(k)).transpose() / body.size;
@@ -112,10 +115,10 @@ std::string motion_in_words(const Eigen::Vector3d& motion, const ConnectedBody& 
 
 }  // namespace
 
-std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns) {
+std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns, PlaneState state) {
   std::vector<FreeMotion> found;
   for (const ConnectedBody& body : connected_bodies(mesh))
-    for (const Eigen::Vector3d& motion : motions_of(body, unknowns)) {
+    for (const Eigen::Vector3d& motion : motions_of(body, unknowns, state)) {
       FreeMotion free;
       free.sentence =
           text("body '", mesh.name, "' (", body.cells, " cells around (", body.centre.x(), ", ",

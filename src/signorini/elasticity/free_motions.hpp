@@ -18,7 +18,9 @@ struct FreeMotion {
 /// Finds the rigid motions that the supports leave to each connected body of the mesh.
 /// \param mesh      one body or several
 /// \param unknowns  `n` of it
-/// \return independent motions, up to three per body; empty if there is none
-[[nodiscard]] std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns);
+/// \param state     in axial symmetry, bodies can only move along the axis
+/// \return independent motions, up to three per body, in axial symmetry up to one; empty if there is none
+[[nodiscard]] std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns,
+                                                   PlaneState state = PlaneState::Strain);
 
 }  // namespace signorini

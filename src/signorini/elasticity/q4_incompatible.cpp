@@ -10,30 +10,51 @@ namespace {
 template <int n_rows>
 using ModeStrain = Eigen::Matrix<double, n_rows, 4>;  // one column per internal unknown
 
-/// Strain of the modes 1 - xi^2 and 1 - eta^2 in x and y.
+/// Strain of the modes 1 - xi^2 and 1 - eta^2 in x and y at one strain point.
 ///
-/// Taken with the Jacobian of the centre and scaled by the volume per reference square there over the local one, so
-/// that the modes do no work against a constant stress: this is what makes the patch test pass on distorted
+/// Taken with the Jacobian of the centre and scaled by its determinant over the local one, so that in the plane the
+/// modes do no work against a constant stress: this is what makes the patch test pass on distorted
 /// cells (see [TaylorBeresfordWilson1976]).
 template <int n_rows>
-ModeStrain<n_rows> mode_strain(const StrainPoint& point, double scale, const Jacobian& centre) {
+ModeStrain<n_rows> mode_strain(const CellBody& cell, const StrainPoint& point, double weight,
+                               const Jacobian& centre) {
+  const Eigen::Vector2d at = point.local;
+  double depth = cell.depth.factor;
+  CellScalars hoop;
+  if constexpr (n_rows == 4) {
+    const CellScalars N = bilinear_shape(at.x(), at.y()).value;
+    depth = cell.depth_at(N);
+    hoop = cell.hoop(1 - at.array().square(), N);
+  }
+  const double scale = centre.determinant * depth / (point.volume / weight);
   CellNodes slope(2, 2);
-  slope << -2 * point.local.x(), 0, 0, -2 * point.local.y();
+  slope << -2 * at.x(), 0, 0, -2 * at.y();
   const Eigen::Matrix2d gradient = scale * slope * centre.matrix.inverse().transpose();
   StrainMatrix strain;
-  write_strain_matrix(gradient, strain);
+  write_strain_matrix(gradient, hoop, strain);
   return fixed_rows<n_rows>(strain);
+}
+
+/// Takes its mean from the strain of every mode: where volumes grow with the radius, and with the hoop strain, it is
+/// not zero by itself. Without it a body of revolution can be strained evenly at will.
+void subtract_mean(const StrainPoints& points, std::array<ModeStrain<4>, 4>& modes) {
+  ModeStrain<4> mean = ModeStrain<4>::Zero();
+  double volume = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    mean += points.point[i].volume * modes[i];
+    volume += points.point[i].volume;
+  }
+  for (ModeStrain<4>& mode : modes) mode -= mean / volume;
 }
 
 /// The strains of the modes at the strain points.
 template <int n_rows>
 std::array<ModeStrain<n_rows>, 4> mode_strains(const CellBody& cell, const StrainPoints& points) {
   const Jacobian centre = jacobian(bilinear_shape(0, 0), cell.arms);
-  const double volume = centre.determinant * cell.depth_at(bilinear_shape(0, 0).value);
   std::array<ModeStrain<n_rows>, 4> modes;
   for (std::size_t i = 0; i < 4; ++i)
-    modes[i] = mode_strain<n_rows>(
-        points.point[i], volume / (points.point[i].volume / gauss_square(2)[i].weight), centre);
+    modes[i] = mode_strain<n_rows>(cell, points.point[i], gauss_square(2)[i].weight, centre);
+  if constexpr (n_rows == 4) subtract_mean(points, modes);
   return modes;
 }
 

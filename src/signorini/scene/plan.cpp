@@ -21,6 +21,11 @@ void check_names(const Scene& scene) {
   static_cast<void>(find_solver(scene.solver));  // needed or not
 }
 
+const char* in_words(PlaneState state) {
+  if (state == PlaneState::Axial) return "axial symmetry";
+  return state == PlaneState::Stress ? "plane stress" : "plane strain";
+}
+
 /// How many of the cells are triangles.
 Index count_triangles(const Mesh& mesh) {
   Index count = 0;
@@ -38,8 +43,8 @@ std::string elements_in_words(const Mesh& mesh, const Element& element) {
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
   const auto sentence = [&](const char* name, const char* way_out) {
-    return text(name, " locks for Poisson's ratio ", material.poisson_ratio,
-                " in plane strain and bears too much load: use ", way_out);
+    return text(name, " locks for Poisson's ratio ", material.poisson_ratio, " in ",
+                in_words(material.state), " and bears too much load: use ", way_out);
   };
   if (locks && std::string(element.name) == "q4")
     return sentence("q4", "q4_bbar or q4_incompatible");
@@ -68,12 +73,11 @@ void plan_body(const Body& body, Plan& plan) {
   plan.quality.push_back(check_mesh(body.mesh));
   const Element& element = element_for(body.mesh, body.element);
   check_material(body.material);
-  Unknowns unknowns = number_unknowns(body.mesh, body.supports);
+  Unknowns unknowns = number_unknowns(body.mesh, body.supports, body.material.state);
   const Index count = unknowns.count;
-  const bool stress = body.material.state == PlaneState::Stress;
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",
-                         elements_in_words(body.mesh, element), ", ", count, " unknowns, plane ",
-                         stress ? "stress" : "strain"));
+                         elements_in_words(body.mesh, element), ", ", count, " unknowns, ",
+                         in_words(body.material.state)));
   plan.on.push_back(
       text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
   note_on_body(body, element, plan.notes);
