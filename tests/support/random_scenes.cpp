@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/mesh/split.hpp"
 #include "support/far.hpp"
 #include "support/random_bodies.hpp"
 
 namespace signorini_test {
 namespace {
 
+using Eigen::Index;
 using Eigen::Vector2d;
 using namespace signorini;
 
@@ -43,8 +45,14 @@ class Drawing {
   void draw_operator(ContactSpec& contact);
   Friction draw_friction();
   void walls(const std::string& body);
+  /// Puts triangles in the place of quadrilaterals.
+  void cut();
 
   Draws draw_;
+  [[nodiscard]] bool rubs() const {
+    return kind_ == RandomScenes::Frictional || kind_ == RandomScenes::Varied;
+  }
+
   RandomScenes kind_;
   Scene scene_;
   std::optional<RandomBodies> make_;
@@ -84,7 +92,7 @@ void Drawing::hold_ring(Body& ring, const std::string& boundary, Sector sector) 
 void Drawing::load(Body& body, const char* far, const char* beside) {
   double pressure = make_->stress * make_->load;
   pressure *= draw_.chance(1) ? -draw_.sixteenths(1, 8) : draw_.sixteenths(4, 32);
-  const bool drags = draw_.chance(kind_ != RandomScenes::Frictionless ? 10 : 4);
+  const bool drags = draw_.chance(rubs() ? 10 : 4);
   Vector2d drag(0, 0);
   if (drags) drag = pressure * make_->turned({draw_.sixteenths(-16, 16), 0});
   const int what = draw_.whole(0, 7);
@@ -136,8 +144,8 @@ void Drawing::add_contact(const Side& source, std::variant<Obstacle, Side> targe
   contact.source = source;
   contact.target = std::move(target);
   if (std::holds_alternative<Side>(contact.target)) draw_operator(contact);
-  const bool rubs = scene_.contacts.empty() || draw_.chance(8);
-  if (kind_ != RandomScenes::Frictionless && rubs) contact.friction = draw_friction();
+  const bool rough = scene_.contacts.empty() || draw_.chance(8);
+  if (rubs() && rough) contact.friction = draw_friction();
   scene_.contacts.push_back(std::move(contact));
 }
 
@@ -296,6 +304,18 @@ void Drawing::vary(ContactSpec& contact) {
             contact.adjust.value_or(0));
 }
 
+void Drawing::cut() {
+  Index step = 1;
+  for (Body& body : scene_.bodies) {
+    std::vector<Index> cells;
+    for (Index cell = 0; cell < body.mesh.n_cells(); cell += step) cells.push_back(cell);
+    body.mesh = split(body.mesh, cells);
+    if (step == 1) body.element.clear();
+    step = 2;
+  }
+  draw_.say("; in triangles");
+}
+
 RandomScene Drawing::drawn() {
   const int what = draw_.whole(0, 15);
   if (what < 5)
@@ -310,6 +330,7 @@ RandomScene Drawing::drawn() {
     for (Body& body : scene_.bodies) vary(body);
     for (ContactSpec& contact : scene_.contacts) vary(contact);
   }
+  if (kind_ == RandomScenes::Triangles) cut();
   return {std::move(scene_), std::move(draw_.text)};
 }
 

@@ -7,11 +7,13 @@
 
 namespace signorini_test {
 
-/// Whether any contact of a scene rubs, its bodies are bodies of revolution, or it has the rarer effects.
+/// Whether any contact of a scene rubs, its bodies are bodies of revolution or of triangles, or it has the rarer
+/// effects.
 enum class RandomScenes {
   Frictionless,
   Frictional,
   Revolved,
+  Triangles,
   Varied  ///< as Frictional, and often with point forces, springs, layers, heat, interference, adjusted gaps
 };
 
@@ -32,8 +34,9 @@ struct RandomScene {
 ///
 /// Only whole numbers are drawn, and all numbers come from them by single roundings before a mesh is made.
 /// \param seed  names the scene
-/// \param kind  Frictional and Varied: at least one contact rubs. Revolved: the frictionless scene of the same seed
-///   as the cross-section of bodies of revolution, which reach the axis or keep off it by up to three sizes
+/// \param kind  Frictional and Varied: at least one contact rubs. Revolved: the frictionless scene of the same seed as the
+///   cross-section of bodies of revolution, which reach the axis or keep off it by up to three sizes. Triangles: that
+///   scene with the cells of the first body cut into triangles, and every second one of the others
 /// \return the scene, with the default solvers
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind);
 

@@ -28,7 +28,7 @@ std::vector<Index> body_of_nodes(const Mesh& mesh) {
     return node;
   };
   for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (Index k = 1; k < mesh.cell_size(cell); ++k)
+    for (Index k = 1, n = mesh.cell_size(cell); k < n; ++k)
       parent[static_cast<std::size_t>(root(mesh.cells(cell, k)))] = root(mesh.cells(cell, 0));
   std::vector<Index> body(parent.size());
   for (std::size_t node = 0; node < parent.size(); ++node)

@@ -39,6 +39,12 @@ std::string elements_in_words(const Mesh& mesh, const Element& element) {
   return text(element.name, " and ", triangles, " of them ", triangle_beside(mesh).name);
 }
 
+const char* in_words(PlaneState state) {
+  return state == PlaneState::Stress   ? "plane stress"
+         : state == PlaneState::Strain ? "plane strain"
+                                       : "axial symmetry";
+}
+
 /// What to know of an element that is stiffer than the body; empty if there is none.
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
