@@ -38,7 +38,7 @@ BodySummary summary_of(const BodyModel& body) {
     summary.moment +=
         body.mesh.nodes(node, 0) * load(node, 1) - body.mesh.nodes(node, 1) * load(node, 0);
   }
-  if (body.material.state == PlaneState::Axial) {  // all round the axis, these cancel
+  if (body.material.bulk.state == PlaneState::Axial) {  // all round the axis, these cancel
     summary.force.x() = 0;
     summary.moment = 0;
   }
