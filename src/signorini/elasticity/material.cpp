@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 
@@ -30,6 +31,11 @@ void check_material(const Material& material) {
        "material: a body of revolution has no thickness, forces are those of the whole circle; "
        "leave it at 1, got ",
        material.thickness);
+}
+
+Depth depth_of(const Material& material) {
+  if (material.state == PlaneState::Axial) return {2 * pi, true};
+  return {material.thickness, false};
 }
 
 Elasticity elasticity_matrix(const Material& material) {

@@ -22,19 +22,6 @@ void check_names(const Scene& scene) {
   static_cast<void>(find_solver(scene.solver));  // needed or not
 }
 
-/// How many of the cells are triangles.
-Index count_triangles(const Mesh& mesh) {
-  Index count = 0;
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) count += 4 - mesh.corners(cell);
-  return count;
-}
-
-std::string elements_in_words(const Mesh& mesh, const Element& element) {
-  const Index triangles = element.corners() == 3 ? 0 : count_triangles(mesh);
-  if (triangles == 0) return element.name;
-  return text(element.name, " and ", triangles, " of them ", triangle_beside(mesh).name);
-}
-
 /// What to know of an element that is stiffer than the body; empty if there is none.
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
