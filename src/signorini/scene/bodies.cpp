@@ -75,8 +75,8 @@ std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
   std::vector<FreeMotion> modes;
   for (const BodyModel& body : bodies)
     for (FreeMotion& mode : body.springs.rows() == 0
-                                ? free_motions(body.mesh, body.unknowns)
-                                : free_motions(body.mesh, held_by_springs(body))) {
+                                ? free_motions(body.mesh, body.pieces, body.unknowns)
+                                : free_motions(body.mesh, body.pieces, held_by_springs(body))) {
       const Eigen::VectorXd own = std::move(mode.shape);
       mode.shape.setZero(last.first_unknown + last.unknowns.count);
       mode.shape.segment(body.first_unknown, own.size()) = own;

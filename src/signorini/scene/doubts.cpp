@@ -234,11 +234,10 @@ std::string exceeded(const Model& model, const Solution& solution, const SmallLi
 
 }  // namespace
 
-std::vector<std::string> doubts_of_mesh(const Scene& scene, const Mesh& mesh,
-                                        const std::vector<MeshPiece>& pieces) {
+std::vector<std::string> doubts_of_mesh(const Scene& scene, const BodyModel& body) {
   Notes notes;
-  note_pieces(mesh, pieces, notes);
-  note_loose_nodes(scene, mesh, notes);
+  note_pieces(body.mesh, body.pieces, notes);
+  note_loose_nodes(scene, body.mesh, notes);
   return notes;
 }
 
