@@ -37,13 +37,12 @@ Plane Surface(2) = {3};
 Field[1] = Distance;
 Field[1].PointsList = {1};
 Field[2] = MathEval;
-Field[2].F = "Min(0.12 + 0.25 * F1, 7)";  // size of the cells
+Field[2].F = "Min(0.25 + 0.3 * F1, 9)";  // size of the cells
 Background Field = 2;
 Mesh.MeshSizeExtendFromBoundary = 0;
 Mesh.MeshSizeFromPoints = 0;
 Mesh.Algorithm = 6;
-Mesh.RecombinationAlgorithm = 2;
-Recombine Surface{1, 2};
+Mesh.ElementOrder = 2;
 Physical Surface("wheel") = {1};
 Physical Surface("rail") = {2};
 Physical Curve("tread") = {1, 4};

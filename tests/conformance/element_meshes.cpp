@@ -106,7 +106,7 @@ double manufactured_error(const Element& element, Index n) {
     return Vector2d(x.x() + 0.08 * bend, x.y() - 0.06 * bend);
   });
   const NodeArray u =
-      solve_body(mesh, element, {2.5, 0.25, PlaneState::Strain, 1},
+      solve_body(mesh, element, Material{2.5, 0.25, PlaneState::Strain, 1},
                  given_around(Manufactured::displacement), {Manufactured::body_force, {}});
   double square = 0;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
@@ -146,7 +146,8 @@ TEST_CASE(
     const Mesh mesh = distorted(block_for(element, {3, 2}, 3, 2), {3, 2}, {1, 1}, 3);
     Loads loads;
     loads.body_force = [](const Vector2d&) { return Vector2d(2, -7); };
-    const NodeArray force = nodal_loads(mesh, element, {1000, 0.3, PlaneState::Stress, 0.5}, loads);
+    const NodeArray force =
+        nodal_loads(mesh, element, Material{1000, 0.3, PlaneState::Stress, 0.5}, loads);
     CHECK((force.colwise().sum() - Eigen::RowVector2d(6, -21)).norm() < 1e-12);
     const double moment = mesh.nodes.col(0).dot(force.col(1)) - mesh.nodes.col(1).dot(force.col(0));
     CHECK(moment == Approx(1.5 * -21 - 1 * 6).epsilon(1e-13));

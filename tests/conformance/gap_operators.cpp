@@ -107,7 +107,7 @@ TEST_CASE("every gap operator: gaps grow with the bodies, weights with their squ
       const TwoBodies other = moved(bodies, [&](const Vector2d& x) { return Vector2d(scale * x); });
       GapOptions options = options_for(other);
       const Pairs small = pairs_of(member, bodies);
-      options.thickness *= scale;
+      options.depth.factor *= scale;
       const Pairs large = pairs_of(member, other, options);
       REQUIRE(large.opening.rows() == small.opening.rows());
       CHECK((large.initial_gap / scale - small.initial_gap).norm() < rounding);

@@ -91,7 +91,7 @@ TEST_CASE("the thickness multiplies weights only", "[mortar]") {
   const Mesh source = block({0, 1.5}, {2, 1}, 3);
   const Mesh target = block({0, 0}, {2, 1}, 4);
   GapOptions thick;
-  thick.thickness = 2.5;
+  thick.depth.factor = 2.5;
   const Pairs one = over(source, target);
   const Pairs more = over(source, target, thick);
   CHECK((more.weight - 2.5 * one.weight).norm() <= 1e-15);

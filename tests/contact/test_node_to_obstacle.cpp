@@ -32,7 +32,7 @@ Gaps gaps_of(const Mesh& mesh, const Obstacle& obstacle, const std::vector<Suppo
   const Surface source{mesh, boundary};
   GapOptions options;
   options.n_nodes = mesh.n_nodes();
-  options.thickness = thickness;
+  options.depth.factor = thickness;
   return reduce(node_to_obstacle(source, obstacle, options), source,
                 number_unknowns(mesh, supports),
                 text("contact of '", boundary, "' with a rigid ", obstacle.name));

@@ -169,7 +169,7 @@ TEST_CASE("columns for too few nodes and a thickness that is none are a caller's
   CHECK_THAT(argument_message([&] { static_cast<void>(pairs_of(member(), bodies, options)); }),
              ContainsSubstring("options.n_nodes"));
   options = options_for(bodies);
-  options.thickness = 0;
+  options.depth.factor = 0;
   CHECK_THAT(argument_message([&] { static_cast<void>(pairs_of(member(), bodies, options)); }),
              ContainsSubstring("thickness"));
 }

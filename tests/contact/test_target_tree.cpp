@@ -5,6 +5,7 @@
 #include "signorini/contact/target_search.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/ring.hpp"
+#include "signorini/mesh/split.hpp"
 #include "support/random.hpp"
 
 using Eigen::Index;
@@ -120,4 +121,20 @@ TEST_CASE("a point deep in the body is told from one beside it", "[target_search
   CHECK_FALSE(beyond.found);
   CHECK_FALSE(beyond.buried);
   CHECK(top.along({0.5, 0.85}, {0, -1}).buried);
+}
+
+TEST_CASE("triangles are as deep as their third corner", "[target_search]") {
+  BlockSpec spec;
+  spec.cells_y = 10;
+  for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
+    spec.order = order;
+    const Mesh whole = make_block(spec);
+    for (const Mesh& mesh : {split(whole), split(whole, {3, 9})}) {
+      const TargetSearch top(mesh, "top");
+      CHECK(top.depth(0) == Approx(0.1).epsilon(1e-14));
+      CHECK(top.closest({0.5, 0.95}, {0, -1}).found);
+      for (const double y : {0.85, 0.37, 0.33}) CHECK(top.closest({0.5, y}, {0, -1}).buried);
+      CHECK_FALSE(top.closest({0.5, -0.2}, {0, -1}).buried);
+    }
+  }
 }

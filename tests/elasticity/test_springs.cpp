@@ -31,7 +31,7 @@ TEST_CASE("springs along a boundary store the energy of linear displacements exa
           "[springs]") {
   for (const Element& element : elements()) {
     const Mesh mesh = block_for(element, {3, 2}, 3, 4);
-    const Eigen::SparseMatrix<double> K = spring_stiffness(mesh, 0.5, {{"right", {5, 7}}});
+    const Eigen::SparseMatrix<double> K = spring_stiffness(mesh, {0.5}, {{"right", {5, 7}}});
     const VectorXd sideways = field(mesh, [](const Vector2d& x) { return Vector2d(x.y(), 0); });
     const VectorXd along = field(mesh, [](const Vector2d& x) { return Vector2d(0, x.y()); });
     CHECK(sideways.dot(K * sideways) == Approx(5 * 0.5 * 8 / 3).epsilon(1e-14));
@@ -47,19 +47,19 @@ TEST_CASE("springs along a boundary store the energy of linear displacements exa
 
 TEST_CASE("a spring at a point is that of one node, and springs add up", "[springs]") {
   const Mesh mesh = block_for(q4(), {3, 2}, 3, 2);
-  const MatrixXd one(spring_stiffness(mesh, 0.5, {{"right", {5, 0}, Vector2d(3, 2)}}));
+  const MatrixXd one(spring_stiffness(mesh, {0.5}, {{"right", {5, 0}, Vector2d(3, 2)}}));
   CHECK(one(22, 22) == 5);
   CHECK(one.cwiseAbs().sum() == 5);
-  const MatrixXd along(spring_stiffness(mesh, 0.5, {{"right", {1, 2}}}));
+  const MatrixXd along(spring_stiffness(mesh, {0.5}, {{"right", {1, 2}}}));
   const MatrixXd both(
-      spring_stiffness(mesh, 0.5, {{"right", {5, 0}, Vector2d(3, 2)}, {"right", {1, 2}}}));
+      spring_stiffness(mesh, {0.5}, {{"right", {5, 0}, Vector2d(3, 2)}, {"right", {1, 2}}}));
   CHECK((both - one - along).cwiseAbs().maxCoeff() <= 1e-15);
 }
 
 TEST_CASE("springs that cannot be are errors", "[springs]") {
   const Mesh mesh = block_for(q4(), {3, 2}, 3, 2);
   const auto message = [&](const Spring& spring) {
-    return problem_message([&] { static_cast<void>(spring_stiffness(mesh, 1, {spring})); });
+    return problem_message([&] { static_cast<void>(spring_stiffness(mesh, {}, {spring})); });
   };
   CHECK_THAT(message({"right", {-1, 0}}),
              ContainsSubstring("springs at 'right' of 'block': a stiffness must be a number >= 0"));

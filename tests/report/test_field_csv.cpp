@@ -3,6 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/mesh/split.hpp"
 #include "signorini/report/field_csv.hpp"
 
 using namespace signorini;
@@ -53,6 +54,21 @@ TEST_CASE("only the corners of a quadratic cell are drawn", "[field_csv]") {
   CHECK(deformed_cells_csv(mesh, NodeArray::Zero(8, 2), Eigen::VectorXd::Constant(1, 0.5)) ==
         "# tolerance rel 1e-4 abs 2e-05\nx,y,value\n"
         "0,0,0.5\n1,0,0.5\n1,1,0.5\n0,1,0.5\n0,0,0.5\n\n");
+}
+
+TEST_CASE("triangles are drawn with three corners, and cut without a point in the middle",
+          "[field_csv]") {
+  const Mesh mesh = split(make_block({}));  // (0, 0), (1, 0), (1, 1) and (1, 1), (0, 1), (0, 0)
+  const NodeArray still = NodeArray::Zero(4, 2);
+  CHECK(deformed_cells_csv(mesh, still, Eigen::Vector2d(7, 8)) ==
+        "# tolerance rel 1e-4 abs 0.00016\nx,y,value\n"
+        "0,0,7\n1,0,7\n1,1,7\n0,0,7\n\n1,1,8\n0,1,8\n0,0,8\n1,1,8\n\n");
+  const Eigen::VectorXd x = mesh.nodes.col(0);
+  CHECK(areas(deformed_bands_csv(mesh, still, x, {0.25})).at(0) == Approx(0.25).margin(1e-5));
+  CHECK(areas(deformed_bands_csv(mesh, still, x, {0.25})).at(1) == Approx(0.75).margin(1e-5));
+  CHECK(deformed_zero_line_csv(mesh, still, x.array() - 0.25) ==
+        "# tolerance rel 1e-4 abs 2e-05\nx,y\n"
+        "0.25,0\n0.25,0.25\n\n0.25,1\n0.25,0.25\n\n");
 }
 
 TEST_CASE("the zero line of a linear field is straight and moves with the body", "[field_csv]") {

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/mesh/split.hpp"
 #include "signorini/report/vtu.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/folder.hpp"
 #include "support/message.hpp"
@@ -92,6 +94,25 @@ TEST_CASE("a VTU file is well formed and its arrays have the sizes it names", "[
   }
 }
 
+TEST_CASE("triangles and quadrilaterals stand in a VTU file as what they are", "[vtu]") {
+  const Folder folder;
+  for (const char* element : {"q4_incompatible", "q8"}) {
+    Scene scene = signorini_test::cantilever(element, 2, 1);
+    scene.bodies[0].mesh = split(scene.bodies[0].mesh, {1});
+    const SolvedScene run = signorini::solved(scene, "beam");
+    write_vtu(folder.path() / "beam.vtu", run.model, run.solution);
+    const std::string file = content_of(folder.path() / "beam.vtu");
+    using Words = std::vector<std::string>;
+    const bool linear = run.model.bodies[0].mesh.order() == MeshOrder::Linear;
+    CHECK(array_of(file, "types") == (linear ? Words{"9", "5", "5"} : Words{"23", "22", "22"}));
+    CHECK(array_of(file, "offsets") == (linear ? Words{"4", "7", "10"} : Words{"8", "14", "20"}));
+    Words nodes;
+    for (const Eigen::Index node : run.model.bodies[0].mesh.cells.reshaped<Eigen::RowMajor>())
+      if (node >= 0) nodes.push_back(std::to_string(node));
+    CHECK(array_of(file, "connectivity") == nodes);
+  }
+}
+
 TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
   const Folder folder;
   const Solved run = solved("q4_incompatible");
@@ -126,6 +147,26 @@ TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
   }
 }
 
+TEST_CASE("a VTU file of a body of revolution has its hoop stress", "[vtu][axial]") {
+  Scene scene =
+      signorini_test::two_blocks(signorini_test::named_block("lower", {0, 0}, {2, 1}, 2, 1),
+                                 signorini_test::named_block("upper", {0, 1}, {2, 1}, 2, 1));
+  for (signorini::Body& body : scene.bodies) {
+    body.material = {1000, 0.3, signorini::PlaneState::Axial, 1};
+    body.loads.edges = {{"right", 2, {}}};
+  }
+  scene.bodies[1].loads.edges.push_back({"top", 5, {}});
+  const SolvedScene run = signorini::solved(scene, "cylinders");
+  const Folder folder;
+  write_vtu(folder.path() / "cylinders.vtu", run.model, run.solution);
+  const std::vector<std::string> stress =
+      array_of(content_of(folder.path() / "cylinders.vtu"), "cell_stress");
+  REQUIRE(stress.size() == 4 * 2);
+  const double exact[] = {-2, -5, 0, -2};
+  for (std::size_t k = 0; k < stress.size(); ++k)
+    CHECK(std::stod(stress[k]) == Approx(exact[k % 4]).epsilon(1e-8).margin(1e-8));
+}
+
 TEST_CASE("pairs at Gauss points belong to no node, and no node of a VTU file says that it touches",
           "[vtu][gauss_points]") {
   Scene scene =
@@ -142,6 +183,21 @@ TEST_CASE("pairs at Gauss points belong to no node, and no node of a VTU file sa
   CHECK(array_of(file, "contact_pressure") == std::vector<std::string>(6, "0"));
   CHECK(array_of(file, "contact_gap") == std::vector<std::string>(6, "0"));
   CHECK(array_of(file, "contact_status") == std::vector<std::string>(6, "-1"));
+}
+
+TEST_CASE("the notes of a solution go with its VTU file, and none are no field", "[vtu]") {
+  const Folder folder;
+  Solved run = solved("q4");
+  write_vtu(folder.path() / "none.vtu", run.model, run.solution);
+  CHECK(content_of(folder.path() / "none.vtu").find("FieldData") == std::string::npos);
+  run.solution.notes = {"a < b & c", "two"};
+  write_vtu(folder.path() / "notes.vtu", run.model, run.solution);
+  const std::string file = content_of(folder.path() / "notes.vtu");
+  CHECK(is_balanced(file));
+  std::string said;
+  for (const std::string& word : array_of(file, "notes"))
+    said += word == "0" ? '|' : static_cast<char>(std::stoi(word));
+  CHECK(said == "a < b & c|two|");
 }
 
 TEST_CASE("nothing is written of a problem that is not solved, or where nobody can write",

@@ -8,6 +8,7 @@
 #include "signorini/scene/prediction.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
+#include "support/effect_examples.hpp"
 #include "support/hertz.hpp"
 #include "support/two_bodies.hpp"
 
@@ -98,6 +99,25 @@ TEST_CASE("what is said to be exact is so, and the operations of a run are withi
       return static_cast<double>(solution.ledger.counted(phase, "operations"));
     });
     CHECK(predicted == Approx(measured).epsilon(0.1));
+  }
+}
+
+TEST_CASE("the figures that are said to be exact are so whatever effect is on", "[prediction]") {
+  for (const auto& [name, example] : effect_examples()) {
+    CAPTURE(name);
+    Scene scene = example.without;
+    example.give(scene);
+    Ledger ledger;
+    const Prediction prediction = predict(plan(scene));
+    static_cast<void>(condense(build(scene, ledger), ledger));
+    int exact = 0;
+    for (const ConfrontedFigure& figure : confront(prediction, ledger)) {
+      if (figure.predicted.trust != Trust::Exact) continue;
+      CAPTURE(figure.predicted.phase, figure.predicted.what);
+      CHECK(figure.measured == figure.predicted.amount);
+      ++exact;
+    }
+    CHECK(exact == 13);
   }
 }
 

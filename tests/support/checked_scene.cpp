@@ -96,6 +96,7 @@ void Checked::sum_up() {
   Wides strains(n, 0);
   Wides terms(n, 0);
   Wides whole(n, 0);
+  const Eigen::VectorXd stiff = given_.stiffness.diagonal();
   residual_.assign(n, 0);
   for (Index k = 0; k < given_.stiffness.outerSize(); ++k)
     for (Eigen::SparseMatrix<double>::InnerIterator it(given_.stiffness, k); it; ++it) {
@@ -104,7 +105,8 @@ void Checked::sum_up() {
       residual_[at(it.row())] -= pull;
       whole[at(it.row())] += size(entry * u_[at(k)]);
       strains[at(it.row())] += entry * rigid_[at(k)];
-      terms[at(it.row())] += size(entry * rigid_[at(k)]);
+      // Not |K_jk|: on right-angled triangles many are zero but for rounding.
+      terms[at(it.row())] += std::sqrt(stiff(it.row()) * stiff(k)) * size(rigid_[at(k)]);
     }
   for (std::size_t j = 0; j < n; ++j) {
     residual_[j] += given_.load(static_cast<Index>(j)) - contact_[j];

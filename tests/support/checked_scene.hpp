@@ -12,7 +12,7 @@ namespace signorini_test {
 /// neighbours let it; forces by the largest load or contact force on an unknown.
 struct SceneErrors {
   double equilibrium = 0;      ///< p - K u - A^T f, with friction forces among f
-  double strain = 0;           ///< of the rigid part of u: K times it, over its terms
+  double strain = 0;           ///< of the rigid part of u: K times it, over what its terms may be
   double penetration = 0;      ///< overlap
   double tension = 0;          ///< negative contact force
   double complementarity = 0;  ///< smaller of |gap| and |force|

@@ -1,5 +1,6 @@
 #include "support/effect_examples.hpp"
 
+#include "signorini/mesh/regions.hpp"
 #include "support/cantilever.hpp"
 
 namespace signorini_test {
@@ -17,6 +18,13 @@ namespace {
 Scene without_contact() {
   Scene scene = plain_beam();
   scene.contacts.clear();
+  return scene;
+}
+
+Scene two_parts() {
+  Scene scene = plain_beam();
+  Mesh& mesh = scene.bodies[0].mesh;
+  mesh = with_region(mesh, "skin", {0, 2.5}, {50, 5});
   return scene;
 }
 
@@ -43,6 +51,11 @@ Scene above_disc() {
 
 const std::map<std::string, EffectExample>& effect_examples() {
   static const std::map<std::string, EffectExample> all = {
+      {"axial symmetry",
+       {plain_beam(),
+        [](Scene& scene) { scene.bodies[0].material.state = PlaneState::Axial; },
+        {"K", "pairs"},
+        {}}},
       {"body force",
        {plain_beam(),
         [](Scene& scene) {
@@ -63,6 +76,21 @@ const std::map<std::string, EffectExample>& effect_examples() {
        {plain_beam(),
         [](Scene& scene) {
           scene.bodies[0].loads.points = {{{50, 5}, {0, -1}}};
+        },
+        {"p"},
+        {}}},
+      {"layers",
+       {two_parts(),
+        [](Scene& scene) {
+          scene.bodies[0].layers = {{"skin", {1e4, 0.2, PlaneState::Stress, 1}}};
+        },
+        {"K"},
+        {}}},
+      {"temperature",
+       {two_parts(),
+        [](Scene& scene) {
+          scene.bodies[0].material.expansion = 1e-5;
+          scene.bodies[0].temperature = Temperature{100, {0, 2}};
         },
         {"p"},
         {}}},

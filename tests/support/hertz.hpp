@@ -5,8 +5,10 @@
 
 #include "signorini/closed_form/hertz.hpp"
 #include "signorini/closed_form/moduli.hpp"
+#include "signorini/elasticity/elements.hpp"
 #include "signorini/mesh/hertz_meshes.hpp"
 #include "signorini/mesh/reshape.hpp"
+#include "signorini/mesh/split.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini_test {
@@ -23,7 +25,7 @@ inline Eigen::Index n_nodes(const signorini::HertzMeshSpec& spec) {
 /// The example; lengths in mm and forces in N, unless `length` and `force` choose other units.
 struct HertzProblem {
   signorini::HertzMeshSpec mesh = {};
-  std::string element = "q4_incompatible";  ///< of both; "q8" makes the meshes quadratic
+  std::string element = "q4_incompatible";  ///< of both; the meshes follow
   double disc_modulus = 4000;
   double plate_modulus = 4000;
   double poisson_ratio = 0.35;
@@ -49,8 +51,10 @@ struct HertzProblem {
 inline signorini::Scene scene_of(const HertzProblem& problem) {
   using namespace signorini;
   HertzMeshSpec spec = problem.mesh;
-  if (problem.element == "q8") spec.order = MeshOrder::Quadratic;
+  const Element& element = find_element(problem.element);
+  spec.order = element.n_nodes > 4 ? MeshOrder::Quadratic : MeshOrder::Linear;
   HertzMeshes meshes = make_hertz_meshes(spec);
+  if (element.corners() == 3) meshes = {split(meshes.disc), split(meshes.plate)};
   const double stress = problem.force / (problem.length * problem.length);
   Scene scene;
   scene.bodies.resize(2);

@@ -41,8 +41,9 @@ inline HertzReading read_hertz(const signorini::SolvedScene& run,
 /// The same of the example, in mm and N.
 inline HertzReading read_hertz(const HertzProblem& problem, const signorini::SolvedScene& run) {
   using signorini::Trace;
-  return read_hertz(run, problem.theory(),
-                    problem.element == "q8" ? Trace::Quadratic : Trace::Linear);
+  return read_hertz(
+      run, problem.theory(),
+      signorini::find_element(problem.element).n_nodes > 4 ? Trace::Quadratic : Trace::Linear);
 }
 
 /// \return place of the node of a mesh where both bodies touch first

@@ -60,7 +60,7 @@ inline TwoBodies two_blocks(const Extent& source, const Extent& target, double g
 inline signorini::GapOptions options_for(const TwoBodies& bodies, bool sliding = true) {
   signorini::GapOptions options;
   options.n_nodes = bodies.source.n_nodes() + bodies.target.n_nodes();
-  options.thickness = 0.5;
+  options.depth.factor = 0.5;
   options.sliding = sliding;
   return options;
 }

@@ -7,17 +7,26 @@ namespace signorini_test {
 
 inline signorini::NodeArray solve_body(const signorini::Mesh& mesh,
                                        const signorini::Element& element,
-                                       const signorini::Material& material,
+                                       const signorini::Matter& matter,
                                        const std::vector<signorini::Support>& supports,
                                        const signorini::Loads& loads = {}) {
-  const signorini::Unknowns unknowns = signorini::number_unknowns(mesh, supports);
+  const signorini::Unknowns unknowns =
+      signorini::number_unknowns(mesh, supports, matter.bulk.state);
   const signorini::LinearSystem system =
-      signorini::assemble(mesh, element, material, unknowns, loads);
+      signorini::assemble(mesh, element, matter, unknowns, loads);
   signorini::Ledger ledger;
   const signorini::FrontalFactor factor(
       system.stiffness,
       signorini::separator_tree(system.stiffness, unknown_positions(mesh, unknowns)), ledger);
   return expand(unknowns, factor.solve(system.load));
+}
+
+inline signorini::NodeArray solve_body(const signorini::Mesh& mesh,
+                                       const signorini::Element& element,
+                                       const signorini::Material& material,
+                                       const std::vector<signorini::Support>& supports,
+                                       const signorini::Loads& loads = {}) {
+  return solve_body(mesh, element, signorini::Matter(material), supports, loads);
 }
 
 }  // namespace signorini_test

@@ -1,14 +1,19 @@
 #include "support/random_scenes.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "signorini/core/errors.hpp"
+#include "signorini/mesh/split.hpp"
+#include "support/far.hpp"
 #include "support/random_bodies.hpp"
 
 namespace signorini_test {
 namespace {
 
+using Eigen::Index;
 using Eigen::Vector2d;
 using namespace signorini;
 
@@ -40,6 +45,8 @@ class Drawing {
   void draw_operator(ContactSpec& contact);
   Friction draw_friction();
   void walls(const std::string& body);
+  /// Puts triangles in the place of quadrilaterals.
+  void cut();
 
   Draws draw_;
   RandomScenes kind_;
@@ -263,6 +270,21 @@ void Drawing::vary(Body& body) {
     draw_.say("; force ", force);
   }
   if (draw_.chance(5)) {
+    body.material.expansion = 1;
+    body.temperature = Temperature{make_->load * draw_.sixteenths(-4, 16), {0, 0}};
+    if (draw_.chance(8)) body.temperature->gradient = make_->load / length * Vector2d(1, -0.5);
+    draw_.say("; warmer by ", body.temperature->uniform);
+  }
+  if (draw_.chance(5)) {
+    for (Eigen::Index cell = 0; cell < body.mesh.n_cells(); ++cell)
+      if (draw_.chance(8)) body.mesh.regions["other"].push_back(cell);
+    Material other = body.material;
+    other.youngs_modulus *= draw_.decade(-4, 4);
+    other.poisson_ratio = draw_.pick({0.0, 0.3, 0.49});
+    if (!body.mesh.regions.empty()) body.layers = {{"other", other}};
+    draw_.say("; layer E ", other.youngs_modulus, ", nu ", other.poisson_ratio);
+  }
+  if (draw_.chance(5)) {
     const double stiffness = make_->stress / length * draw_.decade(-3, 3);
     body.springs = {{boundary, {stiffness, draw_.chance(8) ? stiffness : 0}}};
     if (draw_.chance(8))
@@ -276,6 +298,18 @@ void Drawing::vary(ContactSpec& contact) {
   if (draw_.chance(4)) contact.adjust = make_->length * draw_.decade(-5, -2);
   draw_.say("; interference ", contact.interference.value_or(0), ", adjust ",
             contact.adjust.value_or(0));
+}
+
+void Drawing::cut() {
+  Index step = 1;
+  for (Body& body : scene_.bodies) {
+    std::vector<Index> cells;
+    for (Index cell = 0; cell < body.mesh.n_cells(); cell += step) cells.push_back(cell);
+    body.mesh = split(body.mesh, cells);
+    if (step == 1) body.element.clear();
+    step = 2;
+  }
+  draw_.say("; in triangles");
 }
 
 RandomScene Drawing::drawn() {
@@ -292,13 +326,30 @@ RandomScene Drawing::drawn() {
     for (Body& body : scene_.bodies) vary(body);
     for (ContactSpec& contact : scene_.contacts) vary(contact);
   }
+  if (kind_ == RandomScenes::Triangles) cut();
   return {std::move(scene_), std::move(draw_.text)};
+}
+
+/// The scene as the cross-section of bodies of revolution, `off` sizes away from the axis.
+RandomScene revolved(RandomScene plane, double off) {
+  double lowest = plane.scene.bodies.front().mesh.nodes(0, 0);
+  for (const Body& body : plane.scene.bodies)
+    lowest = std::min(lowest, body.mesh.nodes.col(0).minCoeff());
+  RandomScene round{moved(plane.scene, {off * size_of(plane.scene) - lowest, 0}),
+                    text(plane.text, "; revolved ", off, " sizes off the axis")};
+  for (Body& body : round.scene.bodies) {
+    body.material.state = PlaneState::Axial;
+    body.material.thickness = 1;
+  }
+  return round;
 }
 
 }  // namespace
 
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
-  return Drawing(seed, kind).drawn();
+  if (kind != RandomScenes::Revolved) return Drawing(seed, kind).drawn();
+  const double off[] = {0, 0.25, 3};
+  return revolved(Drawing(seed, RandomScenes::Frictionless).drawn(), off[seed % 3]);
 }
 
 }  // namespace signorini_test

@@ -1,6 +1,6 @@
 // Solves random scenes and counts what became of them.
 // Run:  random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]
-// KIND is frictionless or frictional, SOLVER a name or `default`; seeds that end in a named OUTCOME are
+// KIND is frictionless, frictional or triangles, SOLVER a name or `default`; seeds that end in a named OUTCOME are
 // listed with their scenes.
 #include <algorithm>
 #include <iostream>
@@ -14,8 +14,10 @@ int main(int argc, char** argv) try {
     std::cerr << "random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]\n";
     return 2;
   }
-  const RandomScenes kind =
-      std::string(argv[1]) == "frictional" ? RandomScenes::Frictional : RandomScenes::Frictionless;
+  const std::string word = argv[1];
+  const RandomScenes kind = word == "frictional"  ? RandomScenes::Frictional
+                            : word == "triangles" ? RandomScenes::Triangles
+                                                  : RandomScenes::Frictionless;
   const std::string solver = argv[2] == std::string("default") ? "" : argv[2];
   const std::uint64_t first = std::stoull(argv[3]);
   const std::uint64_t count = std::stoull(argv[4]);

@@ -8,8 +8,9 @@ namespace signorini {
 
 /// A place on an edge where something is integrated.
 struct EdgePoint {
-  double s;       ///< from -1 at the first end to 1 at the second [-]
-  double length;  ///< of the edge that it stands for [length]
+  double s;  ///< from -1 at the first end to 1 at the second [-]
+  double
+      length;  ///< of the edge that it stands for [length]; in axial symmetry times its radius [length^2]
 };
 
 /// The linear shape functions of the two ends of an edge.
@@ -28,7 +29,7 @@ struct DualBasis {
   Eigen::Vector2d mean = {0, 0};  ///< of psi_1, psi_2 over C, with sum 1 [-]
   double slope = 0;               ///< d psi_2/ds = -d psi_1/ds [-]
   double centre = 0;              ///< mean s over C [-]
-  double length = 0;              ///< of C [length]
+  double length = 0;              ///< of C, as EdgePoint counts it
 
   /// \param s  place in [-1, 1] [-]
   /// \return psi_1, psi_2 [-]
@@ -47,7 +48,7 @@ struct DualBasis {
 /// than half of its share of the edge covered hands it to the other one, which then weighs all of C
 /// with psi = 1; if neither has half, the one with more takes it. The sum remains 1.
 /// \param covered  points of C with positive lengths; the integrals above are sums over them
-/// \param share    integrals of N_1, N_2 over the whole edge, by the same rule [length]
+/// \param share    integrals of N_1, N_2 over the whole edge, by the same rule
 /// \return the functions; all zero if nothing is covered
 [[nodiscard]] DualBasis dual_basis(const std::vector<EdgePoint>& covered,
                                    const Eigen::Vector2d& share);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "signorini/contact/pairs.hpp"
+#include "signorini/elasticity/material.hpp"
 
 namespace signorini {
 
@@ -20,7 +21,7 @@ enum class Quadrature {
 /// What is asked of a gap operator.
 struct GapOptions {
   Eigen::Index n_nodes = 0;  ///< of all bodies: half the columns of the matrices
-  double thickness = 1;      ///< across the plane [length]
+  Depth depth = {};          ///< across the plane
   bool sliding = false;      ///< whether the matrix S is wanted
   int points = 0;            ///< Gauss points per edge or segment; 0: the operator's own choice
   Quadrature quadrature = Quadrature::Segments;  ///< only if it `takes_quadrature`

@@ -9,12 +9,13 @@
 namespace signorini {
 namespace {
 
-/// What a Gauss point stands for: half the length of a straight side times the weight of the rule.
+/// What a Gauss point stands for: half the length of a straight side times the weight of the rule and the depth.
 /// A pressure times it is the force of the pair.
 /// \PaperEq{LinEtAl, 33} \PaperEq{LinEtAl, 34} \PaperEq{LinEtAl, 35}
 /// \PaperEq{LinEtAl, 38} \PaperEq{LinEtAl, 39} \PaperEq{LinEtAl, 40}
-double share_of(const SideCurve& side, const GaussPoint& gauss, double thickness) {
-  return gauss.weight * side.tangent(gauss.xi).norm() * thickness;
+double share_of(const SideCurve& side, const GaussPoint& gauss, const Depth& depth) {
+  const double x = side.point(gauss.xi).position().x();
+  return gauss.weight * side.tangent(gauss.xi).norm() * depth.at(x);
 }
 
 }  // namespace
@@ -32,7 +33,7 @@ Pairs gauss_points(const Surface& source, const Surface& target, const GapOption
       const Projection place = interface.closest(x, side.normal(gauss.xi));
       if (!place.found) continue;
       points.push_back({static_cast<Eigen::Index>(points.size()), &side, gauss.xi, place});
-      weights.push_back(share_of(side, gauss, options.thickness));
+      weights.push_back(share_of(side, gauss, options.depth));
       paired.insert(side.nodes().begin(), side.nodes().end());
     }
   interface.check_paired(points.size());

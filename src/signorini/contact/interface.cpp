@@ -38,11 +38,12 @@ Interface::Interface(const Surface& source_side, const Surface& target_side,
     : source(source_side),
       target(target_side),
       sides(side_curves(source.mesh, source.boundary)),
-      search(target.mesh, target.boundary) {
+      search(target.mesh, target.boundary),
+      depth(options.depth) {
   check_columns(source, options);
   check_columns(target, options);
-  require(options.thickness > 0 && std::isfinite(options.thickness),
-          "gap operator: the thickness must be positive, got ", options.thickness);
+  require(depth.factor > 0 && std::isfinite(depth.factor),
+          "gap operator: the thickness must be positive, got ", depth.factor);
 }
 
 Projection Interface::closest(const AnchoredPoint& x, const Vector2d& normal) const {

@@ -36,6 +36,7 @@ struct Interface {
   Surface target;                ///< the master
   std::vector<SideCurve> sides;  ///< of the source in walking order
   TargetSearch search;           ///< among the target's sides
+  Depth depth;                   ///< across the plane
 };
 
 }  // namespace signorini

@@ -61,7 +61,7 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
   write_rows(interface, points, total, options, pairs);
   for (Index pair = 0; pair < total.size(); ++pair) pairs.normal.row(pair).normalize();
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
-  pairs.weight = options.thickness * total;
+  pairs.weight = options.depth.factor * total;
   return pairs;
 }
 

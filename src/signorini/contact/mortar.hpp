@@ -27,7 +27,7 @@ namespace signorini {
 /// Points of the source that face nothing are left out; see dual_basis() for edges that are partly covered.
 /// \param source   boundary of the source
 /// \param target   boundary of the target
-/// \param options  number of nodes, thickness, whether S is wanted, rule
+/// \param options  number of nodes, depth, whether S is wanted, rule
 /// \return pairs in walking order of the nodes of the source; `unpaired` are the nodes without weight
 /// \throws ProblemError as GapOperator::pair, or if `points` is out of range
 /// \throws std::invalid_argument as Interface

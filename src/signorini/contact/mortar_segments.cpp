@@ -67,9 +67,11 @@ EdgeSamples sample_edge(const SourceEdge& edge, const Interface& interface,
     for (const GaussPoint& gauss : gauss_line(points)) {
       const double xi = 0.5 * (begin + end) + half * gauss.xi;
       const double s = (2 * xi - edge.begin - edge.end) / (edge.end - edge.begin);
-      const EdgePoint at{s, half * gauss.weight * edge.side->tangent(xi).norm()};
+      const AnchoredPoint place = edge.side->point(xi);
+      const double part = interface.depth.part(place.position().x());
+      const EdgePoint at{s, half * gauss.weight * edge.side->tangent(xi).norm() * part};
       samples.share += at.length * end_shape(s);
-      const Projection seen = interface.closest(edge.side->point(xi), edge.side->normal(xi));
+      const Projection seen = interface.closest(place, edge.side->normal(xi));
       if (seen.found) samples.facing.push_back({at, xi, seen});
     }
     begin = end;

@@ -27,7 +27,8 @@ struct FacingPoint {
 /// Integration of one edge.
 struct EdgeSamples {
   std::vector<FacingPoint> facing;  ///< points that face the target, along the edge
-  Eigen::Vector2d share = {0, 0};   ///< integrals of end_shape() over the whole edge [length]
+  Eigen::Vector2d share = {
+      0, 0};  ///< integrals of end_shape() over the whole edge, as EdgePoint counts it
 };
 
 /// The edges of one side.

@@ -1,6 +1,8 @@
 #include "signorini/contact/node_to_obstacle.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/elasticity/assembly.hpp"
@@ -13,9 +15,16 @@ Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const Ga
   pose(static_cast<bool>(obstacle.look), "obstacle '", obstacle.name,
        "': cannot be looked at; make it with half_plane, disc, hole or profile");
   Pairs pairs;
-  pairs.node = boundary_nodes(source.mesh, source.boundary);
+  const std::vector<Index> idle = nodes_without_share(source.mesh, source.boundary, options.depth);
+  std::vector<Index> kept;
+  const std::vector<Index> nodes = boundary_nodes(source.mesh, source.boundary);
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    if (!std::binary_search(idle.begin(), idle.end(), nodes[k])) {
+      pairs.node.push_back(nodes[k]);
+      kept.push_back(static_cast<Index>(k));
+    }
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
-  pairs.weight = boundary_weights(source.mesh, source.boundary, {options.thickness});
+  pairs.weight = boundary_weights(source.mesh, source.boundary, options.depth)(kept);
   const Index n_pairs = pairs.weight.size();
   pairs.initial_gap.resize(n_pairs);
   pairs.normal.resize(n_pairs, 2);

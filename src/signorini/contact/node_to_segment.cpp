@@ -1,5 +1,6 @@
 #include "signorini/contact/node_to_segment.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "signorini/contact/pair_rows.hpp"
@@ -13,13 +14,14 @@ using Eigen::Vector2d;
 Pairs node_to_segment(const Surface& source, const Surface& target, const GapOptions& options) {
   const Interface interface(source, target, options);
   const std::vector<Index> nodes = boundary_nodes(source.mesh, source.boundary);
-  const Eigen::VectorXd weights =
-      boundary_weights(source.mesh, source.boundary, {options.thickness});
+  const Eigen::VectorXd weights = boundary_weights(source.mesh, source.boundary, options.depth);
   const std::map<Index, NodeOnSide> on_side = nodes_on_sides(interface.sides);
   std::vector<PairPoint> points;
   std::vector<std::size_t> paired;
   Pairs pairs;
+  const std::vector<Index> idle = nodes_without_share(source.mesh, source.boundary, options.depth);
   for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (std::binary_search(idle.begin(), idle.end(), nodes[k])) continue;
     const NodeOnSide& node = on_side.at(nodes[k]);
     const Vector2d x = source.mesh.nodes.row(nodes[k]).transpose();
     const Projection place = interface.closest(x, node.normal);

@@ -6,6 +6,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/elasticity/elements.hpp"
+#include "signorini/elasticity/thermal.hpp"
 #include "signorini/mesh/side_curve.hpp"
 
 namespace signorini {
@@ -33,9 +34,9 @@ void check_unfolded(const Cell& cell) {
          " folds over itself: move the middle nodes of its sides closer to the straight lines");
 }
 
-void add_body_force(const Mesh& mesh, const Element& element, const Material& material,
+void add_body_force(const Mesh& mesh, const Element& element, const Matter& matter,
                     const VectorField& force, NodeArray& load) {
-  visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
+  visit_strains(mesh, element, matter, [&](const Cell& cell, const StrainPoints& points) {
     for (int i = 0; i < points.size; ++i) {
       const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
       const CellScalars N = cell.element.shape(point.local.x(), point.local.y()).value;
@@ -134,11 +135,11 @@ Place place_of(const Mesh& mesh, const PointForce& load) {
   return place_on_edge(mesh, load.point);
 }
 
-NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Material& material,
+NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& matter,
                       const Loads& loads) {
   NodeArray load = NodeArray::Zero(mesh.n_nodes(), 2);
-  if (loads.body_force) add_body_force(mesh, element, material, loads.body_force, load);
-  for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, depth_of(material), edge, load);
+  if (loads.body_force) add_body_force(mesh, element, matter, loads.body_force, load);
+  for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, depth_of(matter), edge, load);
   for (const PointForce& force : loads.points) add_point_force(mesh, force, load);
   return load;
 }
@@ -170,18 +171,19 @@ Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& 
   return K;
 }
 
-LinearSystem assemble(const Mesh& mesh, const Element& element, const Material& material,
+LinearSystem assemble(const Mesh& mesh, const Element& element, const Matter& matter,
                       const Unknowns& unknowns, const Loads& loads) {
   check_element(mesh, element);
   LinearSystem system{stiffness_pattern(mesh, unknowns), {}};
-  const NodeArray nodal = nodal_loads(mesh, element, material, loads);
+  NodeArray nodal = nodal_loads(mesh, element, matter, loads);
+  if (matter.temperature.warms()) nodal += thermal_forces(mesh, element, matter);
   system.load.resize(unknowns.count);
   for (Index node = 0; node < mesh.n_nodes(); ++node)
     for (int axis = 0; axis < 2; ++axis)
       if (unknowns.number(node, axis) >= 0)
         system.load(unknowns.number(node, axis)) = nodal(node, axis);
 
-  visit_cells(mesh, element, material, [&](const Cell& cell) {
+  visit_cells(mesh, element, matter, [&](const Cell& cell) {
     check_unfolded(cell);
     const CellMatrix K = cell_stiffness(cell.element, cell.body);
     for (Index i = 0; i < K.rows(); ++i) {
@@ -199,12 +201,13 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const Material& 
   return system;
 }
 
-NodeArray internal_forces(const Mesh& mesh, const Element& element, const Material& material,
+NodeArray internal_forces(const Mesh& mesh, const Element& element, const Matter& matter,
                           const NodeArray& displacements) {
   require(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
           " displacements (one per node), got ", displacements.rows());
   NodeArray forces = NodeArray::Zero(mesh.n_nodes(), 2);
-  visit_cells(mesh, element, material, [&](const Cell& cell) {
+  if (matter.temperature.warms()) forces -= thermal_forces(mesh, element, matter);
+  visit_cells(mesh, element, matter, [&](const Cell& cell) {
     const CellVector f = cell_stiffness(cell.element, cell.body) * gathered(cell, displacements);
     for (Index k = 0; k < cell.element.n_nodes; ++k)
       forces.row(cell.node(k)) += f.segment<2>(2 * k).transpose();
@@ -226,6 +229,22 @@ Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, cons
   Eigen::VectorXd weights(static_cast<Index>(nodes.size()));
   for (std::size_t k = 0; k < nodes.size(); ++k) weights(static_cast<Index>(k)) = weight[nodes[k]];
   return weights;
+}
+
+std::vector<Index> nodes_without_share(const Mesh& mesh, const std::string& name,
+                                       const Depth& depth) {
+  std::vector<Index> nodes;
+  if (!depth.axial) return nodes;
+  const std::vector<Index> axis = axis_nodes(mesh);
+  for (const CellSide& side : boundary(mesh, name)) {
+    const std::vector<Index> own = mesh.side_nodes(side);
+    if (own.size() == 2) continue;
+    for (const Index end : {own.front(), own.back()})
+      if (std::binary_search(axis.begin(), axis.end(), end)) nodes.push_back(end);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
 }
 
 NodeArray expand(const Unknowns& unknowns, const Eigen::Ref<const Eigen::VectorXd>& values) {

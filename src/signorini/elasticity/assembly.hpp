@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "signorini/elasticity/cells.hpp"
-#include "signorini/elasticity/material.hpp"
+#include "signorini/elasticity/matter.hpp"
 #include "signorini/elasticity/places.hpp"
 #include "signorini/elasticity/unknowns.hpp"
 #include "signorini/mesh/mesh.hpp"
@@ -68,18 +68,17 @@ void check_element(const Mesh& mesh, const Element& element);
 /// \return `2m x 2m`, exactly symmetric, positive semidefinite [force/length]
 [[nodiscard]] CellMatrix cell_stiffness(const Element& element, const CellBody& cell);
 
-/// Assembles K and p of the free unknowns. \PaperEq{XuanLi2002, 12}
+/// Assembles K and p of the free unknowns, with thermal_forces() in p. \PaperEq{XuanLi2002, 12}
 /// \param mesh      the body, already through check_mesh()
 /// \param element   fits its cells
-/// \param material  of all cells
+/// \param matter    of its cells
 /// \param unknowns  `n` of the mesh; given displacements move to the right-hand side
 /// \param loads     on the body
 /// \return the system of the `n` unknowns
 /// \throws ProblemError if the element does not fit the cells, the material is out of range, a load
 ///   is not finite or its boundary does not exist
-[[nodiscard]] LinearSystem assemble(const Mesh& mesh, const Element& element,
-                                    const Material& material, const Unknowns& unknowns,
-                                    const Loads& loads);
+[[nodiscard]] LinearSystem assemble(const Mesh& mesh, const Element& element, const Matter& matter,
+                                    const Unknowns& unknowns, const Loads& loads);
 
 /// Where a point force acts.
 /// \param mesh  the body
@@ -91,25 +90,25 @@ void check_element(const Mesh& mesh, const Element& element);
 /// Nodal forces of the loads, consistent with the shape functions.
 /// \param mesh      the body
 /// \param element   fits its cells
-/// \param material  whose depth multiplies the loads
+/// \param matter    whose depth multiplies the loads
 /// \param loads     on the body
 /// \return `n_nodes x 2` on all nodes, held or not [force]
 /// \throws ProblemError if a load is not finite, its boundary does not exist, or as place_of()
-[[nodiscard]] NodeArray nodal_loads(const Mesh& mesh, const Element& element,
-                                    const Material& material, const Loads& loads);
+[[nodiscard]] NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& matter,
+                                    const Loads& loads);
 
-/// What the body's stresses do to its nodes: K u, with the rows of held components.
+/// What the body's stresses do to its nodes: K u less thermal_forces(), with the rows of held components.
 ///
 /// Less the loads and the contact forces it is zero where nothing holds a node, and what the support
 /// does to the body where something does.
 /// \param mesh           the body
 /// \param element        fits its cells
-/// \param material       of all cells
+/// \param matter         of its cells
 /// \param displacements  `n_nodes x 2` [length]
 /// \return `n_nodes x 2` [force]
 /// \throws std::invalid_argument unless there is one displacement per node
 [[nodiscard]] NodeArray internal_forces(const Mesh& mesh, const Element& element,
-                                        const Material& material, const NodeArray& displacements);
+                                        const Matter& matter, const NodeArray& displacements);
 
 /// Consistent share of a boundary for each of its nodes: the integral of its shape function along
 /// the boundary times the depth.
@@ -120,6 +119,17 @@ void check_element(const Mesh& mesh, const Element& element);
 /// \throws ProblemError if there is no such boundary
 [[nodiscard]] Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name,
                                                const Depth& depth);
+
+/// Nodes of a boundary on which a pressure causes no force: in axial symmetry an end of a side of three nodes on the
+/// axis, whose shape function times the radius has the mean zero. What is read there as force / weight means nothing.
+/// \param mesh   that has the boundary
+/// \param name   of the boundary
+/// \param depth  across the plane
+/// \return their numbers, increasing; none in the plane, nor on straight sides of two nodes
+/// \throws ProblemError if there is no such boundary
+[[nodiscard]] std::vector<Eigen::Index> nodes_without_share(const Mesh& mesh,
+                                                            const std::string& name,
+                                                            const Depth& depth);
 
 /// Displacements of all nodes.
 /// \param unknowns  which are unknown, and what the others are held at

@@ -22,6 +22,12 @@ CellBody cell_body(const CellNodes& nodes, const Elasticity& D, const Depth& dep
   return body;
 }
 
+std::vector<Elasticity> elasticity_matrices(const Matter& matter) {
+  std::vector<Elasticity> D = {elasticity_matrix(matter.bulk)};
+  for (const Material& layer : matter.layers) D.push_back(elasticity_matrix(layer));
+  return D;
+}
+
 CellVector gathered(const Cell& cell, const NodeArray& displacements) {
   CellVector u(2 * cell.element.n_nodes);
   for (Index k = 0; k < cell.element.n_nodes; ++k)

@@ -46,12 +46,13 @@ Jacobian jacobian(const Shape& shape, const CellNodes& nodes) {
   return map;
 }
 
-void write_strain_matrix(const CellNodes& gradient, StrainMatrix& B) {
-  B.setZero(3, 2 * gradient.rows());
+void write_strain_matrix(const CellNodes& gradient, const CellScalars& hoop, StrainMatrix& B) {
+  B.setZero(hoop.size() == 0 ? 3 : 4, 2 * gradient.rows());
   for (Eigen::Index k = 0; k < gradient.rows(); ++k) {
     B(0, 2 * k) = B(2, 2 * k + 1) = gradient(k, 0);
     B(1, 2 * k + 1) = B(2, 2 * k) = gradient(k, 1);
   }
+  for (Eigen::Index k = 0; k < hoop.size(); ++k) B(3, 2 * k) = hoop(k);
 }
 
 void sample_strain(Shape (*shape)(double xi, double eta), const std::vector<GaussPoint>& rule,
@@ -63,7 +64,7 @@ void sample_strain(Shape (*shape)(double xi, double eta), const std::vector<Gaus
     StrainPoint& point = points.point[static_cast<std::size_t>(points.size++)];
     point.local << gauss.xi, gauss.eta;
     point.volume = gauss.weight * map.determinant * cell.depth_at(at.value);
-    write_strain_matrix(map.gradient, point.B);
+    write_strain_matrix(map.gradient, cell.hoop(at.value, at.value), point.B);
   }
 }
 

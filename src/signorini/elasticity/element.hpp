@@ -79,9 +79,17 @@ struct CellBody {
     return middle + arms.transpose() * N;
   }
   /// \param N  shape functions at a place
+  /// \return x there, in axial symmetry the radius [length]
+  [[nodiscard]] double x_at(const CellScalars& N) const { return middle.x() + arms.col(0).dot(N); }
+  /// \param N  shape functions at a place
   /// \return the depth there [length]
-  [[nodiscard]] double depth_at(const CellScalars& N) const {
-    return depth.at(middle.x() + arms.col(0).dot(N));
+  [[nodiscard]] double depth_at(const CellScalars& N) const { return depth.at(x_at(N)); }
+  /// Hoop strain of displacements outwards, u / x: a circle of radius x becomes one of radius x + u.
+  /// \param u  one or several at one place [-]
+  /// \param N  shape functions at that place
+  /// \return u / x in axial symmetry, else none [1/length]
+  [[nodiscard]] CellScalars hoop(const CellScalars& u, const CellScalars& N) const {
+    return D.rows() == 4 ? CellScalars(u / x_at(N)) : CellScalars();
   }
 };
 
@@ -105,9 +113,13 @@ struct StrainPoints {
   int size = 0;                                      ///< how many there are
 };
 
+/// A strain at each strain point of a cell, one column per point: xx, yy, 2 xy, in axial symmetry also hoop [-].
+using PointStrains =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 4, max_strain_points>;
+
 /// One member of the family.
 ///
-/// Everything else (stiffness, loads, stresses) follows from the two functions. The strain operator
+/// Everything else (stiffness, loads, stresses) follows from its functions. The strain operator
 /// may depend on D, because internal modes are condensed with it; it must give zero strain for
 /// every rigid motion and the exact strain for every linear displacement (after integration over
 /// the cell).
@@ -120,6 +132,9 @@ struct Element {
   Shape (*shape)(double xi, double eta);
   /// Fills `points` for a cell; B has as many rows as its D.
   void (*strain)(const CellBody& cell, StrainPoints& points);
+  /// Takes from strains at those points what internal modes give way to where nothing moves the nodes; null if there
+  /// are no modes. A uniform strain they leave alone.
+  void (*relax)(const CellBody& cell, const StrainPoints& points, PointStrains& strains) = nullptr;
 
   /// \return number of corners: 4 if the reference cell is the square, 3 if it is the triangle
   [[nodiscard]] int corners() const { return n_nodes % 3 == 0 ? 3 : 4; }
@@ -140,8 +155,9 @@ struct Jacobian {
 
 /// The plain strain operator of displacement shape functions.
 /// \param gradient  `m x 2` dN/dx, dN/dy [1/length]
-/// \param B         receives `3 x 2m` [1/length]
-void write_strain_matrix(const CellNodes& gradient, StrainMatrix& B);
+/// \param hoop      `m` N/x in axial symmetry, else none [1/length]
+/// \param B         receives `3 x 2m`, in axial symmetry `4 x 2m` [1/length]
+void write_strain_matrix(const CellNodes& gradient, const CellScalars& hoop, StrainMatrix& B);
 
 /// One point of a Gauss rule.
 struct GaussPoint {
@@ -155,7 +171,7 @@ struct GaussPoint {
 /// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_square(int n);
 /// Rules of Gauss's kind on the triangle (0, 0), (1, 0), (0, 1), with all points inside and positive weights
-/// [\ref Cowper1973].
+/// [\ref Dunavant1985].
 /// \param n  3, exact for polynomials of degree 2; or 6, of degree 4
 /// \return points; the weights add up to 1/2
 /// \throws std::invalid_argument for other n

@@ -31,9 +31,12 @@ struct ConnectedBody {
   Index cells;
 };
 
-/// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)) and no held component.
-std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknowns& unknowns) {
+/// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)) and no held component. What moves or turns
+/// the cross-section of a body of revolution sideways strains the body.
+std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknowns& unknowns,
+                                        PlaneState state) {
   Eigen::Matrix3d forbidden = Eigen::Matrix3d::Zero();
+  if (state == PlaneState::Axial) forbidden.diagonal() << 1, 0, 1;
   for (std::size_t k = 0; k < body.nodes.size(); ++k) {
     const Index node = body.nodes[k];
     const Eigen::Vector2d arm = body.arms.row(static_cast<Index>(k)).transpose() / body.size;
@@ -76,11 +79,11 @@ std::string motion_in_words(const Eigen::Vector3d& motion, const ConnectedBody& 
 }  // namespace
 
 std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPiece>& pieces,
-                                     const Unknowns& unknowns) {
+                                     const Unknowns& unknowns, PlaneState state) {
   std::vector<FreeMotion> found;
   for (const MeshPiece& piece : pieces) {
     const ConnectedBody body(mesh, piece);
-    for (const Eigen::Vector3d& motion : motions_of(body, unknowns)) {
+    for (const Eigen::Vector3d& motion : motions_of(body, unknowns, state)) {
       FreeMotion free;
       free.sentence = text("body '", mesh.name, "' (", in_words(mesh, piece), ") can ",
                            motion_in_words(motion, body));
@@ -105,8 +108,8 @@ std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPie
   return found;
 }
 
-std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns) {
-  return free_motions(mesh, pieces(mesh), unknowns);
+std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns, PlaneState state) {
+  return free_motions(mesh, pieces(mesh), unknowns, state);
 }
 
 }  // namespace signorini

@@ -20,13 +20,16 @@ struct FreeMotion {
 /// \param mesh      any
 /// \param pieces    of the mesh
 /// \param unknowns  `n` of it
-/// \return independent motions, up to three per piece; empty if there is none
+/// \param state     in axial symmetry, bodies can only move along the axis
+/// \return independent motions, up to three per piece, in axial symmetry up to one; empty if there is none
 [[nodiscard]] std::vector<FreeMotion> free_motions(const Mesh& mesh,
                                                    const std::vector<MeshPiece>& pieces,
-                                                   const Unknowns& unknowns);
+                                                   const Unknowns& unknowns,
+                                                   PlaneState state = PlaneState::Strain);
 
 /// The same for those who do not have the pieces. \param mesh  any \param unknowns  `n` of it
-/// \return as above
-[[nodiscard]] std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns);
+/// \param state  as above \return as above
+[[nodiscard]] std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns,
+                                                   PlaneState state = PlaneState::Strain);
 
 }  // namespace signorini

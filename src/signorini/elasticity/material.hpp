@@ -3,8 +3,6 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "signorini/core/rounding.hpp"
-
 namespace signorini {
 
 /// D of sigma = D epsilon: a row per strain component, 3 in the plane and 4 in axial symmetry; never on the heap.
@@ -17,51 +15,58 @@ enum class PlaneState {
   Axial  ///< body of revolution about x = 0: x is the radius, y the height, the hoop strain is u_x / x
 };
 
+/// \param state  any
+/// \return "plane stress", "plane strain" or "axial symmetry"
+[[nodiscard]] const char* to_string(PlaneState state);
+
 /// Isotropic material and the body's extent across the plane.
 struct Material {
-  double youngs_modulus = 1;              ///< E [force/length^2], positive
-  double poisson_ratio = 0;               ///< nu [-], above -1; at most 1/2 (below in plane strain)
+  double youngs_modulus = 1;  ///< E [force/length^2], positive
+  double poisson_ratio = 0;   ///< nu [-], above -1; at most 1/2 (in plane stress; else below)
   PlaneState state = PlaneState::Strain;  ///< what does not happen across the plane
-  double thickness = 1;                   ///< across the plane [length], positive
-  double expansion = 0;                   ///< alpha, thermal strain per temperature [1/temperature]
+  double thickness = 1;  ///< across the plane [length], positive; 1 in axial symmetry
+  double expansion = 0;  ///< alpha, thermal strain per temperature [1/temperature]
 };
 
 /// How far a body reaches across the plane at a place. Whatever is integrated over the plane, or along a line in it,
 /// is multiplied by it there, once.
 struct Depth {
-  double thickness = 1;  ///< everywhere the same part [length]
-  double per_radius =
-      0;  ///< in axial symmetry 2 pi: the length of the circle through the place [-]
+  double factor = 1;   ///< thickness [length], in axial symmetry 2 pi [-]; positive
+  bool axial = false;  ///< whether what is there reaches around the axis x = 0
 
-  /// \param x  coordinate of the place, in axial symmetry its radius [length]
-  /// \return the depth there [length]
-  [[nodiscard]] double at(double x) const { return thickness + per_radius * x; }
+  /// \param x  coordinate of a place, in axial symmetry its radius [length]
+  /// \return what the factor stands before: 1 [-], in axial symmetry the radius [length]
+  [[nodiscard]] double part(double x) const { return axial ? x : 1; }
+  /// \param x  coordinate of a place, in axial symmetry its radius [length]
+  /// \return the depth there: thickness, in axial symmetry length of the circle [length]
+  [[nodiscard]] double at(double x) const { return factor * part(x); }
 };
 
 /// \param material  of a body
 /// \return its thickness, or in axial symmetry the circle
-[[nodiscard]] inline Depth depth_of(const Material& material) {
-  if (material.state == PlaneState::Axial) return {0, 2 * pi};
-  return {material.thickness, 0};
-}
+[[nodiscard]] Depth depth_of(const Material& material);
 
 /// Checks a material.
 /// \param material  any
 /// \throws ProblemError naming the constant that is out of range and what to use instead
 void check_material(const Material& material);
 
-/// D of sigma = D epsilon, with epsilon = (xx, yy, 2 xy) [-] and sigma = (xx, yy, xy).
+/// D of sigma = D epsilon, with epsilon = (xx, yy, 2 xy) [-] and sigma = (xx, yy, xy); in axial symmetry
+/// the hoop component is the fourth.
 ///
 /// \PaperEq{XuanLi2002, 3}, second line, reduced to the plane.
 /// \param material  within its bounds
-/// \return `3 x 3`, symmetric positive definite [force/length^2]
+/// \return `3 x 3`, in axial symmetry `4 x 4`, symmetric positive definite [force/length^2]
 /// \throws ProblemError as check_material()
 [[nodiscard]] Elasticity elasticity_matrix(const Material& material);
 
 /// Stress across the plane from the stress in it.
 /// \param material  whose state and Poisson's ratio count
 /// \param stress    (xx, yy, xy) [force/length^2], tension positive
-/// \return nu (xx + yy) in plane strain, 0 in plane stress [force/length^2]
-[[nodiscard]] double stress_across(const Material& material, const Eigen::Vector3d& stress);
+/// \param warmer    how much warmer than without stress [temperature]
+/// \return nu (xx + yy) - E alpha times that in plane strain, 0 in plane stress [force/length^2]
+/// \throws std::invalid_argument in axial symmetry, where it is a component of its own
+[[nodiscard]] double stress_across(const Material& material, const Eigen::Vector3d& stress,
+                                   double warmer = 0);
 
 }  // namespace signorini

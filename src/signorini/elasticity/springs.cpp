@@ -19,22 +19,23 @@ void add(Index row, Index column, const Eigen::Vector2d& stiffness, Triplets& en
                            stiffness(axis));
 }
 
-void add_along(const Mesh& mesh, double thickness, const Spring& spring, Triplets& entries) {
+void add_along(const Mesh& mesh, const Depth& depth, const Spring& spring, Triplets& entries) {
   for (const SideCurve& side : side_curves(mesh, spring.boundary))
     for (const GaussPoint& gauss : gauss_line(3)) {
       const Eigen::Vector3d N = side.shape(gauss.xi).value;
-      const double length = thickness * gauss.weight * side.tangent(gauss.xi).norm();
+      const double x = side.point(gauss.xi).position().x();
+      const double area = depth.at(x) * gauss.weight * side.tangent(gauss.xi).norm();
       for (std::size_t i = 0; i < side.nodes().size(); ++i)
         for (std::size_t j = 0; j < side.nodes().size(); ++j)
           add(side.nodes()[i], side.nodes()[j],
-              N(static_cast<Index>(i)) * N(static_cast<Index>(j)) * length * spring.stiffness,
+              N(static_cast<Index>(i)) * N(static_cast<Index>(j)) * area * spring.stiffness,
               entries);
     }
 }
 
 }  // namespace
 
-Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, double thickness,
+Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, const Depth& depth,
                                              const std::vector<Spring>& springs) {
   Triplets entries;
   for (const Spring& spring : springs) {
@@ -45,7 +46,7 @@ Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, double thickness,
     if (spring.only_at)
       add(nodes.front(), nodes.front(), spring.stiffness, entries);
     else
-      add_along(mesh, thickness, spring, entries);
+      add_along(mesh, depth, spring, entries);
   }
   Eigen::SparseMatrix<double> stiffness(2 * mesh.n_nodes(), 2 * mesh.n_nodes());
   stiffness.setFromTriplets(entries.begin(), entries.end());

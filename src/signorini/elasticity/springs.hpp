@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "signorini/elasticity/material.hpp"
 #include "signorini/mesh/mesh.hpp"
 
 namespace signorini {
@@ -20,13 +21,13 @@ struct Spring {
 
 /// What springs add to K: along a boundary the integral of the products of its shape functions, so that they
 /// feel the displacements between the nodes.
-/// \param mesh       the body
-/// \param thickness  across the plane [length]
-/// \param springs    several at one place add up
+/// \param mesh     the body
+/// \param depth    across the plane; a spring at one node is that of the whole depth
+/// \param springs  several at one place add up
 /// \return `2 n_nodes` square, row and column 2 * node + axis; symmetric, positive semidefinite; joins nodes of one
 ///   side in the same direction [force/length]
 /// \throws ProblemError if a stiffness is negative or not finite, or as nodes_at()
-[[nodiscard]] Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, double thickness,
+[[nodiscard]] Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, const Depth& depth,
                                                            const std::vector<Spring>& springs);
 
 }  // namespace signorini

@@ -5,7 +5,7 @@
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/elasticity/cells.hpp"
+#include "signorini/elasticity/thermal.hpp"
 
 namespace signorini {
 namespace {
@@ -14,31 +14,44 @@ using Eigen::Index;
 using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, max_strain_points, 4>;
 
 /// Stress at one strain point; across the plane it is a component of D, or follows from those in the plane.
-Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const CellVector& u) {
+/// \param free    strain that needs no stress, null if there is none
+/// \param warmer  than without stress
+Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const CellVector& u,
+                          const double* free, double warmer) {
   return with_rows(cell.body.D.rows(), [&](auto n_rows) {
-    const Eigen::Matrix<double, n_rows, 1> stress =
-        fixed_rows<n_rows>(cell.body.D) * (fixed_rows<n_rows>(point.B) * u);
+    using Components = Eigen::Matrix<double, n_rows, 1>;
+    Components strain = fixed_rows<n_rows>(point.B) * u;
+    if (free != nullptr) strain -= Eigen::Map<const Components>(free);
+    const Components stress = fixed_rows<n_rows>(cell.body.D) * strain;
     Eigen::Vector4d all;
     if constexpr (n_rows == 4)
       all = stress;
     else
-      all << stress, stress_across(cell.material, stress);
+      all << stress, stress_across(cell.material, stress, warmer);
     return all;
   });
 }
 
 /// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them, row by row.
 template <typename Visit>
-void visit_stresses(const Mesh& mesh, const Element& element, const Material& material,
+void visit_stresses(const Mesh& mesh, const Element& element, const Matter& matter,
                     const NodeArray& displacements, Visit&& visit) {
   require(displacements.rows() == mesh.n_nodes(), "stress: need the displacements of ",
           mesh.n_nodes(), " nodes, got ", displacements.rows());
+  const Temperature& temperature = matter.temperature;
+  const bool warm = temperature.warms();
+  PointStrains free;
   PointStress stress;
-  visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
+  visit_strains(mesh, element, matter, [&](const Cell& cell, const StrainPoints& points) {
     const CellVector u = gathered(cell, displacements);
     stress.resize(points.size, 4);
-    for (int i = 0; i < points.size; ++i)
-      stress.row(i) = stress_at(points.point[static_cast<std::size_t>(i)], cell, u).transpose();
+    if (warm) free = thermal_strains(cell, points, temperature);
+    for (int i = 0; i < points.size; ++i) {
+      const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+      stress.row(i) = stress_at(point, cell, u, warm ? free.col(i).data() : nullptr,
+                                warm ? temperature.at(position(cell, point)) : 0)
+                          .transpose();
+    }
     visit(cell, points, stress);
   });
 }
@@ -63,12 +76,12 @@ Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points
 
 }  // namespace
 
-StressArray nodal_stress(const Mesh& mesh, const Element& element, const Material& material,
+StressArray nodal_stress(const Mesh& mesh, const Element& element, const Matter& matter,
                          const NodeArray& displacements) {
   StressArray stress = StressArray::Zero(mesh.n_nodes(), 4);
   Eigen::VectorXd cells_at = Eigen::VectorXd::Zero(mesh.n_nodes());
   std::array<Eigen::MatrixXd, 2> of_kind;  // triangles, quadrilaterals
-  visit_stresses(mesh, element, material, displacements,
+  visit_stresses(mesh, element, matter, displacements,
                  [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
                    Eigen::MatrixXd& to_nodes = of_kind[cell.element.corners() == 3 ? 0 : 1];
                    if (to_nodes.size() == 0) to_nodes = extrapolation(cell.element, points);
@@ -82,10 +95,10 @@ StressArray nodal_stress(const Mesh& mesh, const Element& element, const Materia
   return stress;
 }
 
-StressArray cell_stress(const Mesh& mesh, const Element& element, const Material& material,
+StressArray cell_stress(const Mesh& mesh, const Element& element, const Matter& matter,
                         const NodeArray& displacements) {
   StressArray stress = StressArray::Zero(mesh.n_cells(), 4);
-  visit_stresses(mesh, element, material, displacements,
+  visit_stresses(mesh, element, matter, displacements,
                  [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
                    double volume = 0;
                    for (int i = 0; i < points.size; ++i) {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "signorini/elasticity/element.hpp"
-#include "signorini/elasticity/material.hpp"
+#include "signorini/elasticity/matter.hpp"
 #include "signorini/mesh/mesh.hpp"
 
 namespace signorini {
@@ -14,26 +14,26 @@ namespace signorini {
 using StressArray = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
 /// Stress at the nodes: the values at the strain points of each cell are fitted by a bilinear
-/// function (of a triangle, linear), evaluated at the nodes and averaged over the cells that meet there.
+/// function (of a triangle, linear), evaluated at the nodes and averaged over the cells that meet there, also between layers.
 /// \param mesh           the body
 /// \param element        fits its cells
-/// \param material       of all cells
+/// \param matter         of its cells; what temperature alone strains needs no stress
 /// \param displacements  `n_nodes x 2` [length]
 /// \return `n_nodes x 4`; zero at a node without a cell
 /// \throws std::invalid_argument unless there is one displacement per node
 /// \throws ProblemError as check_material()
 [[nodiscard]] StressArray nodal_stress(const Mesh& mesh, const Element& element,
-                                       const Material& material, const NodeArray& displacements);
+                                       const Matter& matter, const NodeArray& displacements);
 
 /// Mean stress of every cell.
 /// \param mesh           the body
 /// \param element        fits its cells
-/// \param material       of all cells
+/// \param matter         of its cells; what temperature alone strains needs no stress
 /// \param displacements  `n_nodes x 2` [length]
 /// \return `n_cells x 4`
 /// \throws std::invalid_argument or ProblemError, as nodal_stress()
 [[nodiscard]] StressArray cell_stress(const Mesh& mesh, const Element& element,
-                                      const Material& material, const NodeArray& displacements);
+                                      const Matter& matter, const NodeArray& displacements);
 
 /// Von Mises stress.
 /// \param stress  (xx, yy, xy, zz) [force/length^2]

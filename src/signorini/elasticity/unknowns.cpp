@@ -73,10 +73,27 @@ NodeArray unknown_positions(const Mesh& mesh, const Unknowns& unknowns) {
   return positions;
 }
 
-Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports) {
+std::vector<Index> axis_nodes(const Mesh& mesh) {
+  const double rounding = 1e3 * epsilon * mesh.nodes.col(0).cwiseAbs().maxCoeff();
+  std::vector<Index> nodes;
+  for (Index node = 0; node < mesh.n_nodes(); ++node) {
+    const double radius = mesh.nodes(node, 0);
+    pose(
+        radius >= -rounding, "mesh '", mesh.name, "': node ", node, " lies at (", radius, ", ",
+        mesh.nodes(node, 1),
+        "), but in axial symmetry x is the radius: take the half of the cross-section with x >= 0");
+    if (radius <= rounding) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports, PlaneState state) {
   Unknowns unknowns;
   unknowns.number.setZero(mesh.n_nodes(), 2);
   unknowns.held.setZero(mesh.n_nodes(), 2);
+  std::vector<Index> on_axis;
+  if (state == PlaneState::Axial) on_axis = axis_nodes(mesh);
+  for (const Index node : on_axis) unknowns.number(node, 0) = -1;
   for (const Support& support : supports) {
     bool held[2] = {support.holds_x, support.holds_y};
     if (support.normal_only) held[normal_axis(mesh, support.boundary) == Axis::X ? 0 : 1] = true;
@@ -91,7 +108,10 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports)
         pose(unknowns.number(node, axis) == 0 || unknowns.held(node, axis) == value(axis),
              "support on '", support.boundary, "': node ", node, " gets the displacement ",
              value(axis), " in direction ", axis == 0 ? 'x' : 'y',
-             ", but another support gives it ", unknowns.held(node, axis));
+             std::binary_search(on_axis.begin(), on_axis.end(), node) && axis == 0
+                 ? ", but it lies on the axis of the body, which gives it "
+                 : ", but another support gives it ",
+             unknowns.held(node, axis));
         unknowns.number(node, axis) = -1;
         unknowns.held(node, axis) = value(axis);
       }

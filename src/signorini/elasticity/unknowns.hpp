@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "signorini/elasticity/material.hpp"
 #include "signorini/mesh/mesh.hpp"
 
 namespace signorini {
@@ -80,14 +81,22 @@ struct Unknowns {
 /// \return `n x 2` position of the node of each unknown [length]
 [[nodiscard]] NodeArray unknown_positions(const Mesh& mesh, const Unknowns& unknowns);
 
+/// The nodes of a body of revolution that lie on its axis x = 0, up to rounding.
+/// \param mesh  the half of its cross-section with x >= 0
+/// \return their numbers, increasing; none if the body has a hole there
+/// \throws ProblemError if a node lies at x < 0
+[[nodiscard]] std::vector<Eigen::Index> axis_nodes(const Mesh& mesh);
+
 /// Numbers the unknowns node by node.
 /// \param mesh      the body
 /// \param supports  what holds it
-/// \return every component that no support gives is unknown
-/// \throws ProblemError if a boundary does not exist or has no node where only one is to be held, a
+/// \param state     in axial symmetry, what lies on the axis does not move away from it
+/// \return every component that no support gives, nor the axis, is unknown
+/// \throws ProblemError as axis_nodes(), or if a boundary does not exist or has no node where only one is to be held, a
 ///   symmetric one is not parallel to an axis, a given displacement is not finite, or two supports
 ///   contradict each other
-[[nodiscard]] Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports);
+[[nodiscard]] Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports,
+                                       PlaneState state = PlaneState::Strain);
 
 /// Numbers the unknowns of several bodies one after another.
 /// \param bodies  numbered one by one

@@ -31,15 +31,14 @@ void check_choices(const ContactSpec& contact, Plan& draft) {
 Pairs pair_up(const ContactSpec& contact, bool sliding, const Plan& draft) {
   const std::vector<BodyModel>& bodies = draft.bodies;
   const Surface source = surface(bodies, contact.source);
-  const double thickness = bodies[body_index(bodies, contact.source)].material.thickness;
-  const GapOptions options{count_nodes(bodies), thickness, sliding, contact.points,
-                           contact.quadrature};
+  const Depth depth = depth_of(bodies[body_index(bodies, contact.source)].material);
+  const GapOptions options{count_nodes(bodies), depth, sliding, contact.points, contact.quadrature};
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
     return node_to_obstacle(source, *obstacle, options);
   const Side& side = std::get<Side>(contact.target);
-  const double other = bodies[body_index(bodies, side)].material.thickness;
-  pose(thickness == other, describe(bodies, contact), ": the bodies are ", thickness, " and ",
-       other, " thick, but contact in the plane needs one thickness");
+  const Depth other = depth_of(bodies[body_index(bodies, side)].material);
+  pose(depth.factor == other.factor, describe(bodies, contact), ": the bodies are ", depth.factor,
+       " and ", other.factor, " thick, but contact in the plane needs one thickness");
   return find_gap_operator(contact.gap_operator).pair(source, surface(bodies, side), options);
 }
 

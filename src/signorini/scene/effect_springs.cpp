@@ -21,7 +21,7 @@ void price(const Scene& scene, Plan& draft) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     if (!on_springs(body)) continue;
-    draft.bodies[b].springs = spring_stiffness(body.mesh, body.material.thickness, body.springs);
+    draft.bodies[b].springs = spring_stiffness(body.mesh, depth_of(body.material), body.springs);
     for (const Spring& spring : body.springs)
       if (resists(spring))
         draft.on.push_back(text("springs at '", spring.boundary, "' of '", body.mesh.name, "': (",

@@ -3,9 +3,10 @@
 namespace signorini {
 
 // The table: one line per function that returns a member.
-#define SIGNORINI_EFFECTS                                                                 \
-  body_force(), edge_loads(), point_forces(), springs(), adjusted_gaps(), interference(), \
-      contact(), initial_overlap(), friction(), cohesion(), rigid_motions()
+#define SIGNORINI_EFFECTS                                                                   \
+  axial_symmetry(), body_force(), edge_loads(), point_forces(), layers(), temperature(),    \
+      springs(), adjusted_gaps(), interference(), contact(), initial_overlap(), friction(), \
+      cohesion(), rigid_motions()
 
 namespace effect {
 Effect SIGNORINI_EFFECTS;  // declares them

@@ -13,10 +13,6 @@
 ///   from displacements to gaps in the place of one A and g.
 /// * *finite strain*: `price` says that K is assembled and factored once per iteration, `add` hands the model a
 ///   function from displacements to K and p.
-/// * *axial symmetry*: `price` checks the material and the distances from the axis; `add` changes the thickness
-///   that stands in every integral to \f$ 2\pi r \f$.
-/// * *temperature*: `add` adds the forces of hindered expansion to p, as a load does, and the strain that
-///   stresses are read without.
 #pragma once
 #include <vector>
 

@@ -22,25 +22,12 @@ void check_names(const Scene& scene) {
   static_cast<void>(find_solver(scene.solver));  // needed or not
 }
 
-/// How many of the cells are triangles.
-Index count_triangles(const Mesh& mesh) {
-  Index count = 0;
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) count += 4 - mesh.corners(cell);
-  return count;
-}
-
-std::string elements_in_words(const Mesh& mesh, const Element& element) {
-  const Index triangles = element.corners() == 3 ? 0 : count_triangles(mesh);
-  if (triangles == 0) return element.name;
-  return text(element.name, " and ", triangles, " of them ", triangle_beside(mesh).name);
-}
-
 /// What to know of an element that is stiffer than the body; empty if there is none.
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
   const auto sentence = [&](const char* name, const char* way_out) {
-    return text(name, " locks for Poisson's ratio ", material.poisson_ratio,
-                " in plane strain and bears too much load: use ", way_out);
+    return text(name, " locks for Poisson's ratio ", material.poisson_ratio, " in ",
+                to_string(material.state), " and bears too much load: use ", way_out);
   };
   if (locks && std::string(element.name) == "q4")
     return sentence("q4", "q4_bbar or q4_incompatible");
@@ -52,21 +39,31 @@ std::string note_on_locking(const Mesh& mesh, const Element& element, const Mate
               "quadrilaterals");
 }
 
+void note_on_body(const Body& body, const Element& element, std::vector<std::string>& notes) {
+  std::string last = note_on_locking(body.mesh, element, body.material);
+  if (!last.empty()) notes.push_back(last);
+  for (const Layer& layer : body.layers) {
+    const std::string note = note_on_locking(body.mesh, element, layer.material);
+    if (!note.empty() && note != last) notes.push_back(note);
+    last = note;
+  }
+  if (body.material.expansion != 0 && !(body.temperature && body.temperature->warms()))
+    notes.push_back(text("'", body.mesh.name, "' has a thermal expansion but no temperature"));
+}
+
 void plan_body(const Body& body, Plan& plan) {
   const std::string& name = body.mesh.name;
   plan.quality.push_back(check_mesh(body.mesh));
   const Element& element = element_for(body.mesh, body.element);
   check_material(body.material);
-  Unknowns unknowns = number_unknowns(body.mesh, body.supports);
+  Unknowns unknowns = number_unknowns(body.mesh, body.supports, body.material.state);
   const Index count = unknowns.count;
-  const bool stress = body.material.state == PlaneState::Stress;
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",
-                         elements_in_words(body.mesh, element), ", ", count, " unknowns, plane ",
-                         stress ? "stress" : "strain"));
+                         elements_in_words(body.mesh, element), ", ", count, " unknowns, ",
+                         to_string(body.material.state)));
   plan.on.push_back(
       text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
-  const std::string note = note_on_locking(body.mesh, element, body.material);
-  if (!note.empty()) plan.notes.push_back(note);
+  note_on_body(body, element, plan.notes);
   const bool first = plan.bodies.empty();
   const Index first_node = first ? 0 : count_nodes(plan.bodies);
   const Index first_unknown =

@@ -37,6 +37,10 @@ BodySummary summary_of(const BodyModel& body) {
     summary.moment +=
         body.mesh.nodes(node, 0) * load(node, 1) - body.mesh.nodes(node, 1) * load(node, 0);
   }
+  if (body.material.bulk.state == PlaneState::Axial) {  // all round the axis, these cancel
+    summary.force.x() = 0;
+    summary.moment = 0;
+  }
   return summary;
 }
 
@@ -53,16 +57,25 @@ std::string method_of(const Plan& plan) {
   return why + "; certified from K, p, A, g";
 }
 
-/// The first cells of a body as a mesh of their own, without boundaries.
-Mesh first_cells(const Mesh& mesh, Index cells) {
+/// Some cells of a body as a mesh of their own, without boundaries: the first ones, and among them one that the
+/// element is for.
+Mesh some_cells(const BodyModel& body) {
+  constexpr Index enough = 200;
+  const Mesh& mesh = body.mesh;
   Mesh part;
   part.name = mesh.name;
-  part.cells = mesh.cells.topRows(cells);
+  part.cells = mesh.cells.topRows(std::min(enough, mesh.n_cells()));
+  for (Index cell = part.n_cells(); cell < mesh.n_cells(); ++cell)
+    if (mesh.cell_size(cell) == body.element.n_nodes) {
+      part.cells.row(0) = mesh.cells.row(cell);
+      break;
+    }
   std::map<Index, Index> number;
-  for (Index cell = 0; cell < cells; ++cell)
-    for (Index k = 0; k < part.cells.cols(); ++k)
-      if (Index& node = part.cells(cell, k); node >= 0)
-        node = number.try_emplace(node, static_cast<Index>(number.size())).first->second;
+  for (Index cell = 0; cell < part.n_cells(); ++cell)
+    for (Index k = 0; k < part.cell_size(cell); ++k) {
+      Index& node = part.cells(cell, k);
+      node = number.try_emplace(node, static_cast<Index>(number.size())).first->second;
+    }
   part.nodes.resize(static_cast<Index>(number.size()), 2);
   for (const auto& [from, to] : number) part.nodes.row(to) = mesh.nodes.row(from);
   return part;
@@ -75,15 +88,14 @@ struct Sampled {
 };
 
 Sampled sampled(const Plan& plan, Index stiffness_entries) {
-  constexpr Index enough = 200;
   Sampled all;
   Index entries = 0;
   for (const BodyModel& body : plan.bodies) {
-    const Mesh part = first_cells(body.mesh, std::min(enough, body.mesh.n_cells()));
+    const Mesh part = some_cells(body);
     QuadraticProgramme programme;
     const double assembly = seconds_of([&] {
       LinearSystem system =
-          assemble(part, body.element, body.material, number_unknowns(part, {}), {});
+          assemble(part, body.element, body.material.bulk, number_unknowns(part, {}), {});
       programme.stiffness.swap(system.stiffness);
       programme.load.swap(system.load);
     });

@@ -17,19 +17,6 @@
 
 namespace signorini {
 
-/// A part of a body that is of another material.
-struct Layer {
-  std::string region;  ///< name in Mesh::regions
-  Material material;   ///< of the cells of that region
-};
-
-/// How much warmer a body is than where it is free of stress:
-/// \f$ \Delta T(x) = \Delta T_0 + \nabla T \cdot x \f$.
-struct Temperature {
-  double uniform = 0;                                  ///< at the origin [temperature]
-  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [temperature/length]
-};
-
 /// An elastic body, what holds it and what loads it. The name of its mesh is the name of the body.
 struct Body {
   Mesh mesh;                                    ///< has a name that no other body has

@@ -19,7 +19,7 @@ namespace signorini {
 struct BodyModel {
   Mesh mesh;                   ///< of the scene
   Element element;             ///< found by its name
-  Material material;           ///< of the scene
+  Matter material;             ///< of its cells
   Loads loads;                 ///< of the scene
   Unknowns unknowns;           ///< of this body, numbered from 0
   Eigen::Index first_node;     ///< number of its first node among those of all bodies

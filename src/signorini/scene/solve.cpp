@@ -111,19 +111,23 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
     solution.notes.push_back(std::move(note));
 }
 
+long long one_solve(const Condensed& condensed) {
+  return static_cast<long long>(condensed.factor.solve_operations());
+}
+
 }  // namespace
 
 Condensed condense(const Model& model, Ledger& ledger) {
   const QuadraticProgramme& programme = model.programme;
   Condensed condensed{telling(model.notes, [&] { return factor(model, ledger); }), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
-  condensed.problem.compliance = condensed.factor.compliance(programme.A, ledger);
-  ledger.bytes(condensed.problem.compliance.size() * static_cast<long long>(sizeof(double)));
-  condensed.problem.law = model.law;
+  ledger.count("operations of one solve", one_solve(condensed));
+  ContactProblem& problem = condensed.problem;
+  problem.compliance = condensed.factor.compliance(programme.A, ledger);
+  ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
+  problem.law = model.law;
+  ledger.count("operations", one_solve(condensed));
   condense_loads(model, condensed);
-  const long long one_solve = static_cast<long long>(condensed.factor.solve_operations());
-  ledger.count("operations", one_solve);
-  ledger.count("operations of one solve", one_solve);
   return condensed;
 }
 
@@ -143,10 +147,10 @@ void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& cond
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger) {
-  const long long one_solve = static_cast<long long>(condensed.factor.solve_operations());
+  const long long operations = one_solve(condensed);
   const CondensedProgramme small{condensed.problem, condensed.free_displacement,
                                  [&](const VectorXd& load) {
-                                   ledger.count("operations", one_solve);
+                                   ledger.count("operations", operations);
                                    return condensed.factor.solve(load);
                                  }};
   CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),

@@ -69,8 +69,7 @@ VectorField constant(const Vector2d& vector) {
 /// A key with the name of each boundary and a vector there.
 Key<BodyDraft> vectors(const char* name, const char* unit, const char* help, Bound bound,
                        void (*put)(Body&, const std::string&, const Vector2d&)) {
-  return {{name, "table of boundary = " + type_name(static_cast<const Vector2d*>(nullptr), bound),
-           unit, "", help},
+  return {{name, "table of boundary = " + type_name<Vector2d>(bound), unit, "", help},
           [bound, put](const Value& value, BodyDraft& draft) {
             each_boundary(value, draft.body.mesh, [&](const Value& item) {
               Vector2d vector;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 
 namespace signorini {
 namespace {
@@ -39,13 +40,41 @@ bool fits(double number, Bound bound) {
   value.fail("expected a ", type, ", got ", value.shown());
 }
 
-template <typename Integer>
-void take_whole(const Value& value, Integer& into, Bound bound) {
-  constexpr double largest = 1e9;
+template <typename Number>
+std::enable_if_t<std::is_arithmetic_v<Number>> read_as(const Value& value, Number& into,
+                                                       Bound bound) {
+  constexpr double largest = 1e9;  // whole number
   if (value.kind != Value::Kind::Number || !fits(value.number, bound) ||
-      value.number != std::floor(value.number) || std::abs(value.number) > largest)
-    wrong_type(value, with_bound("whole number", bound));
-  into = static_cast<Integer>(value.number);
+      (std::is_integral_v<Number> &&
+       (value.number != std::floor(value.number) || std::abs(value.number) > largest)))
+    wrong_type(value, Plain<Number>::type_name(bound));
+  into = static_cast<Number>(value.number);
+}
+
+void read_as(const Value& value, bool& into, Bound /*bound*/) {
+  if (value.kind != Value::Kind::Truth) value.fail("expected true or false, got ", value.shown());
+  into = value.truth;
+}
+
+void read_as(const Value& value, std::string& into, Bound /*bound*/) {
+  if (value.kind != Value::Kind::Text || value.text.empty()) wrong_type(value, "text");
+  into = value.text;
+}
+
+void read_as(const Value& value, Eigen::Vector2d& into, Bound bound) {
+  const std::vector<Value>& both = list_of(value, 2, with_bound("number", bound));
+  for (int axis = 0; axis < 2; ++axis)
+    take(both[static_cast<std::size_t>(axis)], into[axis], bound);
+}
+
+/// Lists of numbers of any length but 0.
+template <typename List>
+std::enable_if_t<!std::is_arithmetic_v<List>> read_as(const Value& value, List& into, Bound bound) {
+  if (value.kind != Value::Kind::List || value.items.empty())
+    wrong_type(value, Plain<List>::type_name(bound));
+  into.resize(static_cast<decltype(into.size())>(value.items.size()));
+  auto number = into.begin();
+  for (const Value& item : value.items) take(item, *number++, bound);
 }
 
 }  // namespace
@@ -94,91 +123,49 @@ const std::vector<Value>& list_of(const Value& value, std::size_t count, const s
   return value.items;
 }
 
-void take(const Value& value, double& into, Bound bound) {
-  if (value.kind != Value::Kind::Number || !fits(value.number, bound))
-    wrong_type(value, type_name(&into, bound));
-  into = value.number;
+template <typename M>
+void Plain<M>::take(const Value& value, M& into, Bound bound) {
+  read_as(value, into, bound);
 }
 
-void take(const Value& value, Index& into, Bound bound) { take_whole(value, into, bound); }
-
-void take(const Value& value, int& into, Bound bound) { take_whole(value, into, bound); }
-
-void take(const Value& value, bool& into, Bound /*bound*/) {
-  if (value.kind != Value::Kind::Truth) value.fail("expected true or false, got ", value.shown());
-  into = value.truth;
+template <typename M>
+std::string Plain<M>::type_name(Bound bound) {
+  if constexpr (std::is_same_v<M, bool>)
+    return "true or false";
+  else if constexpr (std::is_same_v<M, std::string>)
+    return "text";
+  else if constexpr (std::is_integral_v<M>)
+    return with_bound("whole number", bound);
+  else if constexpr (std::is_same_v<M, double>)
+    return with_bound("number", bound);
+  else if constexpr (std::is_same_v<M, Eigen::Vector2d>)
+    return with_bound("[x, y]", bound);
+  else
+    return "list of " + with_bound("numbers", bound);
 }
 
-void take(const Value& value, std::string& into, Bound bound) {
-  if (value.kind != Value::Kind::Text || value.text.empty())
-    wrong_type(value, type_name(&into, bound));
-  into = value.text;
-}
-
-void take(const Value& value, Eigen::Vector2d& into, Bound bound) {
-  const std::vector<Value>& both = list_of(value, 2, with_bound("number", bound));
-  for (int axis = 0; axis < 2; ++axis)
-    take(both[static_cast<std::size_t>(axis)], into[axis], bound);
-}
-
-void take(const Value& value, Eigen::VectorXd& into, Bound bound) {
-  if (value.kind != Value::Kind::List || value.items.empty())
-    wrong_type(value, type_name(&into, bound));
-  into.resize(static_cast<Index>(value.items.size()));
-  Index k = 0;
-  for (const Value& item : value.items) take(item, into[k++], bound);
-}
-
-void take(const Value& value, std::vector<Index>& into, Bound bound) {
-  if (value.kind != Value::Kind::List || value.items.empty())
-    wrong_type(value, with_bound("list of whole numbers", bound));
-  into.clear();
-  for (const Value& item : value.items) {
-    into.push_back(0);
-    take(item, into.back(), bound);
+template <typename M>
+std::string Plain<M>::written(const M& value) {
+  if constexpr (std::is_same_v<M, bool>) {
+    return value ? "true" : "false";
+  } else if constexpr (std::is_same_v<M, std::string>) {
+    return value.empty() ? value : '"' + value + '"';
+  } else if constexpr (std::is_arithmetic_v<M>) {
+    return text(value);
+  } else {
+    std::string list;
+    for (const auto number : value) list += (list.empty() ? "[" : ", ") + text(number);
+    return list.empty() ? list : list + "]";
   }
 }
 
-std::string type_name(const double* /*value*/, Bound bound) { return with_bound("number", bound); }
-
-std::string type_name(const Index* /*value*/, Bound bound) {
-  return with_bound("whole number", bound);
-}
-
-std::string type_name(const int* /*value*/, Bound bound) {
-  return with_bound("whole number", bound);
-}
-
-std::string type_name(const bool* /*value*/, Bound /*bound*/) { return "true or false"; }
-
-std::string type_name(const std::string* /*value*/, Bound /*bound*/) { return "text"; }
-
-std::string type_name(const Eigen::Vector2d* /*value*/, Bound bound) {
-  return with_bound("[x, y]", bound);
-}
-
-std::string type_name(const Eigen::VectorXd* /*value*/, Bound bound) {
-  return with_bound("list of numbers", bound);
-}
-
-std::string written(double value) { return text(value); }
-
-std::string written(Index value) { return text(value); }
-
-std::string written(int value) { return text(value); }
-
-std::string written(bool value) { return value ? "true" : "false"; }
-
-std::string written(const std::string& value) { return value.empty() ? value : '"' + value + '"'; }
-
-std::string written(const Eigen::Vector2d& value) {
-  return text("[", value.x(), ", ", value.y(), "]");
-}
-
-std::string written(const Eigen::VectorXd& value) {
-  std::string list;
-  for (const double number : value) list += (list.empty() ? "[" : ", ") + text(number);
-  return list.empty() ? list : list + "]";
-}
+template struct Plain<double>;
+template struct Plain<Index>;
+template struct Plain<int>;
+template struct Plain<bool>;
+template struct Plain<std::string>;
+template struct Plain<Eigen::Vector2d>;
+template struct Plain<Eigen::VectorXd>;
+template struct Plain<std::vector<Index>>;
 
 }  // namespace signorini

@@ -96,41 +96,92 @@ void read_members(const Value& table, const Keys<T>& keys, T& into) {
   fill(table, keys, into);
 }
 
-/// \name Values of one type: checked, and put into `into`
-/// Each throws ProblemError for anything else. \param value  of a key \param into  receives it \param bound  of numbers
-/// @{
-void take(const Value& value, double& into, Bound bound = Bound::Any);
-void take(const Value& value, Eigen::Index& into, Bound bound = Bound::Any);
-void take(const Value& value, int& into, Bound bound = Bound::Any);
-void take(const Value& value, bool& into, Bound bound = Bound::Any);
-void take(const Value& value, std::string& into, Bound bound = Bound::Any);
-void take(const Value& value, Eigen::Vector2d& into, Bound bound = Bound::Any);
-void take(const Value& value, Eigen::VectorXd& into, Bound bound = Bound::Any);
-void take(const Value& value, std::vector<Eigen::Index>& into, Bound bound = Bound::Any);
-/// @}
+/// A list of so many values.
+/// \param value  any
+/// \param count  of values that are wanted
+/// \param what   each of them is, for messages
+/// \return its items
+/// \throws ProblemError if it is no list, or of another length
+[[nodiscard]] const std::vector<Value>& list_of(const Value& value, std::size_t count,
+                                                const std::string& what);
 
-/// The same for a value that may be absent. \param value  of a key \param into  receives it \param bound  of it
+/// What a member of one of the plain types is filled with: double, Index, int, bool, std::string, Vector2d,
+/// VectorXd, lists of Index. take(), type_name() and written() know optional ones and words as well.
 template <typename M>
-void take(const Value& value, std::optional<M>& into, Bound bound = Bound::Any) {
-  M present{};
-  take(value, present, bound);
-  into = present;
-}
+struct Plain {
+  /// \param value  of a key \param into  receives it \param bound  of numbers
+  /// \throws ProblemError for a value that is anything else
+  static void take(const Value& value, M& into, Bound bound);
+  /// \param bound  of numbers \return what messages and the reference call the type
+  [[nodiscard]] static std::string type_name(Bound bound);
+  /// \param value  any \return as a file would say it; empty for what says nothing
+  [[nodiscard]] static std::string written(const M& value);
+};
 
-/// The same for a word of an enumeration. \param value  of a key \param into  receives it
-template <typename E, typename = std::enable_if_t<std::is_enum_v<E>>>
-void take(const Value& value, E& into, Bound /*bound*/ = Bound::Any) {
-  std::string word;
-  take(value, word);
-  std::vector<std::string> known;
-  for (const auto& [name, meaning] : Words<E>::all()) {
-    if (name == word) {
+/// The type of the value of an M that may be absent, else the M.
+template <typename M>
+struct Present {
+  using Type = M;                               ///< the M
+  static constexpr bool may_be_absent = false;  ///< whether there may be none
+};
+/// \copydoc Present
+template <typename M>
+struct Present<std::optional<M>> {
+  using Type = M;                              ///< of its value
+  static constexpr bool may_be_absent = true;  ///< whether there may be none
+};
+
+/// A value of a key: checked, and put into what it fills.
+/// \param value  of a key
+/// \param into   receives it
+/// \param bound  of numbers
+/// \throws ProblemError for a value that is anything else
+template <typename M>
+void take(const Value& value, M& into, Bound bound = Bound::Any) {
+  if constexpr (Present<M>::may_be_absent) {
+    take(value, into.emplace(), bound);
+  } else if constexpr (std::is_enum_v<M>) {
+    std::string word;
+    take(value, word);
+    std::vector<std::string> known;
+    for (const auto& [name, meaning] : Words<M>::all()) {
+      known.emplace_back(name);
+      if (name != word) continue;
       into = meaning;
       return;
     }
-    known.emplace_back(name);
+    value.fail("unknown word ", in_quotes(word), suggestion(word, known));
+  } else {
+    Plain<M>::take(value, into, bound);
   }
-  value.fail("unknown word ", in_quotes(word), suggestion(word, known));
+}
+
+/// \param bound  of numbers \return what messages and the reference call the type of a member
+template <typename M>
+[[nodiscard]] std::string type_name(Bound bound = Bound::Any) {
+  using Type = typename Present<M>::Type;
+  if constexpr (std::is_enum_v<Type>) {
+    std::string names;
+    for (const auto& word : Words<Type>::all())
+      names += (names.empty() ? "\"" : " or \"") + std::string(word.name) + '"';
+    return names;
+  } else {
+    return Plain<Type>::type_name(bound);
+  }
+}
+
+/// \param value  of a member \return as a file would say it; empty for what says nothing
+template <typename M>
+[[nodiscard]] std::string written(const M& value) {
+  if constexpr (Present<M>::may_be_absent) {
+    return value ? written(*value) : std::string();
+  } else if constexpr (std::is_enum_v<M>) {
+    for (const auto& word : Words<M>::all())
+      if (word.meaning == value) return '"' + std::string(word.name) + '"';
+    return {};
+  } else {
+    return Plain<M>::written(value);
+  }
 }
 
 /// A text that names a member of an open family.
@@ -151,58 +202,6 @@ void take_member(const Value& value, const std::vector<Member>& family, const ch
   value.fail("unknown ", what, " ", in_quotes(into), suggestion(into, names));
 }
 
-/// A list of so many values.
-/// \param value  any
-/// \param count  of values that are wanted
-/// \param what   each of them is, for messages
-/// \return its items
-/// \throws ProblemError if it is no list, or of another length
-[[nodiscard]] const std::vector<Value>& list_of(const Value& value, std::size_t count,
-                                                const std::string& what);
-
-/// \name What messages and the reference call a type, and how they write a value of it
-/// \param bound  of numbers \param value  any \return words
-/// @{
-[[nodiscard]] std::string type_name(const double* value, Bound bound);
-[[nodiscard]] std::string type_name(const Eigen::Index* value, Bound bound);
-[[nodiscard]] std::string type_name(const int* value, Bound bound);
-[[nodiscard]] std::string type_name(const bool* value, Bound bound);
-[[nodiscard]] std::string type_name(const std::string* value, Bound bound);
-[[nodiscard]] std::string type_name(const Eigen::Vector2d* value, Bound bound);
-[[nodiscard]] std::string type_name(const Eigen::VectorXd* value, Bound bound);
-[[nodiscard]] std::string written(double value);
-[[nodiscard]] std::string written(Eigen::Index value);
-[[nodiscard]] std::string written(int value);
-[[nodiscard]] std::string written(bool value);
-[[nodiscard]] std::string written(const std::string& value);
-[[nodiscard]] std::string written(const Eigen::Vector2d& value);
-[[nodiscard]] std::string written(const Eigen::VectorXd& value);
-/// @}
-
-/// The same for what may be absent and for words. \param bound  of numbers \return words
-template <typename M>
-[[nodiscard]] std::string type_name(const std::optional<M>* /*value*/, Bound bound) {
-  return type_name(static_cast<const M*>(nullptr), bound);
-}
-template <typename E, typename = std::enable_if_t<std::is_enum_v<E>>>
-[[nodiscard]] std::string type_name(const E* /*value*/, Bound /*bound*/) {
-  std::string names;
-  for (const auto& word : Words<E>::all())
-    names += (names.empty() ? "\"" : " or \"") + std::string(word.name) + '"';
-  return names;
-}
-/// \param value  any \return as a file would say it, empty if absent
-template <typename M>
-[[nodiscard]] std::string written(const std::optional<M>& value) {
-  return value ? written(*value) : std::string();
-}
-template <typename E, typename = std::enable_if_t<std::is_enum_v<E>>>
-[[nodiscard]] std::string written(E value) {
-  for (const auto& word : Words<E>::all())
-    if (word.meaning == value) return '"' + std::string(word.name) + '"';
-  return {};
-}
-
 /// A key that fills one member. The value of a default T is what holds without it.
 /// \param name    of the key
 /// \param member  to be filled
@@ -213,9 +212,8 @@ template <typename E, typename = std::enable_if_t<std::is_enum_v<E>>>
 template <typename T, typename M>
 [[nodiscard]] Key<T> key(const char* name, M T::*member, const char* unit, const char* help,
                          Bound bound = Bound::Any) {
-  return {
-      {name, type_name(static_cast<const M*>(nullptr), bound), unit, written(T{}.*member), help},
-      [member, bound](const Value& value, T& into) { take(value, into.*member, bound); }};
+  return {{name, type_name<M>(bound), unit, written(T{}.*member), help},
+          [member, bound](const Value& value, T& into) { take(value, into.*member, bound); }};
 }
 
 /// A key that fills two members from a list of two.
@@ -229,10 +227,10 @@ template <typename T, typename M>
 template <typename T, typename M>
 [[nodiscard]] Key<T> key(const char* name, M T::*first, M T::*second, const char* unit,
                          const char* help, Bound bound = Bound::Any) {
-  const std::string type = "two of: " + type_name(static_cast<const M*>(nullptr), bound);
+  const std::string type = "two of: " + type_name<M>(bound);
   return {{name, type, unit, "[" + written(T{}.*first) + ", " + written(T{}.*second) + "]", help},
           [first, second, bound](const Value& value, T& into) {
-            const std::string each = type_name(static_cast<const M*>(nullptr), bound);
+            const std::string each = type_name<M>(bound);
             const std::vector<Value>& both = list_of(value, 2, each);
             take(both[0], into.*first, bound);
             take(both[1], into.*second, bound);

@@ -254,8 +254,8 @@ Keys<WithRays<Spec>> ray_keys(Keys<WithRays<Spec>> keys) {
                     take(value, spec.quadrants, positive);
                     if (spec.rays.size() > 0) value.fail("give either rays or quadrants, not both");
                   }});
-  keys.push_back({{"sector", type_name(static_cast<const Sector*>(nullptr), Bound::Any), "",
-                   written(Sector::Full), "how much of it, counter-clockwise from the x axis"},
+  keys.push_back({{"sector", type_name<Sector>(Bound::Any), "", written(Sector::Full),
+                   "how much of it, counter-clockwise from the x axis"},
                   [](const Value& value, S& spec) { take(value, spec.sector); }});
   keys.push_back(quadratic<S>());
   return keys;
@@ -280,9 +280,8 @@ Key<S> cells_around(const char* help) {
 
 template <typename S, typename M, typename B>
 Key<S> inherited(const char* name, M B::*member, const char* unit, const char* help, Bound bound) {
-  return {
-      {name, type_name(static_cast<const M*>(nullptr), bound), unit, written(S{}.*member), help},
-      [member, bound](const Value& value, S& spec) { take(value, spec.*member, bound); }};
+  return {{name, type_name<M>(bound), unit, written(S{}.*member), help},
+          [member, bound](const Value& value, S& spec) { take(value, spec.*member, bound); }};
 }
 
 Kind<Mesh> plate_with_hole() {

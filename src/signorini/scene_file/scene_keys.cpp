@@ -89,8 +89,7 @@ void read_contacts(const Value& value, SceneDraft& draft) {
 
 Key<ContactDraft> distance(const char* name, std::optional<double> ContactSpec::*member,
                            const char* help) {
-  return {{name, type_name(static_cast<const double*>(nullptr), Bound::NotNegative), "length", "",
-           help},
+  return {{name, type_name<double>(Bound::NotNegative), "length", "", help},
           [member](const Value& value, ContactDraft& draft) {
             take(value, draft.contact.*member, Bound::NotNegative);
           }};
@@ -140,10 +139,10 @@ const Keys<ContactDraft>& contact_keys() {
        [](const Value& value, ContactDraft& draft) {
          take_member(value, gap_operators(), "operator", draft.contact.gap_operator);
        }},
-      {{"quadrature", type_name(static_cast<const Quadrature*>(nullptr), Bound::Any), "",
-        written(usual.quadrature), "where the operator integrates"},
+      {{"quadrature", type_name<Quadrature>(Bound::Any), "", written(usual.quadrature),
+        "where the operator integrates"},
        [](const Value& value, ContactDraft& draft) { take(value, draft.contact.quadrature); }},
-      {{"points", type_name(static_cast<const int*>(nullptr), Bound::Positive), "", "",
+      {{"points", type_name<int>(Bound::Positive), "", "",
         "Gauss points per edge or segment; without it as many as the operator wants"},
        [](const Value& value, ContactDraft& draft) {
          take(value, draft.contact.points, Bound::Positive);

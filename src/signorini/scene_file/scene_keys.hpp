@@ -34,7 +34,8 @@ struct PointDraft {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< where
   std::optional<Eigen::Vector2d> force = {};     ///< on the body
   std::optional<Eigen::Vector2d> spring = {};    ///< stiffness in x and y
-  std::optional<double> x = {}, y = {};          ///< given displacements
+  std::optional<double> x = {};                  ///< given displacement along x
+  std::optional<double> y = {};                  ///< given displacement along y
 };
 
 /// A layer while it is read.
@@ -44,18 +45,23 @@ struct LayerDraft {
   Material material;        ///< that of the body, but for what the layer says
 };
 
-/// \name The tables
-/// \return the keys in the order in which they are read
-/// @{
+/// \return keys of the head of the file, in the order in which they are read
 [[nodiscard]] const Keys<SceneDraft>& scene_keys();
+/// \return keys of a body, in the order in which they are read
 [[nodiscard]] const Keys<BodyDraft>& body_keys();
+/// \return keys of a material, in the order in which they are read
 [[nodiscard]] const Keys<Material>& material_keys();
+/// \return keys of a layer, in the order in which they are read
 [[nodiscard]] const Keys<LayerDraft>& layer_keys();
+/// \return keys of a point of a body, in the order in which they are read
 [[nodiscard]] const Keys<PointDraft>& point_keys();
+/// \return keys of a temperature, in the order in which they are read
 [[nodiscard]] const Keys<Temperature>& temperature_keys();
+/// \return keys of a contact, in the order in which they are read
 [[nodiscard]] const Keys<ContactDraft>& contact_keys();
+/// \return keys of friction, in the order in which they are read
 [[nodiscard]] const Keys<Friction>& friction_keys();
+/// \return keys of what is written, in the order in which they are read
 [[nodiscard]] const Keys<Output>& output_keys();
-/// @}
 
 }  // namespace signorini
