@@ -30,16 +30,13 @@ void plan_body(const Body& body, Plan& plan) {
   Unknowns unknowns = number_unknowns(body.mesh, body.supports, body.material.state);
   const Index count = unknowns.count;
   const PlaneState state = body.material.state;
-  const char* const state_name = state == PlaneState::Stress   ? "plane stress"
-                                 : state == PlaneState::Strain ? "plane strain"
-                                                               : "axial symmetry";
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ", body.element, ", ",
-                         count, " unknowns, ", state_name));
+                         count, " unknowns, ", to_string(state)));
   plan.on.push_back(
       text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
   if (body.element == "q4" && state != PlaneState::Stress && body.material.poisson_ratio > 0.4)
     plan.notes.push_back(text("q4 locks for Poisson's ratio ", body.material.poisson_ratio, " in ",
-                              state_name,
+                              to_string(state),
                               " and bears too much load: use q4_bbar or q4_incompatible"));
   const bool first = plan.bodies.empty();
   const Index first_node = first ? 0 : count_nodes(plan.bodies);
