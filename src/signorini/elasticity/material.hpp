@@ -15,6 +15,9 @@ enum class PlaneState {
   Axial  ///< body of revolution about x = 0: x is the radius, y the height, the hoop strain is u_x / x
 };
 
+/// \param state  any \return what texts call it, such as "plane strain"
+[[nodiscard]] const char* to_string(PlaneState state);
+
 /// Isotropic material and the body's extent across the plane.
 struct Material {
   double youngs_modulus = 1;  ///< E [force/length^2], positive

@@ -39,18 +39,12 @@ std::string elements_in_words(const Mesh& mesh, const Element& element) {
   return text(element.name, " and ", triangles, " of them ", triangle_beside(mesh).name);
 }
 
-const char* in_words(PlaneState state) {
-  return state == PlaneState::Stress   ? "plane stress"
-         : state == PlaneState::Strain ? "plane strain"
-                                       : "axial symmetry";
-}
-
 /// What to know of an element that is stiffer than the body; empty if there is none.
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
   const auto sentence = [&](const char* name, const char* way_out) {
     return text(name, " locks for Poisson's ratio ", material.poisson_ratio, " in ",
-                in_words(material.state), " and bears too much load: use ", way_out);
+                to_string(material.state), " and bears too much load: use ", way_out);
   };
   if (locks && std::string(element.name) == "q4")
     return sentence("q4", "q4_bbar or q4_incompatible");
@@ -83,7 +77,7 @@ void plan_body(const Body& body, Plan& plan) {
   const Index count = unknowns.count;
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",
                          elements_in_words(body.mesh, element), ", ", count, " unknowns, ",
-                         in_words(body.material.state)));
+                         to_string(body.material.state)));
   plan.on.push_back(
       text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
   note_on_body(body, element, plan.notes);
