@@ -6,7 +6,7 @@ ONE_THREAD := OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 BLIS_NU
 MAKEFLAGS += --no-print-directory
 CHAPTERS := $(wildcard chapters/ch[0-9][0-9]_*)
 PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword $(subst _, ,$(notdir $c))))))
-WOVEN := README.md $(wildcard chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
+WOVEN := README.md $(wildcard examples/README.md chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
 TEXTS := $(WOVEN) $(wildcard chapters/*/exercises/*/README.md) docs/references.md
 CHAPTER_OF = $(wildcard chapters/$1_*)
 # Exercises: a wrong answer is no failure of make. With --question it runs only lines that begin with +, and tells
@@ -47,6 +47,7 @@ ex%.checked:
 results: chapters         ## accept what the programs write now: committed numbers, text and figures
 	@for c in $(PROGRAMS); do tools/chapter.sh run $B/bin/$$c $B/out/$$c > /dev/null && \
 	    perl tools/compare.pl --update chapters/$${c}_* $B/out/$$c || exit 1; done
+	@$B/bin/signorini --keys > examples/results/keys.md
 	@perl tools/weave.pl $(WOVEN)
 	@perl tools/equations.pl
 	@for f in figures/fig_*.gp; do tools/figure.sh --check $$f 2> /dev/null || \

@@ -4,6 +4,7 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/signorini)
 install(TARGETS signorini EXPORT signoriniTargets)
 install(TARGETS signorini_command)
+install(FILES ${PROJECT_BINARY_DIR}/signorini.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/signorini DESTINATION include FILES_MATCHING PATTERN "*.hpp")
 install(EXPORT signoriniTargets NAMESPACE signorini:: DESTINATION ${package_dir})
 file(WRITE ${PROJECT_BINARY_DIR}/signoriniConfig.cmake

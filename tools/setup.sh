@@ -6,7 +6,7 @@
 #   strict  the second compiler of the stricter presets
 # Without the right to install it prints the command to type and stops with status 2.
 set -eu
-build="g++ make cmake catch2 libeigen3-dev libcli11-dev gnuplot-nox perl-base"
+build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl-base"
 book="doxygen libjs-mathjax doxygen-awesome-css"
 check="chromium python3 fonts-dejavu-core"
 strict="clang"

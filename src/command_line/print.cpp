@@ -68,17 +68,6 @@ void print_columns(std::ostream& out, const char* first, const VectorXd& a, cons
   }
 }
 
-void write_certificate(Json& json, const Certificate& certificate) {
-  json.object();
-  json.key("penetration").value(certificate.penetration);
-  json.key("tension").value(certificate.tension);
-  json.key("complementarity").value(certificate.complementarity);
-  json.key("equilibrium").value(certificate.equilibrium);
-  json.key("duality_gap").value(certificate.duality_gap);
-  json.key("worst").value(certificate.worst());
-  json.end();
-}
-
 /// The solvers and the verdict. \param solution  adds what an accepted solution consists of
 template <typename Solution>
 void write_outcomes(Json& json, const std::vector<Outcome>& outcomes, bool solved,
@@ -90,7 +79,7 @@ void write_outcomes(Json& json, const std::vector<Outcome>& outcomes, bool solve
     if (outcome.ran) {
       json.key("iterations").value(outcome.iterations).key("seconds").value(outcome.seconds);
       json.key("certificate");
-      write_certificate(json, outcome.certificate);
+      write(json, outcome.certificate);
     } else {
       json.key("why").value(outcome.why);
     }
@@ -101,6 +90,19 @@ void write_outcomes(Json& json, const std::vector<Outcome>& outcomes, bool solve
 }
 
 }  // namespace
+
+void write(Json& json, const Certificate& certificate) {
+  json.object();
+  json.key("penetration").value(certificate.penetration);
+  json.key("tension").value(certificate.tension);
+  json.key("complementarity").value(certificate.complementarity);
+  json.key("equilibrium").value(certificate.equilibrium);
+  json.key("duality_gap").value(certificate.duality_gap);
+  if (certificate.cone > 0 || certificate.sliding > 0)
+    json.key("cone").value(certificate.cone).key("sliding").value(certificate.sliding);
+  json.key("worst").value(certificate.worst());
+  json.end();
+}
 
 void print_family(std::ostream& out) {
   for (const Solver& solver : solvers()) {

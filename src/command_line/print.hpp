@@ -33,6 +33,11 @@ void print(std::ostream& out, const std::string& title, const signorini::FiledPr
 void print(std::ostream& out, const std::string& title,
            const signorini::TwoSidedProgramme& programme, const std::vector<Outcome>& outcomes);
 
+/// Writes the figures of a certificate.
+/// \param json         the document
+/// \param certificate  any; what is not finite becomes null
+void write(signorini::Json& json, const signorini::Certificate& certificate);
+
 /// Writes one problem and its outcomes as an object.
 /// \param json      the document
 /// \param filed     the problem

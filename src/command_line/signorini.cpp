@@ -1,14 +1,19 @@
 // The program `signorini`: solves problems from files with the solvers of the book.
-// Run:  signorini lcp FILE | qp FILE [--solver NAME|all] [--tolerance T] [--json];  signorini --list
+// Run:  signorini plan|solve|lcp|qp FILE [options];  signorini --list | --man | --version
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <string>
 
+#include "command_line/man.hpp"
 #include "command_line/outcome.hpp"
+#include "command_line/picture.hpp"
 #include "command_line/print.hpp"
+#include "command_line/scene_print.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
+#include "signorini/scene_file/scene_file.hpp"
 
 namespace {
 
@@ -22,15 +27,29 @@ constexpr int bad_input = 2;
 struct Request {
   std::string file;
   std::string solver;
-  double tolerance = 1e-12;
+  std::string tolerance_text = "1e-12";
+  double tolerance = 0;
+  Output output;
   bool json = false;
+
+  /// \return what messages call the file
+  [[nodiscard]] std::string name() const {
+    return file == "-" ? command_line::standard_input : file;
+  }
 };
+
+/// The problem of the file, for one of the two commands that take such files.
+ProblemFile read(const Request& request, const char* command) {
+  const std::string content = command_line::content_of(request.file);
+  return command_line::read_or_hint(request.name(), content, command,
+                                    [&] { return parse_problem(content, request.name()); });
+}
 
 /// One document, with the problems that `problems` writes. \param kind  "lcp" or "qp"
 template <typename Problems>
 void write_document(const Request& request, const char* kind, Problems&& problems) {
   Json json;
-  json.object().key("file").value(request.file).key("kind").value(kind);
+  json.object().key("file").value(request.name()).key("kind").value(kind);
   json.key("tolerance").value(request.tolerance).key("problems").array();
   problems(json);
   json.end().end();
@@ -38,9 +57,9 @@ void write_document(const Request& request, const char* kind, Problems&& problem
 }
 
 int solve_lcp(const Request& request) {
-  const ProblemFile file = read_problem(request.file);
+  const ProblemFile file = read(request, "lcp");
   const auto* const problems = std::get_if<std::vector<FiledProblem>>(&file);
-  pose(problems != nullptr, request.file, ": this is a quadratic programme; run: signorini qp ",
+  pose(problems != nullptr, request.name(), ": this is a quadratic programme; run: signorini qp ",
        request.file);
   int code = solved;
   const auto each = [&](auto&& tell) {
@@ -65,7 +84,7 @@ int solve_lcp(const Request& request) {
     each([&](const auto& filed, auto kind, const auto& outcomes, bool /*good*/) {
       const bool first = &filed == problems->data();
       const std::string title =
-          problems->size() == 1 ? request.file : text(request.file, ":", filed.line);
+          problems->size() == 1 ? request.name() : text(request.name(), ":", filed.line);
       std::cout << (first ? "" : "\n");
       command_line::print(std::cout, title, filed, kind, outcomes);
     });
@@ -74,78 +93,178 @@ int solve_lcp(const Request& request) {
 }
 
 int solve_qp(const Request& request) {
-  const ProblemFile file = read_problem(request.file);
+  const ProblemFile file = read(request, "qp");
   const auto* const programme = std::get_if<TwoSidedProgramme>(&file);
-  pose(programme != nullptr, request.file,
+  pose(programme != nullptr, request.name(),
        ": this is a complementarity problem; run: signorini lcp ", request.file);
   std::vector<command_line::Outcome> outcomes;
   try {
     outcomes = command_line::solve_all(*programme, request.solver, request.tolerance);
   } catch (const ProblemError& error) {
-    throw ProblemError(request.file + ": " + error.what());
+    throw ProblemError(request.name() + ": " + error.what());
   }
   const bool good = command_line::is_solved(outcomes, true);
   if (request.json)
     write_document(request, "qp",
                    [&](Json& json) { command_line::write(json, *programme, outcomes, good); });
   else
-    command_line::print(std::cout, request.file, *programme, outcomes);
+    command_line::print(std::cout, request.name(), *programme, outcomes);
   return good ? solved : not_solved;
 }
 
-/// Refuses what is neither a solver nor `all` nor nothing.
-void check_solver(const std::string& name) {
-  if (name.empty() || name == "all") return;
+int tell(const Request& request, const command_line::SceneRun& run,
+         void (*print)(std::ostream&, const command_line::SceneRun&)) {
+  if (request.json) {
+    Json json;
+    command_line::write(json, run);
+    std::cout << json.text();
+  } else {
+    print(std::cout, run);
+  }
+  return !run.solution || run.solved() ? solved : not_solved;
+}
+
+int plan_scene(const Request& request) {
+  return tell(request, command_line::plan_scene(request.file, request.solver, "plan"),
+              command_line::print_plan);
+}
+
+int solve_scene(const Request& request) {
+  command_line::SceneRun run = command_line::plan_scene(request.file, request.solver, "solve");
+  Output& output = run.file.output;
+  if (!request.output.vtu.empty()) output.vtu = request.output.vtu;
+  if (!request.output.csv.empty()) output.csv = request.output.csv;
+  if (!request.output.plot.empty()) output.plot = request.output.plot;
+  if (!output.plot.empty()) static_cast<void>(command_line::picture_kind(output.plot));
+  command_line::solve_scene(run);
+  const int code = tell(request, run, command_line::print_solution);
+  if (code == solved) command_line::write_outputs(run);
+  return code;
+}
+
+/// Refuses what is neither a solver nor nothing, or `all` where that is asked of a whole family.
+void check_solver(const std::string& name, bool family) {
+  if (name.empty() || (family && name == "all")) return;
   try {
     static_cast<void>(find_solver(name));
   } catch (const ProblemError& error) {
-    throw ProblemError(text("--solver: ", error.what(), ", or all of them: all"));
+    throw ProblemError(text("--solver: ", error.what(), family ? ", or all of them: all" : ""));
   }
 }
 
-/// Declares FILE and the options of a command.
-CLI::App* add_command(CLI::App& app, const char* name, const char* title, Request& request) {
+double tolerance_of(const std::string& word) {
+  double value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, failed] = std::from_chars(word.data(), end, value);
+  pose(failed == std::errc() && rest == end && value > 0 && std::isfinite(value),
+       "--tolerance: expected a number above 0, got '", word, '\'');
+  return value;
+}
+
+/// Declares a command with FILE and --json.
+CLI::App* add_command(CLI::App& app, const char* name, const char* title, const char* file,
+                      Request& request) {
   CLI::App* const command = app.add_subcommand(name, title);
-  command->add_option("FILE", request.file, "the problem")->required();
-  command->add_option("--solver", request.solver,
-                      "a name of --list, or all; without it the first that takes the problem");
-  command
-      ->add_option("--tolerance", request.tolerance,
-                   "largest figure of a certificate that is accepted")
-      ->capture_default_str();
+  command->add_option("FILE", request.file, file)->required();
   command->add_flag("--json", request.json, "one JSON document instead of tables");
   return command;
 }
 
-int run(int argc, char** argv) {
-  Request request;
-  bool list = false;
-  CLI::App app("Solves complementarity problems and quadratic programmes, and certifies the result",
-               "signorini");
-  app.add_flag("--list", list, "the solvers, and on which problems each may fail");
+/// Declares a command that takes a scene.
+CLI::App* add_scene(CLI::App& app, const char* name, const char* title, Request& request) {
+  CLI::App* const command =
+      add_command(app, name, title, "the scene in TOML, or - for standard input", request);
+  command
+      ->add_option("--solver", request.solver,
+                   "a name of --list, in the place of that of the scene")
+      ->type_name("NAME");
+  return command;
+}
+
+/// Declares a command that takes a problem in numbers.
+CLI::App* add_problem(CLI::App& app, const char* name, const char* title, Request& request) {
+  CLI::App* const command =
+      add_command(app, name, title, "the problem, or - for standard input", request);
+  command
+      ->add_option("--solver", request.solver,
+                   "a name of --list, or all; without it the first that takes the problem")
+      ->type_name("NAME");
+  command
+      ->add_option("--tolerance", request.tolerance_text,
+                   "largest figure of a certificate that is accepted")
+      ->type_name("NUMBER")
+      ->capture_default_str();
+  return command;
+}
+
+/// Declares everything. The manual page is made from it.
+void declare(CLI::App& app, Request& request) {
+  app.footer(
+      "0 if the problem is solved and everything is written; 1 if it is not solved, and then no "
+      "file is "
+      "written; 2 if the input is wrong, or what was found could not be printed or written.");
+  app.add_flag("--list", "the solvers, and on which problems each may fail");
+  app.add_flag("--keys", "the keys of scene files, in Markdown");
+  app.add_flag("--man", "this help as a manual page");
+  app.add_flag("--version", "the version of the program");
   app.require_subcommand(0, 1);
-  CLI::App* const lcp = add_command(
-      app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
-  CLI::App* const qp =
-      add_command(app, "qp", "least x'Px/2 + q'x + r with l <= Ax <= u; block format", request);
+  add_scene(app, "plan", "what a scene calls for and what it will cost, without solving it",
+            request);
+  CLI::App* const solve =
+      add_scene(app, "solve", "solves a scene and certifies the result", request);
+  const auto add_file = [&](const char* option, std::string& file, const char* what) {
+    solve->add_option(option, file, what)->type_name("FILE");
+  };
+  add_file("--vtu", request.output.vtu, "meshes and fields, for ParaView");
+  add_file("--csv", request.output.csv, "the pressure table");
+  add_file("--plot", request.output.plot,
+           "pressure and deformed meshes as a picture .svg or .png, by gnuplot");
+  add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
+  add_problem(app, "qp", "least x'Px/2 + q'x + r with l <= Ax <= u; block format", request);
+}
+
+/// The options that ask for no command. \return whether one of them was given
+bool answered(const CLI::App& app) {
+  if (app.count("--list") > 0)
+    command_line::print_family(std::cout);
+  else if (app.count("--keys") > 0)
+    std::cout << key_reference();
+  else if (app.count("--man") > 0)
+    std::cout << command_line::man_page(app, SIGNORINI_VERSION);
+  else if (app.count("--version") > 0)
+    std::cout << "signorini " << SIGNORINI_VERSION << '\n';
+  else
+    return false;
+  return true;
+}
+
+int run(int argc, char** argv) {
+  const char* const expected =
+      "expected plan FILE, solve FILE, lcp FILE, qp FILE, --list, --keys, --man or --version. Try "
+      "signorini --help";
+  Request request;
+  CLI::App app(
+      "Solves contact scenes, complementarity problems and quadratic programmes, and certifies "
+      "the result",
+      "signorini");
+  declare(app, request);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& wanted) {
     if (wanted.get_exit_code() == 0) return app.exit(wanted);
-    pose(lcp->parsed() || qp->parsed() || argv[1][0] == '-', "unknown command '", argv[1],
-         "'; expected lcp FILE, qp FILE or --list. Try signorini --help");
-    throw ProblemError(text(wanted.what(), ". Try signorini --help"));
+    pose(!app.get_subcommands().empty() || argv[1][0] == '-', "unknown command '", argv[1], "'; ",
+         expected);
+    throw ProblemError(command_line::message_of(app, wanted));
   }
-  if (list) {
-    command_line::print_family(std::cout);
-    return solved;
-  }
-  pose(request.tolerance > 0 && std::isfinite(request.tolerance),
-       "--tolerance: expected a number above 0, got ", request.tolerance);
-  check_solver(request.solver);
-  if (lcp->parsed()) return solve_lcp(request);
-  if (qp->parsed()) return solve_qp(request);
-  throw ProblemError("expected lcp FILE, qp FILE or --list. Try signorini --help");
+  if (answered(app)) return solved;
+  pose(!app.get_subcommands().empty(), expected);
+  const std::string command = app.get_subcommands().front()->get_name();
+  const bool scene = command == "plan" || command == "solve";
+  request.tolerance = tolerance_of(request.tolerance_text);
+  check_solver(request.solver, !scene);
+  if (command == "plan") return plan_scene(request);
+  if (command == "solve") return solve_scene(request);
+  return command == "lcp" ? solve_lcp(request) : solve_qp(request);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ check() ( # the library in $1/src/signorini; a line per fault
             below["elasticity"] = "core mesh"
             below["contact"] = "core mesh elasticity"
             below["scene"] = "core mesh problem factor closing solvers programme elasticity contact"
+            below["scene_file"] = below["scene"] " gmsh scene"
             below["report"] = "core mesh closed_form problem factor closing solvers programme as_printed problem_file elasticity contact scene"
         }
         FNR == 1 {

@@ -186,6 +186,21 @@ TEST_CASE("pairs at Gauss points belong to no node, and no node of a VTU file sa
   CHECK(array_of(file, "contact_status") == std::vector<std::string>(6, "-1"));
 }
 
+TEST_CASE("the notes of a solution go with its VTU file, and none are no field", "[vtu]") {
+  const Folder folder;
+  Solved run = solved("q4");
+  write_vtu(folder.path() / "none.vtu", run.model, run.solution);
+  CHECK(content_of(folder.path() / "none.vtu").find("FieldData") == std::string::npos);
+  run.solution.notes = {"a < b & c", "two"};
+  write_vtu(folder.path() / "notes.vtu", run.model, run.solution);
+  const std::string file = content_of(folder.path() / "notes.vtu");
+  CHECK(is_balanced(file));
+  std::string said;
+  for (const std::string& word : array_of(file, "notes"))
+    said += word == "0" ? '|' : static_cast<char>(std::stoi(word));
+  CHECK(said == "a < b & c|two|");
+}
+
 TEST_CASE("nothing is written of a problem that is not solved, or where nobody can write",
           "[vtu]") {
   const Folder folder;

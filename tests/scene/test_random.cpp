@@ -64,6 +64,14 @@ TEST_CASE("no random scene is solved and wrong, and what is not solved says so",
   CHECK(given_up(counts) <= 6);
 }
 
+TEST_CASE("no random body of revolution is solved and wrong, and what is not solved says so",
+          "[random][axial]") {
+  const Counts counts = outcomes(RandomScenes::Revolved, "", 150);
+  CHECK(of(counts, Outcome::Solved) >= 100);
+  CHECK(of(counts, Outcome::Infeasible) == 0);
+  CHECK(given_up(counts) <= 3);
+}
+
 TEST_CASE("nor is one on triangles", "[random]") {
   const Counts counts = outcomes(RandomScenes::Triangles, "", 300);
   CHECK(of(counts, Outcome::Solved) >= 200);
@@ -71,14 +79,6 @@ TEST_CASE("nor is one on triangles", "[random]") {
   CHECK(of(counts, Outcome::Infeasible) == 0);
   CHECK(of(counts, Outcome::Unsaid) <= 6);
   CHECK(given_up(counts) <= 6);
-}
-
-TEST_CASE("no random body of revolution is solved and wrong, and what is not solved says so",
-          "[random][axial]") {
-  const Counts counts = outcomes(RandomScenes::Revolved, "", 150);
-  CHECK(of(counts, Outcome::Solved) >= 100);
-  CHECK(of(counts, Outcome::Infeasible) == 0);
-  CHECK(given_up(counts) <= 3);
 }
 
 TEST_CASE("no random scene with friction is solved and wrong, and what is not solved says so",

@@ -7,14 +7,13 @@
 
 namespace signorini_test {
 
-/// Whether any contact of a scene rubs, its bodies are bodies of revolution or of triangles, or it has the rarer
-/// effects.
+/// Whether any contact of a scene rubs, whether it has the rarer effects, or bodies of revolution.
 enum class RandomScenes {
   Frictionless,
   Frictional,
-  Revolved,
-  Triangles,
-  Varied  ///< as Frictional, and often with point forces, springs, layers, heat, interference, adjusted gaps
+  Varied,  ///< as Frictional, and often with point forces, springs, layers, heat, interference, adjusted gaps
+  Revolved,  ///< the cross-sections are of bodies of revolution
+  Triangles  ///< as Frictionless, on triangles and meshes of both
 };
 
 /// A scene and what it is, in words.
@@ -35,8 +34,9 @@ struct RandomScene {
 /// Only whole numbers are drawn, and all numbers come from them by single roundings before a mesh is made.
 /// \param seed  names the scene
 /// \param kind  Frictional and Varied: at least one contact rubs. Revolved: the frictionless scene of the same seed as the
-///   cross-section of bodies of revolution, which reach the axis or keep off it by up to three sizes. Triangles: that
-///   scene with the cells of the first body cut into triangles, and every second one of the others
+///   cross-section of bodies of revolution, which reach the axis or keep off it by up to three sizes.
+///   Triangles: the scene of Frictionless with the cells of its first body cut into triangles, and every second one
+///   of the others
 /// \return the scene, with the default solvers
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind);
 

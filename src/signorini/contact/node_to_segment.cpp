@@ -7,32 +7,9 @@
 #include "signorini/elasticity/assembly.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
-
-/// A node on one of its sides, and the sum of the normals of all of them.
-struct NodeOnSide {
-  const SideCurve* side;
-  double xi;
-  Vector2d normal;
-};
-
-std::map<Index, NodeOnSide> nodes_on_sides(const std::vector<SideCurve>& sides) {
-  std::map<Index, NodeOnSide> found;
-  for (const SideCurve& side : sides) {
-    const double step = 2.0 / static_cast<double>(side.nodes().size() - 1);
-    for (std::size_t k = 0; k < side.nodes().size(); ++k) {
-      const double xi = -1 + step * static_cast<double>(k);
-      const auto [place, is_new] = found.insert({side.nodes()[k], {&side, xi, side.normal(xi)}});
-      if (!is_new) place->second.normal += side.normal(xi);
-    }
-  }
-  return found;
-}
-
-}  // namespace
 
 Pairs node_to_segment(const Surface& source, const Surface& target, const GapOptions& options) {
   const Interface interface(source, target, options);

@@ -57,7 +57,9 @@ struct TargetSearch::Query {
   double rounding;
   double nearest = std::numeric_limits<double>::infinity();  ///< smallest distance so far [length]
   std::vector<Candidate> candidates;                         ///< within rounding of the nearest
-  bool buried = false;      ///< whether the point lies in the target
+  bool buried = false;  ///< whether the point lies in the target
+  /// How far it lies behind the nearest side that it is too deep for; 0: behind none [length]
+  double behind = 0;
   Eigen::Index visits = 0;  ///< boxes that were opened
 
   /// Takes note of a place. \param candidate  dropped unless it is among the nearest
@@ -66,6 +68,8 @@ struct TargetSearch::Query {
     if (candidate.distance <= nearest + rounding) candidates.push_back(candidate);
     nearest = std::min(nearest, candidate.distance);
   }
+  /// Takes note of a side that the point is too deep for. \param distance  from it [length]
+  void pass(double distance) { behind = behind > 0 ? std::min(behind, distance) : distance; }
 };
 
 }  // namespace signorini

@@ -66,6 +66,7 @@ void TargetSearch::consider(Index number, Query& query) const {
   candidate.distance = arm.norm();
   if (arm.dot(curve.normal(candidate.xi)) < -depth(number)) {
     query.buried = query.buried || inside_body(query.x);
+    query.pass(candidate.distance);
     return;
   }
   query.add(candidate);
@@ -107,6 +108,7 @@ Projection TargetSearch::chosen(Query& query) const {
   if (all.empty()) {
     Projection none;
     none.buried = query.buried;
+    none.behind = query.behind;
     return none;
   }
   std::sort(all.begin(), all.end(),

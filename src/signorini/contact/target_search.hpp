@@ -5,21 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "signorini/contact/side_tree.hpp"
 #include "signorini/mesh/mesh.hpp"
 #include "signorini/mesh/side_curve.hpp"
+#include "signorini/mesh/side_tree.hpp"
 
 namespace signorini {
 
 /// The place of the target that a point faces.
 struct Projection {
-  bool found = false;  ///< whether there is one; if not, only `buried` and `visits` say anything
+  bool found = false;      ///< whether there is one; if not, only the last three say anything
   Eigen::Index side = -1;  ///< number in the list of sides of the boundary
   double xi = 0;           ///< place along the side [-]; beyond [-1, 1] by end_tolerance at most
   AnchoredPoint point = {0, 0};                      ///< the place
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit vector out of the target [-]
   double gap = 0;                                    ///< (x - point) . normal [length], overlap < 0
   bool buried = false;  ///< not found: x lies inside the target body, deeper than the cell it faces
+  /// Not found: how far x lies behind a side that faces it, more than the cell is deep; else 0 [length]
+  double behind = 0;
   Eigen::Index visits = 0;  ///< boxes and sides looked at, for those who count the cost
 };
 

@@ -90,34 +90,6 @@ CellsAround cells_around(const Mesh& mesh) {
   return around;
 }
 
-/// K with every entry in its place, and zero: unknowns are joined if their nodes share a cell.
-Eigen::SparseMatrix<double> pattern(const Mesh& mesh, const Unknowns& unknowns) {
-  const CellsAround around = cells_around(mesh);
-  Eigen::SparseMatrix<double> K(unknowns.count, unknowns.count);
-  K.reserve(4 * mesh.cells.size() * mesh.cells.cols());  // more than enough: cells share entries
-  std::vector<Index> rows;
-  Index last = -1;
-  for (Index column = 0; column < unknowns.count; ++column) {
-    const Index node = unknowns.node_of[static_cast<std::size_t>(column)];
-    if (node != last) {
-      rows.clear();
-      for (Index k = around.first(node); k < around.first(node + 1); ++k) {
-        const Index cell = around.cell(k);
-        for (Index j = 0, n = mesh.cell_size(cell); j < n; ++j)
-          for (const Index number : unknowns.number.row(mesh.cells(cell, j)))
-            if (number >= 0) rows.push_back(number);
-      }
-      std::sort(rows.begin(), rows.end());
-      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-      last = node;
-    }
-    K.startVec(column);
-    for (const Index row : rows) K.insertBack(row, column) = 0;
-  }
-  K.finalize();
-  return K;
-}
-
 /// Nodes of its largest cell; in a mixed mesh that is a quadrilateral.
 Index largest_cell(const Mesh& mesh) {
   Index size = 0;
@@ -172,10 +144,37 @@ NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& ma
   return load;
 }
 
+Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& unknowns) {
+  const CellsAround around = cells_around(mesh);
+  Eigen::SparseMatrix<double> K(unknowns.count, unknowns.count);
+  K.reserve(4 * mesh.cells.size() * mesh.cells.cols());  // more than enough: cells share entries
+  std::vector<Index> rows;
+  Index last = -1;
+  for (Index column = 0; column < unknowns.count; ++column) {
+    const Index node = unknowns.node_of[static_cast<std::size_t>(column)];
+    if (node != last) {
+      rows.clear();
+      for (Index k = around.first(node); k < around.first(node + 1); ++k) {
+        const Index cell = around.cell(k);
+        for (Index j = 0, n = mesh.cell_size(cell); j < n; ++j)
+          for (const Index number : unknowns.number.row(mesh.cells(cell, j)))
+            if (number >= 0) rows.push_back(number);
+      }
+      std::sort(rows.begin(), rows.end());
+      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+      last = node;
+    }
+    K.startVec(column);
+    for (const Index row : rows) K.insertBack(row, column) = 0;
+  }
+  K.finalize();
+  return K;
+}
+
 LinearSystem assemble(const Mesh& mesh, const Element& element, const Matter& matter,
                       const Unknowns& unknowns, const Loads& loads) {
   check_element(mesh, element);
-  LinearSystem system{pattern(mesh, unknowns), {}};
+  LinearSystem system{stiffness_pattern(mesh, unknowns), {}};
   NodeArray nodal = nodal_loads(mesh, element, matter, loads);
   if (matter.temperature.warms()) nodal += thermal_forces(mesh, element, matter);
   system.load.resize(unknowns.count);

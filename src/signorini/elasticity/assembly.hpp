@@ -47,6 +47,13 @@ struct LinearSystem {
 /// \throws ProblemError naming both numbers if they differ
 void check_element(const Mesh& mesh, const Element& element);
 
+/// K with every entry in its place, and zero: unknowns are joined if their nodes share a cell.
+/// \param mesh      the body
+/// \param unknowns  `n` of it
+/// \return `n x n` compressed, both triangles
+[[nodiscard]] Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh,
+                                                            const Unknowns& unknowns);
+
 /// The element for a mesh.
 /// \param mesh  through check_mesh()
 /// \param name  of a member of the family; empty for the usual one: t3, q4_incompatible, t6 or q8, whatever its cells

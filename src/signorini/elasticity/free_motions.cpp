@@ -3,8 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
@@ -15,58 +13,23 @@ namespace {
 
 using Eigen::Index;
 
-/// Numbers the connected bodies of a mesh; returns the body of every node.
-std::vector<Index> body_of_nodes(const Mesh& mesh) {
-  std::vector<Index> parent(static_cast<std::size_t>(mesh.n_nodes()));
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto root = [&parent](Index node) {
-    while (parent[static_cast<std::size_t>(node)] != node) {
-      Index& up = parent[static_cast<std::size_t>(node)];
-      up = parent[static_cast<std::size_t>(up)];
-      node = up;
-    }
-    return node;
-  };
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (Index k = 1, n = mesh.cell_size(cell); k < n; ++k)
-      parent[static_cast<std::size_t>(root(mesh.cells(cell, k)))] = root(mesh.cells(cell, 0));
-  std::vector<Index> body(parent.size());
-  for (std::size_t node = 0; node < parent.size(); ++node)
-    body[node] = root(static_cast<Index>(node));
-  return body;
-}
-
-/// One connected piece of a mesh.
+/// One piece of a mesh, and where it is.
 struct ConnectedBody {
-  std::vector<Index> nodes;
-  NodeArray arms;                                    ///< from the centre to each of the nodes
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< middle of the box of the nodes
-  double size = 0;                                   ///< diagonal of the bounding box
-  Index cells = 0;
-};
-
-/// The connected pieces, in the order of their first node; a node that belongs to no cell is none.
-std::vector<ConnectedBody> connected_bodies(const Mesh& mesh) {
-  const std::vector<Index> body = body_of_nodes(mesh);
-  std::map<Index, ConnectedBody> found;
-  for (Index node = 0; node < mesh.n_nodes(); ++node)
-    found[body[static_cast<std::size_t>(node)]].nodes.push_back(node);
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    ++found[body[static_cast<std::size_t>(mesh.cells(cell, 0))]].cells;
-  std::vector<ConnectedBody> bodies;
-  for (auto& [first, piece] : found) {
-    if (piece.cells == 0) continue;
-    const NodeArray x = mesh.nodes(piece.nodes, Eigen::all);
-    piece.arms = arms_from_middle(x);
-    piece.centre = (x.colwise().minCoeff() + x.colwise().maxCoeff()).transpose() / 2;
-    piece.size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
-    bodies.push_back(std::move(piece));
+  /// \param mesh   that has it
+  /// \param piece  one of its pieces
+  ConnectedBody(const Mesh& mesh, const MeshPiece& piece) : nodes(piece.nodes), cells(piece.cells) {
+    const NodeArray x = mesh.nodes(nodes, Eigen::all);
+    arms = arms_from_middle(x);
+    centre = middle(mesh, piece);
+    size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
   }
-  std::sort(bodies.begin(), bodies.end(), [](const ConnectedBody& a, const ConnectedBody& b) {
-    return a.nodes.front() < b.nodes.front();
-  });
-  return bodies;
-}
+
+  const std::vector<Index>& nodes;
+  NodeArray arms;          ///< from the centre to each of the nodes
+  Eigen::Vector2d centre;  ///< middle of the box of the nodes
+  double size;             ///< diagonal of the bounding box
+  Index cells;
+};
 
 /// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)) and no held component. What moves or turns
 /// the cross-section of a body of revolution sideways strains the body.
@@ -115,14 +78,15 @@ std::string motion_in_words(const Eigen::Vector3d& motion, const ConnectedBody& 
 
 }  // namespace
 
-std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns, PlaneState state) {
+std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPiece>& pieces,
+                                     const Unknowns& unknowns, PlaneState state) {
   std::vector<FreeMotion> found;
-  for (const ConnectedBody& body : connected_bodies(mesh))
+  for (const MeshPiece& piece : pieces) {
+    const ConnectedBody body(mesh, piece);
     for (const Eigen::Vector3d& motion : motions_of(body, unknowns, state)) {
       FreeMotion free;
-      free.sentence =
-          text("body '", mesh.name, "' (", body.cells, " cells around (", body.centre.x(), ", ",
-               body.centre.y(), ")) can ", motion_in_words(motion, body));
+      free.sentence = text("body '", mesh.name, "' (", in_words(mesh, piece), ") can ",
+                           motion_in_words(motion, body));
       free.shape.setZero(unknowns.count);
       for (std::size_t k = 0; k < body.nodes.size(); ++k) {
         const Index node = body.nodes[k];
@@ -140,7 +104,12 @@ std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns,
       }
       found.push_back(std::move(free));
     }
+  }
   return found;
+}
+
+std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns, PlaneState state) {
+  return free_motions(mesh, pieces(mesh), unknowns, state);
 }
 
 }  // namespace signorini

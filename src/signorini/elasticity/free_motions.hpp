@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "signorini/elasticity/unknowns.hpp"
+#include "signorini/mesh/joints.hpp"
 
 namespace signorini {
 
@@ -15,11 +16,19 @@ struct FreeMotion {
   Eigen::VectorXd shape;  ///< `n` displacement of each unknown, at most about 1 [-]
 };
 
-/// Finds the rigid motions that the supports leave to each connected body of the mesh.
-/// \param mesh      one body or several
+/// Finds the rigid motions that the supports leave to each piece of a mesh.
+/// \param mesh      any
+/// \param pieces    of the mesh
 /// \param unknowns  `n` of it
 /// \param state     in axial symmetry, bodies can only move along the axis
-/// \return independent motions, up to three per body, in axial symmetry up to one; empty if there is none
+/// \return independent motions, up to three per piece, in axial symmetry up to one; empty if there is none
+[[nodiscard]] std::vector<FreeMotion> free_motions(const Mesh& mesh,
+                                                   const std::vector<MeshPiece>& pieces,
+                                                   const Unknowns& unknowns,
+                                                   PlaneState state = PlaneState::Strain);
+
+/// The same for those who do not have the pieces. \param mesh  any \param unknowns  `n` of it
+/// \param state  as above \return as above
 [[nodiscard]] std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns,
                                                    PlaneState state = PlaneState::Strain);
 

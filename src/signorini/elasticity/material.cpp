@@ -8,8 +8,9 @@
 namespace signorini {
 
 const char* to_string(PlaneState state) {
-  if (state == PlaneState::Axial) return "axial symmetry";
-  return state == PlaneState::Stress ? "plane stress" : "plane strain";
+  return state == PlaneState::Stress   ? "plane stress"
+         : state == PlaneState::Strain ? "plane strain"
+                                       : "axial symmetry";
 }
 
 void check_material(const Material& material) {

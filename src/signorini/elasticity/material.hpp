@@ -15,7 +15,8 @@ enum class PlaneState {
   Axial  ///< body of revolution about x = 0: x is the radius, y the height, the hoop strain is u_x / x
 };
 
-/// \param state  any \return what texts call it, such as "plane strain"
+/// \param state  any
+/// \return "plane stress", "plane strain" or "axial symmetry"
 [[nodiscard]] const char* to_string(PlaneState state);
 
 /// Isotropic material and the body's extent across the plane.

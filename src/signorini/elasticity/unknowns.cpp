@@ -129,7 +129,12 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports,
 Unknowns joined(const std::vector<Unknowns>& bodies) {
   Unknowns all;
   Index n_nodes = 0;
-  for (const Unknowns& body : bodies) n_nodes += body.number.rows();
+  Index n_unknowns = 0;
+  for (const Unknowns& body : bodies) {
+    n_nodes += body.number.rows();
+    n_unknowns += body.count;
+  }
+  all.node_of.reserve(static_cast<std::size_t>(n_unknowns));
   all.number.resize(n_nodes, 2);
   all.held.resize(n_nodes, 2);
   Index first = 0;

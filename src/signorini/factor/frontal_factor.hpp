@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "signorini/core/ledger.hpp"
-#include "signorini/factor/front_stack.hpp"
-#include "signorini/factor/separator_tree.hpp"
+#include "signorini/factor/fronts.hpp"
 
 namespace signorini {
 
@@ -50,45 +49,37 @@ class FrontalFactor {
   /// \throws std::invalid_argument if A does not have one column per unknown
   [[nodiscard]] Eigen::MatrixXd compliance(
       const Eigen::SparseMatrix<double, Eigen::RowMajor>& A) const;
+  /// The same, counted.
+  /// \param A       `n_c x n` [-]
+  /// \param ledger  receives the count `operations`, and as `stack bytes` the memory of the walk
+  /// \return as above
+  [[nodiscard]] Eigen::MatrixXd compliance(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
+                                           Ledger& ledger) const;
 
   /// \return number of unknowns n
-  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(order_.size()); }
+  [[nodiscard]] Eigen::Index size() const { return fronts_.size(); }
   /// \return entries of L with the diagonal, also those that are zero in a front
-  [[nodiscard]] Eigen::Index nonzeros() const;
-  /// \return multiplications, additions and divisions of the factorisation
-  [[nodiscard]] double operations() const;
+  [[nodiscard]] Eigen::Index nonzeros() const { return fronts_.nonzeros(); }
+  /// \return multiplications, additions, divisions and roots of the factorisation
+  [[nodiscard]] double operations() const { return fronts_.operations(); }
+  /// \return multiplications, additions and divisions of one solve()
+  [[nodiscard]] double solve_operations() const { return fronts_.solve_operations(); }
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
   using Columns = Eigen::Map<const Eigen::MatrixXd>;
 
-  struct Front {
-    Separator separator;
-    std::vector<int> boundary;  // places, rising
-    Eigen::Index begin = 0;     // of its columns of L among the entries
-    [[nodiscard]] Eigen::Index own() const { return separator.own; }
-    [[nodiscard]] Eigen::Index rim() const { return static_cast<Eigen::Index>(boundary.size()); }
-    [[nodiscard]] Eigen::Index rows() const { return own() + rim(); }
-  };
   class Elimination;
   class Walk;
 
-  [[nodiscard]] const Front& front(int number) const {
-    return fronts_[static_cast<std::size_t>(number)];
-  }
-  [[nodiscard]] FrontStack stack(std::vector<Eigen::Index> sizes) const;
   void number_rows(const Front& front, std::vector<int>& row) const;
-  void analyse(const Matrix& stiffness, const SeparatorTree& tree);
   [[nodiscard]] Columns columns(const Front& front) const;
   void forward(Eigen::VectorXd& x) const;
   void backward(Eigen::VectorXd& x) const;
 
-  std::vector<int> order_;     // unknown at each place
-  std::vector<int> place_;     // of each unknown
-  std::vector<Front> fronts_;  // what is below comes before
-  Eigen::VectorXd entries_;    // of L, front by front
+  Fronts fronts_;
+  Eigen::VectorXd entries_;  // of L, front by front
   double scale_ = 1;         // L L^T = scale K, a power of two: no unit of force changes a bit of L
-  Eigen::Index widest_ = 0;  // the most rows that a boundary has
 };
 
 }  // namespace signorini

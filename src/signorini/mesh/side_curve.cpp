@@ -134,6 +134,19 @@ std::vector<double> SideCurve::crossings(const AnchoredPoint& x, const Vector2d&
                1 + beyond);
 }
 
+std::map<Index, NodeOnSide> nodes_on_sides(const std::vector<SideCurve>& sides) {
+  std::map<Index, NodeOnSide> found;
+  for (const SideCurve& side : sides) {
+    const double step = 2.0 / static_cast<double>(side.nodes().size() - 1);
+    for (std::size_t k = 0; k < side.nodes().size(); ++k) {
+      const double xi = -1 + step * static_cast<double>(k);
+      const auto [place, is_new] = found.insert({side.nodes()[k], {&side, xi, side.normal(xi)}});
+      if (!is_new) place->second.normal += side.normal(xi);
+    }
+  }
+  return found;
+}
+
 std::vector<SideCurve> side_curves(const Mesh& mesh, const std::string& boundary) {
   std::vector<SideCurve> sides;
   for (const CellSide& side : signorini::boundary(mesh, boundary)) sides.emplace_back(mesh, side);

@@ -2,6 +2,7 @@
 /// The line along which two nodes, or three, of a cell side lie: shape functions, normals, projections.
 #pragma once
 #include <Eigen/Core>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -101,6 +102,19 @@ class SideCurve {
   AnchoredPoint middle_;
   Eigen::Vector2d slope_, bend_;  // x = middle + slope xi + bend xi^2
 };
+
+/// A node on one of its sides.
+struct NodeOnSide {
+  const SideCurve* side;   ///< one that it belongs to
+  double xi;               ///< where on it: -1, 0 or 1 [-]
+  Eigen::Vector2d normal;  ///< sum of the normals of all its sides there, out of the body [-]
+};
+
+/// Where the nodes of a boundary are on its sides.
+/// \param sides  of the boundary; must outlive the result
+/// \return by number of the node
+[[nodiscard]] std::map<Eigen::Index, NodeOnSide> nodes_on_sides(
+    const std::vector<SideCurve>& sides);
 
 /// \param mesh      any
 /// \param boundary  the name of one of its boundaries

@@ -144,6 +144,7 @@ void Road::start_from(const ContactState& claim) {
   VectorXd force(claim.force.size() + claim.friction.size());
   force << claim.force, claim.friction;
   if (modes_.cols() > 0 && claim.report.status == Status::Solved) {
+    const Ledger::Phase phase(ledger_, "refinement");
     now_ = base_;
     const VectorXd pushed = programme_.A.transpose() * (force - base_.force);
     add_displacement(now_, condensed_.solve_stiffness(-pushed));
@@ -179,6 +180,8 @@ CertifiedEnd Road::run(const Solver& solver, const SolverOptions& options) {
     {
       const Ledger::Phase phase(ledger_, "contact");
       claim = solve(problem_, solver, options);
+      ledger_.count("iterations", claim.report.iterations);
+      ledger_.count("factorisations", claim.report.factorisations);
     }
     take_over(claim, corrected);
     if (!usable(claim)) break;

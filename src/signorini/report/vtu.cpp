@@ -69,6 +69,18 @@ NodalContact nodal_contact(const Model& model, const Solution& solution) {
   return contact;
 }
 
+/// Notes as field data: VTK wants the numbers of the characters of each, with a zero behind them.
+void write_notes(std::ostream& out, const std::vector<std::string>& notes) {
+  if (notes.empty()) return;
+  out << "    <FieldData>\n      <DataArray type=\"String\" Name=\"notes\" NumberOfTuples=\""
+      << notes.size() << "\" format=\"ascii\">\n";
+  for (const std::string& note : notes) {
+    for (const char c : note) out << static_cast<int>(static_cast<unsigned char>(c)) << ' ';
+    out << "0\n";
+  }
+  out << "      </DataArray>\n    </FieldData>\n";
+}
+
 void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displacements,
                 const NodalContact& contact) {
   const Mesh& mesh = body.mesh;
@@ -105,6 +117,7 @@ void write_vtu(const std::filesystem::path& file, const Model& model, const Solu
   out << std::setprecision(9);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
          "byte_order=\"LittleEndian\">\n  <UnstructuredGrid>\n";
+  write_notes(out, solution.notes);
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     write_body(out, model.bodies[b], solution.displacements[b], contact);
   out << "  </UnstructuredGrid>\n</VTKFile>\n";

@@ -44,6 +44,10 @@ Index count_nodes(const std::vector<BodyModel>& bodies) {
   return bodies.back().first_node + bodies.back().mesh.n_nodes();
 }
 
+Index count_unknowns(const std::vector<BodyModel>& bodies) {
+  return bodies.back().first_unknown + bodies.back().unknowns.count;
+}
+
 std::string describe(const std::vector<BodyModel>& bodies, const ContactSpec& contact) {
   const auto name = [&bodies](const Side& side) {
     return text('\'', side.boundary, "' of '", bodies[body_index(bodies, side)].mesh.name, '\'');
@@ -72,14 +76,19 @@ std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
   for (const BodyModel& body : bodies)
     for (FreeMotion& mode :
          body.springs.rows() == 0
-             ? free_motions(body.mesh, body.unknowns, body.material.bulk.state)
-             : free_motions(body.mesh, held_by_springs(body), body.material.bulk.state)) {
+             ? free_motions(body.mesh, body.pieces, body.unknowns, body.material.bulk.state)
+             : free_motions(body.mesh, body.pieces, held_by_springs(body),
+                            body.material.bulk.state)) {
       const Eigen::VectorXd own = std::move(mode.shape);
       mode.shape.setZero(last.first_unknown + last.unknowns.count);
       mode.shape.segment(body.first_unknown, own.size()) = own;
       modes.push_back(std::move(mode));
     }
   return modes;
+}
+
+NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law) {
+  return below(gaps.A, -selected_rows(gaps.T, law.pair));
 }
 
 std::vector<std::string> motions_without_contact(
@@ -108,12 +117,33 @@ std::vector<Index> grounding(const std::vector<FreeMotion>& modes) {
   return unknowns;
 }
 
-NodeArray unknown_positions(const Model& model) {
-  NodeArray positions(model.unknowns.count, 2);
-  for (const BodyModel& body : model.bodies)
+Eigen::SparseMatrix<double> along_diagonal(const std::vector<BodyModel>& bodies,
+                                           std::vector<Eigen::SparseMatrix<double>> blocks) {
+  if (blocks.size() == 1) return std::move(blocks.front());
+  const Index count = count_unknowns(bodies);
+  Eigen::SparseMatrix<double> all(count, count);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const Index first = bodies[b].first_unknown;
+    all.reserve(all.nonZeros() + blocks[b].nonZeros());
+    for (Index k = 0; k < blocks[b].cols(); ++k) {
+      all.startVec(first + k);
+      for (Eigen::SparseMatrix<double>::InnerIterator it(blocks[b], k); it; ++it)
+        all.insertBack(first + it.row(), first + k) = it.value();
+    }
+    blocks[b] = {};
+  }
+  all.finalize();
+  return all;
+}
+
+NodeArray unknown_positions(const std::vector<BodyModel>& bodies) {
+  NodeArray positions(count_unknowns(bodies), 2);
+  for (const BodyModel& body : bodies)
     positions.middleRows(body.first_unknown, body.unknowns.count) =
         unknown_positions(body.mesh, body.unknowns);
   return positions;
 }
+
+NodeArray unknown_positions(const Model& model) { return unknown_positions(model.bodies); }
 
 }  // namespace signorini

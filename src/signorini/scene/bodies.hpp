@@ -27,6 +27,10 @@ namespace signorini {
 /// \return number of their nodes
 [[nodiscard]] Eigen::Index count_nodes(const std::vector<BodyModel>& bodies);
 
+/// \param bodies  one or several
+/// \return number of their unknowns
+[[nodiscard]] Eigen::Index count_unknowns(const std::vector<BodyModel>& bodies);
+
 /// What messages call a contact.
 /// \param bodies   of the scene
 /// \param contact  one of its contacts
@@ -49,6 +53,11 @@ namespace signorini {
 /// \return `n_r` independent motions
 [[nodiscard]] std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies);
 
+/// The rows of A as the programme has them.
+/// \param gaps  of all pairs \param law  of those that rub
+/// \return the rows of the gaps, and below them those of the slips of the law
+[[nodiscard]] NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law);
+
 /// Rigid motions that open and close no gap.
 /// \param A      `n_c x n` gaps, see Gaps
 /// \param modes  `n_r` rigid motions of `n` unknowns
@@ -66,9 +75,30 @@ namespace signorini {
 /// \return `n x n_r`; empty if there are none
 [[nodiscard]] Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes);
 
+/// Matrices of the bodies along the diagonal of one.
+/// \param bodies  one or several, `n` unknowns in all
+/// \param blocks  compressed, one of each body
+/// \return `n x n` compressed
+[[nodiscard]] Eigen::SparseMatrix<double> along_diagonal(
+    const std::vector<BodyModel>& bodies, std::vector<Eigen::SparseMatrix<double>> blocks);
+
+/// Where the unknowns of all bodies are.
+/// \param bodies  one or several
+/// \return `n x 2` position of the node of each unknown [length]
+[[nodiscard]] NodeArray unknown_positions(const std::vector<BodyModel>& bodies);
+
 /// Where the unknowns of all bodies are.
 /// \param model  from build()
 /// \return `n x 2` position of the node of each unknown [length]
 [[nodiscard]] NodeArray unknown_positions(const Model& model);
+
+/// Memory that the entries of a compressed matrix take, with where they are.
+/// \param matrix  any
+/// \return [byte]
+template <int Options>
+[[nodiscard]] long long bytes_of(const Eigen::SparseMatrix<double, Options>& matrix) {
+  return matrix.nonZeros() * static_cast<long long>(sizeof(double) + sizeof(int)) +
+         (matrix.outerSize() + 1) * static_cast<long long>(sizeof(int));
+}
 
 }  // namespace signorini

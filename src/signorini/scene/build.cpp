@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini {
@@ -10,23 +11,14 @@ using Eigen::Index;
 
 /// K of all bodies without loads, one block after another, and p of what their supports move.
 LinearSystem assemble_all(const std::vector<BodyModel>& bodies, Index count) {
-  const auto assembled = [](const BodyModel& body) {
-    return assemble(body.mesh, body.element, body.material, body.unknowns, {});
-  };
-  if (bodies.size() == 1) return assembled(bodies.front());
-  LinearSystem all{Eigen::SparseMatrix<double>(count, count), Eigen::VectorXd(count)};
+  LinearSystem all{{}, Eigen::VectorXd(count)};
+  std::vector<Eigen::SparseMatrix<double>> blocks;
   for (const BodyModel& body : bodies) {
-    const LinearSystem own = assembled(body);
-    const Index first = body.first_unknown;
-    all.load.segment(first, body.unknowns.count) = own.load;
-    all.stiffness.reserve(all.stiffness.nonZeros() + own.stiffness.nonZeros());
-    for (Index k = 0; k < body.unknowns.count; ++k) {
-      all.stiffness.startVec(first + k);
-      for (Eigen::SparseMatrix<double>::InnerIterator it(own.stiffness, k); it; ++it)
-        all.stiffness.insertBack(first + it.row(), first + k) = it.value();
-    }
+    LinearSystem own = assemble(body.mesh, body.element, body.material, body.unknowns, {});
+    all.load.segment(body.first_unknown, body.unknowns.count) = own.load;
+    blocks.push_back(std::move(own.stiffness));
   }
-  all.stiffness.finalize();
+  all.stiffness = along_diagonal(bodies, std::move(blocks));
   return all;
 }
 
@@ -35,7 +27,8 @@ LinearSystem assemble_all(const std::vector<BodyModel>& bodies, Index count) {
 Model build(Plan plan, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "assembly");
   Model model;
-  LinearSystem system = assemble_all(plan.bodies, plan.unknowns.count);
+  LinearSystem system =
+      telling(plan.notes, [&] { return assemble_all(plan.bodies, plan.unknowns.count); });
   model.programme.stiffness.swap(system.stiffness);
   model.programme.load.swap(system.load);
   model.programme.A.resize(0, plan.unknowns.count);
@@ -44,9 +37,15 @@ Model build(Plan plan, Ledger& ledger) {
   model.unknowns = std::move(plan.unknowns);
   model.solver = std::move(plan.solver);
   model.notes = std::move(plan.notes);
-  for (const Effect* effect : plan.effects) effect->add(plan, model);
+  telling(model.notes, [&] {
+    for (const Effect* effect : plan.effects) effect->add(plan, model);
+  });
+  const QuadraticProgramme& programme = model.programme;
   ledger.count("unknowns", model.unknowns.count);
   ledger.count("pairs", model.pairs.weight.size());
+  ledger.count("rows", programme.A.rows());
+  ledger.count("stiffness entries", programme.stiffness.nonZeros());
+  ledger.bytes(bytes_of(programme.stiffness) + bytes_of(programme.A));
   return model;
 }
 

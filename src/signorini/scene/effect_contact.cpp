@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <utility>
 
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/contact_doubts.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini::effect {
@@ -25,8 +27,8 @@ void check_choices(const ContactSpec& contact, Plan& draft) {
                                idle.substr(2)));
 }
 
-/// Pairs of one contact, and a note if some nodes have none.
-Pairs pair_up(const ContactSpec& contact, bool sliding, Plan& draft) {
+/// Pairs of one contact.
+Pairs pair_up(const ContactSpec& contact, bool sliding, const Plan& draft) {
   const std::vector<BodyModel>& bodies = draft.bodies;
   const Surface source = surface(bodies, contact.source);
   const Depth depth = depth_of(bodies[body_index(bodies, contact.source)].material);
@@ -37,22 +39,19 @@ Pairs pair_up(const ContactSpec& contact, bool sliding, Plan& draft) {
   const Depth other = depth_of(bodies[body_index(bodies, side)].material);
   pose(depth.factor == other.factor, describe(bodies, contact), ": the bodies are ", depth.factor,
        " and ", other.factor, " thick, but contact in the plane needs one thickness");
-  Pairs pairs =
-      find_gap_operator(contact.gap_operator).pair(source, surface(bodies, side), options);
-  if (!pairs.unpaired.empty())
-    draft.notes.push_back(text(describe(bodies, contact), ": ", pairs.unpaired.size(),
-                               " source nodes face no target and are left out, the first is node ",
-                               pairs.unpaired.front()));
-  return pairs;
+  return find_gap_operator(contact.gap_operator).pair(source, surface(bodies, side), options);
 }
 
 void price_contact(const Scene& scene, Plan& draft) {
   for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
+  check_listed_once(scene, draft.bodies);
   const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), rubs);
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const ContactSpec& contact = scene.contacts[k];
     const std::string what = describe(draft.bodies, contact);
     Pairs found = pair_up(contact, sliding, draft);
+    for (std::string& note : doubts_of_places(contact, draft.bodies, found))
+      draft.notes.push_back(std::move(note));
     const std::string fitted = fit(contact, found);
     const Gaps gaps = reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what);
     const std::size_t pairs = gaps.pairs.node.size();
@@ -61,6 +60,9 @@ void price_contact(const Scene& scene, Plan& draft) {
         text(what, ": ", pairs, " candidate pairs",
              rigid ? ", no mesh and no search for the obstacle" : " by " + contact.gap_operator,
              fitted));
+    if (pairs == 0)
+      draft.notes.push_back(what +
+                            ": no pair can open or close, supports hold both sides everywhere");
     draft.gaps = stacked(draft.gaps, gaps);
     draft.contact_of.resize(draft.contact_of.size() + pairs, k);
   }

@@ -11,7 +11,7 @@ namespace {
 void price(const Scene& scene, Plan& draft) {
   for (const FreeMotion& mode : draft.modes)
     draft.on.push_back(mode.sentence + ": only contact holds it, one amplitude");
-  const NodalRows felt = below(draft.gaps.A, selected_rows(draft.gaps.T, draft.law.pair));
+  const NodalRows felt = contact_rows(draft.gaps, draft.law);
   std::string loose;
   for (const std::string& motion : motions_without_contact(felt, draft.modes))
     loose += (loose.empty() ? "" : "; ") + motion;

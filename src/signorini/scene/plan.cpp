@@ -4,6 +4,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -19,11 +20,6 @@ void check_names(const Scene& scene) {
     pose(names.insert(body.mesh.name).second, "two bodies are called '", body.mesh.name,
          "': give every mesh a name of its own");
   static_cast<void>(find_solver(scene.solver));  // needed or not
-}
-
-const char* in_words(PlaneState state) {
-  if (state == PlaneState::Axial) return "axial symmetry";
-  return state == PlaneState::Stress ? "plane stress" : "plane strain";
 }
 
 /// How many of the cells are triangles.
@@ -87,14 +83,28 @@ void plan_body(const Body& body, Plan& plan) {
       first ? 0 : plan.bodies.back().first_unknown + plan.bodies.back().unknowns.count;
   plan.bodies.push_back({body.mesh, element, body.material, body.loads, std::move(unknowns),
                          first_node, first_unknown});
+  plan.bodies.back().pieces = pieces(body.mesh);
 }
 
 /// What supports leave: the unknowns of all bodies, and their rigid motions.
-void plan_unknowns(Plan& plan) {
+void plan_unknowns(const Scene& scene, Plan& plan) {
   std::vector<Unknowns> unknowns;
   for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
   plan.unknowns = joined(unknowns);
   plan.modes = rigid_modes(plan.bodies);
+  for (const BodyModel& body : plan.bodies)
+    for (std::string& note : doubts_of_mesh(scene, body)) plan.notes.push_back(std::move(note));
+}
+
+/// Asks every effect whether a scene calls for it.
+void plan_effects(const Scene& scene, Plan& plan) {
+  for (const Effect& effect : effects())
+    if (effect.present(scene, plan)) {
+      effect.price(scene, plan);
+      plan.effects.push_back(&effect);
+    } else {
+      plan.off.emplace_back(effect.name);
+    }
 }
 
 }  // namespace
@@ -103,16 +113,12 @@ Plan plan(const Scene& scene) {
   Plan plan;
   check_names(scene);
   for (const Body& body : scene.bodies) plan_body(body, plan);
-  plan_unknowns(plan);
+  plan_unknowns(scene, plan);
   plan.gaps.A.resize(0, plan.unknowns.count);
   plan.solver = scene.solver;
-  for (const Effect& effect : effects())
-    if (effect.present(scene, plan)) {
-      effect.price(scene, plan);
-      plan.effects.push_back(&effect);
-    } else {
-      plan.off.emplace_back(effect.name);
-    }
+  telling(plan.notes, [&] { plan_effects(scene, plan); });
+  for (const Body& body : scene.bodies)
+    for (std::string& note : doubts_of_loads(body)) plan.notes.push_back(std::move(note));
   if (plan.gaps.A.rows() > 0)
     plan.on.push_back("solver " + plan.solver +
                       " on the condensed problem, certified from K, p, A, g");

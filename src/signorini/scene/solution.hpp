@@ -10,6 +10,7 @@
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/elasticity/free_motions.hpp"
 #include "signorini/factor/frontal_factor.hpp"
+#include "signorini/mesh/joints.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -25,6 +26,7 @@ struct BodyModel {
   Eigen::Index first_unknown;  ///< number of its first unknown
   /// spring_stiffness() of its springs; no rows without any
   Eigen::SparseMatrix<double> springs = {};
+  std::vector<MeshPiece> pieces = {};  ///< of the mesh
 };
 
 /// Matrices of the bodies and the gaps they may close.
@@ -37,6 +39,8 @@ struct Model {
   FrictionLaw law;                 ///< of the pairs that rub, empty if none does
   std::string solver;              ///< of the family that the model needs, as the scene names it
   std::vector<std::string> notes;  ///< of the plan
+  /// p `n` without the loads of the bodies, kept by change_loads(); empty before its first call [force].
+  Eigen::VectorXd unloaded = {};
 };
 
 /// The model with all unknowns but the contact forces eliminated.
@@ -57,7 +61,7 @@ struct Solution {
   /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
   std::string escape;  ///< if the load pulls a body away: how it moves off
-  /// What a user should know: the notes of the plan, then such as that others may exist.
+  /// What a user should know: the notes of the plan, then such as that others may exist or that strains are large.
   std::vector<std::string> notes;
   Ledger ledger;  ///< what it cost
 };
@@ -68,6 +72,16 @@ struct Solution {
 /// \return the small problem, and the factor to recover displacements with
 /// \throws ProblemError if K is singular to working precision, see FrontalFactor
 [[nodiscard]] Condensed condense(const Model& model, Ledger& ledger);
+
+/// Puts other loads on the bodies, for many loads with one factor: a change costs a pair of triangular solves.
+///
+/// What else moves the bodies, such as given displacements, stays.
+/// \param loads      of each body, in place of those that it has; body force, edge loads and point forces
+/// \param model      gets the loads and p
+/// \param condensed  from condense() of the model; gets the free displacements and gaps of the new p
+/// \throws ProblemError unless there are loads for every body, if one is not finite or its boundary does not
+///   exist; model and condensed problem are then as before
+void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& condensed);
 
 /// Solves the condensed problem and recovers displacements, all refined from the original data.
 ///
@@ -89,7 +103,7 @@ struct Solution {
 /// Stops a program that has no use for an unsolved problem.
 /// \param solution  what solve() returned
 /// \param what      what the message calls it
-/// \throws NotSolved with the status and what stopped the solver, unless it is Solved
+/// \throws NotSolved with the status, what stopped the solver and the notes, unless it is Solved
 void require_solved(const Solution& solution, const std::string& what);
 
 }  // namespace signorini

@@ -7,6 +7,7 @@
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/programme/road.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -34,6 +35,29 @@ FrontalFactor factor(const Model& model, Ledger& ledger) {
     return separator_tree(K, unknown_positions(model));
   }();
   return {K, tree, ledger, describe, grounding(model.modes)};
+}
+
+/// What the load does to a condensed problem whose factor, compliance and law are there.
+void condense_loads(const Model& model, Condensed& condensed) {
+  const QuadraticProgramme& programme = model.programme;
+  ContactProblem& problem = condensed.problem;
+  condensed.free_displacement = condensed.factor.solve(programme.load);
+  const VectorXd free =
+      gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
+  const Index slips = static_cast<Index>(model.law.pair.size());
+  problem.free_gap = free.head(free.size() - slips);
+  problem.free_slip = free.tail(slips);
+  if (!model.modes.empty()) add_rigid_modes(programme, mode_shapes(model.modes), problem);
+}
+
+/// Adds the loads of a body, times a sign, to p of all bodies.
+void add_loads(const BodyModel& body, const Loads& loads, double sign, VectorXd& load) {
+  const NodeArray nodal = nodal_loads(body.mesh, body.element, body.material, loads);
+  for (Index k = 0; k < body.unknowns.count; ++k) {
+    const Index node = body.unknowns.node_of[static_cast<std::size_t>(k)];
+    const int axis = body.unknowns.number(node, 0) == k ? 0 : 1;
+    load(body.first_unknown + k) += sign * nodal(node, axis);
+  }
 }
 
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
@@ -82,32 +106,53 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
   solution.displacements = displacements_of_bodies(model, refined.displacement);
   solution.refined = std::move(refined);
+  if (solution.contact.report.status != Status::Solved) return;
+  for (std::string& note : doubts_of_solution(model, solution))
+    solution.notes.push_back(std::move(note));
+}
+
+long long one_solve(const Condensed& condensed) {
+  return static_cast<long long>(condensed.factor.solve_operations());
 }
 
 }  // namespace
 
 Condensed condense(const Model& model, Ledger& ledger) {
   const QuadraticProgramme& programme = model.programme;
-  Condensed condensed{factor(model, ledger), {}, {}};
+  Condensed condensed{telling(model.notes, [&] { return factor(model, ledger); }), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
-  condensed.free_displacement = condensed.factor.solve(programme.load);
+  ledger.count("operations of one solve", one_solve(condensed));
   ContactProblem& problem = condensed.problem;
-  problem.compliance = condensed.factor.compliance(programme.A);
-  const VectorXd free =
-      gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
+  problem.compliance = condensed.factor.compliance(programme.A, ledger);
+  ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
   problem.law = model.law;
-  const Index slips = static_cast<Index>(model.law.pair.size());
-  problem.free_gap = free.head(free.size() - slips);
-  problem.free_slip = free.tail(slips);
-  if (!model.modes.empty()) add_rigid_modes(programme, mode_shapes(model.modes), problem);
+  ledger.count("operations", one_solve(condensed));
+  condense_loads(model, condensed);
   return condensed;
+}
+
+void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& condensed) {
+  pose(loads.size() == model.bodies.size(), "change_loads: expected the loads of ",
+       model.bodies.size(), " bodies, got those of ", loads.size());
+  if (model.unloaded.size() == 0) {
+    model.unloaded = model.programme.load;
+    for (const BodyModel& body : model.bodies) add_loads(body, body.loads, -1, model.unloaded);
+  }
+  VectorXd load = model.unloaded;
+  for (std::size_t b = 0; b < loads.size(); ++b) add_loads(model.bodies[b], loads[b], 1, load);
+  model.programme.load.swap(load);
+  for (std::size_t b = 0; b < loads.size(); ++b) model.bodies[b].loads = loads[b];
+  condense_loads(model, condensed);
 }
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger) {
-  const CondensedProgramme small{
-      condensed.problem, condensed.free_displacement,
-      [&](const VectorXd& load) { return condensed.factor.solve(load); }};
+  const long long operations = one_solve(condensed);
+  const CondensedProgramme small{condensed.problem, condensed.free_displacement,
+                                 [&](const VectorXd& load) {
+                                   ledger.count("operations", operations);
+                                   return condensed.factor.solve(load);
+                                 }};
   CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),
                                    find_solver(solver), {}, ledger);
   Solution solution;
@@ -136,16 +181,17 @@ void require_solved(const Solution& solution, const std::string& what) {
   if (report.status == Status::Solved) return;
   const std::string& reason = solution.contact.reason;
   if (!solution.escape.empty())
-    throw NotSolved(
+    throw NotSolved(with_notes(
         text(what, " was not solved: ",
              reason.empty() ? "the load pulls a body away from all it could rest on" : reason, ": ",
-             solution.escape, ". Turn the load round or add a support"));
+             solution.escape, ". Turn the load round or add a support"),
+        solution.notes));
   std::string message = text(what, " was not solved: ", to_string(report.status), " after ",
                              report.iterations, " iterations");
   if (!reason.empty()) message += ": " + reason;
   if (std::isfinite(solution.certificate.worst()))
     message += text("; certificate: ", solution.certificate);
-  throw NotSolved(message);
+  throw NotSolved(with_notes(message, solution.notes));
 }
 
 Solution solve(const Scene& scene) {

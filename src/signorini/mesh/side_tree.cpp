@@ -1,4 +1,4 @@
-#include "signorini/contact/side_tree.hpp"
+#include "signorini/mesh/side_tree.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,232 @@
+#include "command_line/picture.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "command_line/figure_style.hpp"
+#include "command_line/scene_run.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/results.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/elasticity/stress.hpp"
+#include "signorini/report/field_csv.hpp"
+
+namespace command_line {
+namespace {
+
+using namespace signorini;
+using Eigen::Index;
+
+/// A text between quotes of gnuplot or of the shell. \param quote  how a quote is written in it
+std::string quoted(const std::string& text, const char* quote) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? quote : std::string(1, c);
+  return result + "'";
+}
+std::string for_gnuplot(const std::string& text) { return quoted(text, "''"); }
+std::string for_shell(const std::string& text) { return quoted(text, "'\\''"); }
+
+using Box = Eigen::AlignedBox<double, 2>;
+
+/// 1, 2 or 5 times a power of ten, not above a positive number.
+double round_down(double wanted) {
+  const double ten = std::pow(10, std::floor(std::log10(wanted)));
+  return ten * (wanted >= 5 * ten ? 5 : wanted >= 2 * ten ? 2 : 1);
+}
+
+/// The box of all nodes, displaced.
+Box box_of(const SceneRun& run, double scale) {
+  Box box;
+  for (std::size_t b = 0; b < run.model->bodies.size(); ++b) {
+    const NodeArray nodes =
+        run.model->bodies[b].mesh.nodes + scale * run.solution->displacements[b];
+    for (Index k = 0; k < nodes.rows(); ++k) box.extend(Eigen::Vector2d(nodes.row(k)));
+  }
+  return box;
+}
+
+/// What displacements are multiplied by: the largest is at most a twelfth of the scene then.
+double magnification(const SceneRun& run) {
+  double most = 0;
+  for (const NodeArray& u : run.solution->displacements)
+    most = std::max(most, u.rowwise().norm().maxCoeff());
+  return most > 0 ? round_down(box_of(run, 0).diagonal().norm() / 12 / most) : 1;
+}
+
+/// The deformed cells of all bodies, one after another, with von Mises' stress in their middle.
+std::string cells(const SceneRun& run, double scale) {
+  std::ostringstream all;
+  for (std::size_t b = 0; b < run.model->bodies.size(); ++b) {
+    const BodyModel& body = run.model->bodies[b];
+    const NodeArray& u = run.solution->displacements[b];
+    const StressArray stress = cell_stress(body.mesh, body.element, body.material, u);
+    Eigen::VectorXd value(stress.rows());
+    for (Index cell = 0; cell < stress.rows(); ++cell)
+      value(cell) = von_mises(stress.row(cell).transpose());
+    std::istringstream csv(deformed_cells_csv(body.mesh, u, value, scale));
+    for (std::string line; std::getline(csv, line);)
+      if (line.empty() || std::string("-0123456789").find(line[0]) != std::string::npos)
+        all << line << '\n';
+    all << '\n';
+  }
+  return all.str();
+}
+
+/// Pressure over the way along the source.
+struct PressureCurve {
+  std::string csv;  // a block for each contact
+  double from = 0;  // where pairs are closed, with a margin
+  double to = 0;
+};
+
+PressureCurve pressures(const SceneRun& run) {
+  const Pairs& pairs = run.model->pairs;
+  const Eigen::VectorXd& pressure = run.solution->pressure;
+  std::ostringstream csv;
+  Eigen::AlignedBox<double, 1> closed;
+  double way = 0;
+  double longest = 0;
+  for (Index k = 0; k < pressure.size(); ++k) {
+    const std::size_t contact = run.plan.contact_of[static_cast<std::size_t>(k)];
+    const bool begins = k == 0 || run.plan.contact_of[static_cast<std::size_t>(k - 1)] != contact;
+    if (begins && k > 0) csv << '\n';
+    way = begins ? 0 : way + (pairs.position.row(k) - pairs.position.row(k - 1)).norm();
+    longest = std::max(longest, way);
+    if (pressure(k) > 0) closed.extend(Eigen::Matrix<double, 1, 1>(way));
+    csv << shortest(way) << ',' << shortest(pressure(k)) << '\n';
+  }
+  if (closed.isEmpty()) return {csv.str(), 0, longest};
+  const double margin = closed.sizes()(0) / 3;
+  return {csv.str(), std::max(0.0, closed.min()(0) - margin),
+          std::min(longest, closed.max()(0) + margin)};
+}
+
+/// Where things are on the picture [pixels], from its lower left corner.
+struct Layout {
+  double height = 0;
+  double bottom = 0;  // of the meshes
+  double top = 0;
+};
+
+constexpr double width = 720;
+constexpr double left = 84;
+constexpr double right = 690;
+
+/// As flat as the scene is, within reason.
+Layout layout_of(const Box& box, bool touches) {
+  const double wanted = (right - left) * box.sizes().y() / box.sizes().x();
+  Layout layout;
+  layout.bottom = touches ? 300 : 60;
+  layout.top = layout.bottom + std::clamp(wanted, 60.0, 520.0);
+  layout.height = layout.top + 90;
+  return layout;
+}
+
+void draw_meshes(std::ostream& gp, const Box& box, const Layout& layout, double scale,
+                 Index n_cells) {
+  const double tics = round_down(box.sizes().maxCoeff() / 4);
+  constexpr Index most_outlined = 6000;  // beyond that, outlines are all there is to see
+  gp << "set lmargin at screen " << left / width << "\nset rmargin at screen " << right / width
+     << "\nset bmargin at screen " << layout.bottom / layout.height << "\nset tmargin at screen "
+     << layout.top / layout.height << "\nset size ratio -1\nset xlabel 'x'\nset ylabel 'y'\n"
+     << "set xtics " << tics << "\nset ytics " << tics << "\nset xrange [" << box.min().x() << ':'
+     << box.max().x() << "]\nset yrange [" << box.min().y() << ':' << box.max().y()
+     << "]\nset colorbox horizontal user origin screen " << left / width << ", screen "
+     << (layout.top + 34) / layout.height << " size screen " << (right - left) / width
+     << ", screen " << 10 / layout.height
+     << "\nset label 1 'von Mises'' stress; displacements times " << scale << "' at screen "
+     << left / width << ", screen " << (layout.top + 66) / layout.height << "\n";
+  gp << "plot $cells using 1:2:3 with polygons fc palette lw 0.3";
+  if (n_cells <= most_outlined) gp << ", '' using 1:2 with lines lw 0.4 lc rgb '#a0ffffff'";
+  gp << '\n';
+}
+
+void draw_pressures(std::ostream& gp, const PressureCurve& curve, const Layout& layout) {
+  gp << "unset label 1\nset bmargin at screen " << 60 / layout.height << "\nset tmargin at screen "
+     << 225 / layout.height
+     << "\nset size noratio\nset xtics autofreq\nset ytics autofreq\nset xlabel 'way along the "
+        "source'\nset ylabel 'contact pressure'\nset yrange [0:*]\n";
+  if (curve.to > curve.from) gp << "set xrange [" << curve.from << ':' << curve.to << "]\n";
+  gp << "plot $pressure using 1:2 with linespoints ls 1\n";
+}
+
+std::string script(const std::filesystem::path& file, PictureKind kind, const SceneRun& run) {
+  const bool touches = run.solution->pressure.size() > 0;
+  const double scale = magnification(run);
+  const Box box = box_of(run, scale);
+  const Layout layout = layout_of(box, touches);
+  Index n_cells = 0;
+  for (const BodyModel& body : run.model->bodies) n_cells += body.mesh.n_cells();
+  std::ostringstream gp;
+  gp << "out = " << for_gnuplot(file.string()) << "\nwidth = " << width
+     << "; height = " << layout.height << '\n'
+     << figure_style;
+  if (kind == PictureKind::Png)
+    gp << "set terminal pngcairo size width,height font sprintf('DejaVu Sans,%g', width/60.0)\n"
+          "set output out\n";
+  gp << "unset key\n$cells << EOD\n" << cells(run, scale) << "EOD\n";
+  if (touches) gp << "set multiplot\n";
+  draw_meshes(gp, box, layout, scale, n_cells);
+  if (touches) {
+    const PressureCurve curve = pressures(run);
+    gp << "$pressure << EOD\n" << curve.csv << "EOD\n";
+    draw_pressures(gp, curve, layout);
+    gp << "unset multiplot\n";
+  }
+  gp << "set output\n";
+  return gp.str();
+}
+
+/// A file that goes away again.
+class Passing {
+ public:
+  explicit Passing(std::filesystem::path file) : file_(std::move(file)) {}
+  ~Passing() {
+    std::error_code ignored;
+    std::filesystem::remove(file_, ignored);
+  }
+  Passing(const Passing&) = delete;
+  Passing& operator=(const Passing&) = delete;
+  Passing(Passing&&) = delete;
+  Passing& operator=(Passing&&) = delete;
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+ private:
+  std::filesystem::path file_;
+};
+
+}  // namespace
+
+PictureKind picture_kind(const std::string& file) {
+  const std::string ending = std::filesystem::path(file).extension().string();
+  pose(ending == ".svg" || ending == ".png", "--plot: expected a file .svg or .png, got '", file,
+       '\'');
+  return ending == ".svg" ? PictureKind::Svg : PictureKind::Png;
+}
+
+void draw(const std::filesystem::path& file, PictureKind kind, const SceneRun& run) {
+  const Passing gp(file.string() + ".gp");
+  const Passing log(file.string() + ".log");
+  write_file(gp.file(), script(file, kind, run));
+  const std::string command =
+      "gnuplot " + for_shell(gp.file().string()) + " > " + for_shell(log.file().string()) + " 2>&1";
+  const int status = std::system(command.c_str());
+  std::ifstream said(log.file());
+  std::string first;
+  while (std::getline(said, first) && first.find_first_not_of(" \t\r") == std::string::npos) {
+  }
+  constexpr int not_found = 127 << 8;
+  pose(status != not_found,
+       "--plot: there is no gnuplot; install it, such as the package gnuplot-nox, or leave the "
+       "picture out");
+  std::error_code failed;
+  pose(status == 0 && first.empty() && std::filesystem::file_size(file, failed) > 0 && !failed,
+       "--plot: gnuplot could not draw: ", first.empty() ? "no picture" : first);
+}
+
+}  // namespace command_line

@@ -1,0 +1,185 @@
+#include "command_line/scene_print.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+
+#include "command_line/print.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/report/pressure_table.hpp"
+
+namespace command_line {
+namespace {
+
+using namespace signorini;
+using Eigen::Index;
+
+void print_title(std::ostream& out, const SceneRun& run) {
+  out << run.file.name << (run.file.title.empty() ? "" : ": ") << run.file.title << "\n\n";
+}
+
+void print_effects(std::ostream& out, const SceneRun& run) {
+  for (const std::string& line : run.plan.on) out << "  on    " << line << '\n';
+  for (const std::string& line : run.plan.off) out << "  off   " << line << '\n';
+  for (const std::string& line : run.notes()) out << "  note  " << line << '\n';
+}
+
+/// Why there is no solution, as far as it is known.
+std::string reason_of(const Solution& solution) {
+  std::string why = solution.contact.reason;
+  if (!solution.escape.empty())
+    why += (why.empty() ? "the load pulls a body away from all it could rest on: " : ": ") +
+           solution.escape + ". Turn the load round or add a support";
+  return why;
+}
+
+void print_status(std::ostream& out, const Solution& solution) {
+  const Report& report = solution.contact.report;
+  const std::string why = reason_of(solution);
+  out << '\n'
+      << (report.status == Status::Solved ? "solved" : "not solved: ")
+      << (report.status == Status::Solved ? "" : to_string(report.status)) << " after "
+      << report.iterations << " iterations" << (why.empty() ? "" : ": " + why) << '\n';
+  if (std::isfinite(solution.certificate.worst()))
+    out << "certificate: " << solution.certificate << '\n';
+}
+
+/// Pairs that are closed, if they are few.
+void print_pressures(std::ostream& out, const Pairs& pairs, const Solution& solution) {
+  const std::vector<Index>& active = solution.contact.active;
+  const Index closed = static_cast<Index>(active.size());
+  out << closed << " of " << solution.pressure.size() << " pairs are closed\n";
+  if (closed == 0) return;
+  if (closed > largest_printed) {
+    out << "more than " << largest_printed << " are not printed: --csv FILE writes them\n";
+    return;
+  }
+  const auto cell = [&](double value) { out << std::setw(14) << number(value, "%.6g"); };
+  out << '\n';
+  for (const char* name : {"x", "y", "pressure", "force"}) out << std::setw(14) << name;
+  out << '\n';
+  for (const Index pair : active) {
+    cell(pairs.position(pair, 0));
+    cell(pairs.position(pair, 1));
+    cell(solution.pressure(pair));
+    cell(solution.contact.force(pair));
+    out << '\n';
+  }
+}
+
+void print_resultants(std::ostream& out, const Pairs& pairs, const Solution& solution) {
+  const Resultants sum = resultants(pairs, solution);
+  out << "contact: force on the sources (" << sum.force.x() << ", " << sum.force.y()
+      << "), moment about the origin " << sum.moment << ", closed boundary " << sum.closed_weight
+      << ", peak pressure " << sum.peak_pressure << '\n';
+}
+
+void write_lines(Json& json, const char* key, const std::vector<std::string>& lines) {
+  json.key(key).array();
+  for (const std::string& line : lines) json.value(line);
+  json.end();
+}
+
+void write_point(Json& json, const char* key, const Eigen::Vector2d& point) {
+  json.key(key).value(Eigen::VectorXd(point));
+}
+
+void write_plan(Json& json, const SceneRun& run) {
+  json.key("plan").object();
+  write_lines(json, "on", run.plan.on);
+  write_lines(json, "off", run.plan.off);
+  json.key("method").value(run.prediction.method);
+  json.key("bodies").array();
+  for (const BodySummary& body : run.prediction.bodies) {
+    json.object().key("name").value(body.name).key("unknowns").value(body.unknowns);
+    json.key("pieces").value(body.pieces);
+    write_point(json, "load", body.force);
+    json.key("moment").value(body.moment).end();
+  }
+  json.end().key("predicted").array();
+  for (const PredictedFigure& figure : run.prediction.figures) {
+    json.object().key("built").value(to_string(figure.built)).key("phase").value(figure.phase);
+    json.key("what").value(figure.what).key("amount").value(figure.amount);
+    json.key("trust").value(to_string(figure.trust)).end();
+  }
+  json.end().end();
+}
+
+void write_pairs(Json& json, const Pairs& pairs, const Solution& solution) {
+  const ContactState& contact = solution.contact;
+  Eigen::VectorXd closed = Eigen::VectorXd::Zero(contact.force.size());
+  for (const Index pair : contact.active) closed(pair) = 1;
+  json.key("pairs").object();
+  json.key("x").value(Eigen::VectorXd(pairs.position.col(0)));
+  json.key("y").value(Eigen::VectorXd(pairs.position.col(1)));
+  json.key("gap").value(contact.gap).key("pressure").value(solution.pressure);
+  json.key("force").value(contact.force).key("closed").value(closed);
+  if (!contact.rubbing.empty()) {
+    Eigen::VectorXd rubbing(static_cast<Index>(contact.rubbing.size()));
+    std::copy(contact.rubbing.begin(), contact.rubbing.end(), rubbing.data());
+    json.key("rubbing").value(rubbing).key("friction").value(contact.friction);
+    json.key("slip").value(contact.slip);
+  }
+  json.end();
+}
+
+void write_ledger(Json& json, const Ledger& ledger) {
+  json.key("ledger").array();
+  for (const LedgerEntry& entry : ledger.entries()) {
+    json.object().key("phase").value(entry.path).key("seconds").value(entry.seconds);
+    json.key("calls").value(static_cast<Index>(entry.calls));
+    json.key("bytes").value(static_cast<Index>(entry.bytes));
+    for (const auto& [what, amount] : entry.counts)
+      json.key(what).value(static_cast<Index>(amount));
+    json.end();
+  }
+  json.end();
+}
+
+}  // namespace
+
+void print_plan(std::ostream& out, const SceneRun& run) {
+  print_title(out, run);
+  print_effects(out, run);
+  out << '\n' << run.prediction;
+}
+
+void print_solution(std::ostream& out, const SceneRun& run) {
+  print_title(out, run);
+  print_effects(out, run);
+  print_status(out, *run.solution);
+  if (run.solved() && run.solution->pressure.size() > 0) {
+    print_resultants(out, run.model->pairs, *run.solution);
+    print_pressures(out, run.model->pairs, *run.solution);
+  }
+  out << '\n' << run.solution->ledger << '\n' << confront(run.prediction, run.solution->ledger);
+}
+
+void write(Json& json, const SceneRun& run) {
+  json.object().key("file").value(run.file.name).key("title").value(run.file.title);
+  write_plan(json, run);
+  write_lines(json, "notes", run.notes());
+  if (run.solution) {
+    const Solution& solution = *run.solution;
+    json.key("solved").value(run.solved());
+    json.key("solver").value(run.plan.solver);
+    json.key("status").value(to_string(solution.contact.report.status));
+    json.key("reason").value(reason_of(solution));
+    json.key("iterations").value(solution.contact.report.iterations);
+    json.key("certificate");
+    write(json, solution.certificate);
+    if (run.solved()) {
+      const Resultants sum = resultants(run.model->pairs, solution);
+      json.key("resultants").object();
+      write_point(json, "force", sum.force);
+      json.key("moment").value(sum.moment).key("closed").value(sum.closed_weight);
+      json.key("peak_pressure").value(sum.peak_pressure).end();
+      write_pairs(json, run.model->pairs, solution);
+    }
+    write_ledger(json, solution.ledger);
+  }
+  json.end();
+}
+
+}  // namespace command_line

@@ -1,0 +1,25 @@
+// What a plan and a solved scene say, for people and for programs.
+#pragma once
+#include <iosfwd>
+
+#include "command_line/scene_run.hpp"
+#include "signorini/report/json.hpp"
+
+namespace command_line {
+
+/// Prints what a scene calls for and what that will cost.
+/// \param out  where to
+/// \param run  that is planned
+void print_plan(std::ostream& out, const SceneRun& run);
+
+/// Prints the plan in short, the result with forces and pressures, notes, and what it cost.
+/// \param out  where to
+/// \param run  that solve_scene() has finished with, solved or not
+void print_solution(std::ostream& out, const SceneRun& run);
+
+/// Writes a scene as one object: plan, and as far as it came, certificate, ledger, pairs and notes.
+/// \param json  the document
+/// \param run   planned, solved or not
+void write(signorini::Json& json, const SceneRun& run);
+
+}  // namespace command_line

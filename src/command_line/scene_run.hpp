@@ -1,0 +1,103 @@
+// A scene file from its text to a solution, and the files that were asked for.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "signorini/scene/prediction.hpp"
+#include "signorini/scene_file/scene_file.hpp"
+
+namespace command_line {
+
+/// What `-` is called in messages.
+constexpr const char* standard_input = "standard input";
+
+/// \param file  a name, or `-` for standard input
+/// \return all of it
+/// \throws signorini::ProblemError if it cannot be read
+std::string content_of(const std::string& file);
+
+/// Which command a text was written for, as far as its first words tell.
+/// \param content  of a file
+/// \return "solve", "lcp" or "qp"
+const char* command_for(const std::string& content);
+
+/// Runs a reader of a text.
+/// \param file     where the text comes from
+/// \param content  the text
+/// \param command  that is running
+/// \param read     the reader
+/// \return what it returns
+/// \throws signorini::ProblemError of the reader, with a hint if the text looks as if it was written for another command
+template <typename Read>
+auto read_or_hint(const std::string& file, const std::string& content, const char* command,
+                  const Read& read) -> decltype(read()) {
+  try {
+    return read();
+  } catch (const signorini::ProblemError& error) {
+    const std::string wanted = command_for(content);
+    const bool same = wanted == command || (wanted == "solve" && std::string(command) == "plan");
+    if (same) throw;
+    throw signorini::ProblemError(signorini::text(file, ": this looks like a ",
+                                                  wanted == "solve" ? "scene"
+                                                  : wanted == "qp"  ? "quadratic programme"
+                                                                    : "complementarity problem",
+                                                  "; run: signorini ", wanted, " ",
+                                                  file == standard_input ? "-" : file));
+  }
+}
+
+/// What was made of a scene file, as far as it came.
+struct SceneRun {
+  signorini::SceneFile file;
+  signorini::Plan plan;
+  signorini::Prediction prediction;
+  std::optional<signorini::Model> model;        ///< after solve_scene()
+  std::optional<signorini::Solution> solution;  ///< after solve_scene()
+
+  /// \return whether there is a solution
+  [[nodiscard]] bool solved() const;
+  /// \return the notes of the solution, or of the plan if there is none
+  [[nodiscard]] const std::vector<std::string>& notes() const;
+};
+
+/// Reads a scene file and plans it.
+/// \param file     a name, or `-`
+/// \param solver   in the place of that of the file, unless it is empty
+/// \param command  that is running
+/// \return scene, plan and prediction
+/// \throws signorini::ProblemError for what is wrong with it, with its line
+SceneRun plan_scene(const std::string& file, const std::string& solver, const char* command);
+
+/// Builds, condenses and solves; says on a terminal what it is doing.
+/// \param run  from plan_scene()
+/// \throws signorini::ProblemError as signorini::condense(), with the line
+void solve_scene(SceneRun& run);
+
+/// Files that appear all together or not at all.
+class Drafts {
+ public:
+  Drafts() = default;
+  ~Drafts();
+  Drafts(const Drafts&) = delete;
+  Drafts& operator=(const Drafts&) = delete;
+  Drafts(Drafts&&) = delete;
+  Drafts& operator=(Drafts&&) = delete;
+  /// \param file  that will appear \return what to write it as until then
+  std::filesystem::path add(const std::string& file);
+  /// Gives all files their names.
+  /// \throws signorini::ProblemError naming the first that cannot have it
+  void publish();
+
+ private:
+  std::vector<std::pair<std::filesystem::path, std::filesystem::path>> files_;
+};
+
+/// Writes what the scene file and the command line ask for.
+/// \param run  that is solved
+/// \throws signorini::ProblemError if a file cannot be written or drawn; then none of them appears
+void write_outputs(const SceneRun& run);
+
+}  // namespace command_line

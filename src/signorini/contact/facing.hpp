@@ -1,0 +1,32 @@
+/// \file
+/// How the two sides of a contact stand to each other, for those who doubt that it is meant so.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "signorini/contact/pairs.hpp"
+
+namespace signorini {
+
+/// Which way nodes of the source look when seen from the target.
+/// \param pairs   `n_c` of node_to_obstacle() or node_to_segment(), all with a node
+/// \param source  the boundary they are on
+/// \return `n_c` cosine of the angle between the normals of both sides: -1 face to face, 1 if both look the
+///   same way [-]
+[[nodiscard]] Eigen::VectorXd facing(const Pairs& pairs, const Surface& source);
+
+/// Nodes that lie behind a target.
+struct PassedNodes {
+  std::vector<Eigen::Index> nodes;  ///< of the source, by number
+  double farthest = 0;  ///< how far behind the target the farthest of them lies [length]
+};
+
+/// Finds the nodes that lie behind all places of the target that they face, deeper than the cells there, and
+/// not in the target's body: they have passed through it.
+/// \param source  the boundary that may touch (slave)
+/// \param target  the boundary that may be touched (master)
+/// \return none in a scene that is meant well, unless the source reaches around the target
+/// \throws ProblemError if there is no such boundary
+[[nodiscard]] PassedNodes passed_nodes(const Surface& source, const Surface& target);
+
+}  // namespace signorini

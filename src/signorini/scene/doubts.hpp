@@ -1,0 +1,60 @@
+/// \file
+/// What is legal but seldom meant: notes of a plan and of a solution, and errors that do not lose them.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/scene.hpp"
+
+namespace signorini {
+
+/// Looks at how the cells of a body hang together.
+/// \param scene   of the body: what touches across a crack is meant
+/// \param body    one of its bodies, with its pieces
+/// \return notes on loose pieces, on nodes that coincide, and on hanging nodes
+[[nodiscard]] std::vector<std::string> doubts_of_mesh(const Scene& scene, const BodyModel& body);
+
+/// Looks at the loads of a body.
+/// \param body  of a scene; its boundaries exist
+/// \return notes on loads that are zero everywhere, and on tractions along a boundary with two ends that add up
+///   to neither force nor moment
+[[nodiscard]] std::vector<std::string> doubts_of_loads(const Body& body);
+
+/// Where small displacements end: the note begins there.
+struct SmallLimits {
+  double strain = 0.05;   ///< largest principal strain, mean of a cell [-]
+  double rotation = 5;    ///< mean of a cell [degrees]
+  double pressure = 0.1;  ///< of contact over Young's modulus of the softer body [-]
+};
+
+/// Looks at whether a solution is one for which linear elasticity can be meant, in one pass over the cells.
+/// \param model     from build()
+/// \param solution  of it, Solved
+/// \param limits    that are noted where they are exceeded
+/// \return notes on large strains, rotations and pressures, and on contact in which no pair carries a force
+[[nodiscard]] std::vector<std::string> doubts_of_solution(const Model& model,
+                                                          const Solution& solution,
+                                                          const SmallLimits& limits = {});
+
+/// \param message  of an error
+/// \param notes    that a user would not see for it
+/// \return all of it in one line
+[[nodiscard]] std::string with_notes(const std::string& message,
+                                     const std::vector<std::string>& notes);
+
+/// Does something so that its errors tell the notes as well.
+/// \param notes   as they are when the error comes
+/// \param action  to be done
+/// \return what it returns
+/// \throws ProblemError as the action, with the notes
+template <typename Action>
+auto telling(const std::vector<std::string>& notes, Action&& action) {
+  try {
+    return action();
+  } catch (const ProblemError& error) {
+    throw ProblemError(with_notes(error.what(), notes));
+  }
+}
+
+}  // namespace signorini

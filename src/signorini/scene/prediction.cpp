@@ -1,0 +1,347 @@
+#include "signorini/scene/prediction.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/factor/front_speed.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/solvers/solvers.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Seconds of one call.
+template <typename Call>
+double seconds_of(Call&& call) {
+  const auto begin = std::chrono::steady_clock::now();
+  call();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+BodySummary summary_of(const BodyModel& body) {
+  BodySummary summary{body.mesh.name, body.unknowns.count,
+                      static_cast<Eigen::Index>(body.pieces.size()), Eigen::Vector2d::Zero(), 0};
+  const NodeArray load = nodal_loads(body.mesh, body.element, body.material, body.loads);
+  for (Index node = 0; node < load.rows(); ++node) {
+    summary.force += load.row(node).transpose();
+    summary.moment +=
+        body.mesh.nodes(node, 0) * load(node, 1) - body.mesh.nodes(node, 1) * load(node, 0);
+  }
+  if (body.material.bulk.state == PlaneState::Axial) {  // all round the axis, these cancel
+    summary.force.x() = 0;
+    summary.moment = 0;
+  }
+  return summary;
+}
+
+/// Why the run will go the way it goes.
+std::string method_of(const Plan& plan) {
+  if (plan.gaps.A.rows() == 0) return "one linear solve: nothing touches";
+  const Solver& solver = find_solver(plan.solver);
+  std::string why = text("solver ", plan.solver, ", as the scene says, on the condensed problem (",
+                         solver.summary, ")");
+  if (!plan.law.pair.empty()) why += "; it takes friction";
+  if (!plan.modes.empty())
+    why += text("; ", plan.modes.size(), " rigid motions are unknowns of their own",
+                solver.rigid_modes ? "" : ", held by springs that carry nothing in the end");
+  return why + "; certified from K, p, A, g";
+}
+
+/// Some cells of a body as a mesh of their own, without boundaries: the first ones, and among them one that the
+/// element is for.
+Mesh some_cells(const BodyModel& body) {
+  constexpr Index enough = 200;
+  const Mesh& mesh = body.mesh;
+  Mesh part;
+  part.name = mesh.name;
+  part.cells = mesh.cells.topRows(std::min(enough, mesh.n_cells()));
+  for (Index cell = part.n_cells(); cell < mesh.n_cells(); ++cell)
+    if (mesh.cell_size(cell) == body.element.n_nodes) {
+      part.cells.row(0) = mesh.cells.row(cell);
+      break;
+    }
+  std::map<Index, Index> number;
+  for (Index cell = 0; cell < part.n_cells(); ++cell)
+    for (Index k = 0; k < part.cell_size(cell); ++k) {
+      Index& node = part.cells(cell, k);
+      node = number.try_emplace(node, static_cast<Index>(number.size())).first->second;
+    }
+  part.nodes.resize(static_cast<Index>(number.size()), 2);
+  for (const auto& [from, to] : number) part.nodes.row(to) = mesh.nodes.row(from);
+  return part;
+}
+
+/// What assembly and one residual in twice the working precision take [s], from a few cells of every body.
+struct Sampled {
+  double assembly = 0;
+  double residual = 0;
+};
+
+Sampled sampled(const Plan& plan, Index stiffness_entries) {
+  Sampled all;
+  Index entries = 0;
+  for (const BodyModel& body : plan.bodies) {
+    const Mesh part = some_cells(body);
+    QuadraticProgramme programme;
+    const double assembly = seconds_of([&] {
+      LinearSystem system =
+          assemble(part, body.element, body.material.bulk, number_unknowns(part, {}), {});
+      programme.stiffness.swap(system.stiffness);
+      programme.load.swap(system.load);
+    });
+    const Index n = programme.load.size();
+    programme.A.resize(0, n);
+    const PrimalDual at{VectorXd::Ones(n), VectorXd::Zero(n), VectorXd()};
+    all.residual += seconds_of([&] { static_cast<void>(equilibrium_residual(programme, at)); });
+    entries += programme.stiffness.nonZeros();
+    all.assembly +=
+        assembly * static_cast<double>(body.mesh.n_cells()) / static_cast<double>(part.n_cells());
+  }
+  all.residual *= static_cast<double>(stiffness_entries) / static_cast<double>(entries);
+  return all;
+}
+
+/// Everything about K, its factor and the rows of A that needs no numbers.
+struct Symbolic {
+  Eigen::SparseMatrix<double> stiffness;
+  NodalRows rows;
+  Fronts fronts;
+  RowPaths paths;
+  double ordering = 0;  // [s]
+  double analysis = 0;  // [s]
+};
+
+Symbolic symbolic(const Plan& plan) {
+  Symbolic known;
+  std::vector<Eigen::SparseMatrix<double>> blocks;
+  for (const BodyModel& body : plan.bodies)
+    blocks.push_back(stiffness_pattern(body.mesh, body.unknowns));
+  known.stiffness = along_diagonal(plan.bodies, std::move(blocks));
+  known.rows = contact_rows(plan.gaps, plan.law);
+  SeparatorTree tree;
+  known.ordering =
+      seconds_of([&] { tree = separator_tree(known.stiffness, unknown_positions(plan.bodies)); });
+  known.analysis = seconds_of([&] { known.fronts = fronts_of(known.stiffness, tree); });
+  known.paths = row_paths(known.fronts, known.rows);
+  return known;
+}
+
+/// Collects the figures phase by phase.
+class Figures {
+ public:
+  Figures(const Plan& plan, const Symbolic& known)
+      : plan_(plan),
+        known_(known),
+        rows_(static_cast<double>(known.rows.rows())),
+        speed_(measure_speed(known.fronts, known.paths)),
+        sample_(sampled(plan, known.stiffness.nonZeros())) {}
+
+  std::vector<PredictedFigure> all() {
+    assembly();
+    factor();
+    condensation();
+    contact();
+    refinement();
+    add(Built::Once, "all phases", "seconds", seconds_, Trust::Estimate);
+    return std::move(figures_);
+  }
+
+ private:
+  static constexpr double number = sizeof(double);
+
+  void add(Built built, const char* phase, const char* what, double amount, Trust trust) {
+    figures_.push_back({built, phase, what, amount, trust});
+  }
+  void seconds(Built built, const char* phase, double amount) {
+    seconds_ += amount;
+    add(built, phase, "seconds", amount, Trust::Estimate);
+  }
+  [[nodiscard]] double factor_bytes() const {
+    return number * static_cast<double>(known_.fronts.entries);
+  }
+
+  void assembly() {
+    const char* const phase = "assembly";
+    const auto exact = [&](const char* what, Index amount) {
+      add(Built::Once, phase, what, static_cast<double>(amount), Trust::Exact);
+    };
+    exact("unknowns", plan_.unknowns.count);
+    exact("pairs", plan_.gaps.A.rows());
+    exact("rows", known_.rows.rows());
+    exact("stiffness entries", known_.stiffness.nonZeros());
+    exact("bytes", bytes_of(known_.stiffness) + bytes_of(known_.rows));
+    seconds(Built::Once, phase, sample_.assembly);
+  }
+
+  void factor() {
+    const Fronts& fronts = known_.fronts;
+    seconds(Built::Once, "factor/ordering", known_.ordering);
+    seconds(Built::Once, "factor/symbolic", known_.analysis);
+    const char* const phase = "factor/numeric";
+    add(Built::Once, phase, "nonzeros", static_cast<double>(fronts.nonzeros()), Trust::Exact);
+    add(Built::Once, phase, "operations", fronts.operations(), Trust::Exact);
+    add(Built::Once, phase, "bytes", factor_bytes(), Trust::Exact);
+    add(Built::Once, phase, "stack bytes",
+        number * static_cast<double>(fronts.update_stack().most()), Trust::Exact);
+    double handed_on = 0;
+    for (const Front& front : fronts.all)
+      handed_on += number * static_cast<double>(front.rim() * front.rim());
+    // Every entry of L and of an update is cleared once, and an update is read once by the front above.
+    seconds(Built::Once, phase,
+            over(fronts.operations(), speed_.elimination) +
+                over(factor_bytes() + 2 * handed_on, speed_.memory));
+  }
+
+  void condensation() {
+    const char* const phase = "condensation";
+    add(Built::PerStep, phase, "operations of one solve", known_.fronts.solve_operations(),
+        Trust::Exact);
+    add(Built::Once, phase, "operations",
+        known_.fronts.solve_operations() + known_.paths.operations, Trust::Exact);
+    add(Built::Once, phase, "bytes", number * rows_ * rows_, Trust::Exact);
+    add(Built::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()), Trust::Exact);
+    seconds(Built::Once, phase, solve() + over(known_.paths.operations, speed_.carrying));
+  }
+
+  void contact() {
+    if (rows_ == 0) return;
+    const char* const phase = "contact";
+    const double size = rows_ + static_cast<double>(plan_.modes.size());
+    add(Built::PerIteration, phase, "bytes of the closed rows", number * size * size, Trust::Bound);
+    add(Built::PerIteration, phase, "operations of the closed rows", size * size * size / 3,
+        Trust::Bound);
+    constexpr double iterations = 5;
+    add(Built::PerIteration, phase, "iterations", iterations, Trust::Estimate);
+    const double closed = size / 2;
+    seconds(Built::PerIteration, phase,
+            iterations * (over(closed * closed * closed / 3, speed_.elimination) +
+                          over(2 * number * size * size, speed_.memory)));
+  }
+
+  void refinement() {
+    const char* const phase = "refinement";
+    // u without contact takes two sweeps. With contact forces the first only moves u, and three close the rows.
+    const double solves = rows_ == 0 ? 2 : 4;
+    add(Built::PerIteration, phase, "solves", solves, Trust::Estimate);
+    add(Built::PerIteration, phase, "operations", solves * known_.fronts.solve_operations(),
+        Trust::Estimate);
+    // A residual for every sweep, and one for each of two certificates.
+    seconds(Built::PerIteration, phase, solves * solve() + (solves + 2) * sample_.residual);
+  }
+
+  /// Seconds of one solve: two walks through L.
+  [[nodiscard]] double solve() const { return over(2 * factor_bytes(), speed_.memory); }
+  [[nodiscard]] static double over(double amount, double speed) {
+    return amount > 0 ? amount / speed : 0;
+  }
+
+  const Plan& plan_;
+  const Symbolic& known_;
+  double rows_;
+  FrontSpeed speed_;
+  Sampled sample_;
+  std::vector<PredictedFigure> figures_;
+  double seconds_ = 0;
+};
+
+/// A time, or a size, in as many digits as anybody wants to read.
+std::string in_words(const PredictedFigure& figure, double amount) {
+  const bool bytes = figure.what.find("bytes") != std::string::npos;
+  if (figure.what == "seconds") return signorini::number(amount, "%.2g s");
+  if (bytes && amount >= 1e5) return signorini::number(amount / 1e6, "%.3g MB");
+  if (figure.what.find("operations") != std::string::npos) return signorini::number(amount, "%.3g");
+  return signorini::number(amount, "%.0f");
+}
+
+}  // namespace
+
+double Prediction::amount(const std::string& phase, const std::string& what) const {
+  for (const PredictedFigure& figure : figures)
+    if (figure.phase == phase && figure.what == what) return figure.amount;
+  return 0;
+}
+
+Prediction predict(const Plan& plan) {
+  Prediction prediction;
+  for (const BodyModel& body : plan.bodies) prediction.bodies.push_back(summary_of(body));
+  prediction.method = method_of(plan);
+  const Symbolic known = symbolic(plan);
+  prediction.figures = Figures(plan, known).all();
+  return prediction;
+}
+
+std::vector<ConfrontedFigure> confront(const Prediction& prediction, const Ledger& ledger) {
+  std::vector<ConfrontedFigure> figures;
+  for (const PredictedFigure& figure : prediction.figures)
+    for (const LedgerEntry& entry : ledger.entries()) {
+      if (entry.path != figure.phase) continue;
+      if (figure.what == "seconds")
+        figures.push_back({figure, entry.seconds});
+      else if (figure.what == "bytes")
+        figures.push_back({figure, static_cast<double>(entry.bytes)});
+      else if (entry.counts.count(figure.what) > 0)
+        figures.push_back({figure, static_cast<double>(entry.counts.at(figure.what))});
+    }
+  return figures;
+}
+
+const char* to_string(Trust trust) {
+  return trust == Trust::Exact ? "exact" : trust == Trust::Bound ? "at most" : "about";
+}
+
+const char* to_string(Built built) {
+  return built == Built::Once      ? "once"
+         : built == Built::PerStep ? "per load step"
+                                   : "per iteration";
+}
+
+std::ostream& operator<<(std::ostream& out, const Prediction& prediction) {
+  std::ostringstream table;
+  for (const BodySummary& body : prediction.bodies)
+    table << "  body '" << body.name << "': " << body.pieces
+          << (body.pieces == 1 ? " piece" : " loose pieces") << ", loads add up to ("
+          << body.force.x() << ", " << body.force.y() << "), moment about the origin "
+          << body.moment << '\n';
+  table << "  " << prediction.method << '\n';
+  for (const Built built : {Built::Once, Built::PerStep, Built::PerIteration}) {
+    table << "  " << to_string(built) << '\n';
+    std::string last;
+    for (const PredictedFigure& figure : prediction.figures) {
+      if (figure.built != built) continue;
+      if (figure.phase != last)
+        table << (last.empty() ? "" : "\n") << "    " << std::left << std::setw(16) << figure.phase;
+      table << (figure.phase != last ? " " : ", ") << figure.what << ' '
+            << (figure.trust == Trust::Exact ? "" : std::string(to_string(figure.trust)) + ' ')
+            << in_words(figure, figure.amount);
+      last = figure.phase;
+    }
+    table << '\n';
+  }
+  return out << table.str();
+}
+
+std::ostream& operator<<(std::ostream& out, const std::vector<ConfrontedFigure>& figures) {
+  std::ostringstream table;
+  table << std::left << std::setw(18) << "phase" << std::setw(26) << "figure" << std::right
+        << std::setw(12) << "predicted" << std::setw(12) << "measured"
+        << "  trust\n";
+  for (const ConfrontedFigure& figure : figures)
+    table << std::left << std::setw(18) << figure.predicted.phase << std::setw(26)
+          << figure.predicted.what << std::right << std::setw(12)
+          << in_words(figure.predicted, figure.predicted.amount) << std::setw(12)
+          << in_words(figure.predicted, figure.measured) << "  "
+          << to_string(figure.predicted.trust) << '\n';
+  return out << table.str();
+}
+
+}  // namespace signorini

@@ -1,0 +1,93 @@
+/// \file
+/// What a plan will cost, said before there is a number, and what it did cost.
+#pragma once
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "signorini/scene/scene.hpp"
+
+namespace signorini {
+
+/// How a figure of a prediction is meant.
+enum class Trust {
+  Exact,  ///< it will be so
+  Bound,  ///< it will not be more
+  Estimate  ///< of what depends on the numbers of the problem, or on the machine and who else works on it
+};
+
+/// How often something is made.
+enum class Built {
+  Once,         ///< for all loads
+  PerStep,      ///< for every set of loads
+  PerIteration  ///< of contact or of refinement
+};
+
+/// One line of a prediction.
+struct PredictedFigure {
+  Built built = Built::Once;  ///< how often what it is about is made
+  std::string phase;          ///< of the ledger, or what is not in the ledger
+  std::string what;           ///< `seconds`, `bytes`, or the name of a count
+  double amount = 0;          ///< how much, over the whole run
+  Trust trust = Trust::Exact;
+};
+
+/// What acts on a body, and whether it is one.
+struct BodySummary {
+  std::string name;           ///< of its mesh
+  Eigen::Index unknowns = 0;  ///< of this body
+  Eigen::Index pieces = 0;    ///< that share no node with each other
+  Eigen::Vector2d force;      ///< sum of all loads, on held nodes too [force]
+  double moment = 0;          ///< of the loads about the origin, anticlockwise > 0 [force length]
+};
+
+/// What a plan will cost.
+struct Prediction {
+  std::vector<BodySummary> bodies;       ///< as in the plan
+  std::string method;                    ///< which, and why
+  std::vector<PredictedFigure> figures;  ///< in the order in which a run meets them
+
+  /// One figure.
+  /// \param phase  of it \param what  of it
+  /// \return its amount, 0 if there is none
+  [[nodiscard]] double amount(const std::string& phase, const std::string& what) const;
+};
+
+/// Predicts what build(), condense() and solve() will cost; these do not ask for it.
+///
+/// The pattern of K, the tree of separators and the fronts are made as condense() makes them, without numbers:
+/// entries, bytes and operations of K, of the factor, of the rows of A and of the compliance are exact. How often
+/// contact and refinement go round depends on the numbers, so what hangs on that is an estimate: five contact
+/// iterations if there are gaps, with half of the rows closed, and one refinement of the set that they end with.
+/// Seconds come from the speed of this machine on fronts of these sizes, on a walk through the memory and on the
+/// first cells of every body, measured now in some milliseconds.
+/// \param plan  from plan()
+/// \return the prediction
+/// \throws ProblemError as assemble() of some cells
+[[nodiscard]] Prediction predict(const Plan& plan);
+
+/// A figure and what became of it.
+struct ConfrontedFigure {
+  PredictedFigure predicted;  ///< before the run
+  double measured = 0;        ///< after it
+};
+
+/// Sets a prediction against the ledger of the run.
+/// \param prediction  of the plan
+/// \param ledger      of build(), condense() and solve()
+/// \return the figures of phases that the ledger has
+[[nodiscard]] std::vector<ConfrontedFigure> confront(const Prediction& prediction,
+                                                     const Ledger& ledger);
+
+/// Prints bodies, method, and what is made how often. \param out where to \param prediction what \return `out`
+std::ostream& operator<<(std::ostream& out, const Prediction& prediction);
+
+/// Prints a table of predicted and measured figures. \param out where to \param figures what \return `out`
+std::ostream& operator<<(std::ostream& out, const std::vector<ConfrontedFigure>& figures);
+
+/// \param trust  any \return "exact", "at most" or "about"
+[[nodiscard]] const char* to_string(Trust trust);
+/// \param built  any \return "once", "per load step" or "per iteration"
+[[nodiscard]] const char* to_string(Built built);
+
+}  // namespace signorini

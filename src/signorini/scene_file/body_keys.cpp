@@ -1,0 +1,302 @@
+#include <limits>
+#include <utility>
+
+#include "signorini/core/family.hpp"
+#include "signorini/elasticity/elements.hpp"
+#include "signorini/scene_file/kinds.hpp"
+#include "signorini/scene_file/scene_keys.hpp"
+
+namespace signorini {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+template <>
+struct Words<PlaneState> {
+  static std::vector<Word<PlaneState>> all() {
+    return {{"plane strain", PlaneState::Strain},
+            {"plane stress", PlaneState::Stress},
+            {"axial", PlaneState::Axial}};
+  }
+};
+
+namespace {
+
+std::vector<std::string> boundary_names(const Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const auto& named : mesh.boundaries) names.push_back(named.first);
+  return names;
+}
+
+/// Checks that a mesh has a boundary, and that this is not empty.
+void check_boundary(const Value& value, const Mesh& mesh, const std::string& name) {
+  const auto found = mesh.boundaries.find(name);
+  if (found == mesh.boundaries.end())
+    value.fail("'", mesh.name, "' has no boundary ", in_quotes(name),
+               suggestion(name, boundary_names(mesh)));
+  if (found->second.empty())
+    value.fail("the boundary ", in_quotes(name), " of '", mesh.name, "' is empty");
+}
+
+/// The names of boundaries, one or a list.
+std::vector<std::string> boundaries_of(const Value& value, const Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const Value* item : value.one_or_several()) {
+    names.emplace_back();
+    take(*item, names.back());
+    check_boundary(*item, mesh, names.back());
+  }
+  return names;
+}
+
+/// Calls a function with every boundary and what is said of it: { top = 3.6 }.
+template <typename Each>
+void each_boundary(const Value& value, const Mesh& mesh, const Each& each) {
+  if (value.kind != Value::Kind::Table || value.items.empty())
+    value.fail("expected a table of boundaries such as { ",
+               mesh.boundaries.empty() ? std::string("top") : mesh.boundaries.begin()->first,
+               " = ... }, got ", value.shown());
+  for (const Value& item : value.items) {
+    check_boundary(item, mesh, item.name);
+    each(item);
+  }
+}
+
+VectorField constant(const Vector2d& vector) {
+  return [vector](const Vector2d& /*at*/) { return vector; };
+}
+
+/// A key with the name of each boundary and a vector there.
+Key<BodyDraft> vectors(const char* name, const char* unit, const char* help, Bound bound,
+                       void (*put)(Body&, const std::string&, const Vector2d&)) {
+  return {{name, "table of boundary = " + type_name<Vector2d>(bound), unit, "", help},
+          [bound, put](const Value& value, BodyDraft& draft) {
+            each_boundary(value, draft.body.mesh, [&](const Value& item) {
+              Vector2d vector;
+              take(item, vector, bound);
+              put(draft.body, item.name, vector);
+            });
+          }};
+}
+
+/// The boundary that a node at a place lies on: the one with the nearest node.
+std::string boundary_at(const Value& value, const Mesh& mesh, const Vector2d& at) {
+  double least = std::numeric_limits<double>::infinity();
+  std::string nearest;
+  for (const auto& named : mesh.boundaries)
+    for (const Index node : boundary_nodes(mesh, named.first))
+      if (const double apart = (mesh.nodes.row(node).transpose() - at).norm(); apart < least) {
+        least = apart;
+        nearest = named.first;
+      }
+  if (nearest.empty()) value.fail("'", mesh.name, "' has no boundary that the point could be on");
+  return nearest;
+}
+
+void read_point(const Value& value, BodyDraft& draft) {
+  PointDraft point;
+  read_members(value, point_keys(), point);
+  Body& body = draft.body;
+  if (!point.force && !point.spring && !point.x && !point.y)
+    value.fail("nothing acts at this point: give force, spring, x or y");
+  if (point.force) body.loads.points.push_back({point.at, *point.force});
+  if (!point.spring && !point.x && !point.y) return;
+  const std::string boundary = boundary_at(value, body.mesh, point.at);
+  if (point.spring) body.springs.push_back({boundary, *point.spring, point.at});
+  if (point.x) body.supports.push_back(prescribed_at(boundary, point.at, Axis::X, *point.x));
+  if (point.y) body.supports.push_back(prescribed_at(boundary, point.at, Axis::Y, *point.y));
+}
+
+/// Gives the cells whose middle lies in a box a name, and returns it.
+std::string region_of_box(const Value& value, const std::vector<double>& box, Mesh& mesh) {
+  std::vector<Index> cells;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const int corners = mesh.corners(cell);
+    Vector2d middle = Vector2d::Zero();
+    for (int corner = 0; corner < corners; ++corner)
+      middle += mesh.nodes.row(mesh.cells(cell, corner)).transpose() / corners;
+    if (middle.x() > box[0] && middle.x() < box[2] && middle.y() > box[1] && middle.y() < box[3])
+      cells.push_back(cell);
+  }
+  if (cells.empty()) value.fail("no cell of '", mesh.name, "' has its middle in the box");
+  const std::string name = text("layer ", mesh.regions.size() + 1);
+  mesh.regions[name] = std::move(cells);
+  return name;
+}
+
+void read_layer(const Value& value, BodyDraft& draft) {
+  LayerDraft layer;
+  layer.material = draft.body.material;
+  read_members(value, layer_keys(), layer);
+  if (layer.region.empty() == layer.box.empty()) value.fail("give either region or box");
+  Mesh& mesh = draft.body.mesh;
+  if (layer.region.empty()) {
+    layer.region = region_of_box(value, layer.box, mesh);
+  } else if (mesh.regions.find(layer.region) == mesh.regions.end()) {
+    std::vector<std::string> names;
+    for (const auto& named : mesh.regions) names.push_back(named.first);
+    value.find("region")->fail("'", mesh.name, "' has no region ", in_quotes(layer.region),
+                               suggestion(layer.region, names));
+  }
+  value.explain([&] { check_material(layer.material); });
+  draft.body.layers.push_back({layer.region, layer.material});
+}
+
+/// Displacements that are given along a boundary.
+struct Moved {
+  std::optional<double> x, y;
+};
+
+void read_prescribed(const Value& value, BodyDraft& draft) {
+  static const Keys<Moved> keys = {key("x", &Moved::x, "length", "displacement along x"),
+                                   key("y", &Moved::y, "length", "displacement along y")};
+  each_boundary(value, draft.body.mesh, [&](const Value& item) {
+    Moved moved;
+    read_members(item, keys, moved);
+    if (!moved.x && !moved.y) item.fail("expected { x = ... }, { y = ... } or both");
+    std::vector<Support>& supports = draft.body.supports;
+    if (moved.x) supports.push_back(prescribed(item.name, Axis::X, *moved.x));
+    if (moved.y) supports.push_back(prescribed(item.name, Axis::Y, *moved.y));
+  });
+}
+
+Key<BodyDraft> supported(const char* name, const char* help, Support (*made)(const std::string&)) {
+  return {{name, "boundary or list of them", "", "", help},
+          [made](const Value& value, BodyDraft& draft) {
+            for (const std::string& boundary : boundaries_of(value, draft.body.mesh))
+              draft.body.supports.push_back(made(boundary));
+          }};
+}
+
+}  // namespace
+
+const Keys<Material>& material_keys() {
+  static const Keys<Material> keys = {
+      required(key("youngs_modulus", &Material::youngs_modulus, "force/length^2",
+                   "Young's modulus E", Bound::Positive)),
+      required(key("poisson_ratio", &Material::poisson_ratio, "", "Poisson's ratio")),
+      key("state", &Material::state, "", "what does not happen across the plane"),
+      key("thickness", &Material::thickness, "length", "across the plane", Bound::Positive),
+      key("expansion", &Material::expansion, "1/temperature", "thermal strain per temperature")};
+  return keys;
+}
+
+const Keys<LayerDraft>& layer_keys() {
+  static const Keys<LayerDraft> keys = [] {
+    Keys<LayerDraft> made = {
+        key("region", &LayerDraft::region, "", "of the mesh: the cells of the layer"),
+        {{"box", "[left, bottom, right, top]", "length", "",
+          "in place of region: the cells whose middle lies in it"},
+         [](const Value& value, LayerDraft& layer) {
+           for (const Value& item : list_of(value, 4, "number")) {
+             layer.box.push_back(0);
+             take(item, layer.box.back());
+           }
+         }}};
+    for (const Key<Material>& key : material_keys()) {
+      if (key.name == "state" || key.name == "thickness") continue;
+      KeyInfo info = key;
+      info.required = false;
+      info.standard = "that of the body";
+      made.push_back({info, [read = key.read](const Value& value, LayerDraft& layer) {
+                        read(value, layer.material);
+                      }});
+    }
+    return made;
+  }();
+  return keys;
+}
+
+const Keys<PointDraft>& point_keys() {
+  static const Keys<PointDraft> keys = {
+      required(key("at", &PointDraft::at, "length",
+                   "where: a node of the edge, for a force also between nodes")),
+      key("force", &PointDraft::force, "force", "on the body"),
+      key("spring", &PointDraft::spring, "force/length", "to the ground, in x and y",
+          Bound::NotNegative),
+      key("x", &PointDraft::x, "length", "given displacement along x"),
+      key("y", &PointDraft::y, "length", "given displacement along y")};
+  return keys;
+}
+
+const Keys<Temperature>& temperature_keys() {
+  static const Keys<Temperature> keys = {
+      key("uniform", &Temperature::uniform, "temperature", "at the origin"),
+      key("gradient", &Temperature::gradient, "temperature/length", "along x and y")};
+  return keys;
+}
+
+const Keys<BodyDraft>& body_keys() {
+  static const Keys<BodyDraft> keys = {
+      {{"name", "text", "", "\"body\"", "of the body; no other body has it"},
+       [](const Value& value, BodyDraft& draft) { take(value, draft.body.mesh.name); }},
+      {{"mesh", "table", "", "",
+        "such as { kind = \"block\", size = [50, 5], cells = [100, 10] }, see meshes", true},
+       [](const Value& value, BodyDraft& draft) {
+         draft.body.mesh = read_mesh(value, draft.body.mesh.name);
+       }},
+      {{"element", "text", "", "the usual one of its cells",
+        "of the cells: " + names_of(elements()) + "; usual are t3, t6, q4_incompatible, q8"},
+       [](const Value& value, BodyDraft& draft) {
+         take_member(value, elements(), "element", draft.body.element);
+         value.explain(
+             [&] { static_cast<void>(element_for(draft.body.mesh, draft.body.element)); });
+       }},
+      {{"material", "table", "", "that of the scene", "see material"},
+       [](const Value& value, BodyDraft& draft) {
+         draft.body.material = {};
+         read_members(value, material_keys(), draft.body.material);
+         value.explain([&] { check_material(draft.body.material); });
+         draft.material = true;
+       }},
+      supported("fixed", "no displacement", fixed),
+      supported("symmetric", "no displacement across straight boundaries, free along them",
+                symmetric),
+      {{"prescribed", "table of boundary = { x, y }", "length", "",
+        "given displacements, as { right = { x = 0.1 } }; the other component is free"},
+       read_prescribed},
+      {{"pressure", "table of boundary = number", "force/length^2", "",
+        "against the body, as { top = 3.6 }; < 0 pulls"},
+       [](const Value& value, BodyDraft& draft) {
+         each_boundary(value, draft.body.mesh, [&](const Value& item) {
+           double pressure = 0;
+           take(item, pressure);
+           draft.body.loads.edges.push_back({item.name, pressure, {}});
+         });
+       }},
+      vectors("traction", "force/length^2", "as { right = [0, -1] }", Bound::Any,
+              [](Body& body, const std::string& boundary, const Vector2d& vector) {
+                body.loads.edges.push_back({boundary, 0, constant(vector)});
+              }),
+      vectors("spring", "force/length^3", "to the ground in x and y, as { bottom = [0, 50] }",
+              Bound::NotNegative,
+              [](Body& body, const std::string& boundary, const Vector2d& vector) {
+                body.springs.push_back({boundary, vector, {}});
+              }),
+      {{"body_force", "[x, y]", "force/length^3", "", "such as the weight"},
+       [](const Value& value, BodyDraft& draft) {
+         Vector2d force;
+         take(value, force);
+         draft.body.loads.body_force = constant(force);
+       }},
+      {{"point", "table or list of them", "", "", "what acts at single points, see point"},
+       [](const Value& value, BodyDraft& draft) {
+         for (const Value* item : value.one_or_several()) read_point(*item, draft);
+       }},
+      {{"temperature", "number or table", "temperature", "",
+        "above that without stress; as a table, see temperature"},
+       [](const Value& value, BodyDraft& draft) {
+         Temperature& temperature = draft.body.temperature.emplace();
+         if (value.kind == Value::Kind::Table)
+           read_members(value, temperature_keys(), temperature);
+         else
+           take(value, temperature.uniform);
+       }},
+      {{"layer", "table or list of them", "", "", "parts of another material, see layer"},
+       [](const Value& value, BodyDraft& draft) {
+         for (const Value* item : value.one_or_several()) read_layer(*item, draft);
+       }}};
+  return keys;
+}
+
+}  // namespace signorini

@@ -1,0 +1,121 @@
+#include "signorini/scene_file/scene_file.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "signorini/core/text_reader.hpp"
+#include "signorini/elasticity/elements.hpp"
+#include "signorini/scene_file/kinds.hpp"
+#include "signorini/scene_file/scene_keys.hpp"
+
+namespace signorini {
+namespace {
+
+/// Whether a step throws an error of this message.
+template <typename Step>
+bool fails_with(const std::string& message, const Step& step) {
+  try {
+    step();
+  } catch (const ProblemError& error) {
+    return error.what() == message;
+  } catch (const std::exception&) {
+    return false;
+  }
+  return false;
+}
+
+/// What plan() and build() ask of a body by itself.
+void try_body(const Body& body) {
+  check_mesh(body.mesh);
+  const Element& element = element_for(body.mesh, body.element);
+  check_material(body.material);
+  static_cast<void>(number_unknowns(body.mesh, body.supports));
+  static_cast<void>(nodal_loads(body.mesh, element, body.material, body.loads));
+}
+
+/// The line that is to blame for an error.
+std::size_t line_of(const SceneFile& file, const std::string& message) {
+  const std::vector<Body>& bodies = file.scene.bodies;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (fails_with(message, [&] { try_body(bodies[k]); })) return file.body_lines[k];
+  for (std::size_t k = 0; k < file.scene.contacts.size(); ++k) {
+    Scene alone = file.scene;
+    alone.contacts = {file.scene.contacts[k]};
+    if (fails_with(message, [&] { static_cast<void>(plan(alone)); })) return file.contact_lines[k];
+  }
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (message.find("'" + bodies[k].mesh.name + "'") != std::string::npos)
+      return file.body_lines[k];
+  return file.body_lines.empty() ? 1 : file.body_lines.front();
+}
+
+void add_table(std::string& page, const std::vector<KeyInfo>& keys) {
+  page += "| key | value | unit | without it | |\n|:--|:--|:--|:--|:--|\n";
+  for (const KeyInfo& key : keys) {
+    const auto code = [](const std::string& words) {
+      return words.empty() ? words : "`" + words + "`";
+    };
+    page += "| `" + key.name + "` | " + key.type + " | " + key.unit + " | " +
+            (key.required ? "must be there" : code(key.standard)) + " | " + key.help + " |\n";
+  }
+}
+
+template <typename T>
+void add_section(std::string& page, const std::string& heading, const Keys<T>& keys) {
+  page += "\n### " + heading + "\n\n";
+  add_table(page, infos(keys));
+}
+
+template <typename Thing>
+void add_kinds(std::string& page, const std::string& heading, const std::vector<Kind<Thing>>& kinds,
+               const std::vector<KeyInfo>& common) {
+  page += "\n### " + heading + "\n";
+  if (!common.empty()) {
+    page += "\nOf all kinds:\n\n";
+    add_table(page, common);
+  }
+  for (const Kind<Thing>& kind : kinds) {
+    page += "\n`kind = \"" + kind.name + "\"`: " + kind.help + "\n\n";
+    add_table(page, kind.keys);
+  }
+}
+
+}  // namespace
+
+SceneFile parse_scene(std::string_view content, const std::string& name,
+                      const std::filesystem::path& folder) {
+  const Value root = parse_toml(content, {name, folder});
+  SceneDraft draft;
+  draft.file.name = name;
+  read_members(root, scene_keys(), draft);
+  if (draft.material && !draft.material_used)
+    root.find("material")->fail("is unused: every body has a material of its own");
+  return std::move(draft.file);
+}
+
+SceneFile read_scene(const std::filesystem::path& file) {
+  return parse_scene(file_content(file, largest_scene_file), file.string(), file.parent_path());
+}
+
+std::string located(const SceneFile& file, const std::string& message) {
+  if (message.rfind(file.name + ":", 0) == 0) return message;
+  return text(file.name, ":", line_of(file, message), ": ", message);
+}
+
+std::string key_reference() {
+  std::string page = "### Scene: the head of the file\n\n";
+  add_table(page, infos(scene_keys()));
+  add_section(page, "Body: `[[body]]`", body_keys());
+  add_kinds(page, "Meshes: `mesh = { kind = ..., ... }`", mesh_kinds(), mesh_keys());
+  add_section(page, "Material", material_keys());
+  add_section(page, "Point", point_keys());
+  add_section(page, "Temperature", temperature_keys());
+  add_section(page, "Layer", layer_keys());
+  add_section(page, "Contact: `[[contact]]`", contact_keys());
+  add_kinds(page, "Obstacles: `target = { kind = ..., ... }`", obstacle_kinds(), {});
+  add_section(page, "Friction", friction_keys());
+  add_section(page, "Output: `[output]`", output_keys());
+  return page;
+}
+
+}  // namespace signorini

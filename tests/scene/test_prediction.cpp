@@ -1,0 +1,210 @@
+#include <functional>
+#include <map>
+#include <sstream>
+
+#include "catch_compat.hpp"
+#include "signorini/mesh/block.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/prediction.hpp"
+#include "signorini/scene/readings.hpp"
+#include "support/cantilever.hpp"
+#include "support/effect_examples.hpp"
+#include "support/hertz.hpp"
+#include "support/two_bodies.hpp"
+
+using namespace signorini;
+using namespace signorini_test;
+using Eigen::Index;
+
+namespace {
+
+/// A square that is fixed at its top and pressed down onto a rigid plane.
+Scene pressed_block() {
+  Scene scene = two_blocks(named_block("square", {0, 0}, {2, 2}, 20, 20),
+                           named_block("other", {0, 5}, {1, 1}, 1, 1));
+  scene.bodies.pop_back();
+  scene.bodies[0].supports = {prescribed("top", Axis::Y, -0.01), symmetric("left")};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  return scene;
+}
+
+/// Two blocks, of which only contact holds the upper one.
+Scene floating_block() {
+  Scene scene = two_blocks(named_block("lower", {0, 0}, {4, 2}, 24, 12),
+                           named_block("upper", {1, 2}, {2, 2}, 16, 16));
+  scene.bodies[1].supports = {symmetric("left")};
+  scene.bodies[1].loads.edges = {{"top", 3, {}}};
+  return scene;
+}
+
+Scene rubbing_blocks() {
+  Scene scene = floating_block();
+  scene.bodies[1].supports.clear();
+  scene.contacts[0].friction = Friction{0.3, 0};
+  return scene;
+}
+
+Scene without_contact() {
+  Scene scene = cantilever("q8", 20, 4);
+  scene.contacts.clear();
+  return scene;
+}
+
+Scene rubbing_cantilever() {
+  Scene scene = cantilever("q4_incompatible", 100, 10);
+  scene.contacts[0].friction = Friction{0.2, 0.1};
+  return scene;
+}
+
+const std::map<std::string, std::function<Scene()>>& scenes() {
+  static const std::map<std::string, std::function<Scene()>> all = {
+      {"block", pressed_block},
+      {"cantilever", [] { return cantilever("q4_incompatible", 100, 10); }},
+      {"cantilever of q8", [] { return cantilever("q8", 40, 4); }},
+      {"Hertz", [] { return hertz(); }},
+      {"floating", floating_block},
+      {"floating, friction", rubbing_blocks},
+      {"cantilever, friction", rubbing_cantilever},
+      {"without contact", without_contact}};
+  return all;
+}
+
+double all_operations(const std::function<double(const char*)>& in) {
+  return in("factor/numeric") + in("condensation") + in("refinement");
+}
+
+}  // namespace
+
+TEST_CASE("what is said to be exact is so, and the operations of a run are within a tenth",
+          "[prediction]") {
+  for (const auto& [name, scene] : scenes()) {
+    CAPTURE(name);
+    const Plan planned = plan(scene());
+    const Prediction prediction = predict(planned);
+    const Solution solution = solve(scene());
+    REQUIRE(solution.contact.report.status == Status::Solved);
+    int exact = 0;
+    for (const ConfrontedFigure& figure : confront(prediction, solution.ledger)) {
+      CAPTURE(figure.predicted.phase, figure.predicted.what);
+      if (figure.predicted.trust == Trust::Exact) {
+        CHECK(figure.measured == figure.predicted.amount);
+        ++exact;
+      }
+      if (figure.predicted.trust == Trust::Bound) CHECK(figure.measured <= figure.predicted.amount);
+    }
+    CHECK(exact == 13);
+    const double predicted =
+        all_operations([&](const char* phase) { return prediction.amount(phase, "operations"); });
+    const double measured = all_operations([&](const char* phase) {
+      return static_cast<double>(solution.ledger.counted(phase, "operations"));
+    });
+    CHECK(predicted == Approx(measured).epsilon(0.1));
+  }
+}
+
+TEST_CASE("the figures that are said to be exact are so whatever effect is on", "[prediction]") {
+  for (const auto& [name, example] : effect_examples()) {
+    CAPTURE(name);
+    Scene scene = example.without;
+    example.give(scene);
+    Ledger ledger;
+    const Prediction prediction = predict(plan(scene));
+    static_cast<void>(condense(build(scene, ledger), ledger));
+    int exact = 0;
+    for (const ConfrontedFigure& figure : confront(prediction, ledger)) {
+      if (figure.predicted.trust != Trust::Exact) continue;
+      CAPTURE(figure.predicted.phase, figure.predicted.what);
+      CHECK(figure.measured == figure.predicted.amount);
+      ++exact;
+    }
+    CHECK(exact == 13);
+  }
+}
+
+TEST_CASE("the ledger, which a prediction is set against, counts what the matrices have",
+          "[prediction]") {
+  for (const auto& [name, scene] : scenes()) {
+    CAPTURE(name);
+    Ledger ledger;
+    const Model model = build(scene(), ledger);
+    const Condensed condensed = condense(model, ledger);
+    const auto is = [&](const char* phase, const char* what, Index amount) {
+      CAPTURE(phase, what);
+      CHECK(ledger.counted(phase, what) == amount);
+      CHECK(predict(plan(scene())).amount(phase, what) == static_cast<double>(amount));
+    };
+    const QuadraticProgramme& programme = model.programme;
+    is("assembly", "unknowns", programme.load.size());
+    is("assembly", "pairs", static_cast<Index>(model.pairs.node.size()));
+    is("assembly", "rows", programme.initial_gap.size());
+    is("assembly", "stiffness entries", programme.stiffness.nonZeros());
+    is("factor/numeric", "nonzeros", condensed.factor.nonzeros());
+    // A solve multiplies and adds with every entry below the diagonal twice, and divides by each pivot twice.
+    is("condensation", "operations of one solve",
+       4 * condensed.factor.nonzeros() - 2 * condensed.factor.size());
+  }
+}
+
+TEST_CASE("no row costs no byte and no operation but those of one linear solve", "[prediction]") {
+  const Prediction prediction = predict(plan(without_contact()));
+  CHECK(prediction.amount("condensation", "bytes") == 0);
+  CHECK(prediction.amount("condensation", "stack bytes") == 0);
+  CHECK(prediction.amount("condensation", "operations") ==
+        prediction.amount("condensation", "operations of one solve"));
+  CHECK(prediction.amount("contact", "iterations") == 0);
+  CHECK(prediction.method.find("one linear solve") == 0);
+}
+
+TEST_CASE("the operations of a front are those of its columns", "[prediction]") {
+  for (const Index own : {0, 1, 2, 7, 64, 65})
+    for (const Index rim : {0, 1, 5, 40}) {
+      double sum = 0;
+      for (Index below = rim; below < own + rim; ++below)
+        sum += static_cast<double>(below + below * (below + 1));  // divisions, then half a square
+      CHECK(elimination_operations(own, rim) == sum);
+    }
+}
+
+TEST_CASE("the loads of a body add up to what a plan says", "[prediction]") {
+  Scene scene = floating_block();
+  scene.bodies[1].loads.edges = {{"top", 3, {}}, {"right", 0, [](const Eigen::Vector2d& x) {
+                                                    return Eigen::Vector2d(x.y(), 0);
+                                                  }}};
+  scene.bodies[0].loads.body_force = [](const Eigen::Vector2d&) {
+    return Eigen::Vector2d(0, -0.5);
+  };
+  const Prediction prediction = predict(plan(scene));
+  const BodySummary& lower = prediction.bodies[0];
+  const BodySummary& upper = prediction.bodies[1];
+  CHECK(lower.force.x() == 0);
+  CHECK(lower.force.y() == Approx(-4).epsilon(1e-13));
+  CHECK(lower.moment == Approx(-8).epsilon(1e-13));    // 4 across, middle at x = 2
+  CHECK(upper.force.x() == Approx(6).epsilon(1e-13));  // y from 2 to 4
+  CHECK(upper.force.y() == Approx(-6).epsilon(1e-13));
+  const double of_right = -(64.0 - 8.0) / 3;  // -y y over the side
+  CHECK(upper.moment == Approx(-12 + of_right).epsilon(1e-13));
+}
+
+TEST_CASE("loose pieces of a body are counted", "[prediction]") {
+  Scene scene = pressed_block();
+  Mesh& mesh = scene.bodies[0].mesh;
+  Mesh other = named_block("other", {3, 0}, {1, 2}, 2, 2);
+  const Index first = mesh.n_nodes();
+  mesh.nodes.conservativeResize(first + other.n_nodes(), 2);
+  mesh.nodes.bottomRows(other.n_nodes()) = other.nodes;
+  mesh.cells.conservativeResize(mesh.n_cells() + other.n_cells(), 4);
+  mesh.cells.bottomRows(other.n_cells()) = (other.cells.array() + first).matrix();
+  CHECK(pieces(named_block("one", {0, 0}, {1, 1}, 3, 3)).size() == 1);
+  CHECK(pieces(mesh).size() == 2);
+}
+
+TEST_CASE("a prediction and what became of it are printed", "[prediction]") {
+  const Prediction prediction = predict(plan(pressed_block()));
+  std::ostringstream out;
+  out << prediction << confront(prediction, solve(pressed_block()).ledger);
+  for (const char* word : {"body 'square': 1 piece", "once", "per load step", "per iteration",
+                           "at most", "about", "predicted    measured  trust", "exact"}) {
+    CAPTURE(word, out.str());
+    CHECK(out.str().find(word) != std::string::npos);
+  }
+}
