@@ -82,16 +82,17 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   const std::string help =
       signorini::text(". Try signorini ", &own == &app ? "" : name + " ", "--help");
   const std::string said = error.what();
-  if (error.get_name() == "ExtrasError") {
+  const auto code = static_cast<CLI::ExitCodes>(error.get_exit_code());
+  if (code == CLI::ExitCodes::ExtrasError) {
     const std::vector<std::string> extra = app.remaining(true);
     const std::string first = extra.empty() ? "" : extra.front();
     if (!first.empty() && first[0] == '-')
       return "unknown option '" + first + "'; known options: " + known_options(own) + help;
     return "expected one FILE, got also '" + first + "'" + help;
   }
-  if (error.get_name() == "RequiredError")
+  if (code == CLI::ExitCodes::RequiredError)
     return "FILE is required: signorini " + name + " FILE" + help;
-  if (error.get_name() == "ArgumentMismatch")
+  if (code == CLI::ExitCodes::ArgumentMismatch)
     return said.substr(0, said.find(':')) + ": expected a value" + help;
   return said + help;
 }

@@ -107,8 +107,8 @@ Drafts::~Drafts() {
 }
 
 std::filesystem::path Drafts::add(const std::string& file) {
-  pose(!std::filesystem::is_directory(file), "cannot write '", file,
-       "': there is a folder of this name");
+  pose(!std::filesystem::exists(file) || std::filesystem::is_regular_file(file), "cannot write '",
+       file, "': this is no plain file");
   files_.emplace_back(file + draft_mark, file);
   return files_.back().first;
 }

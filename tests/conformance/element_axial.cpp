@@ -56,7 +56,7 @@ double relative_error(const Mesh& mesh, const Element& element, const NodeArray&
     const CellNodes nodes = cell_nodes(mesh, cell);
     CellNodes values(element.n_nodes, 2);
     for (Index k = 0; k < element.n_nodes; ++k) values.row(k) = u.row(mesh.cells(cell, k));
-    for (const GaussPoint& gauss : gauss_square(3)) {
+    for (const GaussPoint& gauss : gauss_cell(element)) {
       const Shape shape = element.shape(gauss.xi, gauss.eta);
       const Vector2d x = nodes.transpose() * shape.value;
       const double volume = gauss.weight * jacobian(shape, nodes).determinant * x.x();
@@ -90,7 +90,7 @@ double sphere_error(const Element& element, Index n, double poisson_ratio) {
   spec.cells_radius = n;
   spec.sector = Sector::Quarter;
   spec.order = order_of(element);
-  const Mesh mesh = make_annulus(spec);
+  const Mesh mesh = fitting(make_annulus(spec), element);
   const NodeArray u = solve_body(mesh, element, axial(poisson_ratio), {symmetric("symmetry")},
                                  {{}, {{"inner", 1, {}}}});
   const HollowSphere sphere{0.9, 2, 1000, poisson_ratio};    // cells are a little inside of the arc

@@ -1,10 +1,11 @@
 #!/bin/sh
-# command.sh PROGRAM DATA FOLDER: the program `signorini` says what it should and ends with the right status.
+# command.sh PROGRAM DATA EXAMPLES PAGE FOLDER: the program `signorini` says what it should and ends with the right
+# status.  PAGE is its manual page.
 set -u
-program=$1 data=$2
-rm -rf "$3"
-mkdir -p "$3"
-cd "$3" || exit 1
+program=$1 data=$2 examples=$3 page=$4 folder=$5
+rm -rf "$folder"
+mkdir -p "$folder"
+cd "$folder" || exit 1
 failures=0
 expect() { # status, words that are said (an extended regular expression), arguments
     wanted=$1 words=$2
@@ -46,13 +47,107 @@ expect 2 'ZECEVIC2.txt: not strictly convex' qp "$qp/ZECEVIC2.txt"
 expect 2 "odd:4: M, row 2, number 2: expected a finite number, got 'nan'" lcp odd
 expect 2 'missing: there is no such file' lcp missing
 expect 2 'this is a folder' qp "$qp"
-expect 2 'FILE is required' qp
-expect 2 'expected lcp FILE, qp FILE or --list'
-expect 2 "unknown command 'foo'; expected lcp FILE, qp FILE or --list" foo odd
-expect 2 'Try signorini --help' solve
-expect 2 '--tolerance' lcp odd --tolerance word
-expect 2 '--tolerance: expected a number above 0' lcp odd --tolerance -1
-expect 2 '--tolerance: expected a number above 0' lcp odd --tolerance nan
+expect 2 'FILE is required: signorini qp FILE\. Try signorini qp --help' qp
+expect 2 'FILE is required: signorini solve FILE\. Try signorini solve --help' solve
+expect 2 'expected plan FILE, solve FILE, lcp FILE, qp FILE, --list'
+expect 2 "unknown command 'foo'; expected plan FILE, solve FILE, lcp FILE" foo odd
+expect 2 "expected one FILE, got also 'b'" lcp odd b
+expect 2 "unknown option '--colour'; known options: .*--vtu" solve odd --colour
+expect 2 "unknown option '--colour'; known options: .*--list" --colour
+expect 2 '--solver: expected a value' lcp odd --solver
+for word in abc -1 0 nan inf 1e999 1e-12x; do
+    expect 2 "^signorini: --tolerance: expected a number above 0, got '$word'$" lcp odd "--tolerance=$word"
+done
+expect 0 '^signorini [0-9]+\.[0-9]+\.[0-9]+$' --version
+
+# Scenes.  All files that are asked for are written, or none.
+cantilever=$examples/cantilever.toml
+holds() { # what, command: it must succeed
+    what=$1
+    shift
+    "$@" || { echo "$what: $*"; failures=$((failures + 1)); }
+}
+written() { # names, of all files in outputs; then they are removed
+    holds 'files in outputs' test "$(ls outputs)" = "$1"
+    rm -f outputs/*
+}
+mkdir outputs
+{
+    printf '[[body]]\nname = "stone"\nmesh = { kind = "block", size = [1, 1], cells = [4, 4] }\nsymmetric = "left"\n'
+    printf 'material = { youngs_modulus = 1, poisson_ratio = 0.3 }\npressure = { bottom = 1e-3 }\n'
+    printf '[[contact]]\nsource = "bottom"\ntarget = { kind = "half_plane", point = [0, 0], normal = [0, 1] }\n'
+} > lifted.toml
+expect 0 'unknowns 2200, pairs 100, rows 100' plan "$cantilever"
+expect 0 "body 'beam': 1 piece, loads add up to \(0, -180\), moment about the origin -4500" plan "$cantilever"
+expect 0 'solver lemke, as' plan "$cantilever" --solver lemke
+expect 0 '^certificate: penetration' solve "$cantilever"
+expect 0 'assembly +unknowns +2200 +2200 +exact' solve "$cantilever"
+expect 0 'peak pressure 11\.52' solve "$cantilever"
+expect 0 'left out, the first is node' plan "$examples/footing.toml"
+expect 0 'left out, the first is node' solve "$examples/footing.toml"
+expect 1 "not solved: .*'stone'.*Turn the load round" solve lifted.toml --vtu outputs/a.vtu --csv outputs/a.csv --plot outputs/a.svg
+written ''
+expect 2 "--solver: unknown solver 'magic'" solve "$cantilever" --solver magic
+expect 2 "--solver: unknown solver 'all'" solve "$cantilever" --solver all
+expect 2 'missing: there is no such file' solve missing
+expect 2 'this looks like a complementarity problem; run: signorini lcp immovable' solve immovable
+expect 2 'this looks like a complementarity problem; run: signorini lcp ' plan "$lcp/lcp_deudeu.dat"
+expect 2 'this looks like a quadratic programme; run: signorini qp ' solve "$qp/HS35.txt"
+expect 2 'cantilever.toml: this looks like a scene; run: signorini solve ' lcp "$cantilever"
+expect 2 'cantilever.toml: this looks like a scene; run: signorini solve ' qp "$cantilever"
+expect 0 'standard input: A cantilever' solve - < "$cantilever"
+expect 0 'standard input: complementarity problem' lcp - < "$lcp/lcp_deudeu.dat"
+expect 2 'standard input: this looks like a scene; run: signorini solve -' lcp - < "$cantilever"
+expect 2 'standard input:[0-9]+: ' solve - < "$data/scenes/wrong/negative_modulus.toml"
+expect 0 solved solve "$cantilever" --vtu outputs/a.vtu --csv outputs/a.csv
+written 'a.csv
+a.vtu'
+expect 2 "cannot write 'nowhere/a.vtu'" solve "$cantilever" --csv outputs/a.csv --vtu nowhere/a.vtu
+expect 2 "cannot write 'outputs': this is no plain file" solve "$cantilever" --csv outputs --vtu outputs/a.vtu
+expect 2 "cannot write '/dev/null': this is no plain file" solve "$cantilever" --csv /dev/null
+expect 2 "--plot: expected a file .svg or .png, got 'outputs/a.jpg'" solve "$cantilever" --plot outputs/a.jpg --csv outputs/a.csv
+written ''
+holds 'a device stays one' test -c /dev/null
+if command -v gnuplot > /dev/null 2>&1; then
+    expect 0 solved solve "$cantilever" --plot "outputs/it's.svg"
+    holds 'a picture' grep -q '</svg>' "outputs/it's.svg"
+    expect 0 solved solve "$examples/punch.toml" --plot outputs/a.png
+    written "a.png
+it's.svg"
+fi
+said=$(PATH=/nowhere "$program" solve "$cantilever" --plot outputs/a.svg --csv outputs/a.csv 2>&1 > /dev/null)
+holds 'without gnuplot' test "$? ${said%%;*}" = '2 signorini: --plot: there is no gnuplot'
+written ''
+if [ "$(id -u)" -ne 0 ]; then
+    chmod a-w outputs
+    expect 2 'cannot write' solve "$cantilever" --csv outputs/a.csv
+    chmod u+w outputs
+fi
+
+# Wrong scenes: one line that names file and line, as the comment at their top says, and nothing else.
+count=0
+for file in "$data"/scenes/wrong/*.toml; do
+    count=$((count + 1))
+    said=$("$program" solve "$file" --csv outputs/a.csv 2>&1)
+    status=$?
+    line=$(sed -n '1s/^# \(:[0-9]*:\).*/\1/p' "$file")
+    [ "$status" -eq 2 ] && [ "$(printf '%s\n' "$said" | wc -l)" -eq 1 ] &&
+        printf '%s' "$said" | grep -Fq "signorini: $file${line:-:}" || {
+        echo "signorini solve $file: status $status, expected 2 and one line with $file${line:-:}, said: $said"
+        failures=$((failures + 1))
+    }
+done
+holds 'at least 40 wrong scenes' test "$count" -ge 40
+written ''
+
+# The manual page is what the program says, and has every option of every command.
+"$program" --man > man.1 || failures=$((failures + 1))
+holds 'the manual page of the build is another' cmp -s man.1 "$page"
+for command in '' plan solve lcp qp; do
+    for option in $("$program" $command --help | grep -Eo '^ +(-h,)?--[a-z]+' | sed 's/.*--/--/'); do
+        holds "no $option on the manual page" grep -Fq -- "$(printf '%s' "$option" | sed 's/-/\\-/g')" man.1
+    done
+done
 
 # What is printed to a full disk is lost, and that is no success.  The second writes more than one buffer.
 if [ -c /dev/full ]; then
@@ -69,6 +164,8 @@ if [ -c /dev/full ]; then
     lost lcp immovable
     lost --list
     lost --help
+    lost --man
+    lost solve "$cantilever" --json
     lost qp --help
 fi
 
@@ -89,4 +186,10 @@ json 0 lcp "$data/generated/fathi_spd_lemke_exponential.txt" --solver all
 json 1 lcp asymmetric --solver primal_dual_active_set
 json 1 lcp 'a "name" \ with	marks' --solver all
 json 1 qp contradiction --solver all
+json 0 plan "$examples/punch.toml"
+json 0 solve "$examples/punch.toml"
+for word in '"on"' '"predicted"' '"trust": "exact"' '"certificate"' '"ledger"' '"pairs"' '"friction"' '"notes"'; do
+    holds "no $word in JSON" grep -Fq "$word" out.json
+done
+json 1 solve lifted.toml
 [ "$failures" -eq 0 ]

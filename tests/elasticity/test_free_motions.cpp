@@ -30,6 +30,24 @@ std::vector<std::string> sentences(const Mesh& mesh, const Unknowns& unknowns) {
 
 }  // namespace
 
+TEST_CASE("a body of revolution can move along its axis and no other way", "[free_motions]") {
+  const Mesh tube = moved(plate(), {1, 0});
+  const auto motions = [&tube](const std::vector<Support>& supports) {
+    return free_motions(tube, number_unknowns(tube, supports, PlaneState::Axial),
+                        PlaneState::Axial);
+  };
+  const std::vector<FreeMotion> free = motions({});
+  REQUIRE(free.size() == 1);
+  CHECK_THAT(free[0].sentence, ContainsSubstring("move freely in direction y"));
+  const Unknowns unknowns = number_unknowns(tube, {}, PlaneState::Axial);
+  for (Eigen::Index node = 0; node < tube.n_nodes(); ++node) {
+    CHECK(free[0].shape(unknowns.number(node, 0)) == 0);
+    CHECK(free[0].shape(unknowns.number(node, 1)) == 1);
+  }
+  CHECK(motions({prescribed("left", Axis::X, 0)}).size() == 1);
+  CHECK(motions({symmetric("bottom")}).empty());
+}
+
 TEST_CASE("a free body moves in both directions and turns", "[free_motions]") {
   const std::vector<std::string> motions = sentences(plate(), number_unknowns(plate(), {}));
   REQUIRE(motions.size() == 3);

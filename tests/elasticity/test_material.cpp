@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
@@ -74,4 +75,29 @@ TEST_CASE("an incompressible body in plane strain is sent to the element that ca
 
 TEST_CASE("the elasticity matrix is never made from a bad material", "[material]") {
   CHECK_THROWS_AS(elasticity_matrix({1, 0.5, PlaneState::Strain, 1}), signorini::ProblemError);
+}
+
+TEST_CASE("in axial symmetry all three stretches count alike, and shear apart", "[material]") {
+  const signorini::Material steel{210, 0.3, PlaneState::Axial, 1};
+  const Eigen::Matrix4d D = elasticity_matrix(steel);
+  CHECK(D == D.transpose());
+  const Eigen::Matrix4d compliance = D.inverse();
+  for (const int i : {0, 1, 3})
+    for (const int k : {0, 1, 3})
+      CHECK(compliance(i, k) == Approx((i == k ? 1 : -0.3) / 210).epsilon(1e-13));
+  CHECK(compliance(2, 2) == Approx(2.6 / 210).epsilon(1e-13));
+  const Eigen::Matrix3d plane = elasticity_matrix({210, 0.3, PlaneState::Strain, 1});
+  CHECK(D.topLeftCorner<3, 3>() == plane);
+  CHECK_THROWS_AS(stress_across(steel, {1, 2, 3}), std::invalid_argument);
+  CHECK_THAT(complaint(210, 0.3, PlaneState::Axial, 0.5), ContainsSubstring("no thickness"));
+  CHECK_THAT(complaint(210, 0.5, PlaneState::Axial), ContainsSubstring("incompressible"));
+}
+
+TEST_CASE("the depth is a thickness, or the circle around the axis", "[material]") {
+  const signorini::Depth sheet = signorini::depth_of({1, 0, PlaneState::Stress, 0.25});
+  CHECK(sheet.at(-7) == 0.25);
+  CHECK(sheet.part(-7) == 1);
+  const signorini::Depth round = signorini::depth_of({1, 0, PlaneState::Axial, 1});
+  CHECK(round.at(0) == 0);
+  CHECK(round.at(3) == Approx(18.849555921538759).epsilon(1e-15));
 }

@@ -147,6 +147,27 @@ TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
   }
 }
 
+TEST_CASE("a VTU file of a body of revolution has its hoop stress", "[vtu][axial]") {
+  Scene scene =
+      signorini_test::two_blocks(signorini_test::named_block("lower", {0, 0}, {2, 1}, 2, 1),
+                                 signorini_test::named_block("upper", {0, 1}, {2, 1}, 2, 1));
+  for (signorini::Body& body : scene.bodies) {
+    body.material = {1000, 0.3, signorini::PlaneState::Axial, 1};
+    body.loads.edges = {{"right", 2, {}}};
+  }
+  scene.bodies[0].supports = {symmetric("bottom")};
+  scene.bodies[1].loads.edges.push_back({"top", 5, {}});
+  const SolvedScene run = signorini::solved(scene, "cylinders");
+  const Folder folder;
+  write_vtu(folder.path() / "cylinders.vtu", run.model, run.solution);
+  const std::vector<std::string> stress =
+      array_of(content_of(folder.path() / "cylinders.vtu"), "cell_stress");
+  REQUIRE(stress.size() == 4 * 2);
+  const double exact[] = {-2, -5, 0, -2};
+  for (std::size_t k = 0; k < stress.size(); ++k)
+    CHECK(std::stod(stress[k]) == Approx(exact[k % 4]).epsilon(1e-8).margin(1e-8));
+}
+
 TEST_CASE("pairs at Gauss points belong to no node, and no node of a VTU file says that it touches",
           "[vtu][gauss_points]") {
   Scene scene =

@@ -1,4 +1,5 @@
 // Spheres pressed together: the case SSNV104 of Code_Aster, two hemispheres of radius 50 mm.
+#include <Eigen/LU>
 #include <cmath>
 
 #include "catch_compat.hpp"
@@ -57,7 +58,8 @@ void check_hertz(const SolvedScene& run, const PointContact& theory) {
   Index nodes = 0;
   for (const BodyModel& body : run.model.bodies) nodes += body.mesh.n_nodes();
   CHECK(nodes <= 5000);
-  CHECK(run.solution.contact.force.sum() == Approx(theory.force).epsilon(1e-10));
+  CHECK(contact_forces(run.model, run.solution).col(1).sum() ==
+        Approx(theory.force).epsilon(1e-10));
   const double a = hertz_radius(theory);
   const Ellipse ellipse = ellipse_of(run, a);
   CHECK(ellipse.radius == Approx(a).epsilon(0.005));
@@ -87,17 +89,14 @@ TEST_CASE("a sphere on a rigid plane has Hertz's radius and peak pressure to 0.5
 
 TEST_CASE("two spheres have Hertz's radius and peak pressure to 0.5 %",
           "[axial][hertz][closed-form]") {
-  for (const char* const name : {"mortar", "gauss_points"}) {
-    CAPTURE(name);
-    const double a = 2;
-    const double modulus = plane_strain_modulus(E, nu) / 2;
-    const PointContact theory{R / 2, modulus, 4 * modulus * a * a * a / (3 * R / 2)};
-    Scene scene;
-    scene.bodies = {hemisphere("upper", a, 32, false), hemisphere("lower", a, 27, false)};
-    scene.bodies[1].mesh = mirrored(scene.bodies[1].mesh, Axis::Y);
-    scene.bodies[0].loads.edges = {{"middle", theory.force / (pi * R * R), {}}};
-    scene.bodies[1].supports = {symmetric("middle")};
-    scene.contacts = {{{"rim", "upper"}, Side{"rim", "lower"}, name}};
-    check_hertz(solved(scene, "the spheres"), theory);
-  }
+  const double a = 2;
+  const double modulus = plane_strain_modulus(E, nu) / 2;
+  const PointContact theory{R / 2, modulus, 4 * modulus * a * a * a / (3 * R / 2)};
+  Scene scene;
+  scene.bodies = {hemisphere("upper", a, 32, false), hemisphere("lower", a, 27, false)};
+  scene.bodies[1].mesh = mirrored(scene.bodies[1].mesh, MirrorLine::Level);
+  scene.bodies[0].loads.edges = {{"middle", theory.force / (pi * R * R), {}}};
+  scene.bodies[1].supports = {symmetric("middle")};
+  scene.contacts = {{{"rim", "upper"}, Side{"rim", "lower"}}};
+  check_hertz(solved(scene, "the spheres"), theory);
 }

@@ -10,7 +10,8 @@ inline signorini::NodeArray solve_body(const signorini::Mesh& mesh,
                                        const signorini::Matter& matter,
                                        const std::vector<signorini::Support>& supports,
                                        const signorini::Loads& loads = {}) {
-  const signorini::Unknowns unknowns = signorini::number_unknowns(mesh, supports, material.state);
+  const signorini::Unknowns unknowns =
+      signorini::number_unknowns(mesh, supports, matter.bulk.state);
   const signorini::LinearSystem system =
       signorini::assemble(mesh, element, matter, unknowns, loads);
   signorini::Ledger ledger;

@@ -14,7 +14,12 @@ inline signorini::MeshOrder order_of(const signorini::Element& element) {
   return element.n_nodes > 4 ? signorini::MeshOrder::Quadratic : signorini::MeshOrder::Linear;
 }
 
-/// A rectangle from the origin for the cells of `element`; triangles come in pairs.
+/// Cells of as many corners as `element` has: triangles from pairs.
+inline signorini::Mesh fitting(const signorini::Mesh& mesh, const signorini::Element& element) {
+  return element.corners() == 3 ? split(mesh) : mesh;
+}
+
+/// A rectangle from the origin for the cells of `element`.
 inline signorini::Mesh block_for(const signorini::Element& element, Eigen::Vector2d size,
                                  Eigen::Index cells_x, Eigen::Index cells_y) {
   signorini::BlockSpec spec;
@@ -22,8 +27,7 @@ inline signorini::Mesh block_for(const signorini::Element& element, Eigen::Vecto
   spec.cells_x = cells_x;
   spec.cells_y = cells_y;
   spec.order = order_of(element);
-  const signorini::Mesh mesh = signorini::make_block(spec);
-  return element.corners() == 3 ? split(mesh) : mesh;
+  return fitting(signorini::make_block(spec), element);
 }
 
 /// Moves the inner corners by up to a fifth of a cell; midside nodes follow, so that sides stay straight.

@@ -13,7 +13,9 @@ struct ObstacleContact {
   Eigen::Vector2d normal;  ///< unit vector out of the obstacle, towards the body [-]
 };
 
-/// A rigid obstacle: the target that has no mesh.
+/// A rigid obstacle: the target that has no mesh. In axial symmetry it goes round the axis x = 0 like the body: a
+/// half-plane whose normal is along y is a flat, an inclined one a cone, one whose normal is along x a tube; a disc centred
+/// on the axis is a sphere, one beside it a torus.
 struct Obstacle {
   std::string name;                                             ///< what messages call it
   std::function<ObstacleContact(const Eigen::Vector2d&)> look;  ///< seen from a point [length]

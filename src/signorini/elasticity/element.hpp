@@ -171,7 +171,7 @@ struct GaussPoint {
 /// \throws std::invalid_argument for other n
 [[nodiscard]] const std::vector<GaussPoint>& gauss_square(int n);
 /// Rules of Gauss's kind on the triangle (0, 0), (1, 0), (0, 1), with all points inside and positive weights
-/// [\ref Cowper1973].
+/// [\ref Dunavant1985].
 /// \param n  3, exact for polynomials of degree 2; or 6, of degree 4
 /// \return points; the weights add up to 1/2
 /// \throws std::invalid_argument for other n

@@ -3,8 +3,6 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "signorini/core/rounding.hpp"
-
 namespace signorini {
 
 /// D of sigma = D epsilon: a row per strain component, 3 in the plane and 4 in axial symmetry; never on the heap.
@@ -46,10 +44,7 @@ struct Depth {
 
 /// \param material  of a body
 /// \return its thickness, or in axial symmetry the circle
-[[nodiscard]] inline Depth depth_of(const Material& material) {
-  if (material.state == PlaneState::Axial) return {2 * pi, true};
-  return {material.thickness, false};
-}
+[[nodiscard]] Depth depth_of(const Material& material);
 
 /// Checks a material.
 /// \param material  any

@@ -10,10 +10,10 @@ namespace signorini {
 /// Writes mesh, displacements, stresses and contact quantities of a solution, one piece per body,
 /// with 9 digits.
 ///
-/// Point data: `displacement` [length], `stress` (xx, yy, xy, zz) and `von_mises` [force/length^2,
-/// tension positive], `contact_pressure` [force/length^2, compression positive, 0 where there is no
-/// pair], `contact_gap` [length, 0 where there is no pair], `contact_status` (1 closed, 0 open,
-/// -1 no pair). Cell data: `cell_stress`. Field data: `notes` of the solution, if it has any.
+/// Point data: `displacement` [length], `stress` (xx, yy, xy, zz: across the plane, in axial symmetry the hoop
+/// stress) and `von_mises` [force/length^2, tension positive], `contact_pressure` [force/length^2, compression
+/// positive, 0 where there is no pair], `contact_gap` [length, 0 where there is no pair], `contact_status` (1 closed,
+/// 0 open, -1 no pair). Cell data: `cell_stress`. Field data: `notes` of the solution, if it has any.
 /// \param file      to be written, in a folder that exists
 /// \param model     that was solved
 /// \param solution  of it

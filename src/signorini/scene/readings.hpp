@@ -21,7 +21,8 @@ struct SolvedScene {
 /// \throws NotSolved as require_solved(); ProblemError as plan(), build() and condense()
 [[nodiscard]] SolvedScene solved(const Scene& scene, const std::string& what);
 
-/// Forces of contact on the nodes of one body: \f$ N^T\lambda \f$.
+/// Forces of contact on the nodes of one body: \f$ N^T\lambda \f$. In axial symmetry, here and below, of the whole
+/// circle: sums along y are resultants, sums along x mean nothing.
 /// \param model     from build()
 /// \param solution  of the model
 /// \param body      its number
@@ -50,9 +51,10 @@ struct SolvedScene {
 
 /// What contact and supports do to one boundary, in the order of boundary_nodes().
 struct BoundaryForces {
-  NodeArray position;      ///< `n x 2` before loading [length]
-  NodeArray force;         ///< `n x 2` on the body: of contact, and of supports at held components
-  Eigen::VectorXd weight;  ///< `n` share of the boundary [length^2]: pressure = force / it
+  NodeArray position;  ///< `n x 2` before loading [length]
+  NodeArray force;     ///< `n x 2` on the body: of contact, and of supports at held components
+  Eigen::VectorXd
+      weight;  ///< `n` share of the boundary [length^2]: pressure = force / it, see nodes_without_share()
 };
 
 /// Collects the forces on one boundary.
