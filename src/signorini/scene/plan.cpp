@@ -22,6 +22,19 @@ void check_names(const Scene& scene) {
   static_cast<void>(find_solver(scene.solver));  // needed or not
 }
 
+/// How many of the cells are triangles.
+Index count_triangles(const Mesh& mesh) {
+  Index count = 0;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) count += 4 - mesh.corners(cell);
+  return count;
+}
+
+std::string elements_in_words(const Mesh& mesh, const Element& element) {
+  const Index triangles = element.corners() == 3 ? 0 : count_triangles(mesh);
+  if (triangles == 0) return element.name;
+  return text(element.name, " and ", triangles, " of them ", triangle_beside(mesh).name);
+}
+
 /// What to know of an element that is stiffer than the body; empty if there is none.
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
@@ -83,12 +96,30 @@ void plan_unknowns(const Scene& scene, Plan& plan) {
       plan.notes.push_back(std::move(note));
 }
 
-/// Asks every effect whether a scene calls for it.
+/// Rows of A, of gaps and of slips.
+struct Rows {
+  Index count;
+  long long bytes;
+};
+
+Rows rows_of(const Plan& plan) {
+  Rows rows{plan.gaps.A.rows() + static_cast<Index>(plan.law.pair.size()), bytes_of(plan.gaps.A)};
+  for (const Index pair : plan.law.pair)
+    rows.bytes += bytes_of_row(plan.gaps.T.row(pair).nonZeros());
+  return rows;
+}
+
+/// Asks every effect whether a scene calls for it, and says what rows it takes.
 void plan_effects(const Scene& scene, Plan& plan) {
   for (const Effect& effect : effects())
     if (effect.present(scene, plan)) {
+      const Rows before = rows_of(plan);
       effect.price(scene, plan);
       plan.effects.push_back(&effect);
+      const Rows after = rows_of(plan);
+      if (after.count > before.count)
+        plan.on.back() += text("; ", effect.name, " takes ", after.count - before.count,
+                               " rows of A, ", after.bytes - before.bytes, " bytes");
     } else {
       plan.off.emplace_back(effect.name);
     }
