@@ -1,6 +1,6 @@
 #!/bin/sh
-# install.sh BUILD FOLDER COMPILER: the installed library is found by find_package and can be used, with nothing but
-# Eigen beside it, and the installed program runs.
+# install.sh BUILD FOLDER COMPILER EXAMPLES: the installed library is found by find_package and can be used, with nothing but
+# Eigen beside it, as an example does, and the installed program runs.
 set -eu
 rm -rf "$2"
 mkdir -p "$2/user"
@@ -26,3 +26,9 @@ cmake -S . -B build -DCMAKE_PREFIX_PATH="$2/prefix" -DCMAKE_CXX_COMPILER="$3" --
 cmake --build build > build.log 2>&1 || { cat build.log; exit 1; }
 [ "$(build/user)" = 2.5 ]
 "$2/prefix/bin/signorini" --list | grep -q enumerate
+
+# The example: a hundred loads, and under all of the load the force of chapter 6.
+cmake -S "$4/hundred_loads" -B loads -DCMAKE_PREFIX_PATH="$2/prefix" -DCMAKE_CXX_COMPILER="$3" -DCMAKE_BUILD_TYPE=Release --log-level=NOTICE > /dev/null
+cmake --build loads > loads.log 2>&1 || { cat loads.log; exit 1; }
+loads/hundred_loads "$4/cantilever.toml" > loads.csv
+[ "$(wc -l < loads.csv)" -eq 101 ] && [ "$(tail -n 1 loads.csv)" = 1,17,71.5944 ] || { tail -n 2 loads.csv; exit 1; }

@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <cmath>
 #include <limits>
 
@@ -93,10 +94,10 @@ TEST_CASE("in axial symmetry all three stretches count alike, and shear apart", 
 }
 
 TEST_CASE("the depth is a thickness, or the circle around the axis", "[material]") {
-  const signorini::Depth sheet = depth_of({1, 0, PlaneState::Stress, 0.25});
+  const signorini::Depth sheet = signorini::depth_of({1, 0, PlaneState::Stress, 0.25});
   CHECK(sheet.at(-7) == 0.25);
   CHECK(sheet.part(-7) == 1);
-  const signorini::Depth round = depth_of({1, 0, PlaneState::Axial, 1});
+  const signorini::Depth round = signorini::depth_of({1, 0, PlaneState::Axial, 1});
   CHECK(round.at(0) == 0);
   CHECK(round.at(3) == Approx(18.849555921538759).epsilon(1e-15));
 }

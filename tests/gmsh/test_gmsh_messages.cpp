@@ -141,8 +141,10 @@ TEST_CASE("counts that do not fit are refused, and nothing is allocated for them
 }
 
 TEST_CASE("the message about a file that is cut off names its last line", "[mesh][gmsh]") {
-  const std::string whole = GENERATE(std::string(SIGNORINI_TEST_DATA "/gmsh/two_bodies_q4_v41.msh"),
-                                     std::string(SIGNORINI_TEST_DATA "/gmsh/by_hand_v22.msh"));
+  const std::string whole =
+      GENERATE(std::string(SIGNORINI_TEST_DATA "/gmsh/two_bodies_q4_v41.msh"),
+               std::string(SIGNORINI_TEST_DATA "/gmsh/mixed_quadratic_v22.msh"),
+               std::string(SIGNORINI_TEST_DATA "/gmsh/by_hand_v22.msh"));
   const std::string content = content_of(whole);
   const std::size_t needed = content.rfind("$EndElements") + 12;
   for (std::size_t length = 0; length < needed; ++length) {

@@ -155,6 +155,7 @@ TEST_CASE("a VTU file of a body of revolution has its hoop stress", "[vtu][axial
     body.material = {1000, 0.3, signorini::PlaneState::Axial, 1};
     body.loads.edges = {{"right", 2, {}}};
   }
+  scene.bodies[0].supports = {symmetric("bottom")};
   scene.bodies[1].loads.edges.push_back({"top", 5, {}});
   const SolvedScene run = signorini::solved(scene, "cylinders");
   const Folder folder;

@@ -127,7 +127,7 @@ TEST_CASE("in axial symmetry a hoop strain counts", "[doubts]") {
   solution.displacements[0].setZero();
   solution.displacements[0].col(0).setConstant(1);  // at the radii 0 to 50
   CHECK(doubts_of_solution(model, solution).empty());
-  model.bodies[0].material.state = PlaneState::Axial;
+  model.bodies[0].material.bulk.state = PlaneState::Axial;
   CHECK(tells(doubts_of_solution(model, solution), {"strain 16 %", "cell 0"}));  // at 6.25
 }
 
@@ -140,6 +140,13 @@ TEST_CASE("the pressure is compared with the softer body, whichever side it is",
     scene.bodies[1].loads.edges = {{"top", 0.2, {}}};
     CAPTURE(soft);
     CHECK(tells(solve(scene).notes, {"contact pressure 0.2"}));
+    Body& body = scene.bodies[soft];  // a soft core under a hard skin is not pressed
+    Material hard = body.material;
+    hard.youngs_modulus = 1000;
+    const Index skin = soft == 0 ? 1 : 0;  // two rows of four cells
+    for (Index k = 0; k < 4; ++k) body.mesh.regions["skin"].push_back(4 * skin + k);
+    body.layers = {{"skin", hard}};
+    CHECK_FALSE(tells(solve(scene).notes, {"contact pressure"}));
   }
 }
 

@@ -172,6 +172,17 @@ TEST_CASE("the wheel of the examples rolls on no more than friction lets it",
   CHECK(-sum.force.x() <= 0.3 * sum.force.y() * (1 + 1e-12));
 }
 
+// Lame: two bodies of one material that are long, with free ends, E d (c^2 - b^2) / (2 b c^2).
+TEST_CASE("the bolt of the examples is pressed as by a long tube", "[scene_file][examples]") {
+  const SolvedScene run = run_of("bolt_in_tube");
+  CHECK(run.solution.contact.active.size() == run.model.pairs.node.size());
+  Index middle = 0;
+  run.model.pairs.position.col(1).cwiseAbs().minCoeff(&middle);
+  const double long_bodies = 210e3 * 0.01 * (20 * 20 - 10 * 10) / (2 * 10 * 20 * 20);
+  CAPTURE(run.solution.pressure(middle), long_bodies);
+  CHECK(std::abs(run.solution.pressure(middle) / long_bodies - 1) < 0.02);
+}
+
 TEST_CASE("the keys of the examples are those that are read", "[scene_file]") {
   CHECK(content("examples/results/keys.md") == key_reference());
   CHECK(content("examples/README.md")

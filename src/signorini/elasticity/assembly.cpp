@@ -82,10 +82,10 @@ CellsAround cells_around(const Mesh& mesh) {
   CellsAround around{Eigen::ArrayX<Index>::Zero(mesh.n_nodes() + 1),
                      Eigen::ArrayX<Index>(mesh.cells.size())};
   for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (Index k = 0; k < mesh.cell_size(cell); ++k) ++around.first(mesh.cells(cell, k));
+    for (Index k = 0, n = mesh.cell_size(cell); k < n; ++k) ++around.first(mesh.cells(cell, k));
   for (Index node = 0; node < mesh.n_nodes(); ++node) around.first(node + 1) += around.first(node);
   for (Index cell = mesh.n_cells() - 1; cell >= 0; --cell)
-    for (Index k = 0; k < mesh.cell_size(cell); ++k)
+    for (Index k = 0, n = mesh.cell_size(cell); k < n; ++k)
       around.cell(--around.first(mesh.cells(cell, k))) = cell;
   return around;
 }
@@ -156,7 +156,7 @@ Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& 
       rows.clear();
       for (Index k = around.first(node); k < around.first(node + 1); ++k) {
         const Index cell = around.cell(k);
-        for (Index j = 0; j < mesh.cell_size(cell); ++j)
+        for (Index j = 0, n = mesh.cell_size(cell); j < n; ++j)
           for (const Index number : unknowns.number.row(mesh.cells(cell, j)))
             if (number >= 0) rows.push_back(number);
       }

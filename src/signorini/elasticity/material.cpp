@@ -22,11 +22,10 @@ void check_material(const Material& material) {
   pose(std::isfinite(material.expansion), "material: the thermal expansion must be a number, got ",
        material.expansion);
   pose(nu > -1 && nu <= 0.5, "material: Poisson's ratio must lie between -1 and 0.5, got ", nu);
-  pose(nu < 0.5 || material.state == PlaneState::Stress,
-       "material: Poisson's ratio 0.5 makes the body incompressible, and its stiffness in plane "
-       "strain or axial "
-       "symmetry infinite. Use 0.4999 with the element q4_bbar (q4 would lock: it bears far too "
-       "much load)");
+  pose(nu < 0.5 || material.state == PlaneState::Stress, "material: Poisson's ratio 0.5 in ",
+       to_string(material.state),
+       " makes the body incompressible and its stiffness infinite. Use 0.4999 with the element "
+       "q4_bbar (q4 would lock: it bears far too much load)");
   pose(material.thickness == 1 || material.state != PlaneState::Axial,
        "material: a body of revolution has no thickness, forces are those of the whole circle; "
        "leave it at 1, got ",

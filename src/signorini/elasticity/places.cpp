@@ -43,10 +43,9 @@ std::vector<CellSide> outer_sides(const Mesh& mesh) {
   std::vector<Joined> all;
   all.reserve(static_cast<std::size_t>(4 * mesh.n_cells()));
   for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (int side = 0; side < 4; ++side) {
-      const Index first = mesh.cells(cell, side);
-      const Index last = mesh.cells(cell, (side + 1) % 4);
-      all.push_back({std::minmax(first, last), {cell, side}});
+    for (int side = 0; side < mesh.corners(cell); ++side) {
+      const std::vector<Index> nodes = mesh.side_nodes({cell, side});
+      all.push_back({std::minmax(nodes.front(), nodes.back()), {cell, side}});
     }
   std::sort(all.begin(), all.end(),
             [](const Joined& a, const Joined& b) { return a.ends < b.ends; });

@@ -162,7 +162,7 @@ std::vector<MeshPiece> pieces(const Mesh& mesh) {
     return node;
   };
   for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (Index k = 1; k < mesh.cell_size(cell); ++k)
+    for (Index k = 1, n = mesh.cell_size(cell); k < n; ++k)
       parent[at(root(mesh.cells(cell, k)))] = root(mesh.cells(cell, 0));
   std::vector<MeshPiece> found;
   std::vector<Index> number(parent.size(), -1);  // of the piece of a root

@@ -76,8 +76,9 @@ std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
   for (const BodyModel& body : bodies)
     for (FreeMotion& mode :
          body.springs.rows() == 0
-             ? free_motions(body.mesh, body.unknowns, body.material.bulk.state)
-             : free_motions(body.mesh, held_by_springs(body), body.material.bulk.state)) {
+             ? free_motions(body.mesh, body.pieces, body.unknowns, body.material.bulk.state)
+             : free_motions(body.mesh, body.pieces, held_by_springs(body),
+                            body.material.bulk.state)) {
       const Eigen::VectorXd own = std::move(mode.shape);
       mode.shape.setZero(last.first_unknown + last.unknowns.count);
       mode.shape.segment(body.first_unknown, own.size()) = own;

@@ -188,29 +188,44 @@ std::pair<Most, Most> deformation(const Model& model, const Solution& solution) 
   return {strain, rotation};
 }
 
-/// Young's modulus of the softer body of a pair.
-double softer_modulus(const Model& model, Index pair) {
-  double softest = std::numeric_limits<double>::infinity();
-  for (NodalRows::InnerIterator it(model.pairs.opening, pair); it; ++it) {
-    std::size_t b = model.bodies.size() - 1;
-    while (model.bodies[b].first_node > it.col() / 2) --b;
-    const Matter& matter = model.bodies[b].material;
-    for (std::size_t layer = 0; layer <= matter.layers.size(); ++layer)
-      softest = std::min(softest, matter.material(layer).youngs_modulus);
+/// Young's modulus of the softest cell around every node of all bodies.
+Eigen::VectorXd softest_around(const std::vector<BodyModel>& bodies) {
+  Eigen::VectorXd softest(count_nodes(bodies));
+  for (const BodyModel& body : bodies) {
+    const Matter& matter = body.material;
+    auto own = softest.segment(body.first_node, body.mesh.n_nodes());
+    own.setConstant(matter.layers.empty() ? matter.bulk.youngs_modulus
+                                          : std::numeric_limits<double>::infinity());
+    for (std::size_t cell = 0; cell < matter.layer_of.size(); ++cell) {
+      const double modulus = matter.material(matter.layer_of[cell]).youngs_modulus;
+      const auto number = static_cast<Index>(cell);
+      for (Index k = 0; k < body.mesh.cell_size(number); ++k) {
+        double& at_node = own(body.mesh.cells(number, k));
+        at_node = std::min(at_node, modulus);
+      }
+    }
   }
   return softest;
+}
+
+/// Largest contact pressure over Young's modulus of the softer side, and its pair.
+std::pair<double, Index> largest_pressure(const Model& model, const Eigen::VectorXd& pressure) {
+  std::pair<double, Index> most = {0, -1};
+  if (pressure.size() == 0) return most;
+  const Eigen::VectorXd softest = softest_around(model.bodies);
+  for (Index pair = 0; pair < pressure.size(); ++pair) {
+    double modulus = std::numeric_limits<double>::infinity();
+    for (NodalRows::InnerIterator it(model.pairs.opening, pair); it; ++it)
+      modulus = std::min(modulus, softest(it.col() / 2));
+    most = std::max(most, std::pair(pressure(pair) / modulus, pair));
+  }
+  return most;
 }
 
 /// What is too large, in words; empty if nothing is.
 std::string exceeded(const Model& model, const Solution& solution, const SmallLimits& limits) {
   const auto [strain, rotation] = deformation(model, solution);
-  double pressure = 0;
-  Index pair = -1;
-  for (Index k = 0; k < solution.pressure.size(); ++k)
-    if (const double other = solution.pressure(k) / softer_modulus(model, k); other > pressure) {
-      pressure = other;
-      pair = k;
-    }
+  const auto [pressure, pair] = largest_pressure(model, solution.pressure);
   const auto where = [](const Most& most) {
     const Mesh& mesh = most.body->mesh;
     return text(" in cell ", most.cell, " of '", mesh.name, "' at ",
@@ -236,11 +251,10 @@ std::string exceeded(const Model& model, const Solution& solution, const SmallLi
 
 }  // namespace
 
-std::vector<std::string> doubts_of_mesh(const Scene& scene, const Mesh& mesh,
-                                        const std::vector<MeshPiece>& pieces) {
+std::vector<std::string> doubts_of_mesh(const Scene& scene, const BodyModel& body) {
   Notes notes;
-  note_pieces(mesh, pieces, notes);
-  note_loose_nodes(scene, mesh, notes);
+  note_pieces(body.mesh, body.pieces, notes);
+  note_loose_nodes(scene, body.mesh, notes);
   return notes;
 }
 

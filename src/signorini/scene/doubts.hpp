@@ -5,18 +5,15 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/joints.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
 
 /// Looks at how the cells of a body hang together.
 /// \param scene   of the body: what touches across a crack is meant
-/// \param body    one of its bodies
-/// \param pieces  of its mesh
+/// \param body    one of its bodies, with its pieces
 /// \return notes on loose pieces, on nodes that coincide, and on hanging nodes
-[[nodiscard]] std::vector<std::string> doubts_of_mesh(const Scene& scene, const Mesh& body,
-                                                      const std::vector<MeshPiece>& pieces);
+[[nodiscard]] std::vector<std::string> doubts_of_mesh(const Scene& scene, const BodyModel& body);
 
 /// Looks at the loads of a body.
 /// \param body  of a scene; its boundaries exist

@@ -83,6 +83,7 @@ void plan_body(const Body& body, Plan& plan) {
       first ? 0 : plan.bodies.back().first_unknown + plan.bodies.back().unknowns.count;
   plan.bodies.push_back({body.mesh, element, body.material, body.loads, std::move(unknowns),
                          first_node, first_unknown});
+  plan.bodies.back().pieces = pieces(body.mesh);
 }
 
 /// What supports leave: the unknowns of all bodies, and their rigid motions.
@@ -92,8 +93,7 @@ void plan_unknowns(const Scene& scene, Plan& plan) {
   plan.unknowns = joined(unknowns);
   plan.modes = rigid_modes(plan.bodies);
   for (const BodyModel& body : plan.bodies)
-    for (std::string& note : doubts_of_mesh(scene, body.mesh, pieces(body.mesh)))
-      plan.notes.push_back(std::move(note));
+    for (std::string& note : doubts_of_mesh(scene, body)) plan.notes.push_back(std::move(note));
 }
 
 /// Rows of A, of gaps and of slips.

@@ -30,8 +30,7 @@ double seconds_of(Call&& call) {
 
 BodySummary summary_of(const BodyModel& body) {
   BodySummary summary{body.mesh.name, body.unknowns.count,
-                      static_cast<Eigen::Index>(pieces(body.mesh).size()), Eigen::Vector2d::Zero(),
-                      0};
+                      static_cast<Eigen::Index>(body.pieces.size()), Eigen::Vector2d::Zero(), 0};
   const NodeArray load = nodal_loads(body.mesh, body.element, body.material, body.loads);
   for (Index node = 0; node < load.rows(); ++node) {
     summary.force += load.row(node).transpose();

@@ -10,6 +10,7 @@
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/elasticity/free_motions.hpp"
 #include "signorini/factor/frontal_factor.hpp"
+#include "signorini/mesh/joints.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -25,6 +26,7 @@ struct BodyModel {
   Eigen::Index first_unknown;  ///< number of its first unknown
   /// spring_stiffness() of its springs; no rows without any
   Eigen::SparseMatrix<double> springs = {};
+  std::vector<MeshPiece> pieces = {};  ///< of the mesh
 };
 
 /// Matrices of the bodies and the gaps they may close.
