@@ -145,6 +145,26 @@ TEST_CASE("the ledger, which a prediction is set against, counts what the matric
   }
 }
 
+TEST_CASE("each effect says how many rows it takes, and the bytes of all are those of A",
+          "[prediction]") {
+  const Plan planned = plan(rubbing_cantilever());
+  Ledger ledger;
+  const Model model = build(planned, ledger);
+  const auto bytes = [&](const std::string& words) {
+    for (const std::string& line : planned.on)
+      if (const std::size_t at = line.find(words); at != std::string::npos)
+        return std::stoll(line.substr(at + words.size()));
+    return 0LL;
+  };
+  const long long contact = bytes("; contact takes 100 rows of A, ");
+  const long long friction = bytes("; friction takes 100 rows of A, ");
+  CHECK(contact > 0);
+  CHECK(friction > 0);
+  CHECK(contact + friction + 4 == bytes_of(model.programme.A));  // 4: where the first row begins
+  for (const std::string& line : plan(without_contact()).on)
+    CHECK(line.find("rows of A") == std::string::npos);
+}
+
 TEST_CASE("no row costs no byte and no operation but those of one linear solve", "[prediction]") {
   const Prediction prediction = predict(plan(without_contact()));
   CHECK(prediction.amount("condensation", "bytes") == 0);

@@ -96,12 +96,30 @@ void plan_unknowns(const Scene& scene, Plan& plan) {
     for (std::string& note : doubts_of_mesh(scene, body)) plan.notes.push_back(std::move(note));
 }
 
-/// Asks every effect whether a scene calls for it.
+/// Rows of A, of gaps and of slips.
+struct Rows {
+  Index count;
+  long long bytes;
+};
+
+Rows rows_of(const Plan& plan) {
+  Rows rows{plan.gaps.A.rows() + static_cast<Index>(plan.law.pair.size()), bytes_of(plan.gaps.A)};
+  for (const Index pair : plan.law.pair)
+    rows.bytes += bytes_of_row(plan.gaps.T.row(pair).nonZeros());
+  return rows;
+}
+
+/// Asks every effect whether a scene calls for it, and says what rows it takes.
 void plan_effects(const Scene& scene, Plan& plan) {
   for (const Effect& effect : effects())
     if (effect.present(scene, plan)) {
+      const Rows before = rows_of(plan);
       effect.price(scene, plan);
       plan.effects.push_back(&effect);
+      const Rows after = rows_of(plan);
+      if (after.count > before.count)
+        plan.on.back() += text("; ", effect.name, " takes ", after.count - before.count,
+                               " rows of A, ", after.bytes - before.bytes, " bytes");
     } else {
       plan.off.emplace_back(effect.name);
     }
