@@ -110,6 +110,7 @@ Rows rows_of(const Plan& plan) {
 }
 
 /// Asks every effect whether a scene calls for it, and says what rows it takes.
+// [effects]
 void plan_effects(const Scene& scene, Plan& plan) {
   for (const Effect& effect : effects())
     if (effect.present(scene, plan)) {
@@ -124,6 +125,7 @@ void plan_effects(const Scene& scene, Plan& plan) {
       plan.off.emplace_back(effect.name);
     }
 }
+// [effects]
 
 }  // namespace
 
