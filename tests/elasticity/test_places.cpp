@@ -66,7 +66,7 @@ TEST_CASE("a force between nodes is shared by those of the side", "[places]") {
 
 TEST_CASE("a force in the middle of a linear side is shared in halves", "[places]") {
   const Mesh mesh = block_for(q4(), {3, 2}, 3, 2);
-  const Place place = place_on_edge(mesh, {1.5, 2});
+  const EdgePlace place = place_on_edge(mesh, {1.5, 2});
   REQUIRE(place.nodes.size() == 2);
   CHECK(place.share.head<2>() == Vector2d(0.5, 0.5));
   CHECK(place_on_edge(mesh, {2.25, 0}).share.head<2>() == Vector2d(0.75, 0.25));

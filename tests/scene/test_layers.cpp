@@ -88,7 +88,7 @@ TEST_CASE("a strip of two metals bends when it is warm", "[layers][heat]") {
       const auto [model, condensed, solution] = solved(scene, "the strip");
       const Mesh& mesh = model.bodies[0].mesh;
       const auto height = [&](double x) {
-        const Place at = place_on_edge(mesh, {x, 0});
+        const EdgePlace at = place_on_edge(mesh, {x, 0});
         return solution.displacements[0](at.nodes.front(), 1);
       };
       const double curvature = (height(20) - 2 * height(25) + height(30)) / 25;

@@ -24,7 +24,7 @@ Scene beam(const std::string& element, const std::vector<PointForce>& forces) {
 
 /// Displacement at a place, as the shape functions of its side say.
 Vector2d displacement(const SolvedScene& run, const Vector2d& point) {
-  const Place place = place_on_edge(run.model.bodies[0].mesh, point);
+  const EdgePlace place = place_on_edge(run.model.bodies[0].mesh, point);
   Vector2d u(0, 0);
   for (std::size_t k = 0; k < place.nodes.size(); ++k)
     u += place.share(static_cast<Index>(k)) *

@@ -67,7 +67,7 @@ void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, N
 
 void add_point_force(const Mesh& mesh, const PointForce& point, NodeArray& load) {
   if ((point.force.array() == 0).all()) return;
-  const Place place = place_of(mesh, point);
+  const EdgePlace place = place_of(mesh, point);
   for (std::size_t k = 0; k < place.nodes.size(); ++k)
     load.row(place.nodes[k]) += place.share(static_cast<Index>(k)) * point.force.transpose();
 }
@@ -129,7 +129,7 @@ CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   return 0.5 * (K + CellMatrix(K.transpose()));  // exactly symmetric
 }
 
-Place place_of(const Mesh& mesh, const PointForce& load) {
+EdgePlace place_of(const Mesh& mesh, const PointForce& load) {
   pose(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(), ", ",
        load.point.y(), "): not finite");
   return place_on_edge(mesh, load.point);

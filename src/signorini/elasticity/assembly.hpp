@@ -85,7 +85,7 @@ void check_element(const Mesh& mesh, const Element& element);
 /// \param load  on it
 /// \return the nodes that share it
 /// \throws ProblemError if the force is not finite, or as place_on_edge()
-[[nodiscard]] Place place_of(const Mesh& mesh, const PointForce& load);
+[[nodiscard]] EdgePlace place_of(const Mesh& mesh, const PointForce& load);
 
 /// Nodal forces of the loads, consistent with the shape functions.
 /// \param mesh      the body

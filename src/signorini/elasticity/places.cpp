@@ -70,7 +70,7 @@ std::vector<Index> nodes_at(const Mesh& mesh, const std::string& boundary,
   return {found};
 }
 
-Place place_on_edge(const Mesh& mesh, const Vector2d& point) {
+EdgePlace place_on_edge(const Mesh& mesh, const Vector2d& point) {
   const double rounding = position_rounding(mesh);
   const std::string at = text("point (", point.x(), ", ", point.y(), ") of '", mesh.name, "': ");
   pose(point.allFinite(), at, "is not finite");
@@ -82,7 +82,7 @@ Place place_on_edge(const Mesh& mesh, const Vector2d& point) {
        " both lie there and are not joined. Choose a place beside them");
   if (!nodes.empty()) return {std::move(nodes), {1, 0, 0}};
 
-  std::vector<Place> places;
+  std::vector<EdgePlace> places;
   for (const CellSide& side : outer_sides(mesh)) {
     const SideCurve curve(mesh, side);
     const double xi = curve.closest(point);

@@ -22,7 +22,7 @@ namespace signorini {
                                                  const std::string& what);
 
 /// How the nodes of a body share what acts at one place.
-struct Place {
+struct EdgePlace {
   std::vector<Eigen::Index> nodes;  ///< one, or the two or three of a side
   Eigen::Vector3d share;            ///< of each of them [-]; those of a side add up to 1
 };
@@ -33,6 +33,6 @@ struct Place {
 /// \return the node, or the nodes of the side with their shape functions there
 /// \throws ProblemError if the point is neither, naming the nearest node, or lies on two sides or nodes that are
 ///   not joined
-[[nodiscard]] Place place_on_edge(const Mesh& mesh, const Eigen::Vector2d& point);
+[[nodiscard]] EdgePlace place_on_edge(const Mesh& mesh, const Eigen::Vector2d& point);
 
 }  // namespace signorini

@@ -27,7 +27,7 @@ bool has_point_forces(const Body& body) {
   return std::any_of(body.loads.points.begin(), body.loads.points.end(), pulls);
 }
 
-std::string describe(const Place& place) {
+std::string describe(const EdgePlace& place) {
   if (place.nodes.size() == 1) return text("node ", place.nodes.front());
   return text("the side from node ", place.nodes.front(), " to ", place.nodes.back());
 }
