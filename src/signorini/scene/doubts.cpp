@@ -80,7 +80,7 @@ void note_loose_nodes(const Scene& scene, const Mesh& mesh, Notes& notes) {
   }
 }
 
-/// Force and moment of a traction along a boundary per thickness, and what they would be if nothing cancelled.
+/// Force and moment of a traction along a boundary per thickness, in axial symmetry per angle, and what they would be if nothing cancelled.
 struct Resultant {
   Vector2d force = Vector2d::Zero();
   double moment = 0;
@@ -88,15 +88,15 @@ struct Resultant {
   double all_moments = 0;
 };
 
-Resultant resultant(const Mesh& mesh, const EdgeLoad& load) {
+Resultant resultant(const Mesh& mesh, const EdgeLoad& load, const Depth& depth) {
   const std::vector<SideCurve> sides = side_curves(mesh, load.boundary);
   Resultant sum;
   for (const SideCurve& side : sides)
     for (const GaussPoint& gauss : gauss_line(3)) {
       const AnchoredPoint x = side.point(gauss.xi);
       const Vector2d arm = x - sides.front().point(-1);
-      const Vector2d force =
-          gauss.weight * side.tangent(gauss.xi).norm() * load.traction(x.position());
+      const Vector2d force = gauss.weight * side.tangent(gauss.xi).norm() *
+                             depth.part(x.position().x()) * load.traction(x.position());
       sum.force += force;
       sum.moment += arm.x() * force.y() - arm.y() * force.x();
       sum.all_forces += force.norm();
@@ -110,9 +110,9 @@ bool is_closed(const Mesh& mesh, const std::string& name) {
   return mesh.side_nodes(sides.front()).front() == mesh.side_nodes(sides.back()).back();
 }
 
-void note_edge_load(const Mesh& mesh, const EdgeLoad& load, Notes& notes) {
+void note_edge_load(const Mesh& mesh, const EdgeLoad& load, const Depth& depth, Notes& notes) {
   const std::string what = text("load on '", load.boundary, "' of '", mesh.name, "'");
-  const Resultant sum = load.traction ? resultant(mesh, load) : Resultant{};
+  const Resultant sum = load.traction ? resultant(mesh, load, depth) : Resultant{};
   constexpr double cancelled = 1e-6;
   if (load.pressure == 0 && sum.all_forces == 0)
     notes.push_back(what + " is zero everywhere and does nothing");
@@ -260,7 +260,8 @@ std::vector<std::string> doubts_of_mesh(const Scene& scene, const BodyModel& bod
 
 std::vector<std::string> doubts_of_loads(const Body& body) {
   Notes notes;
-  for (const EdgeLoad& load : body.loads.edges) note_edge_load(body.mesh, load, notes);
+  for (const EdgeLoad& load : body.loads.edges)
+    note_edge_load(body.mesh, load, depth_of(body.material), notes);
   if (body.loads.body_force && is_zero(body.loads.body_force, body.mesh.nodes))
     notes.push_back("body force on '" + body.mesh.name + "' is zero everywhere and does nothing");
   return notes;
