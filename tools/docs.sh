@@ -35,8 +35,8 @@ if [ -f "$theme/doxygen-awesome.css" ]; then
 fi
 
 # The order of the input is the order of the sidebar.
-input="\"$root/README.md\" \"$root/examples/README.md\""
-for text in "$root"/chapters/notation.md "$root"/chapters/equations.md "$root"/chapters/ch[0-9][0-9]_*/README.md; do
+input="\"$root/README.md\""
+for text in "$root"/examples/README.md "$root"/chapters/notation.md "$root"/chapters/equations.md "$root"/chapters/ch[0-9][0-9]_*/README.md; do
     [ ! -f "$text" ] || input="$input \"$text\""
 done
 input="$input \"$root/docs/references.md\" \"$root/docs/library.dox\" \"$root/src\""

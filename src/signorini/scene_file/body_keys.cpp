@@ -119,7 +119,9 @@ std::string region_of_box(const Value& value, const std::vector<double>& box, Me
       cells.push_back(cell);
   }
   if (cells.empty()) value.fail("no cell of '", mesh.name, "' has its middle in the box");
-  const std::string name = text("layer ", mesh.regions.size() + 1);
+  std::size_t number = mesh.regions.size() + 1;
+  while (mesh.regions.count(text("box ", number)) > 0) ++number;
+  const std::string name = text("box ", number);
   mesh.regions[name] = std::move(cells);
   return name;
 }

@@ -36,12 +36,21 @@ void try_body(const Body& body) {
 /// The line that is to blame for an error.
 std::size_t line_of(const SceneFile& file, const std::string& message) {
   const std::vector<Body>& bodies = file.scene.bodies;
+  const std::vector<ContactSpec>& contacts = file.scene.contacts;
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    if (fails_with(message, [&] { try_body(bodies[k]); })) return file.body_lines[k];
-  for (std::size_t k = 0; k < file.scene.contacts.size(); ++k) {
-    Scene alone = file.scene;
-    alone.contacts = {file.scene.contacts[k]};
-    if (fails_with(message, [&] { static_cast<void>(plan(alone)); })) return file.contact_lines[k];
+    if (message.rfind("body '" + bodies[k].mesh.name + "'", 0) == 0 ||
+        fails_with(message, [&] { try_body(bodies[k]); }))
+      return file.body_lines[k];
+  const auto fails = [&](std::vector<ContactSpec> some) {
+    const Scene scene{bodies, std::move(some), file.scene.solver};
+    return fails_with(message, [&] { static_cast<void>(plan(scene)); });
+  };
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (fails({contacts[k]})) return file.contact_lines[k];
+  for (std::size_t k = contacts.size(); k-- > 0;) {
+    std::vector<ContactSpec> others = contacts;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    if (fails(contacts) && !fails(std::move(others))) return file.contact_lines[k];
   }
   for (std::size_t k = 0; k < bodies.size(); ++k)
     if (message.find("'" + bodies[k].mesh.name + "'") != std::string::npos)

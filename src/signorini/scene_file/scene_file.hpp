@@ -47,10 +47,11 @@ struct SceneFile {
 [[nodiscard]] SceneFile read_scene(const std::filesystem::path& file);
 
 /// Most bytes of a scene file that is read.
-constexpr std::size_t largest_scene_file = std::size_t{1} << 22;
+constexpr std::size_t largest_scene_file = std::size_t{1} << 20;
 
-/// Says of an error where in the file its cause stands: at the body or contact that fails alike without the others, else
-/// at the body that the message names, else at the first.
+/// Says of an error where in the file its cause stands: at the body that it begins with, or that fails alike by itself; at
+/// the contact that fails alike without the others, or without which the others do not; else at a body that it names, or
+/// at the first.
 /// \param file     whose scene failed
 /// \param message  of the error
 /// \return `NAME:LINE: message`, or the message if it begins like this already
