@@ -30,7 +30,8 @@ const char* command_for(const std::string& content);
 /// \param command  that is running
 /// \param read     the reader
 /// \return what it returns
-/// \throws signorini::ProblemError of the reader, with a hint if the text looks as if it was written for another command
+/// \throws signorini::ProblemError of the reader, with a hint if the text looks as if it was written for another
+///   command
 template <typename Read>
 auto read_or_hint(const std::string& file, const std::string& content, const char* command,
                   const Read& read) -> decltype(read()) {
@@ -51,10 +52,10 @@ auto read_or_hint(const std::string& file, const std::string& content, const cha
 
 /// What was made of a scene file, as far as it came.
 struct SceneRun {
-  signorini::SceneFile file;
-  signorini::Plan plan;
-  signorini::Prediction prediction;
-  std::optional<signorini::Model> model;        ///< after solve_scene()
+  signorini::SceneFile file;              ///< as it was read, with what the command line changes
+  signorini::Plan plan;                   ///< of its scene
+  signorini::Prediction prediction;       ///< of the plan
+  std::optional<signorini::Model> model;  ///< after solve_scene()
   std::optional<signorini::Solution> solution;  ///< after solve_scene()
 
   /// \return whether there is a solution

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "command_line/man.hpp"
+#include "command_line/options.hpp"
 #include "command_line/outcome.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/print.hpp"
@@ -18,25 +19,11 @@
 namespace {
 
 using namespace signorini;
+using command_line::Request;
 
 constexpr int solved = 0;
 constexpr int not_solved = 1;
 constexpr int bad_input = 2;
-
-/// What the command line says.
-struct Request {
-  std::string file;
-  std::string solver;
-  std::string tolerance_text = "1e-12";
-  double tolerance = 0;
-  Output output;
-  bool json = false;
-
-  /// \return what messages call the file
-  [[nodiscard]] std::string name() const {
-    return file == "-" ? command_line::standard_input : file;
-  }
-};
 
 /// The problem of the file, for one of the two commands that take such files.
 ProblemFile read(const Request& request, const char* command) {
@@ -161,68 +148,6 @@ double tolerance_of(const std::string& word) {
   return value;
 }
 
-/// Declares a command with FILE and --json.
-CLI::App* add_command(CLI::App& app, const char* name, const char* title, const char* file,
-                      Request& request) {
-  CLI::App* const command = app.add_subcommand(name, title);
-  command->add_option("FILE", request.file, file)->required();
-  command->add_flag("--json", request.json, "one JSON document instead of tables");
-  return command;
-}
-
-/// Declares a command that takes a scene.
-CLI::App* add_scene(CLI::App& app, const char* name, const char* title, Request& request) {
-  CLI::App* const command =
-      add_command(app, name, title, "the scene in TOML, or - for standard input", request);
-  command
-      ->add_option("--solver", request.solver,
-                   "a name of --list, in the place of that of the scene")
-      ->type_name("NAME");
-  return command;
-}
-
-/// Declares a command that takes a problem in numbers.
-CLI::App* add_problem(CLI::App& app, const char* name, const char* title, Request& request) {
-  CLI::App* const command =
-      add_command(app, name, title, "the problem, or - for standard input", request);
-  command
-      ->add_option("--solver", request.solver,
-                   "a name of --list, or all; without it the first that takes the problem")
-      ->type_name("NAME");
-  command
-      ->add_option("--tolerance", request.tolerance_text,
-                   "largest figure of a certificate that is accepted")
-      ->type_name("NUMBER")
-      ->capture_default_str();
-  return command;
-}
-
-/// Declares everything. The manual page is made from it.
-void declare(CLI::App& app, Request& request) {
-  app.footer(
-      "0 if the problem is solved and everything is written; 1 if it is not solved, and then no "
-      "file is "
-      "written; 2 if the input is wrong, or what was found could not be printed or written.");
-  app.add_flag("--list", "the solvers, and on which problems each may fail");
-  app.add_flag("--keys", "the keys of scene files, in Markdown");
-  app.add_flag("--man", "this help as a manual page");
-  app.add_flag("--version", "the version of the program");
-  app.require_subcommand(0, 1);
-  add_scene(app, "plan", "what a scene calls for and what it will cost, without solving it",
-            request);
-  CLI::App* const solve =
-      add_scene(app, "solve", "solves a scene and certifies the result", request);
-  const auto add_file = [&](const char* option, std::string& file, const char* what) {
-    solve->add_option(option, file, what)->type_name("FILE");
-  };
-  add_file("--vtu", request.output.vtu, "meshes and fields, for ParaView");
-  add_file("--csv", request.output.csv, "the pressure table");
-  add_file("--plot", request.output.plot,
-           "pressure and deformed meshes as a picture .svg or .png, by gnuplot");
-  add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
-  add_problem(app, "qp", "least x'Px/2 + q'x + r with l <= Ax <= u; block format", request);
-}
-
 /// The options that ask for no command. \return whether one of them was given
 bool answered(const CLI::App& app) {
   if (app.count("--list") > 0)
@@ -247,7 +172,7 @@ int run(int argc, char** argv) {
       "Solves contact scenes, complementarity problems and quadratic programmes, and certifies "
       "the result",
       "signorini");
-  declare(app, request);
+  command_line::declare(app, request);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& wanted) {

@@ -25,11 +25,11 @@ enum class Built {
 
 /// One line of a prediction.
 struct PredictedFigure {
-  Built built = Built::Once;  ///< how often what it is about is made
-  std::string phase;          ///< of the ledger, or what is not in the ledger
-  std::string what;           ///< `seconds`, `bytes`, or the name of a count
-  double amount = 0;          ///< how much, over the whole run
-  Trust trust = Trust::Exact;
+  Built built = Built::Once;   ///< how often what it is about is made
+  std::string phase;           ///< of the ledger, or what is not in the ledger
+  std::string what;            ///< `seconds`, `bytes`, or the name of a count
+  double amount = 0;           ///< how much, over the whole run
+  Trust trust = Trust::Exact;  ///< how it is meant
 };
 
 /// What acts on a body, and whether it is one.
