@@ -80,6 +80,23 @@ TEST_CASE("springs on a support that moves push back on the support", "[springs]
   CHECK(support_forces(model, solution).col(0).sum() == Approx(20 * 0.3).epsilon(1e-12));
 }
 
+// The corner is held and its neighbour is not: what springs between them feel of the given displacement is a load.
+TEST_CASE("springs beside a support that moves leave no force where nothing holds", "[springs]") {
+  for (const char* element : {"q4_incompatible", "q8"}) {
+    Scene scene = loose_block(element);
+    scene.bodies[0].supports = {prescribed("left", Axis::X, 0.3), prescribed("left", Axis::Y, 0.2)};
+    scene.bodies[0].springs = {{"bottom", {200, 300}}};
+    const auto [model, condensed, solution] = solved(scene, "the block");
+    const BodyModel& body = model.bodies[0];
+    const NodeArray springs = spring_forces(model, solution);
+    NodeArray support = support_forces(model, solution);
+    const double size = springs.cwiseAbs().maxCoeff();
+    CHECK((springs + support).colwise().sum().norm() <= 1e-11 * size);
+    for (const Index node : boundary_nodes(body.mesh, "left")) support.row(node).setZero();
+    CHECK(support.cwiseAbs().maxCoeff() <= 1e-11 * size);
+  }
+}
+
 TEST_CASE("springs that hardly give are a support", "[springs]") {
   for (const double stiffness : {1e12, 1e15}) {
     Scene held = cantilever("q4_incompatible", 40, 4);
