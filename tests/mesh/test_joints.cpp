@@ -7,6 +7,7 @@
 #include "signorini/mesh/half_space.hpp"
 #include "signorini/mesh/joints.hpp"
 #include "signorini/mesh/ring.hpp"
+#include "signorini/mesh/split.hpp"
 #include "support/loose_meshes.hpp"
 #include "support/random.hpp"
 
@@ -97,7 +98,9 @@ std::vector<Mesh> sound_meshes() {
 
 TEST_CASE("a sound mesh is one piece, its outer sides are its boundaries, and no node is loose",
           "[joints]") {
-  for (const Mesh& mesh : sound_meshes()) {
+  std::vector<Mesh> meshes = sound_meshes();
+  for (const Mesh& mesh : sound_meshes()) meshes.push_back(split(mesh));
+  for (const Mesh& mesh : meshes) {
     CAPTURE(mesh.name, mesh.cells.cols());
     const std::vector<MeshPiece> parts = pieces(mesh);
     REQUIRE(parts.size() == 1);
@@ -179,6 +182,7 @@ TEST_CASE("hanging nodes are found, whatever the numbers of nodes and cells", "[
       CHECK(coincide == 0);
       for (const auto& [x, y] : at) CHECK(x == 1);
       CHECK(places(shuffled(mesh, 7)) == std::pair(at, coincide));
+      CHECK(places(split(mesh)) == std::pair(at, coincide));  // in triangles
     }
 }
 
