@@ -2,7 +2,6 @@
 /// Exercise 18.3 - an effect of one's own: bodies that spin. Do not change this file.
 #pragma once
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
