@@ -12,6 +12,7 @@
 #include "signorini/mesh/block.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/shown.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/enumerate.hpp"
@@ -44,7 +45,7 @@ Scene block_on_obstacle(Index cells_x) {
 // [scene]
 
 // 2. From the scene to the quadratic programme (11)-(12), and to its solution.
-SolvedScene solve_block(Index cells_x) { return solved(block_on_obstacle(cells_x), "the block"); }
+SolvedScene solve_block(Index cells_x) { return shown(block_on_obstacle(cells_x), "the block"); }
 
 // The sketch of figure 1.1: the mesh of the table, its candidates, and the obstacle.
 void sketch(const ProgramOptions& run) {

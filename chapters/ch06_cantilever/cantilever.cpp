@@ -21,6 +21,7 @@
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/printed_method.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/shown.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/linear_programme.hpp"
@@ -63,7 +64,7 @@ Scene cantilever(const BeamOnFoundation& beam, const std::string& element, Index
 // [solve]
 SolvedScene solve_cantilever(const BeamOnFoundation& beam, const std::string& element,
                              Index cells) {
-  return solved(cantilever(beam, element, cells), "the cantilever");
+  return shown(cantilever(beam, element, cells), "the cantilever");
 }
 // [solve]
 

@@ -17,6 +17,7 @@
 #include "signorini/report/field_csv.hpp"
 #include "signorini/report/printed_method.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/shown.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -83,7 +84,7 @@ struct Bearing {
 // [bearing]
 Bearing bearing(const Pin& pin, Index cells_radius, const VectorXd& rays) {
   const Scene scene = pin_in_plate(pin, cells_radius, rays);
-  SolvedScene run = solved(scene, "the pin");
+  SolvedScene run = shown(scene, "the pin");
   const BoundaryForces hole = boundary_forces(run, {"hole"});  // from the left to the right
   VectorXd theta = (pin.side() * hole.position.col(0).array() / hole_radius).acos() / degree;
   VectorXd force = hole.force.cwiseProduct(hole.position).rowwise().sum() / hole_radius;

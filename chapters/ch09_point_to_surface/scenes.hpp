@@ -7,6 +7,7 @@
 
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
+#include "signorini/report/shown.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch09 {
@@ -132,7 +133,7 @@ struct Pressed {
 /// Solves a patch test; arguments as for patch().
 inline Pressed pressed(Index upper, Index lower, Source source, const char* gap_operator) {
   const Scene scene = patch(upper, lower, source, gap_operator);
-  const SolvedScene run = solved(scene, "patch test");
+  const SolvedScene run = shown(scene, "patch test");
   const double compression = 2 * 1.3 * 0.4 * 0.01;  // height (1 + nu)(1 - 2 nu) p / E
   return {(run.solution.pressure.array() / 0.01 - 1).abs().maxCoeff(),
           overlap(scene, run) / compression};

@@ -8,6 +8,7 @@
 
 #include "hertz_scene.hpp"
 #include "signorini/closed_form/hertz_fit.hpp"
+#include "signorini/report/shown.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace signorini {
@@ -27,7 +28,7 @@ struct HertzRun {
 // [reading]
 inline HertzRun solve_hertz(const HertzCase& now) {
   const Scene scene = hertz_scene(now);
-  HertzRun out{now, solved(scene, "Hertz's contact"), {}, {}, {}, {}};
+  HertzRun out{now, shown(scene, "Hertz's contact"), {}, {}, {}, {}};
   const BoundaryForces side = boundary_forces(out.run, scene.contacts[0].source);
   std::vector<Eigen::Index> order(static_cast<std::size_t>(side.weight.size()));
   std::iota(order.begin(), order.end(), 0);

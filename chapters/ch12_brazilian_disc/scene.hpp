@@ -9,6 +9,7 @@
 #include "signorini/mesh/disc.hpp"
 #include "signorini/mesh/half_space.hpp"
 #include "signorini/mesh/reshape.hpp"
+#include "signorini/report/shown.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch12 {
@@ -87,9 +88,9 @@ inline SolvedScene solve_disc(const Division& d, double finer = 1) {
   const auto cells = [finer](Index n) {
     return static_cast<Index>(std::lround(finer * static_cast<double>(n)));
   };
-  return solved(disc_between_plates({cells(d.columns), cells(d.rows), cells(d.layers), d.grading,
-                                     d.plates * finer}),
-                "the disc");
+  return shown(disc_between_plates(
+                   {cells(d.columns), cells(d.rows), cells(d.layers), d.grading, d.plates * finer}),
+               "the disc");
 }
 
 }  // namespace ch12

@@ -5,11 +5,12 @@
 #include "signorini/core/table.hpp"
 #include "signorini/elasticity/stress.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/shown.hpp"
 
 namespace ch13 {
 
 inline SolvedScene settle(const EdgeBlockSpec& soil, const FootingSpec& footing) {
-  return solved(on_soil(soil, footing), "the footing");
+  return shown(on_soil(soil, footing), "the footing");
 }
 
 inline std::string percent(double part, const char* format = "%.2f") {

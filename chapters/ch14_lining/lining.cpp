@@ -10,6 +10,7 @@
 #include "signorini/core/table.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/shown.hpp"
 #include "signorini/report/vtu.hpp"
 
 namespace {
@@ -161,7 +162,7 @@ void other_gaps(Results& results) {
   Rings none;
   none.radii = {60, 68, 68, 76};
   const Scene scene = scene_of(none);
-  const SolvedScene two = solved(scene, "rings without gap");
+  const SolvedScene two = shown(scene, "rings without gap");
   Scene glued;
   glued.bodies[0] = scene.bodies[0];
   glued.bodies[0].mesh = joined(scene.bodies[0].mesh, "outer", scene.bodies[1].mesh, "inner");

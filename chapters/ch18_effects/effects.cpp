@@ -67,13 +67,12 @@ std::vector<Question> questions() {
   const Scene base = floating(on_rock(0)), plate = with_plate(base);
   const double b = hertz_half_width({R, stiff / 2, P});  // of the contact with a plate [mm]
   const double nu = resin.poisson_ratio;
-  const double heat = (1 + nu) * resin.expansion * warmer;
   const double beta = (1 - 2 * nu) / (2 - 2 * nu);  // Dundurs' second constant, against rock
   const double weight = specific_weight * pi * R * R / (2 * P);
   return {{"a plate of resin", "√(E*/E′) − 1", 100 * (std::sqrt(0.5) - 1), base, plate},
           {"a thin plate", "(b/H)²", 100 * std::pow(b / thin, 2), plate, with_plate(base, thin)},
           {"friction", "μβ", 100 * beta * friction, base, with_friction(base)},
-          {"heat", "−(1+ν)αΔT/2", -50 * heat, base, heated(base)},
+          {"heat", "−(1+ν)αΔT/2", -50 * thermal, base, heated(base)},
           {"weight", "ρgπR²/4P", 50 * weight, base, with_weight(base)}};
 }
 // [questions]
@@ -91,6 +90,14 @@ void answer(const ProgramOptions& run, Results& results) {
     results.add("size_" + text(place), computed, "%");
   }
   write_file(run.out / "fig_18_2.csv", bars.csv("rel 1e-4 abs 1e-6"));
+  // A body that is drawn as large as it will be when it is warm.
+  const Scene base = floating(on_rock(0));
+  Scene grown = base;
+  grown.bodies[0].mesh.nodes *= 1 + thermal;
+  grown.bodies[0].loads.edges[0].pressure /= 1 + thermal;  // the same load
+  const double before = peak_pressure(solved(base, "the cold cylinder"));
+  results.add("heat_drawn", 100 * (peak_pressure(solved(grown, "the drawn one")) / before - 1),
+              "%");
 }
 
 // 5. What cannot be meant is refused, in words that say the way out.

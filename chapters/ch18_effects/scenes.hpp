@@ -25,6 +25,8 @@ constexpr double friction = 0.3;                                // mu [-]
 constexpr double warmer = 100;                                  // by so much [K]
 constexpr double thin = 3;                                      // thickness of a thin plate [mm]
 // [data]
+/// Free expansion in plane strain, (1 + nu) alpha Delta T [-].
+const double thermal = (1 + resin.poisson_ratio) * resin.expansion * warmer;
 const double stiff = plane_strain_modulus(resin.youngs_modulus, resin.poisson_ratio);  // E' [MPa]
 
 /// Right halves of both bodies. \param thickness  of the plate [mm] \return fine where they touch
@@ -142,8 +144,8 @@ inline std::vector<Mistake> mistakes() {
 /// Figure 18.1: the two meshes, coarser, and what the plan says where. \param folder  for its data
 inline void draw(const std::filesystem::path& folder, const Plan& planned) {
   HertzMeshSpec spec;
-  spec.disc_cells = spec.plate_cells = spec.disc_rows = spec.plate_rows = 4;
-  spec.disc_layers = spec.plate_layers = 10;
+  spec.disc_cells = spec.plate_cells = spec.disc_rows = spec.plate_rows = 5;
+  spec.disc_layers = spec.plate_layers = 14;
   spec.core = 4;
   const HertzMeshes coarse = make_hertz_meshes(spec);
   const auto outlines = [](const Mesh& mesh) {

@@ -117,11 +117,12 @@ std::vector<Index> grounding(const std::vector<FreeMotion>& modes) {
   return unknowns;
 }
 
-Eigen::SparseMatrix<double> along_diagonal(const std::vector<BodyModel>& bodies,
-                                           std::vector<Eigen::SparseMatrix<double>> blocks) {
-  if (blocks.size() == 1) return std::move(blocks.front());
+void put_along_diagonal(const std::vector<BodyModel>& bodies,
+                        std::vector<Eigen::SparseMatrix<double>>& blocks,
+                        Eigen::SparseMatrix<double>& all) {
+  if (blocks.size() == 1) return all.swap(blocks.front());
   const Index count = count_unknowns(bodies);
-  Eigen::SparseMatrix<double> all(count, count);
+  all.resize(count, count);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Index first = bodies[b].first_unknown;
     all.reserve(all.nonZeros() + blocks[b].nonZeros());
@@ -133,7 +134,6 @@ Eigen::SparseMatrix<double> along_diagonal(const std::vector<BodyModel>& bodies,
     blocks[b] = {};
   }
   all.finalize();
-  return all;
 }
 
 NodeArray unknown_positions(const std::vector<BodyModel>& bodies) {

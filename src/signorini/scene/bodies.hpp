@@ -75,12 +75,13 @@ namespace signorini {
 /// \return `n x n_r`; empty if there are none
 [[nodiscard]] Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes);
 
-/// Matrices of the bodies along the diagonal of one.
+/// Puts matrices of the bodies along the diagonal of one, without a copy if there is one body only.
 /// \param bodies  one or several, `n` unknowns in all
-/// \param blocks  compressed, one of each body
-/// \return `n x n` compressed
-[[nodiscard]] Eigen::SparseMatrix<double> along_diagonal(
-    const std::vector<BodyModel>& bodies, std::vector<Eigen::SparseMatrix<double>> blocks);
+/// \param blocks  compressed, one of each body; empty afterwards
+/// \param all     becomes `n x n` compressed
+void put_along_diagonal(const std::vector<BodyModel>& bodies,
+                        std::vector<Eigen::SparseMatrix<double>>& blocks,
+                        Eigen::SparseMatrix<double>& all);
 
 /// Where the unknowns of all bodies are.
 /// \param bodies  one or several

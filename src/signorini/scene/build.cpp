@@ -12,13 +12,14 @@ using Eigen::Index;
 /// K of all bodies without loads, one block after another, and p of what their supports move.
 LinearSystem assemble_all(const std::vector<BodyModel>& bodies, Index count) {
   LinearSystem all{{}, Eigen::VectorXd(count)};
-  std::vector<Eigen::SparseMatrix<double>> blocks;
+  std::vector<Eigen::SparseMatrix<double>> blocks(bodies.size());
+  auto block = blocks.begin();
   for (const BodyModel& body : bodies) {
     LinearSystem own = assemble(body.mesh, body.element, body.material, body.unknowns, {});
     all.load.segment(body.first_unknown, body.unknowns.count) = own.load;
-    blocks.push_back(std::move(own.stiffness));
+    (block++)->swap(own.stiffness);  // Eigen's matrices would be copied by a move
   }
-  all.stiffness = along_diagonal(bodies, std::move(blocks));
+  put_along_diagonal(bodies, blocks, all.stiffness);
   return all;
 }
 

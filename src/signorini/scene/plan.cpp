@@ -60,8 +60,6 @@ void note_on_body(const Body& body, const Element& element, std::vector<std::str
     if (!note.empty() && note != last) notes.push_back(note);
     last = note;
   }
-  if (body.material.expansion != 0 && !(body.temperature && body.temperature->warms()))
-    notes.push_back(text("'", body.mesh.name, "' has a thermal expansion but no temperature"));
 }
 
 void plan_body(const Body& body, Plan& plan) {

@@ -122,7 +122,7 @@ Symbolic symbolic(const Plan& plan) {
   std::vector<Eigen::SparseMatrix<double>> blocks;
   for (const BodyModel& body : plan.bodies)
     blocks.push_back(stiffness_pattern(body.mesh, body.unknowns));
-  known.stiffness = along_diagonal(plan.bodies, std::move(blocks));
+  put_along_diagonal(plan.bodies, blocks, known.stiffness);
   known.rows = contact_rows(plan.gaps, plan.law);
   SeparatorTree tree;
   known.ordering =
