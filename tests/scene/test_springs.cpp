@@ -130,6 +130,26 @@ TEST_CASE("springs without stiffness are none", "[springs]") {
   CHECK(spring_forces(two.model, two.solution).isZero(0));
 }
 
+// What is left of the forces of a rigid motion is rounding of the stiffness; springs must be stiffer than that.
+TEST_CASE("springs too soft for the digits of a body that they alone hold are noted", "[springs]") {
+  const auto down = [](double softness) {
+    Scene scene = loose_block("q4");
+    scene.bodies[0].springs = {{"bottom", softness * Eigen::Vector2d(20, 20)}};
+    scene.bodies[0].loads.edges = {{"top", softness * 3, {}}};
+    const Solution solution = solved(scene, "the block").solution;
+    const bool noted = std::any_of(
+        solution.notes.begin(), solution.notes.end(),
+        [](const std::string& note) { return note.find("so soft") != std::string::npos; });
+    return std::pair(-solution.displacements[0](0, 1), noted);
+  };
+  const auto [stiff, silent] = down(1);
+  CHECK(stiff == Approx(3.0 / 20).epsilon(1e-12));
+  CHECK_FALSE(silent);
+  const auto [soft, noted] = down(1e-11);
+  CHECK(noted);
+  CHECK(soft == Approx(3.0 / 20).epsilon(0.1));
+}
+
 // Whatever the units: a spring as soft as can be stops what it resists and nothing else.
 TEST_CASE("rigid motions that springs stop are none, the others stay", "[springs]") {
   const auto modes = [](const Spring& spring, double unit) {

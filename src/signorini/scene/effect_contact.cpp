@@ -73,6 +73,17 @@ Index overlapping(const Plan& plan) {
   return (plan.gaps.pairs.initial_gap.array() < -gap_rounding(plan.gaps.pairs)).count();
 }
 
+/// Notes the largest overlap that no interference asks for.
+void note_overlap(const Scene& scene, Plan& draft) {
+  double least = -gap_rounding(draft.gaps.pairs);
+  const double none = least;
+  for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
+    if (scene.contacts[draft.contact_of[pair]].interference.value_or(0) == 0)
+      least = std::min(least, draft.gaps.pairs.initial_gap(static_cast<Index>(pair)));
+  if (least < none)
+    draft.notes.push_back(text("the two sides overlap by ", -least, " before loading"));
+}
+
 }  // namespace
 
 Effect contact() {
@@ -87,15 +98,13 @@ Effect contact() {
 }
 
 Effect initial_overlap() {
-  return {
-      "initial overlap",
-      [](const Scene& /*scene*/, const Plan& draft) { return overlapping(draft) > 0; },
-      [](const Scene& /*scene*/, Plan& draft) {
-        draft.on.push_back(text("initial overlap of ", overlapping(draft), " pairs"));
-        draft.notes.push_back(text("the two sides overlap by ",
-                                   -draft.gaps.pairs.initial_gap.minCoeff(), " before loading"));
-      },
-      [](Plan& /*plan*/, Model& /*model*/) {}};
+  return {"initial overlap",
+          [](const Scene& /*scene*/, const Plan& draft) { return overlapping(draft) > 0; },
+          [](const Scene& scene, Plan& draft) {
+            draft.on.push_back(text("initial overlap of ", overlapping(draft), " pairs"));
+            note_overlap(scene, draft);
+          },
+          [](Plan& /*plan*/, Model& /*model*/) {}};
 }
 
 }  // namespace signorini::effect

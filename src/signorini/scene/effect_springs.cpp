@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 
@@ -49,6 +50,28 @@ void add_springs(const BodyModel& body, QuadraticProgramme& programme) {
     }
 }
 
+/// K does no work along a rigid motion but for its rounding. Says so where springs that alone stop the motion are not
+/// much stiffer than that: the certificate, which takes K as it is, cannot.
+void note_soft_springs(const BodyModel& body, Model& model) {
+  const QuadraticProgramme& programme = model.programme;
+  for (const FreeMotion& motion :
+       free_motions(body.mesh, body.pieces, body.unknowns, body.material.bulk.state)) {
+    Eigen::VectorXd moves = Eigen::VectorXd::Zero(programme.load.size());
+    moves.segment(body.first_unknown, motion.shape.size()) = motion.shape.cwiseAbs();
+    const double rounding = epsilon * moves.dot(programme.stiffness.cwiseAbs() * moves);
+    Eigen::VectorXd nodes = Eigen::VectorXd::Zero(body.springs.cols());
+    for (Index k = 0; k < nodes.size(); ++k)
+      if (const Index own = body.unknowns.number(k / 2, k % 2); own >= 0)
+        nodes(k) = motion.shape(own);
+    const double resisted = nodes.dot(body.springs * nodes);
+    if (resisted > 0 && rounding > 1e-8 * resisted)
+      model.notes.push_back(text(motion.sentence, " but for its springs, which are so soft beside ",
+                                 "the body that rounding changes this motion by up to ",
+                                 100 * rounding / resisted,
+                                 " %: make them stiffer, or add a support"));
+  }
+}
+
 }  // namespace
 
 Effect springs() {
@@ -58,7 +81,11 @@ Effect springs() {
           },
           price,
           [](Plan& /*plan*/, Model& model) {
-            for (const BodyModel& body : model.bodies) add_springs(body, model.programme);
+            for (const BodyModel& body : model.bodies)
+              if (body.springs.rows() > 0) {
+                note_soft_springs(body, model);
+                add_springs(body, model.programme);
+              }
           }};
 }
 
