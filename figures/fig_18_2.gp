@@ -14,5 +14,6 @@ set grid noytics
 set xlabel 'change of the largest pressure [%], without its sign'
 set key top right horizontal
 plot data.'/fig_18_2.csv' using (abs(column('computed'))):'place':(0.02):(abs(column('computed'))):(column('place')-0.28):(column('place')+0.28):ytic(strcol('effect')) with boxxyerror lc rgb SKY fs solid border lc rgb BLUE title 'computed', \
-     '' using (abs(column('estimate'))):'place' with points pt 13 ps 1.6 lc rgb RED title 'estimated', \
+     '' using (column('estimate')*column('computed') > 0 ? abs(column('estimate')) : NaN):'place' with points pt 13 ps 1.6 lc rgb RED title 'estimated', \
+     '' using (column('estimate')*column('computed') > 0 ? NaN : abs(column('estimate'))):'place' with points pt 12 ps 1.8 lw 2 lc rgb RED notitle, \
      '' using (190):'place':(sprintf('%+.2g %%', column('computed'))) with labels right textcolor rgb BLACK notitle

@@ -133,7 +133,7 @@ struct Pressed {
 /// Solves a patch test; arguments as for patch().
 inline Pressed pressed(Index upper, Index lower, Source source, const char* gap_operator) {
   const Scene scene = patch(upper, lower, source, gap_operator);
-  const SolvedScene run = shown(scene, "patch test");
+  const SolvedScene run = shown(scene, "the patch test");
   const double compression = 2 * 1.3 * 0.4 * 0.01;  // height (1 + nu)(1 - 2 nu) p / E
   return {(run.solution.pressure.array() / 0.01 - 1).abs().maxCoeff(),
           overlap(scene, run) / compression};

@@ -91,7 +91,7 @@ void two_blocks(const ProgramOptions& run, Results& results) {
 /// \PaperEq{LinEtAl, 37}
 void several_solvers(Results& results) {
   const Scene scene = hertz(16, {"gauss_points", 3});
-  const SolvedScene first = shown(scene, "disc");
+  const SolvedScene first = shown(scene, "the disc");
   const NodeArray nodal = contact_forces(first.model, first.solution);
   for (const char* name : {"quasi_active_set", "goldfarb_idnani", "lemke", "fischer_burmeister",
                            "projected_gauss_seidel", "primal_dual_active_set"}) {

@@ -1,5 +1,6 @@
 // Chapter 18 - Only the effects a scene calls for.
 // Run:  make ch18     Reads: nothing     Writes: ch18.results, plan.md, ladder.md, refusals.md, fig_18_*.csv
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <sstream>
@@ -26,7 +27,7 @@ void show_plan(const ProgramOptions& run, const Scene& scene) {
   draw(run.out, planned);
 }
 
-// 2. The ladder: every rung adds one effect, and with it rows, unknowns, or nothing but numbers.
+// 2. The ladder: every rung changes one thing, and with it rows, unknowns, or nothing but numbers.
 // [ladder]
 void climb(const ProgramOptions& run, Results& results) {
   Table table(
@@ -69,11 +70,12 @@ std::vector<Question> questions() {
   const double nu = resin.poisson_ratio;
   const double beta = (1 - 2 * nu) / (2 - 2 * nu);  // Dundurs' second constant, against rock
   const double weight = specific_weight * pi * R * R / (2 * P);
-  return {{"a plate of resin", "√(E*/E′) − 1", 100 * (std::sqrt(0.5) - 1), base, plate},
-          {"a thin plate", "(b/H)²", 100 * std::pow(b / thin, 2), plate, with_plate(base, thin)},
-          {"friction", "μβ", 100 * beta * friction, base, with_friction(base)},
-          {"heat", "−(1+ν)αΔT/2", -50 * thermal, base, heated(base)},
-          {"weight", "ρgπR²/4P", 50 * weight, base, with_weight(base)}};
+  return {
+      {"a plate of resin", "√(E*/E′) − 1", 100 * (std::sqrt(0.5) - 1), base, plate},
+      {"a thin plate", "(b/H)²", 100 * std::pow(b / thin, 2), plate, with_plate(base, thin)},
+      {"friction", "μβ or β²", 100 * beta * std::min(friction, beta), base, with_friction(base)},
+      {"heat", "−(1+ν)αΔT/2", -50 * thermal, base, heated(base)},
+      {"weight", "ρgπR²/4P", 50 * weight, base, with_weight(base)}};
 }
 // [questions]
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <system_error>
 
@@ -58,9 +59,22 @@ double magnification(const SceneRun& run) {
   return most > 0 ? round_down(box_of(run, 0).diagonal().norm() / 12 / most) : 1;
 }
 
+/// A range for gnuplot, which refuses one without a length.
+std::string range(double from, double to) {
+  const double margin = to > from ? 0 : std::max(1e-6 * std::abs(to), 1e-300);
+  return text('[', shortest(from - margin), ':', shortest(to + margin), ']');
+}
+
 /// The deformed cells of all bodies, one after another, with von Mises' stress in their middle.
-std::string cells(const SceneRun& run, double scale) {
+struct Cells {
+  std::string csv;
+  double least = std::numeric_limits<double>::infinity();  // stress
+  double most = 0;
+};
+
+Cells cells(const SceneRun& run, double scale) {
   std::ostringstream all;
+  Cells found;
   for (std::size_t b = 0; b < run.model->bodies.size(); ++b) {
     const BodyModel& body = run.model->bodies[b];
     const NodeArray& u = run.solution->displacements[b];
@@ -68,13 +82,16 @@ std::string cells(const SceneRun& run, double scale) {
     Eigen::VectorXd value(stress.rows());
     for (Index cell = 0; cell < stress.rows(); ++cell)
       value(cell) = von_mises(stress.row(cell).transpose());
+    found.least = std::min(found.least, value.minCoeff());
+    found.most = std::max(found.most, value.maxCoeff());
     std::istringstream csv(deformed_cells_csv(body.mesh, u, value, scale));
     for (std::string line; std::getline(csv, line);)
       if (line.empty() || std::string("-0123456789").find(line[0]) != std::string::npos)
         all << line << '\n';
     all << '\n';
   }
-  return all.str();
+  found.csv = all.str();
+  return found;
 }
 
 /// Pressure over the way along the source.
@@ -82,6 +99,7 @@ struct PressureCurve {
   std::string csv;  // a block for each contact
   double from = 0;  // where pairs are closed, with a margin
   double to = 0;
+  double most = 0;  // pressure
 };
 
 PressureCurve pressures(const SceneRun& run) {
@@ -100,10 +118,11 @@ PressureCurve pressures(const SceneRun& run) {
     if (pressure(k) > 0) closed.extend(Eigen::Matrix<double, 1, 1>(way));
     csv << shortest(way) << ',' << shortest(pressure(k)) << '\n';
   }
-  if (closed.isEmpty()) return {csv.str(), 0, longest};
-  const double margin = closed.sizes()(0) / 3;
+  if (closed.isEmpty()) return {csv.str(), 0, longest, 0};
+  const double length = closed.sizes()(0);
+  const double margin = length > 0 ? length / 3 : longest / 10;
   return {csv.str(), std::max(0.0, closed.min()(0) - margin),
-          std::min(longest, closed.max()(0) + margin)};
+          std::min(longest, closed.max()(0) + margin), pressure.maxCoeff()};
 }
 
 /// Where things are on the picture [pixels], from its lower left corner.
@@ -128,7 +147,7 @@ Layout layout_of(const Box& box, bool touches) {
 }
 
 void draw_meshes(std::ostream& gp, const Box& box, const Layout& layout, double scale,
-                 Index n_cells) {
+                 const Cells& stress, Index n_cells) {
   const double tics = round_down(box.sizes().maxCoeff() / 4);
   constexpr Index most_outlined = 6000;  // beyond that, outlines are all there is to see
   gp << "set lmargin at screen " << left / width << "\nset rmargin at screen " << right / width
@@ -136,7 +155,8 @@ void draw_meshes(std::ostream& gp, const Box& box, const Layout& layout, double 
      << layout.top / layout.height << "\nset size ratio -1\nset xlabel 'x'\nset ylabel 'y'\n"
      << "set xtics " << tics << "\nset ytics " << tics << "\nset xrange [" << box.min().x() << ':'
      << box.max().x() << "]\nset yrange [" << box.min().y() << ':' << box.max().y()
-     << "]\nset colorbox horizontal user origin screen " << left / width << ", screen "
+     << "]\nset cbrange " << range(stress.least, stress.most)
+     << "\nset colorbox horizontal user origin screen " << left / width << ", screen "
      << (layout.top + 34) / layout.height << " size screen " << (right - left) / width
      << ", screen " << 10 / layout.height
      << "\nset label 1 'von Mises'' stress; displacements times " << scale << "' at screen "
@@ -150,8 +170,9 @@ void draw_pressures(std::ostream& gp, const PressureCurve& curve, const Layout& 
   gp << "unset label 1\nset bmargin at screen " << 60 / layout.height << "\nset tmargin at screen "
      << 225 / layout.height
      << "\nset size noratio\nset xtics autofreq\nset ytics autofreq\nset xlabel 'way along the "
-        "source'\nset ylabel 'contact pressure'\nset yrange [0:*]\n";
-  if (curve.to > curve.from) gp << "set xrange [" << curve.from << ':' << curve.to << "]\n";
+        "source'\nset ylabel 'contact pressure'\nset yrange "
+     << (curve.most > 0 ? "[0:*]" : "[0:1]") << "\nset xrange " << range(curve.from, curve.to)
+     << '\n';
   gp << "plot $pressure using 1:2 with linespoints ls 1\n";
 }
 
@@ -166,12 +187,13 @@ std::string script(const std::filesystem::path& file, PictureKind kind, const Sc
   gp << "out = " << for_gnuplot(file.string()) << "\nwidth = " << width
      << "; height = " << layout.height << '\n'
      << figure_style;
-  if (kind == PictureKind::Png)
-    gp << "set terminal pngcairo size width,height font sprintf('DejaVu Sans,%g', width/60.0)\n"
-          "set output out\n";
-  gp << "unset key\n$cells << EOD\n" << cells(run, scale) << "EOD\n";
+  const Cells stress = cells(run, scale);
+  gp << "set terminal " << (kind == PictureKind::Png ? "pngcairo" : "svg dynamic")
+     << " size width,height font sprintf('DejaVu Sans,%g', width/60.0) background '#ffffff'\n"
+     << "set output out\nunset key\n$cells << EOD\n"
+     << stress.csv << "EOD\n";
   if (touches) gp << "set multiplot\n";
-  draw_meshes(gp, box, layout, scale, n_cells);
+  draw_meshes(gp, box, layout, scale, stress, n_cells);
   if (touches) {
     const PressureCurve curve = pressures(run);
     gp << "$pressure << EOD\n" << curve.csv << "EOD\n";
@@ -225,7 +247,7 @@ void draw(const std::filesystem::path& file, PictureKind kind, const SceneRun& r
        "--plot: there is no gnuplot; install it, such as the package gnuplot-nox, or leave the "
        "picture out");
   std::error_code failed;
-  pose(status == 0 && first.empty() && std::filesystem::file_size(file, failed) > 0 && !failed,
+  pose(status == 0 && std::filesystem::file_size(file, failed) > 0 && !failed,
        "--plot: gnuplot could not draw: ", first.empty() ? "no picture" : first);
 }
 

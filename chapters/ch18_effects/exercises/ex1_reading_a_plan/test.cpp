@@ -44,7 +44,7 @@ TEST_CASE("ex18.1 the first rung has unknowns and gaps, the last one everything"
   CHECK(last.on == Names{"edge loads", "temperature", "contact", "friction", "rigid motions"});
 }
 
-TEST_CASE("ex18.1 every rung has one effect more", "[ex18.1]") {
+TEST_CASE("ex18.1 every rung changes one thing", "[ex18.1]") {
   const Scene plate = with_plate(signorini::on_rock(0.025));
   const Scene free = floating(plate);
   const Step held = step(plate, free);
