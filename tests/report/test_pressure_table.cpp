@@ -76,7 +76,7 @@ TEST_CASE("the table has its columns and one line per pair in order", "[pressure
 
 TEST_CASE("the resultants and a tolerance go in front as comments", "[pressure_table]") {
   CHECK_THAT(lines_of(pressure_csv(three_gaps(), three_forces()))[0],
-             ContainsSubstring("# force of the obstacle (6, 11)") &&
+             ContainsSubstring("# force on the sources (6, 11)") &&
                  ContainsSubstring("closed boundary 1.5") && ContainsSubstring("peak pressure 20"));
   const std::vector<std::string> lines =
       lines_of(pressure_csv(three_gaps(), three_forces(), "rel 1e-6 abs 1e-9"));

@@ -50,7 +50,7 @@ std::string pressure_csv(const Pairs& pairs, const Solution& solution,
   if (!tolerance.empty()) out << "# tolerance " << tolerance << '\n';
   for (const std::string& note : solution.notes) out << "# note " << note << '\n';
   const Resultants sum = resultants(pairs, solution);
-  out << std::setprecision(10) << "# force of the obstacle (" << sum.force.x() << ", "
+  out << std::setprecision(10) << "# force on the sources (" << sum.force.x() << ", "
       << sum.force.y() << "), moment about the origin " << sum.moment << ", closed boundary "
       << sum.closed_weight << ", peak pressure " << sum.peak_pressure
       << "\nx,y,gap,pressure,force,status\n";

@@ -72,8 +72,8 @@ void plan_body(const Body& body, Plan& plan) {
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",
                          elements_in_words(body.mesh, element), ", ", count, " unknowns, ",
                          to_string(body.material.state)));
-  plan.on.push_back(
-      text("supports of '", name, "': ", 2 * body.mesh.n_nodes() - count, " displacements given"));
+  if (const Index given = 2 * body.mesh.n_nodes() - count; given > 0)
+    plan.on.push_back(text("supports of '", name, "': ", given, " displacements given"));
   note_on_body(body, element, plan.notes);
   const bool first = plan.bodies.empty();
   const Index first_node = first ? 0 : count_nodes(plan.bodies);

@@ -44,11 +44,14 @@ BodySummary summary_of(const BodyModel& body) {
 std::string method_of(const Plan& plan) {
   if (plan.gaps.A.rows() == 0) return "one linear solve: nothing touches";
   const Solver& solver = find_solver(plan.solver);
-  std::string why = text("solver ", plan.solver, ", as the scene says, on the condensed problem (",
-                         solver.summary, ")");
+  std::string why = text("solver ", plan.solver,
+                         plan.solver == Scene().solver ? ", the default," : ", as asked for,",
+                         " on the condensed problem (", solver.summary, ")");
   if (!plan.law.pair.empty()) why += "; it takes friction";
   if (!plan.modes.empty())
-    why += text("; ", plan.modes.size(), " rigid motions are unknowns of their own",
+    why += text("; ", plan.modes.size(),
+                plan.modes.size() == 1 ? " rigid motion is an unknown of its own"
+                                       : " rigid motions are unknowns of their own",
                 solver.rigid_modes ? "" : ", held by springs that carry nothing in the end");
   return why + "; certified from K, p, A, g";
 }
