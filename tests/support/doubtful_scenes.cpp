@@ -245,6 +245,11 @@ void add_limits(std::vector<DoubtfulScene>& all) {
        Said::Solution,
        {"takes deformations for small", "are not: contact pressure 0.2 of Young's modulus"},
        confined(50)});
+  all.push_back({"a pressure in other units than the stiffness",
+                 cantilever("q4_incompatible", 20, 2, 3.6e6),
+                 Said::Plan,
+                 {"load on 'top'", "171.4", "times Young's modulus", "units"},
+                 cantilever("q4_incompatible", 20, 2)});
   all.push_back({"a load a million times too large",
                  cantilever("q4_incompatible", 20, 2, 3.6e6),
                  Said::Solution,

@@ -104,12 +104,15 @@ inline signorini::Mesh renumbered(const signorini::Mesh& mesh,
   signorini::Mesh other = mesh;
   for (Eigen::Index k = 0; k < mesh.n_nodes(); ++k)
     other.nodes.row(nodes[static_cast<std::size_t>(k)]) = mesh.nodes.row(k);
+  other.cells.setConstant(-1);
   for (Eigen::Index c = 0; c < mesh.n_cells(); ++c)
-    for (Eigen::Index k = 0; k < mesh.cells.cols(); ++k)
+    for (Eigen::Index k = 0; k < mesh.cell_size(c); ++k)
       other.cells(cells[static_cast<std::size_t>(c)], k) =
           nodes[static_cast<std::size_t>(mesh.cells(c, k))];
   for (auto& [name, sides] : other.boundaries)
     for (signorini::CellSide& side : sides) side.cell = cells[static_cast<std::size_t>(side.cell)];
+  for (auto& [name, numbers] : other.regions)
+    for (Eigen::Index& number : numbers) number = cells[static_cast<std::size_t>(number)];
   return other;
 }
 

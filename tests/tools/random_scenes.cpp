@@ -1,9 +1,10 @@
 // Solves random scenes and counts what became of them.
 // Run:  random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]
-// KIND is frictionless, frictional or triangles, SOLVER a name or `default`; seeds that end in a named OUTCOME are
+// KIND is frictionless, frictional, varied, revolved or triangles, SOLVER a name or `default`; seeds that end in a named OUTCOME are
 // listed with their scenes.
 #include <algorithm>
 #include <iostream>
+#include <map>
 
 #include "support/random_outcomes.hpp"
 
@@ -15,9 +16,12 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const std::string word = argv[1];
-  const RandomScenes kind = word == "frictional"  ? RandomScenes::Frictional
-                            : word == "triangles" ? RandomScenes::Triangles
-                                                  : RandomScenes::Frictionless;
+  const std::map<std::string, RandomScenes> kinds = {{"frictionless", RandomScenes::Frictionless},
+                                                     {"frictional", RandomScenes::Frictional},
+                                                     {"varied", RandomScenes::Varied},
+                                                     {"revolved", RandomScenes::Revolved},
+                                                     {"triangles", RandomScenes::Triangles}};
+  const RandomScenes kind = kinds.at(word);
   const std::string solver = argv[2] == std::string("default") ? "" : argv[2];
   const std::uint64_t first = std::stoull(argv[3]);
   const std::uint64_t count = std::stoull(argv[4]);

@@ -117,8 +117,9 @@ const std::vector<CellSide>& boundary(const Mesh& mesh, const std::string& name)
   if (found != mesh.boundaries.end()) return found->second;
   std::string known;
   for (const auto& [other, sides] : mesh.boundaries) known += (known.empty() ? "" : ", ") + other;
-  throw ProblemError(text("mesh '", mesh.name, "' has no boundary '", name,
-                          "'; it has: ", known.empty() ? "none" : known));
+  throw ProblemError(text(
+      "mesh '", mesh.name, "' has no boundary '", name,
+      "'; it has: ", known.empty() ? "none; name its sides, in Gmsh by Physical Curve" : known));
 }
 
 std::vector<Eigen::Index> boundary_nodes(const Mesh& mesh, const std::string& name) {

@@ -262,6 +262,13 @@ std::vector<std::string> doubts_of_loads(const Body& body) {
   Notes notes;
   for (const EdgeLoad& load : body.loads.edges)
     note_edge_load(body.mesh, load, depth_of(body.material), notes);
+  const double modulus = body.material.youngs_modulus;
+  for (const EdgeLoad& load : body.loads.edges)
+    if (std::abs(load.pressure) > SmallLimits().pressure * modulus)
+      notes.push_back(
+          text("load on '", load.boundary, "' of '", body.mesh.name, "': the pressure ",
+               load.pressure, " is ", std::abs(load.pressure) / modulus,
+               " times Young's modulus, more than a body bears: check the units of both"));
   if (body.loads.body_force && is_zero(body.loads.body_force, body.mesh.nodes))
     notes.push_back("body force on '" + body.mesh.name + "' is zero everywhere and does nothing");
   return notes;

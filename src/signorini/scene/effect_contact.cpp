@@ -76,12 +76,17 @@ Index overlapping(const Plan& plan) {
 /// Notes the largest overlap that no interference asks for.
 void note_overlap(const Scene& scene, Plan& draft) {
   double least = -gap_rounding(draft.gaps.pairs);
-  const double none = least;
-  for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
-    if (scene.contacts[draft.contact_of[pair]].interference.value_or(0) == 0)
-      least = std::min(least, draft.gaps.pairs.initial_gap(static_cast<Index>(pair)));
-  if (least < none)
-    draft.notes.push_back(text("the two sides overlap by ", -least, " before loading"));
+  const ContactSpec* deepest = nullptr;
+  for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair) {
+    const ContactSpec& contact = scene.contacts[draft.contact_of[pair]];
+    const double gap = draft.gaps.pairs.initial_gap(static_cast<Index>(pair));
+    if (gap >= least || contact.interference.value_or(0) != 0) continue;
+    least = gap;
+    deepest = &contact;
+  }
+  if (deepest != nullptr)
+    draft.notes.push_back(text(describe(draft.bodies, *deepest), ": the two sides overlap by ",
+                               -least, " before loading"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/mesh/regions.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini::effect {
@@ -58,6 +59,14 @@ void price_temperature(const Scene& scene, Plan& draft) {
       line += text(" at the origin, with the gradient (", temperature.gradient.x(), ", ",
                    temperature.gradient.y(), ')');
     draft.on.push_back(line);
+    double most = 0;
+    for (std::size_t layer = 0; layer <= matter.layers.size(); ++layer)
+      for (Eigen::Index node = 0; node < draft.bodies[b].mesh.n_nodes(); ++node)
+        most = std::max(most, std::abs(matter.material(layer).expansion *
+                                       temperature.at(draft.bodies[b].mesh.nodes.row(node))));
+    if (most > SmallLimits().strain)
+      draft.notes.push_back(text(what, ": free expansion alone is a strain of ", 100 * most,
+                                 " %, which is not small; check the units of both"));
   }
 }
 

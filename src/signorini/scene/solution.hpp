@@ -75,7 +75,9 @@ struct Solution {
 
 /// Puts other loads on the bodies, for many loads with one factor: a change costs a pair of triangular solves.
 ///
-/// What else moves the bodies, such as given displacements, stays.
+/// What else moves the bodies, such as given displacements, stays. p without loads is found by taking away those that
+/// the model has, once: begin with a model without loads if they are many times larger than the ones that follow.
+/// Notes that the plan made of its loads stay as well.
 /// \param loads      of each body, in place of those that it has; body force, edge loads and point forces
 /// \param model      gets the loads and p
 /// \param condensed  from condense() of the model; gets the free displacements and gaps of the new p
