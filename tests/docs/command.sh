@@ -88,6 +88,7 @@ expect 0 'left out, the first is node' solve "$examples/footing.toml"
 expect 1 "not solved: .*'stone'.*Turn the load round" solve lifted.toml --vtu outputs/a.vtu --csv outputs/a.csv --plot outputs/a.svg
 written ''
 expect 2 "--solver: unknown solver 'magic'" solve "$cantilever" --solver magic
+expect 2 "cantilever.toml:[0-9]+: solver 'enumerate' takes at most 12 pairs, here are 100; those that take so many: .*lemke" solve "$cantilever" --solver enumerate
 expect 2 "--solver: unknown solver 'all'" solve "$cantilever" --solver all
 expect 2 'missing: there is no such file' solve missing
 expect 2 'this looks like a complementarity problem; run: signorini lcp immovable' solve immovable

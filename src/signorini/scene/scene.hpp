@@ -83,7 +83,7 @@ struct Plan {
 
 /// Reads a scene and says what will be computed. \param scene  to be solved
 /// \return what is on and off, and how large it is
-/// \throws ProblemError for unknown names, bad cells, an element that does not fit them, bad
+/// \throws ProblemError for unknown names, a solver that does not take so many pairs, bad cells, an element that does not fit them, bad
 ///   constants, supports that contradict each other, boundaries that cannot be paired, or a rigid motion
 ///   that nothing can stop; assemble() finds the rest
 [[nodiscard]] Plan plan(const Scene& scene);
