@@ -11,11 +11,6 @@
 namespace signorini {
 namespace {
 
-/// An error without the notes that it tells, see with_notes().
-std::string without_notes(const std::string& message) {
-  return message.substr(0, message.find(with_notes("", {""})));
-}
-
 /// Whether a scene by itself fails with a message, whatever the notes.
 bool fails_with(const std::string& message, const Scene& scene) {
   try {
