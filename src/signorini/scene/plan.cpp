@@ -158,10 +158,14 @@ Plan plan(const Scene& scene) {
   return plan;
 }
 
-std::ostream& operator<<(std::ostream& out, const Plan& plan) {
+void print(std::ostream& out, const Plan& plan, const std::vector<std::string>& notes) {
   for (const std::string& line : plan.on) out << "  on    " << line << '\n';
   for (const std::string& line : plan.off) out << "  off   " << line << '\n';
-  for (const std::string& line : plan.notes) out << "  note  " << line << '\n';
+  for (const std::string& line : notes) out << "  note  " << line << '\n';
+}
+
+std::ostream& operator<<(std::ostream& out, const Plan& plan) {
+  print(out, plan, plan.notes);
   return out;
 }
 
