@@ -6,6 +6,7 @@
 #   <!--= ch06.key %.3f -->1.234<!--/-->            the same from another chapter
 #   <!-- table NAME.md --> ... <!-- /table -->      results/NAME.md, a table written by the program
 #   <!-- code PATH#block --> ... <!-- /code -->     the lines of PATH between two "// [block]"
+#   <!-- code PATH --> ... <!-- /code -->           all lines of PATH
 #   <!-- nav --> ... <!-- /nav -->                  links to the neighbouring chapters
 # What stands in a fence or between back quotes is left alone.  With --check nothing is written; what is
 # stale is listed and the exit status is 1.
@@ -54,6 +55,7 @@ sub value {
 sub block {    # the lines of a source between two marks, without their common indentation
     my ($file, $name) = @_;
     my $source = slurp($file) // return (undef, "no file $file");
+    return $source if !defined $name;
     my @part = split m{^[ \t]*//[ \t]*\[\Q$name\E\][ \t]*\n}m, $source, -1;
     return (undef, "$file needs exactly two lines '// [$name]', it has " . (@part - 1)) if @part != 3;
     my $code = $part[1];
@@ -87,7 +89,7 @@ for my $file (@ARGV) {
     };
 
     my $text = $old =~ s{
-        (?<code>  (?<head><!--\ code\ (?<path>[^\s\#]+)\#(?<block>[^>\n]+?)\ -->\n) .*? (?<tail>^<!--\ /code\ -->) )
+        (?<code>  (?<head><!--\ code\ (?<path>[^\s\#]+)(?:\#(?<block>[^>\n]+?))?\ -->\n) .*? (?<tail>^<!--\ /code\ -->) )
       | (?<table> (?<head><!--\ table\ (?<name>\S+)\ -->\n) .*? (?<tail>^<!--\ /table\ -->) )
       | (?<nav>   (?<head><!--\ nav\ -->\n) .*? (?<tail>^<!--\ /nav\ -->) )
       | (?<fence> ^[ >]*(?<f>```+|~~~+)[^\n]*\n .*? ^[ >]*\k<f>[ \t]*$ )
@@ -98,7 +100,8 @@ for my $file (@ARGV) {
         my $all = $&;
         if (defined $p{code}) {
             my ($code, $why) = block("$dir/$p{path}", $p{block});
-            $fill->($all, $p{head}, $p{tail}, defined $code ? "\n```cpp\n$code```\n\n" : undef, $why);
+            my $language = $p{path} =~ /\.toml$/ ? 'toml' : 'cpp';
+            $fill->($all, $p{head}, $p{tail}, defined $code ? "\n```$language\n$code```\n\n" : undef, $why);
         }
         elsif (defined $p{table}) {
             my $table = slurp("$dir/results/$p{name}");

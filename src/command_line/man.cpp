@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/wording.hpp"
 
 namespace command_line {
 namespace {
@@ -48,10 +49,10 @@ void describe(std::string& page, const CLI::App& app) {
   }
 }
 
-std::string known_options(const CLI::App& app) {
-  std::string names;
+std::vector<std::string> known_options(const CLI::App& app) {
+  std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
-    names += (names.empty() ? "" : ", ") + option->get_name();
+    if (!option->get_positional()) names.push_back(option->get_name());
   return names;
 }
 
@@ -87,7 +88,8 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<std::string> extra = app.remaining(true);
     const std::string first = extra.empty() ? "" : extra.front();
     if (!first.empty() && first[0] == '-')
-      return "unknown option '" + first + "'; known options: " + known_options(own) + help;
+      return "unknown option " + signorini::in_quotes(first) +
+             signorini::suggestion(first, known_options(own)) + help;
     return "expected one FILE, got also '" + first + "'" + help;
   }
   if (code == CLI::ExitCodes::RequiredError)

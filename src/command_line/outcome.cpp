@@ -18,9 +18,7 @@ using Eigen::Index;
 /// Why a solver is not tried; empty if it is.
 std::string reason_against(const Solver& solver, Index pairs, bool asymmetric) {
   if (asymmetric && may_fail(solver, Trait::Asymmetric)) return "needs a symmetric matrix";
-  if (solver.largest > 0 && pairs > solver.largest)
-    return text("takes at most ", solver.largest, " pairs, here are ", pairs);
-  return "";
+  return too_many(solver, pairs);
 }
 
 /// The solvers that are asked for, with the reasons why some of them are not tried.

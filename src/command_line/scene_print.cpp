@@ -19,24 +19,9 @@ void print_title(std::ostream& out, const SceneRun& run) {
   out << run.file.name << (run.file.title.empty() ? "" : ": ") << run.file.title << "\n\n";
 }
 
-void print_effects(std::ostream& out, const SceneRun& run) {
-  for (const std::string& line : run.plan.on) out << "  on    " << line << '\n';
-  for (const std::string& line : run.plan.off) out << "  off   " << line << '\n';
-  for (const std::string& line : run.notes()) out << "  note  " << line << '\n';
-}
-
-/// Why there is no solution, as far as it is known.
-std::string reason_of(const Solution& solution) {
-  std::string why = solution.contact.reason;
-  if (!solution.escape.empty())
-    why += (why.empty() ? "the load pulls a body away from all it could rest on: " : ": ") +
-           solution.escape + ". Turn the load round or add a support";
-  return why;
-}
-
 void print_status(std::ostream& out, const Solution& solution) {
   const Report& report = solution.contact.report;
-  const std::string why = reason_of(solution);
+  const std::string why = why_unsolved(solution);
   out << '\n'
       << (report.status == Status::Solved ? "solved" : "not solved: ")
       << (report.status == Status::Solved ? "" : to_string(report.status)) << " after "
@@ -141,13 +126,13 @@ void write_ledger(Json& json, const Ledger& ledger) {
 
 void print_plan(std::ostream& out, const SceneRun& run) {
   print_title(out, run);
-  print_effects(out, run);
+  signorini::print(out, run.plan, run.notes());
   out << '\n' << run.prediction;
 }
 
 void print_solution(std::ostream& out, const SceneRun& run) {
   print_title(out, run);
-  print_effects(out, run);
+  signorini::print(out, run.plan, run.notes());
   print_status(out, *run.solution);
   if (run.solved() && run.solution->pressure.size() > 0) {
     print_resultants(out, run.model->pairs, *run.solution);
@@ -165,7 +150,7 @@ void write(Json& json, const SceneRun& run) {
     json.key("solved").value(run.solved());
     json.key("solver").value(run.plan.solver);
     json.key("status").value(to_string(solution.contact.report.status));
-    json.key("reason").value(reason_of(solution));
+    json.key("reason").value(why_unsolved(solution));
     json.key("iterations").value(solution.contact.report.iterations);
     json.key("certificate");
     write(json, solution.certificate);

@@ -19,6 +19,7 @@ namespace command_line {
 namespace {
 
 using namespace signorini;
+namespace fs = std::filesystem;
 
 /// One line on the error stream that says what is being done; none unless that is a terminal.
 class Progress {
@@ -37,7 +38,18 @@ class Progress {
   bool shown_ = isatty(STDERR_FILENO) == 1;
 };
 
-const std::string draft_mark = ".draft";
+/// From the root, without detours.
+fs::path whole(const fs::path& name) {
+  std::error_code failed;
+  const fs::path full = fs::absolute(name);
+  fs::path found = fs::weakly_canonical(full, failed);
+  return failed ? full.lexically_normal() : found;
+}
+
+void forget(const fs::path& file) {
+  std::error_code ignored;
+  fs::remove(file, ignored);
+}
 
 }  // namespace
 
@@ -66,7 +78,7 @@ bool SceneRun::solved() const {
 }
 
 const std::vector<std::string>& SceneRun::notes() const {
-  return solution ? solution->notes : plan.notes;
+  return solution ? solution->notes : model ? model->notes : plan.notes;
 }
 
 SceneRun plan_scene(const std::string& file, const std::string& solver, const char* command) {
@@ -81,7 +93,7 @@ SceneRun plan_scene(const std::string& file, const std::string& solver, const ch
   });
   if (!solver.empty()) run.file.scene.solver = solver;
   run.plan = at_file(run.file, [&] { return plan(run.file.scene); });
-  run.prediction = at_file(run.file, [&] { return predict(run.plan); });
+  run.prediction = run.step([&] { return predict(run.plan); });
   return run;
 }
 
@@ -93,46 +105,102 @@ void solve_scene(SceneRun& run) {
   const std::string all = text("about ", figure("all phases", "seconds"), " s: ");
   Ledger ledger;
   progress.say(text(all, "assembling ", figure("assembly", "unknowns"), " unknowns"));
-  run.model = at_file(run.file, [&] { return build(run.plan, ledger); });
+  run.model = run.step([&] { return build(run.plan, ledger); });
   progress.say(text(all, "factoring, ", figure("factor/numeric", "operations"), " operations, and ",
                     figure("assembly", "rows"), " contact rows"));
-  const Condensed condensed = at_file(run.file, [&] { return condense(*run.model, ledger); });
+  const Condensed condensed = run.step([&] { return condense(*run.model, ledger); });
   progress.say(text(all, "solving"));
-  run.solution = at_file(run.file, [&] { return solve(*run.model, condensed, ledger); });
+  run.solution = run.step([&] { return solve(*run.model, condensed, ledger); });
 }
 
-Drafts::~Drafts() {
-  std::error_code ignored;
-  for (const auto& [draft, file] : files_) std::filesystem::remove(draft, ignored);
-}
-
-std::filesystem::path Drafts::add(const std::string& file) {
-  pose(!std::filesystem::exists(file) || std::filesystem::is_regular_file(file), "cannot write '",
-       file, "': this is no plain file");
-  files_.emplace_back(file + draft_mark, file);
-  return files_.back().first;
-}
-
-void Drafts::publish() {
-  for (const auto& [draft, file] : files_) {
-    std::error_code failed;
-    std::filesystem::rename(draft, file, failed);
-    pose(!failed, "cannot write '", file.string(), "' (", failed.message(), ')');
+Drafts::Drafts(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    std::error_code unseen;
+    const fs::file_status status = fs::status(file, unseen);
+    pose(!fs::exists(status) || fs::is_regular_file(status), "cannot write '", file,
+         "': this is no plain file");
+    for (const Entry& other : entries_)
+      pose(whole(other.file) != whole(file), "cannot write '", file,
+           "' twice: give every result a file of its own");
+    entries_.push_back({file});
   }
 }
 
-void write_outputs(const SceneRun& run) {
+Drafts::~Drafts() {
+  for (const Entry& entry : entries_)
+    if (!entry.draft.empty()) forget(entry.draft);
+}
+
+fs::path Drafts::unused(const fs::path& beside) const {
+  const auto taken = [this](const fs::path& name) {
+    std::error_code unseen;
+    return fs::exists(fs::symlink_status(name, unseen)) ||
+           std::any_of(entries_.begin(), entries_.end(),
+                       [&](const Entry& entry) { return whole(entry.file) == whole(name); });
+  };
+  for (int number = 1;; ++number) {
+    fs::path name = beside;
+    name += text(".draft", number);
+    if (!taken(name)) return name;
+  }
+}
+
+fs::path Drafts::begin(const std::string& file) {
+  const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& one) { return one.file == file; });
+  require(entry != entries_.end(), "Drafts: '", file, "' was not named before");
+  return entry->draft = unused(entry->file);
+}
+
+std::string Drafts::in_words(std::string message) const {
+  for (const Entry& entry : entries_)
+    if (const std::size_t at = message.find(entry.draft.string());
+        !entry.draft.empty() && at != std::string::npos)
+      message.replace(at, entry.draft.string().size(), entry.file.string());
+  return message;
+}
+
+void Drafts::take_back() {
+  for (const Entry& entry : entries_) {
+    std::error_code ignored;
+    if (entry.published) fs::remove(entry.file, ignored);
+    if (!entry.before.empty()) fs::rename(entry.before, entry.file, ignored);
+  }
+}
+
+void Drafts::publish() {
+  for (Entry& entry : entries_) {
+    std::error_code unseen, failed;
+    if (fs::is_regular_file(fs::status(entry.file, unseen))) {
+      const fs::path before = unused(entry.file);
+      fs::rename(entry.file, before, failed);
+      if (!failed) entry.before = before;
+    }
+    if (!failed) fs::rename(entry.draft, entry.file, failed);
+    entry.published = !failed;
+    if (failed) take_back();
+    pose(!failed, "cannot write '", entry.file.string(), "' (", failed.message(), ')');
+  }
+  for (const Entry& done : entries_)
+    if (!done.before.empty()) forget(done.before);
+}
+
+std::vector<std::string> files_of(const Output& output) {
+  std::vector<std::string> files;
+  for (const std::string& file : {output.vtu, output.csv, output.plot})
+    if (!file.empty()) files.push_back(file);
+  return files;
+}
+
+void write_outputs(const SceneRun& run, Drafts& drafts) {
   const Output& wanted = run.file.output;
-  Drafts drafts;
   try {
-    if (!wanted.vtu.empty()) write_vtu(drafts.add(wanted.vtu), *run.model, *run.solution);
+    if (!wanted.vtu.empty()) write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution);
     if (!wanted.csv.empty())
-      write_file(drafts.add(wanted.csv), pressure_csv(run.model->pairs, *run.solution));
-    if (!wanted.plot.empty()) draw(drafts.add(wanted.plot), picture_kind(wanted.plot), run);
+      write_file(drafts.begin(wanted.csv), pressure_csv(run.model->pairs, *run.solution));
+    if (!wanted.plot.empty()) draw(drafts.begin(wanted.plot), picture_kind(wanted.plot), run);
   } catch (const ProblemError& error) {  // of a draft, which nobody has asked for by this name
-    std::string message = error.what();
-    const std::size_t at = message.find(draft_mark);
-    throw ProblemError(at == std::string::npos ? message : message.erase(at, draft_mark.size()));
+    throw ProblemError(drafts.in_words(error.what()));
   }
   drafts.publish();
 }

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/prediction.hpp"
 #include "signorini/scene_file/scene_file.hpp"
 
@@ -60,8 +60,14 @@ struct SceneRun {
 
   /// \return whether there is a solution
   [[nodiscard]] bool solved() const;
-  /// \return the notes of the solution, or of the plan if there is none
+  /// \return the notes of the solution, else of the model, else of the plan
   [[nodiscard]] const std::vector<std::string>& notes() const;
+  /// Does something with the scene. \param action  to be done \return what it returns
+  /// \throws signorini::ProblemError as the action, with the line and the notes so far
+  template <typename Action>
+  auto step(const Action& action) const -> decltype(action()) {
+    return signorini::at_file(file, [&] { return signorini::telling(notes(), action); });
+  }
 };
 
 /// Reads a scene file and plans it.
@@ -80,25 +86,43 @@ void solve_scene(SceneRun& run);
 /// Files that appear all together or not at all.
 class Drafts {
  public:
-  Drafts() = default;
+  /// \param files  that will appear
+  /// \throws signorini::ProblemError if two of them are the same, or one is a folder or a device
+  explicit Drafts(const std::vector<std::string>& files);
   ~Drafts();
   Drafts(const Drafts&) = delete;
   Drafts& operator=(const Drafts&) = delete;
   Drafts(Drafts&&) = delete;
   Drafts& operator=(Drafts&&) = delete;
-  /// \param file  that will appear \return what to write it as until then
-  std::filesystem::path add(const std::string& file);
-  /// Gives all files their names.
-  /// \throws signorini::ProblemError naming the first that cannot have it
+  /// \param file  one of them \return what to write it as until it appears; nothing has this name
+  std::filesystem::path begin(const std::string& file);
+  /// \param message  that may name a draft \return the message, naming the file
+  [[nodiscard]] std::string in_words(std::string message) const;
+  /// Gives all files their names, once each was begun and written.
+  /// \throws signorini::ProblemError naming the first that cannot have it; then all is as it was before
   void publish();
 
  private:
-  std::vector<std::pair<std::filesystem::path, std::filesystem::path>> files_;
+  struct Entry {
+    std::filesystem::path file;
+    std::filesystem::path draft = {};  // empty until it is begun
+    std::filesystem::path before =
+        {};  // what the file of this name is called meanwhile; empty if there is none
+    bool published = false;
+  };
+  [[nodiscard]] std::filesystem::path unused(const std::filesystem::path& beside) const;
+  void take_back();
+
+  std::vector<Entry> entries_;
 };
 
+/// \param output  what is asked for \return the names of its files
+std::vector<std::string> files_of(const signorini::Output& output);
+
 /// Writes what the scene file and the command line ask for.
-/// \param run  that is solved
+/// \param run     that is solved
+/// \param drafts  of its files
 /// \throws signorini::ProblemError if a file cannot be written or drawn; then none of them appears
-void write_outputs(const SceneRun& run);
+void write_outputs(const SceneRun& run, Drafts& drafts);
 
 }  // namespace command_line

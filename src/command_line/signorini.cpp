@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "command_line/man.hpp"
 #include "command_line/options.hpp"
@@ -14,6 +15,7 @@
 #include "command_line/scene_print.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/scene_file/scene_file.hpp"
 
 namespace {
@@ -123,9 +125,10 @@ int solve_scene(const Request& request) {
   if (!request.output.csv.empty()) output.csv = request.output.csv;
   if (!request.output.plot.empty()) output.plot = request.output.plot;
   if (!output.plot.empty()) static_cast<void>(command_line::picture_kind(output.plot));
+  command_line::Drafts drafts(command_line::files_of(output));
   command_line::solve_scene(run);
   const int code = tell(request, run, command_line::print_solution);
-  if (code == solved) command_line::write_outputs(run);
+  if (code == solved) command_line::write_outputs(run, drafts);
   return code;
 }
 
@@ -177,8 +180,13 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& wanted) {
     if (wanted.get_exit_code() == 0) return app.exit(wanted);
-    pose(!app.get_subcommands().empty() || argv[1][0] == '-', "unknown command '", argv[1], "'; ",
-         expected);
+    if (app.get_subcommands().empty() && argv[1][0] != '-') {
+      std::vector<std::string> known;
+      for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        known.push_back(command->get_name());
+      throw ProblemError(text("unknown command ", in_quotes(argv[1]), suggestion(argv[1], known),
+                              ". Try signorini --help"));
+    }
     throw ProblemError(command_line::message_of(app, wanted));
   }
   if (answered(app)) return solved;

@@ -23,5 +23,8 @@ TEST_CASE("a member is found by its name, and who asks for another is told the n
   CHECK(names_of(animals) == "ant, bee, cat");
   CHECK(signorini_test::problem_message([&] {
           static_cast<void>(find_member(animals, "dog", "animal"));
-        }) == "unknown animal 'dog'; known animals: ant, bee, cat");
+        }) == "unknown animal 'dog'; there are: ant, bee, cat");
+  CHECK(signorini_test::problem_message([&] {
+          static_cast<void>(find_member(animals, "bea", "animal"));
+        }) == "unknown animal 'bea'; did you mean 'bee'? There are: ant, bee, cat");
 }

@@ -40,7 +40,7 @@ expect 1 'not solved' lcp skew --solver all
 expect 1 'infeasible' qp contradiction --solver all
 expect 1 'refused .*change the units' lcp huge
 expect 1 'NOT CONFIRMED' lcp "$lcp/lcp_deudeu.dat" --tolerance 1e-300
-expect 2 "unknown solver 'magic'; known solvers: .*enumerate" lcp "$lcp/lcp_deudeu.dat" --solver magic
+expect 2 "--solver: unknown solver 'magic'; there are: .*enumerate" lcp "$lcp/lcp_deudeu.dat" --solver magic
 expect 2 'HS35.txt: this is a quadratic programme; run: signorini qp' lcp "$qp/HS35.txt"
 expect 2 'this is a complementarity problem; run: signorini lcp' qp "$lcp/lcp_deudeu.dat"
 expect 2 'ZECEVIC2.txt: not strictly convex' qp "$qp/ZECEVIC2.txt"
@@ -50,10 +50,13 @@ expect 2 'this is a folder' qp "$qp"
 expect 2 'FILE is required: signorini qp FILE\. Try signorini qp --help' qp
 expect 2 'FILE is required: signorini solve FILE\. Try signorini solve --help' solve
 expect 2 'expected plan FILE, solve FILE, lcp FILE, qp FILE, --list'
-expect 2 "unknown command 'foo'; expected plan FILE, solve FILE, lcp FILE" foo odd
+expect 2 "unknown command 'foo'; there are: plan, solve, lcp, qp" foo odd
+expect 2 "unknown command 'plna'; did you mean 'plan'\?" plna odd
+expect 2 "--solver: unknown solver 'lemk'; did you mean 'lemke'\?" lcp odd --solver lemk
+expect 2 "unknown option '--vtuu'; did you mean '--vtu'\?" solve odd --vtuu x
 expect 2 "expected one FILE, got also 'b'" lcp odd b
-expect 2 "unknown option '--colour'; known options: .*--vtu" solve odd --colour
-expect 2 "unknown option '--colour'; known options: .*--list" --colour
+expect 2 "unknown option '--colour'.*here are: .*--vtu" solve odd --colour
+expect 2 "unknown option '--colour'; there are: .*--list" --colour
 expect 2 '--solver: expected a value' lcp odd --solver
 for word in abc -1 0 nan inf 1e999 1e-12x; do
     expect 2 "^signorini: --tolerance: expected a number above 0, got '$word'$" lcp odd "--tolerance=$word"
@@ -88,6 +91,7 @@ expect 0 'left out, the first is node' solve "$examples/footing.toml"
 expect 1 "not solved: .*'stone'.*Turn the load round" solve lifted.toml --vtu outputs/a.vtu --csv outputs/a.csv --plot outputs/a.svg
 written ''
 expect 2 "--solver: unknown solver 'magic'" solve "$cantilever" --solver magic
+expect 2 "cantilever.toml:[0-9]+: solver 'enumerate' takes at most 12 pairs, here are 100; those that take so many: .*lemke" solve "$cantilever" --solver enumerate
 expect 2 "--solver: unknown solver 'all'" solve "$cantilever" --solver all
 expect 2 'missing: there is no such file' solve missing
 expect 2 'this looks like a complementarity problem; run: signorini lcp immovable' solve immovable
@@ -105,6 +109,7 @@ a.vtu'
 expect 2 "cannot write 'nowhere/a.vtu'" solve "$cantilever" --csv outputs/a.csv --vtu nowhere/a.vtu
 expect 2 "cannot write 'outputs': this is no plain file" solve "$cantilever" --csv outputs --vtu outputs/a.vtu
 expect 2 "cannot write '/dev/null': this is no plain file" solve "$cantilever" --csv /dev/null
+expect 2 "cannot write './outputs/a' twice: give every result a file of its own" solve "$cantilever" --vtu outputs/a --csv ./outputs/a
 expect 2 "--plot: expected a file .svg or .png, got 'outputs/a.jpg'" solve "$cantilever" --plot outputs/a.jpg --csv outputs/a.csv
 written ''
 holds 'a device stays one' test -c /dev/null
@@ -115,6 +120,24 @@ if command -v gnuplot > /dev/null 2>&1; then
     written "a.png
 it's.svg"
 fi
+echo mine > outputs/a.csv.draft1
+echo mine > outputs/a.csv
+expect 0 solved solve "$cantilever" --vtu outputs/a.csv.draft2 --csv outputs/a.csv
+holds 'a draft takes the name of no file' grep -q mine outputs/a.csv.draft1
+holds 'a file is replaced' grep -q pressure outputs/a.csv
+written 'a.csv
+a.csv.draft1
+a.csv.draft2'
+# What cannot be published is taken back: this gnuplot puts a folder in the place of its picture.
+mkdir programs
+printf '#!/bin/sh\ndraft=$(sed -n "s/^out = .\\(.*\\).$/\\1/p" "$1")\necho drawn > "$draft"\nmkdir outputs/a.svg\n' > programs/gnuplot
+chmod +x programs/gnuplot
+echo mine > outputs/a.csv
+said=$(PATH=$PWD/programs:$PATH "$program" solve "$cantilever" --vtu outputs/a.vtu --csv outputs/a.csv --plot outputs/a.svg 2>&1 > /dev/null)
+holds 'a folder in the way' test "$? ${said%% (*}" = "2 signorini: cannot write 'outputs/a.svg'"
+holds 'a file is put back' grep -qx mine outputs/a.csv
+rmdir outputs/a.svg
+written a.csv
 said=$(PATH=/nowhere "$program" solve "$cantilever" --plot outputs/a.svg --csv outputs/a.csv 2>&1 > /dev/null)
 holds 'without gnuplot' test "$? ${said%%;*}" = '2 signorini: --plot: there is no gnuplot'
 written ''

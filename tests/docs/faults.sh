@@ -23,6 +23,7 @@ set xlabel 'position {/:Italic x} [m]'
 plot data.'/fig_3_1.csv' using 'x':'p' with lines ls 1 title 'p'
 END
 printf '// [block]\n  int n = 0;\n  // [block]\n' > chapters/ch03_demo/demo.cpp
+printf 'pairs = 12\n' > chapters/ch03_demo/demo.toml
 cat > $text << 'END'
 # Demonstration
 
@@ -38,6 +39,9 @@ a = b \tag{3}
 ```
 
 <!-- code demo.cpp#block -->
+<!-- /code -->
+
+<!-- code demo.toml -->
 <!-- /code -->
 
 <!-- table table.md -->
@@ -122,6 +126,7 @@ broken no "a number that does not exist" "weave --check" 's/!--= force/!--= fors
 broken no "a number without a format" "weave --check" 's/force %.2f/force/' $text
 broken no "a quoted time" "weave --check" 's/!--= force %.2f/!--= seconds %.2f/' $text
 broken no "code that changed" "weave --check" 's/n = 0/n = 1/' chapters/ch03_demo/demo.cpp
+broken no "a file that changed" "weave --check" 's/12/13/' chapters/ch03_demo/demo.toml
 broken no "a lost block" "weave --check" '1d' chapters/ch03_demo/demo.cpp
 broken no "a table that was edited" "weave --check" 's/1.25/1.24/' $text
 broken no "a quotation that is not closed" "weave --check" '/\/table/d' $text

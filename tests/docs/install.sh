@@ -26,6 +26,7 @@ cmake -S . -B build -DCMAKE_PREFIX_PATH="$2/prefix" -DCMAKE_CXX_COMPILER="$3" --
 cmake --build build > build.log 2>&1 || { cat build.log; exit 1; }
 [ "$(build/user)" = 2.5 ]
 "$2/prefix/bin/signorini" --list | grep -q enumerate
+"$2/prefix/bin/signorini" --man | cmp - "$2/prefix/share/man/man1/signorini.1"
 
 # The example: a hundred loads, and under all of the load the force of chapter 6.
 cmake -S "$4/hundred_loads" -B loads -DCMAKE_PREFIX_PATH="$2/prefix" -DCMAKE_CXX_COMPILER="$3" -DCMAKE_BUILD_TYPE=Release --log-level=NOTICE > /dev/null

@@ -258,3 +258,13 @@ TEST_CASE("random scenes raise no doubt but of what they have", "[doubts][random
       if (error.empty() && has_idle) CHECK(tells(notes, {"zero everywhere"}));
     }
 }
+
+TEST_CASE("an error tells every note once, however many tell them", "[doubts]") {
+  const std::vector<std::string> one = {"soft"}, both = {"soft", "thin"};
+  const std::string told = signorini_test::problem_message(
+      [&] { telling(both, [&] { telling(one, [] { throw ProblemError("it fails"); }); }); });
+  CHECK(told == "it fails. Note: soft; thin");
+  CHECK(with_notes("it fails", {}) == "it fails");
+  CHECK(without_notes(told) == "it fails");
+  CHECK(without_notes("it fails") == "it fails");
+}

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/wording.hpp"
 
 namespace signorini {
 
@@ -23,14 +24,16 @@ template <typename Member>
 /// \param name    of the wanted one
 /// \param what    what a message calls a member, such as "element"
 /// \return the member
-/// \throws ProblemError listing the known names if there is none
+/// \throws ProblemError with the nearest name and all others if there is none
 template <typename Member>
 [[nodiscard]] const Member& find_member(const std::vector<Member>& family, const std::string& name,
                                         const char* what) {
-  for (const Member& member : family)
+  std::vector<std::string> known;
+  for (const Member& member : family) {
     if (member.name == name) return member;
-  throw ProblemError(
-      text("unknown ", what, " '", name, "'; known ", what, "s: ", names_of(family)));
+    known.emplace_back(member.name);
+  }
+  throw ProblemError(text("unknown ", what, " ", in_quotes(name), suggestion(name, known)));
 }
 
 }  // namespace signorini

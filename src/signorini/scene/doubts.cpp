@@ -15,6 +15,8 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
+
+const std::string note_mark = ". Note: ";  // between a message and its notes
 using Notes = std::vector<std::string>;
 
 std::string place(const Eigen::RowVector2d& x) { return text('(', x.x(), ", ", x.y(), ')'); }
@@ -294,8 +296,14 @@ std::vector<std::string> doubts_of_solution(const Model& model, const Solution& 
 
 std::string with_notes(const std::string& message, const std::vector<std::string>& notes) {
   std::string all = message;
-  for (const std::string& note : notes) all += (&note == &notes.front() ? ". Note: " : "; ") + note;
+  for (const std::string& note : notes)
+    if (message.find(note) == std::string::npos)
+      all += (all.find(note_mark) == std::string::npos ? note_mark : "; ") + note;
   return all;
+}
+
+std::string without_notes(const std::string& message) {
+  return message.substr(0, message.find(note_mark));
 }
 
 }  // namespace signorini

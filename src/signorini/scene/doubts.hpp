@@ -39,9 +39,13 @@ struct SmallLimits {
 
 /// \param message  of an error
 /// \param notes    that a user would not see for it
-/// \return all of it in one line
+/// \return all of it in one line; what the message tells already is not told again
 [[nodiscard]] std::string with_notes(const std::string& message,
                                      const std::vector<std::string>& notes);
+
+/// \param message  from with_notes()
+/// \return what it was before
+[[nodiscard]] std::string without_notes(const std::string& message);
 
 /// Does something so that its errors tell the notes as well.
 /// \param notes   as they are when the error comes

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/family.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
@@ -125,6 +126,17 @@ void plan_effects(const Scene& scene, Plan& plan) {
 }
 // [effects]
 
+/// Refuses a solver that takes fewer pairs than there are.
+void check_pairs(const Plan& plan) {
+  const Index pairs = plan.gaps.A.rows();
+  const std::string why = too_many(find_solver(plan.solver), pairs);
+  if (why.empty()) return;
+  std::vector<Solver> others;
+  for (const Solver& solver : plan.law.pair.empty() ? solvers() : friction_solvers())
+    if (too_many(solver, pairs).empty()) others.push_back(solver);
+  pose(false, "solver '", plan.solver, "' ", why, "; those that take so many: ", names_of(others));
+}
+
 }  // namespace
 
 Plan plan(const Scene& scene) {
@@ -134,7 +146,10 @@ Plan plan(const Scene& scene) {
   plan_unknowns(scene, plan);
   plan.gaps.A.resize(0, plan.unknowns.count);
   plan.solver = scene.solver;
-  telling(plan.notes, [&] { plan_effects(scene, plan); });
+  telling(plan.notes, [&] {
+    plan_effects(scene, plan);
+    check_pairs(plan);
+  });
   for (const Body& body : scene.bodies)
     for (std::string& note : doubts_of_loads(body)) plan.notes.push_back(std::move(note));
   if (plan.gaps.A.rows() > 0)
@@ -143,10 +158,14 @@ Plan plan(const Scene& scene) {
   return plan;
 }
 
-std::ostream& operator<<(std::ostream& out, const Plan& plan) {
+void print(std::ostream& out, const Plan& plan, const std::vector<std::string>& notes) {
   for (const std::string& line : plan.on) out << "  on    " << line << '\n';
   for (const std::string& line : plan.off) out << "  off   " << line << '\n';
-  for (const std::string& line : plan.notes) out << "  note  " << line << '\n';
+  for (const std::string& line : notes) out << "  note  " << line << '\n';
+}
+
+std::ostream& operator<<(std::ostream& out, const Plan& plan) {
+  print(out, plan, plan.notes);
   return out;
 }
 

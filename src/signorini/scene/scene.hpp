@@ -84,8 +84,8 @@ struct Plan {
 /// Reads a scene and says what will be computed. \param scene  to be solved
 /// \return what is on and off, and how large it is
 /// \throws ProblemError for unknown names, bad cells, an element that does not fit them, bad
-///   constants, supports that contradict each other, boundaries that cannot be paired, or a rigid motion
-///   that nothing can stop; assemble() finds the rest
+///   constants, supports that contradict each other, boundaries that cannot be paired, a rigid motion
+///   that nothing can stop, or a solver that does not take so many pairs; assemble() finds the rest
 [[nodiscard]] Plan plan(const Scene& scene);
 
 /// Assembles what was planned, without another look at the scene. \param plan  from plan()
@@ -103,6 +103,10 @@ struct Plan {
 /// All of it: plan, build, condense, solve. \param scene  to be solved
 /// \return the solution; its status and the errors are those of the four steps
 [[nodiscard]] Solution solve(const Scene& scene);
+
+/// Prints what is on and off, one line each, and notes. \param out where to \param plan what
+/// \param notes  in the place of those of the plan
+void print(std::ostream& out, const Plan& plan, const std::vector<std::string>& notes);
 
 /// Prints a plan, one line per effect or note. \param out where to \param plan what \return `out`
 std::ostream& operator<<(std::ostream& out, const Plan& plan);

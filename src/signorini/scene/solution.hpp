@@ -102,6 +102,10 @@ void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& cond
 /// \param ledger  as above \return the solution
 [[nodiscard]] Solution solve(const Model& model, const Condensed& condensed, Ledger ledger);
 
+/// \param solution  any
+/// \return why it is not solved, as far as that is known, and what to change; empty if nothing is known
+[[nodiscard]] std::string why_unsolved(const Solution& solution);
+
 /// Stops a program that has no use for an unsolved problem.
 /// \param solution  what solve() returned
 /// \param what      what the message calls it

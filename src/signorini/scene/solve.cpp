@@ -176,16 +176,19 @@ Solution solve(const Model& model, const Condensed& condensed, Ledger ledger) {
   return solve(model, condensed, model.solver, std::move(ledger));
 }
 
+std::string why_unsolved(const Solution& solution) {
+  const std::string& reason = solution.contact.reason;
+  if (solution.escape.empty()) return reason;
+  return text(reason.empty() ? "the load pulls a body away from all it could rest on" : reason,
+              ": ", solution.escape, ". Turn the load round or add a support");
+}
+
 void require_solved(const Solution& solution, const std::string& what) {
   const Report& report = solution.contact.report;
   if (report.status == Status::Solved) return;
-  const std::string& reason = solution.contact.reason;
+  const std::string reason = why_unsolved(solution);
   if (!solution.escape.empty())
-    throw NotSolved(with_notes(
-        text(what, " was not solved: ",
-             reason.empty() ? "the load pulls a body away from all it could rest on" : reason, ": ",
-             solution.escape, ". Turn the load round or add a support"),
-        solution.notes));
+    throw NotSolved(with_notes(text(what, " was not solved: ", reason), solution.notes));
   std::string message = text(what, " was not solved: ", to_string(report.status), " after ",
                              report.iterations, " iterations");
   if (!reason.empty()) message += ": " + reason;

@@ -3,6 +3,7 @@
 
 #include "signorini/core/family.hpp"
 #include "signorini/elasticity/elements.hpp"
+#include "signorini/mesh/regions.hpp"
 #include "signorini/scene_file/kinds.hpp"
 #include "signorini/scene_file/scene_keys.hpp"
 
@@ -14,9 +15,10 @@ using Eigen::Vector2d;
 template <>
 struct Words<PlaneState> {
   static std::vector<Word<PlaneState>> all() {
-    return {{"plane strain", PlaneState::Strain},
-            {"plane stress", PlaneState::Stress},
-            {"axial", PlaneState::Axial}};
+    std::vector<Word<PlaneState>> words;
+    for (const PlaneState state : {PlaneState::Strain, PlaneState::Stress, PlaneState::Axial})
+      words.push_back({to_string(state), state});
+    return words;
   }
 };
 
@@ -107,22 +109,14 @@ void read_point(const Value& value, BodyDraft& draft) {
   if (point.y) body.supports.push_back(prescribed_at(boundary, point.at, Axis::Y, *point.y));
 }
 
-/// Gives the cells whose middle lies in a box a name, and returns it.
+/// Gives the cells of a box a name, and returns it.
 std::string region_of_box(const Value& value, const std::vector<double>& box, Mesh& mesh) {
-  std::vector<Index> cells;
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    const int corners = mesh.corners(cell);
-    Vector2d middle = Vector2d::Zero();
-    for (int corner = 0; corner < corners; ++corner)
-      middle += mesh.nodes.row(mesh.cells(cell, corner)).transpose() / corners;
-    if (middle.x() > box[0] && middle.x() < box[2] && middle.y() > box[1] && middle.y() < box[3])
-      cells.push_back(cell);
-  }
-  if (cells.empty()) value.fail("no cell of '", mesh.name, "' has its middle in the box");
   std::size_t number = mesh.regions.size() + 1;
   while (mesh.regions.count(text("box ", number)) > 0) ++number;
   const std::string name = text("box ", number);
-  mesh.regions[name] = std::move(cells);
+  value.explain([&] {
+    mesh = with_region(std::move(mesh), name, {box[0], box[1]}, {box[2], box[3]});
+  });
   return name;
 }
 
@@ -188,7 +182,7 @@ const Keys<LayerDraft>& layer_keys() {
     Keys<LayerDraft> made = {
         key("region", &LayerDraft::region, "", "of the mesh: the cells of the layer"),
         {{"box", "[left, bottom, right, top]", "length", "",
-          "in place of region: the cells whose middle lies in it"},
+          "in place of region: the cells whose middle lies in it or on its edge"},
          [](const Value& value, LayerDraft& layer) {
            for (const Value& item : list_of(value, 4, "number")) {
              layer.box.push_back(0);

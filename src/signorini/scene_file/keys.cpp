@@ -2,30 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <type_traits>
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-/// How many letters must be put in, taken out or changed to make one word the other.
-std::size_t edits(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), 0U);
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t changed = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
 
 std::string with_bound(const std::string& type, Bound bound) {
   return type + (bound == Bound::Positive ? " > 0" : bound == Bound::NotNegative ? " >= 0" : "");
@@ -78,27 +60,6 @@ std::enable_if_t<!std::is_arithmetic_v<List>> read_as(const Value& value, List& 
 }
 
 }  // namespace
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all.empty() ? "none" : all;
-}
-
-std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
-  constexpr std::size_t longest = 64;  // of a word that can be a misspelling
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  const std::string* nearest = nullptr;
-  for (const std::string& name : known)
-    if (const std::size_t apart = word.size() > longest ? least : edits(word, name);
-        apart < least) {
-      least = apart;
-      nearest = &name;
-    }
-  const bool near = nearest != nullptr && 2 * least <= std::max(word.size(), nearest->size());
-  return (near ? "; did you mean '" + *nearest + "'? There are: " : std::string("; there are: ")) +
-         listed(known);
-}
 
 void check_members(const Value& table, const std::vector<KeyInfo>& keys,
                    const std::function<std::string(const std::string&)>& elsewhere) {

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "signorini/core/family.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/scene_file/toml_value.hpp"
 
 namespace signorini {
@@ -50,16 +52,6 @@ struct Word {
 /// The words of an enumeration; every one that files may name specialises it with `static std::vector<Word<E>> all()`.
 template <typename E>
 struct Words;
-
-/// \param names  some words \return them in quotes, with commas
-[[nodiscard]] std::string listed(const std::vector<std::string>& names);
-
-/// Helps with a word that is none of those known.
-/// \param word   that was found
-/// \param known  that exist
-/// \return "; did you mean 'WORD'? There are: ..." or, if none is near, "; there are: ..."
-[[nodiscard]] std::string suggestion(const std::string& word,
-                                     const std::vector<std::string>& known);
 
 /// Checks that a value is a table whose keys are known and that it has those that it must have.
 /// \param table      to be checked
@@ -194,12 +186,7 @@ template <typename Member>
 void take_member(const Value& value, const std::vector<Member>& family, const char* what,
                  std::string& into) {
   take(value, into);
-  std::vector<std::string> names;
-  for (const Member& member : family) {
-    if (member.name == into) return;
-    names.emplace_back(member.name);
-  }
-  value.fail("unknown ", what, " ", in_quotes(into), suggestion(into, names));
+  value.explain([&] { static_cast<void>(find_member(family, into, what)); });
 }
 
 /// A key that fills one member. The value of a default T is what holds without it.

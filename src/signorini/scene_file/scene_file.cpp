@@ -4,53 +4,45 @@
 #include <utility>
 
 #include "signorini/core/text_reader.hpp"
-#include "signorini/elasticity/elements.hpp"
+#include "signorini/scene/doubts.hpp"
 #include "signorini/scene_file/kinds.hpp"
 #include "signorini/scene_file/scene_keys.hpp"
 
 namespace signorini {
 namespace {
 
-/// Whether a step throws an error of this message.
-template <typename Step>
-bool fails_with(const std::string& message, const Step& step) {
+/// Whether a scene by itself fails with a message, whatever the notes.
+bool fails_with(const std::string& message, const Scene& scene) {
   try {
-    step();
+    for (const BodyModel& body : plan(scene).bodies)
+      static_cast<void>(nodal_loads(body.mesh, body.element, body.material, body.loads));
   } catch (const ProblemError& error) {
-    return error.what() == message;
+    return without_notes(error.what()) == without_notes(message);
   } catch (const std::exception&) {
     return false;
   }
   return false;
 }
 
-/// What plan() and build() ask of a body by itself.
-void try_body(const Body& body) {
-  check_mesh(body.mesh);
-  const Element& element = element_for(body.mesh, body.element);
-  check_material(body.material);
-  static_cast<void>(number_unknowns(body.mesh, body.supports));
-  static_cast<void>(nodal_loads(body.mesh, element, body.material, body.loads));
-}
-
 /// The line that is to blame for an error.
 std::size_t line_of(const SceneFile& file, const std::string& message) {
   const std::vector<Body>& bodies = file.scene.bodies;
   const std::vector<ContactSpec>& contacts = file.scene.contacts;
-  for (std::size_t k = 0; k < bodies.size(); ++k)
-    if (message.rfind("body '" + bodies[k].mesh.name + "'", 0) == 0 ||
-        fails_with(message, [&] { try_body(bodies[k]); }))
-      return file.body_lines[k];
-  const auto fails = [&](std::vector<ContactSpec> some) {
-    const Scene scene{bodies, std::move(some), file.scene.solver};
-    return fails_with(message, [&] { static_cast<void>(plan(scene)); });
+  const auto fails = [&](std::vector<Body> some, std::vector<ContactSpec> touching) {
+    return fails_with(message, {std::move(some), std::move(touching), file.scene.solver});
   };
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (fails({contacts[k]})) return file.contact_lines[k];
-  for (std::size_t k = contacts.size(); k-- > 0;) {
-    std::vector<ContactSpec> others = contacts;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-    if (fails(contacts) && !fails(std::move(others))) return file.contact_lines[k];
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (message.rfind("body '" + bodies[k].mesh.name + "'", 0) == 0 || fails({bodies[k]}, {}))
+      return file.body_lines[k];
+  if (!fails(bodies, {})) {
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+      if (fails(bodies, {contacts[k]})) return file.contact_lines[k];
+    for (std::size_t k = contacts.size(); k-- > 0;) {
+      std::vector<ContactSpec> others = contacts;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+      if (fails(bodies, contacts) && !fails(bodies, std::move(others)))
+        return file.contact_lines[k];
+    }
   }
   for (std::size_t k = 0; k < bodies.size(); ++k)
     if (message.find("'" + bodies[k].mesh.name + "'") != std::string::npos)

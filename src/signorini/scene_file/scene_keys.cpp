@@ -177,7 +177,7 @@ const Keys<SceneDraft>& scene_keys() {
       {{"contact", "table or list of them", "", "",
         "what may touch, each a [[contact]], see contact"},
        read_contacts},
-      {{"output", "table", "", "", "what is written, see output"},
+      {{"output", "table", "", "", "what is written, into the working folder, see output"},
        [](const Value& value, SceneDraft& draft) {
          read_members(value, output_keys(), draft.file.output);
        }}};

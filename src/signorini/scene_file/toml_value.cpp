@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "signorini/core/wording.hpp"
+
 namespace signorini {
 namespace {
 
@@ -32,20 +34,6 @@ constexpr void take_for_granted(bool holds) {
 
 namespace signorini {
 namespace {
-
-/// A text without characters that are not printed.
-std::string printable(std::string_view text) {
-  std::string result(text);
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return result;
-}
-
-/// A word short enough for a message, without characters that are not printed.
-std::string clipped(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  return printable(word.substr(0, longest)) + (word.size() > longest ? "..." : "");
-}
 
 /// The line that toml++ has not foreseen: the first with which the lines up to it make it fail.
 std::size_t first_unforeseen(std::string_view content) {
@@ -121,8 +109,6 @@ Value converted(const toml::node& node, Value into) {
 }
 
 }  // namespace
-
-std::string in_quotes(std::string_view text) { return "'" + clipped(text) + "'"; }
 
 const Value* Value::find(std::string_view member) const {
   for (const Value& item : items)

@@ -73,9 +73,4 @@ struct Value {
 /// \throws ProblemError `NAME:LINE: ...` if it is no TOML
 [[nodiscard]] Value parse_toml(std::string_view content, Origin origin);
 
-/// A text as a message may show it: short, and without characters that are not printed.
-/// \param text  any
-/// \return the text in quotes, at most 40 characters of it
-[[nodiscard]] std::string in_quotes(std::string_view text);
-
 }  // namespace signorini

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
 
 namespace signorini {
@@ -33,6 +34,11 @@ const char* to_string(Trait trait) {
 
 bool may_fail(const Solver& solver, Trait trait) {
   return std::find(solver.may_fail.begin(), solver.may_fail.end(), trait) != solver.may_fail.end();
+}
+
+std::string too_many(const Solver& solver, Eigen::Index pairs) {
+  if (solver.largest == 0 || pairs <= solver.largest) return "";
+  return text("takes at most ", solver.largest, " pairs, here are ", pairs);
 }
 
 Solver Solver::up_to(Eigen::Index pairs) const {

@@ -72,6 +72,11 @@ struct Solver {
 /// \return whether its table line lists it
 [[nodiscard]] bool may_fail(const Solver& solver, Trait trait);
 
+/// \param solver  a member
+/// \param pairs   of a problem
+/// \return why it does not take so many, or nothing if it does
+[[nodiscard]] std::string too_many(const Solver& solver, Eigen::Index pairs);
+
 /// The whole family: a line each, with names. A scene that names no solver takes `primal_dual_active_set`: with its fall-back it solves the
 /// same random condensed problems as `quasi_active_set`, 99.8 % of the feasible ones, and on ordinary contact
 /// its own few steps are all it needs.

@@ -1,0 +1,33 @@
+/// \file
+/// Words of people in messages: as they can be shown, and what may have been meant.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace signorini {
+
+/// \param text  any
+/// \return the text, with `?` for every byte that is no printable ASCII
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// \param text  any
+/// \return at most 40 characters of it, printable()
+[[nodiscard]] std::string clipped(std::string_view text);
+
+/// \param text  any
+/// \return the text in quotes, clipped()
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// \param names  some words \return them with commas, or "none"
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+
+/// Helps with a word that is none of those known. Near is one that begins with the word, or else one of which half of
+/// the letters need no change.
+/// \param word   that was found
+/// \param known  that exist
+/// \return "; did you mean 'WORD'? There are: ..." or, if none is near, "; there are: ..."
+[[nodiscard]] std::string suggestion(const std::string& word,
+                                     const std::vector<std::string>& known);
+
+}  // namespace signorini
