@@ -7,7 +7,9 @@
 
 #include "command_line/print.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/elasticity/stress.hpp"
 #include "signorini/report/pressure_table.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace command_line {
 namespace {
@@ -25,9 +27,64 @@ void print_status(std::ostream& out, const Solution& solution) {
   out << '\n'
       << (report.status == Status::Solved ? "solved" : "not solved: ")
       << (report.status == Status::Solved ? "" : to_string(report.status)) << " after "
-      << report.iterations << " iterations" << (why.empty() ? "" : ": " + why) << '\n';
+      << report.iterations << (report.iterations == 1 ? " iteration" : " iterations")
+      << (why.empty() ? "" : ": " + why) << '\n';
   if (std::isfinite(solution.certificate.worst()))
     out << "certificate: " << solution.certificate << '\n';
+}
+
+/// What became of a body, as far as a few numbers tell.
+struct BodyFigures {
+  std::string name;
+  double moves = 0;                                       // farthest [length]
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();           // place of that node
+  double stress = 0;                                      // largest von Mises' stress of a cell
+  Eigen::Vector2d stressed_at = Eigen::Vector2d::Zero();  // first corner of that cell
+  Eigen::Vector2d supports = Eigen::Vector2d::Zero();     // sum of their forces on the body
+  Eigen::Vector2d springs = Eigen::Vector2d::Zero();      // and of the springs'
+  bool axial = false;
+  bool on_springs = false;
+};
+
+std::vector<BodyFigures> figures_of(const Model& model, const Solution& solution) {
+  std::vector<BodyFigures> all;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
+    const NodeArray& u = solution.displacements[b];
+    BodyFigures figures;
+    figures.name = body.mesh.name;
+    Index node = 0;
+    figures.moves = u.rowwise().norm().maxCoeff(&node);
+    figures.at = body.mesh.nodes.row(node);
+    const StressArray stress = cell_stress(body.mesh, body.element, body.material, u);
+    for (Index cell = 0; cell < stress.rows(); ++cell)
+      if (const double now = von_mises(stress.row(cell).transpose()); now > figures.stress) {
+        figures.stress = now;
+        figures.stressed_at = body.mesh.nodes.row(body.mesh.cells(cell, 0));
+      }
+    figures.supports = support_forces(model, solution, b).colwise().sum();
+    figures.on_springs = body.springs.rows() > 0;
+    if (figures.on_springs) figures.springs = spring_forces(model, solution, b).colwise().sum();
+    figures.axial = body.material.bulk.state == PlaneState::Axial;
+    all.push_back(figures);
+  }
+  return all;
+}
+
+/// A force; what pushes along the radius all round the axis has no sum.
+std::string force_in_words(const Eigen::Vector2d& force, bool axial) {
+  return axial ? text(force.y(), " along the axis") : text('(', force.x(), ", ", force.y(), ')');
+}
+
+void print_bodies(std::ostream& out, const Model& model, const Solution& solution) {
+  for (const BodyFigures& body : figures_of(model, solution)) {
+    out << "body '" << body.name << "': moves by up to " << body.moves << ", at (" << body.at.x()
+        << ", " << body.at.y() << "); von Mises' stress up to " << body.stress
+        << ", in the cell at (" << body.stressed_at.x() << ", " << body.stressed_at.y()
+        << "); supports bear " << force_in_words(body.supports, body.axial);
+    if (body.on_springs) out << ", springs " << force_in_words(body.springs, body.axial);
+    out << '\n';
+  }
 }
 
 /// Pairs that are closed, if they are few.
@@ -53,11 +110,13 @@ void print_pressures(std::ostream& out, const Pairs& pairs, const Solution& solu
   }
 }
 
-void print_resultants(std::ostream& out, const Pairs& pairs, const Solution& solution) {
-  const Resultants sum = resultants(pairs, solution);
-  out << "contact: force on the sources (" << sum.force.x() << ", " << sum.force.y()
-      << "), moment about the origin " << sum.moment << ", closed boundary " << sum.closed_weight
-      << ", peak pressure " << sum.peak_pressure << '\n';
+void print_resultants(std::ostream& out, const Model& model, const Solution& solution) {
+  const Resultants sum = resultants(model.pairs, solution);
+  const bool axial = model.bodies[0].material.bulk.state == PlaneState::Axial;
+  out << "contact: force on the sources " << force_in_words(sum.force, axial);
+  if (!axial) out << ", moment about the origin " << sum.moment;
+  out << ", closed boundary " << sum.closed_weight << ", peak pressure " << sum.peak_pressure
+      << '\n';
 }
 
 void write_lines(Json& json, const char* key, const std::vector<std::string>& lines) {
@@ -109,6 +168,20 @@ void write_pairs(Json& json, const Pairs& pairs, const Solution& solution) {
   json.end();
 }
 
+void write_bodies(Json& json, const Model& model, const Solution& solution) {
+  json.key("bodies").array();
+  for (const BodyFigures& body : figures_of(model, solution)) {
+    json.object().key("name").value(body.name).key("moves").value(body.moves);
+    write_point(json, "at", body.at);
+    json.key("stress").value(body.stress);
+    write_point(json, "stressed_at", body.stressed_at);
+    write_point(json, "supports", body.supports);
+    if (body.on_springs) write_point(json, "springs", body.springs);
+    json.end();
+  }
+  json.end();
+}
+
 void write_ledger(Json& json, const Ledger& ledger) {
   json.key("ledger").array();
   for (const LedgerEntry& entry : ledger.entries()) {
@@ -134,8 +207,9 @@ void print_solution(std::ostream& out, const SceneRun& run) {
   print_title(out, run);
   signorini::print(out, run.plan, run.notes());
   print_status(out, *run.solution);
+  if (run.solved()) print_bodies(out, *run.model, *run.solution);
   if (run.solved() && run.solution->pressure.size() > 0) {
-    print_resultants(out, run.model->pairs, *run.solution);
+    print_resultants(out, *run.model, *run.solution);
     print_pressures(out, run.model->pairs, *run.solution);
   }
   out << '\n' << run.solution->ledger << '\n' << confront(run.prediction, run.solution->ledger);
@@ -160,6 +234,7 @@ void write(Json& json, const SceneRun& run) {
       write_point(json, "force", sum.force);
       json.key("moment").value(sum.moment).key("closed").value(sum.closed_weight);
       json.key("peak_pressure").value(sum.peak_pressure).end();
+      write_bodies(json, *run.model, solution);
       write_pairs(json, run.model->pairs, solution);
     }
     write_ledger(json, solution.ledger);

@@ -113,12 +113,15 @@ void solve_scene(SceneRun& run) {
   run.solution = run.step([&] { return solve(*run.model, condensed, ledger); });
 }
 
-Drafts::Drafts(const std::vector<std::string>& files) {
+Drafts::Drafts(const std::vector<std::string>& files, const std::string& read) {
   for (const std::string& file : files) {
     std::error_code unseen;
     const fs::file_status status = fs::status(file, unseen);
     pose(!fs::exists(status) || fs::is_regular_file(status), "cannot write '", file,
          "': this is no plain file");
+    const std::string ending = fs::path(file).extension().string();
+    pose(ending != ".toml" && ending != ".msh" && ending != ".geo" && whole(file) != whole(read),
+         "cannot write '", file, "': results do not replace scenes and meshes, take another name");
     for (const Entry& other : entries_)
       pose(whole(other.file) != whole(file), "cannot write '", file,
            "' twice: give every result a file of its own");

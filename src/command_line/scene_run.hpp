@@ -87,8 +87,10 @@ void solve_scene(SceneRun& run);
 class Drafts {
  public:
   /// \param files  that will appear
-  /// \throws signorini::ProblemError if two of them are the same, or one is a folder or a device
-  explicit Drafts(const std::vector<std::string>& files);
+  /// \param read   what the run was read from
+  /// \throws signorini::ProblemError if two of them are the same, or one is a folder or a device, or what the run was
+  ///   read from, or ends like a scene or a mesh
+  Drafts(const std::vector<std::string>& files, const std::string& read);
   ~Drafts();
   Drafts(const Drafts&) = delete;
   Drafts& operator=(const Drafts&) = delete;

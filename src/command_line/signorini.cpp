@@ -125,7 +125,7 @@ int solve_scene(const Request& request) {
   if (!request.output.csv.empty()) output.csv = request.output.csv;
   if (!request.output.plot.empty()) output.plot = request.output.plot;
   if (!output.plot.empty()) static_cast<void>(command_line::picture_kind(output.plot));
-  command_line::Drafts drafts(command_line::files_of(output));
+  command_line::Drafts drafts(command_line::files_of(output), request.file);
   command_line::solve_scene(run);
   const int code = tell(request, run, command_line::print_solution);
   if (code == solved) command_line::write_outputs(run, drafts);
