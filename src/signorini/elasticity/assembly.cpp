@@ -65,11 +65,13 @@ void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, N
       });
 }
 
-void add_point_force(const Mesh& mesh, const PointForce& point, NodeArray& load) {
-  if ((point.force.array() == 0).all()) return;
-  const EdgePlace place = place_of(mesh, point);
-  for (std::size_t k = 0; k < place.nodes.size(); ++k)
-    load.row(place.nodes[k]) += place.share(static_cast<Index>(k)) * point.force.transpose();
+void add_point_forces(const Mesh& mesh, const std::vector<PointForce>& forces, NodeArray& load) {
+  auto force = forces.begin();
+  for (const EdgePlace& place : places_of(mesh, forces)) {
+    for (std::size_t k = 0; k < place.nodes.size(); ++k)
+      load.row(place.nodes[k]) += place.share(static_cast<Index>(k)) * force->force.transpose();
+    ++force;
+  }
 }
 
 /// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
@@ -129,10 +131,16 @@ CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   return 0.5 * (K + CellMatrix(K.transpose()));  // exactly symmetric
 }
 
-EdgePlace place_of(const Mesh& mesh, const PointForce& load) {
-  pose(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(), ", ",
-       load.point.y(), "): not finite");
-  return place_on_edge(mesh, load.point);
+std::vector<EdgePlace> places_of(const Mesh& mesh, const std::vector<PointForce>& loads) {
+  Edge edge(mesh);
+  std::vector<EdgePlace> places;
+  for (const PointForce& load : loads) {
+    pose(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(), ", ",
+         load.point.y(), "): not finite");
+    places.push_back((load.force.array() == 0).all() ? EdgePlace{{}, {0, 0, 0}}
+                                                     : edge.place(load.point));
+  }
+  return places;
 }
 
 NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& matter,
@@ -140,7 +148,7 @@ NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& ma
   NodeArray load = NodeArray::Zero(mesh.n_nodes(), 2);
   if (loads.body_force) add_body_force(mesh, element, matter, loads.body_force, load);
   for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, depth_of(matter), edge, load);
-  for (const PointForce& force : loads.points) add_point_force(mesh, force, load);
+  add_point_forces(mesh, loads.points, load);
   return load;
 }
 

@@ -75,12 +75,15 @@ Effect point_forces() {
             return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_point_forces);
           },
           [](const Scene& scene, Plan& draft) {
-            for (const Body& body : scene.bodies)
-              for (const PointForce& load : body.loads.points)
-                if (pulls(load))
-                  draft.on.push_back(text("force (", load.force.x(), ", ", load.force.y(), ") on ",
-                                          describe(place_of(body.mesh, load)), " of '",
-                                          body.mesh.name, "'"));
+            for (const Body& body : scene.bodies) {
+              auto load = body.loads.points.begin();
+              for (const EdgePlace& place : places_of(body.mesh, body.loads.points)) {
+                if (!place.nodes.empty())
+                  draft.on.push_back(text("force (", load->force.x(), ", ", load->force.y(),
+                                          ") on ", describe(place), " of '", body.mesh.name, "'"));
+                ++load;
+              }
+            }
           },
           [](Plan& /*plan*/, Model& model) {
             for (const BodyModel& body : model.bodies)
