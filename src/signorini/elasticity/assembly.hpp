@@ -140,4 +140,10 @@ void check_element(const Mesh& mesh, const Element& element);
 [[nodiscard]] NodeArray expand(const Unknowns& unknowns,
                                const Eigen::Ref<const Eigen::VectorXd>& values);
 
+/// What the unknowns feel of forces on all nodes.
+/// \param unknowns  `n` of a body
+/// \param nodal     `n_nodes x 2` on its nodes, held or not [force]
+/// \return `n` components that are not held [force]
+[[nodiscard]] Eigen::VectorXd restricted(const Unknowns& unknowns, const NodeArray& nodal);
+
 }  // namespace signorini

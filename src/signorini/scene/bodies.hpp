@@ -31,6 +31,14 @@ namespace signorini {
 /// \return number of their unknowns
 [[nodiscard]] Eigen::Index count_unknowns(const std::vector<BodyModel>& bodies);
 
+/// Adds loads of a body, times a sign, to p of all bodies.
+/// \param body          that they act on
+/// \param loads         instead of its own
+/// \param sign          1, or -1 to take them away [-]
+/// \param[in,out] load  p of the unknowns of all bodies [force]
+/// \throws ProblemError as nodal_loads()
+void add_loads(const BodyModel& body, const Loads& loads, double sign, Eigen::VectorXd& load);
+
 /// What messages call a contact.
 /// \param bodies   of the scene
 /// \param contact  one of its contacts

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/elasticity/along_boundary.hpp"
 #include "signorini/factor/front_speed.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -25,14 +26,12 @@ double seconds_of(Call&& call) {
 }
 
 BodySummary summary_of(const BodyModel& body) {
-  BodySummary summary{body.mesh.name, body.unknowns.count,
-                      static_cast<Eigen::Index>(body.pieces.size()), Eigen::Vector2d::Zero(), 0};
   const NodeArray load = nodal_loads(body.mesh, body.element, body.material, body.loads);
-  for (Index node = 0; node < load.rows(); ++node) {
-    summary.force += load.row(node).transpose();
-    summary.moment +=
-        body.mesh.nodes(node, 0) * load(node, 1) - body.mesh.nodes(node, 1) * load(node, 0);
-  }
+  Resultant sum;
+  for (Index node = 0; node < load.rows(); ++node)
+    sum.add(body.mesh.nodes.row(node).transpose(), load.row(node).transpose());
+  BodySummary summary{body.mesh.name, body.unknowns.count, static_cast<Index>(body.pieces.size()),
+                      sum.force, sum.moment};
   if (body.material.bulk.state == PlaneState::Axial) {  // all round the axis, these cancel
     summary.force.x() = 0;
     summary.moment = 0;
