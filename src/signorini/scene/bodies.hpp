@@ -50,12 +50,6 @@ void add_loads(const BodyModel& body, const Loads& loads, double sign, Eigen::Ve
 /// \return whether it has friction or cohesion: a law that allows no friction force is none
 [[nodiscard]] bool rubs(const ContactSpec& contact);
 
-/// Brings the sides of a contact together as it says: small gaps adjusted first, then its interference.
-/// \param contact       whose lengths have been checked
-/// \param[in,out] pairs  of the meshes; gets new initial gaps
-/// \return what was done, to go on a line about the pairs; nothing if the contact asks for nothing
-[[nodiscard]] std::string fit(const ContactSpec& contact, Pairs& pairs);
-
 /// Rigid motions that supports and springs leave to the bodies, each on the unknowns of all of them.
 /// \param bodies  with their unknowns and springs
 /// \return `n_r` independent motions
