@@ -212,9 +212,6 @@ class Figures {
     if (rows_ == 0) return;
     const char* const phase = "contact";
     const double size = rows_ + static_cast<double>(plan_.modes.size());
-    add(Built::PerIteration, phase, "bytes of the closed rows", number * size * size, Trust::Bound);
-    add(Built::PerIteration, phase, "operations of the closed rows", size * size * size / 3,
-        Trust::Bound);
     constexpr double iterations = 5;
     add(Built::PerIteration, phase, "iterations", iterations, Trust::Estimate);
     const double closed = size / 2;
@@ -268,16 +265,19 @@ Prediction predict(const Plan& plan) {
 
 std::vector<ConfrontedFigure> confront(const Prediction& prediction, const Ledger& ledger) {
   std::vector<ConfrontedFigure> figures;
-  for (const PredictedFigure& figure : prediction.figures)
+  for (const PredictedFigure& figure : prediction.figures) {
+    figures.push_back({figure, {}});
+    std::optional<double>& measured = figures.back().measured;
     for (const LedgerEntry& entry : ledger.entries()) {
       if (entry.path != figure.phase) continue;
       if (figure.what == "seconds")
-        figures.push_back({figure, entry.seconds});
+        measured = entry.seconds;
       else if (figure.what == "bytes")
-        figures.push_back({figure, static_cast<double>(entry.bytes)});
+        measured = static_cast<double>(entry.bytes);
       else if (entry.counts.count(figure.what) > 0)
-        figures.push_back({figure, static_cast<double>(entry.counts.at(figure.what))});
+        measured = static_cast<double>(entry.counts.at(figure.what));
     }
+  }
   return figures;
 }
 
