@@ -104,3 +104,19 @@ TEST_CASE("a point force that is not finite is an error, one of zero is nothing"
              ContainsSubstring("point force on 'block' at (0, 0): not finite"));
   CHECK(forces(mesh, {17, 0}, {0, 0}).isZero(0));
 }
+
+TEST_CASE("several forces add up, each at its own place, whatever others are zero", "[places]") {
+  const Mesh mesh = block_for(q4(), {3, 2}, 3, 2);
+  const std::vector<PointForce> loads = {
+      {{0.5, 0}, {1, 2}}, {{17, 17}, {0, 0}}, {{3, 2}, {-4, 0}}, {{3, 1.25}, {8, 0}}};
+  NodeArray sum = NodeArray::Zero(mesh.n_nodes(), 2);
+  for (const PointForce& load : loads) sum += forces(mesh, load.point, load.force);
+  const Material sheet{1000, 0.3, PlaneState::Stress, 0.5};
+  CHECK(nodal_loads(mesh, q4(), sheet, {{}, {}, loads}) == sum);
+  const std::vector<EdgePlace> places = places_of(mesh, loads);
+  REQUIRE(places.size() == loads.size());
+  CHECK(places[0].nodes == std::vector<Index>{0, 1});
+  CHECK(places[1].nodes.empty());
+  CHECK(places[2].nodes == std::vector<Index>{11});
+  CHECK(places[3].nodes == std::vector<Index>{7, 11});
+}

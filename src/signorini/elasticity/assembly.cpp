@@ -5,25 +5,14 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/elasticity/along_boundary.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/elasticity/thermal.hpp"
-#include "signorini/mesh/side_curve.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-/// Calls visit(nodes, N, tangent, position, weight) at the Gauss points of every side of a boundary.
-template <typename Visit>
-void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit) {
-  for (const CellSide& side : boundary(mesh, name)) {
-    const SideCurve curve(mesh, side);
-    for (const GaussPoint& gauss : gauss_line(3))
-      visit(curve.nodes(), curve.shape(gauss.xi).value, curve.tangent(gauss.xi),
-            curve.point(gauss.xi).position(), gauss.weight);
-  }
-}
 
 /// A curved cell can fold although its corners are in order; the map then turns over at some point.
 void check_unfolded(const Cell& cell) {
@@ -50,26 +39,26 @@ void add_body_force(const Mesh& mesh, const Element& element, const Matter& matt
 }
 
 void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, NodeArray& load) {
-  integrate_boundary(
-      mesh, edge.boundary,
-      [&](const std::vector<Index>& nodes, const Eigen::Vector3d& N, const Eigen::Vector2d& tangent,
-          const Eigen::Vector2d& position, double weight) {
-        const Eigen::Vector2d inward(-tangent.y(), tangent.x());  // body on the left
-        Eigen::Vector2d force = edge.pressure * inward;
-        if (edge.traction) force += edge.traction(position) * tangent.norm();
-        pose(force.allFinite(), "load on '", edge.boundary, "': not finite at (", position.x(),
-             ", ", position.y(), ')');
-        for (std::size_t k = 0; k < nodes.size(); ++k)
-          load.row(nodes[k]) +=
-              depth.at(position.x()) * weight * N(static_cast<Index>(k)) * force.transpose();
-      });
+  integrate_boundary(mesh, edge.boundary, [&](const BoundaryPoint& at) {
+    const Eigen::Vector2d position = at.point.position();
+    const Eigen::Vector2d inward(-at.tangent.y(), at.tangent.x());  // body on the left
+    Eigen::Vector2d force = edge.pressure * inward;
+    if (edge.traction) force += edge.traction(position) * at.tangent.norm();
+    pose(force.allFinite(), "load on '", edge.boundary, "': not finite at (", position.x(), ", ",
+         position.y(), ')');
+    Index k = 0;
+    for (const Index node : at.side.nodes())
+      load.row(node) += depth.at(position.x()) * at.weight * at.N(k++) * force.transpose();
+  });
 }
 
-void add_point_force(const Mesh& mesh, const PointForce& point, NodeArray& load) {
-  if ((point.force.array() == 0).all()) return;
-  const EdgePlace place = place_of(mesh, point);
-  for (std::size_t k = 0; k < place.nodes.size(); ++k)
-    load.row(place.nodes[k]) += place.share(static_cast<Index>(k)) * point.force.transpose();
+void add_point_forces(const Mesh& mesh, const std::vector<PointForce>& forces, NodeArray& load) {
+  auto force = forces.begin();
+  for (const EdgePlace& place : places_of(mesh, forces)) {
+    for (std::size_t k = 0; k < place.nodes.size(); ++k)
+      load.row(place.nodes[k]) += place.share(static_cast<Index>(k)) * force->force.transpose();
+    ++force;
+  }
 }
 
 /// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
@@ -129,10 +118,16 @@ CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   return 0.5 * (K + CellMatrix(K.transpose()));  // exactly symmetric
 }
 
-EdgePlace place_of(const Mesh& mesh, const PointForce& load) {
-  pose(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(), ", ",
-       load.point.y(), "): not finite");
-  return place_on_edge(mesh, load.point);
+std::vector<EdgePlace> places_of(const Mesh& mesh, const std::vector<PointForce>& loads) {
+  Edge edge(mesh);
+  std::vector<EdgePlace> places;
+  for (const PointForce& load : loads) {
+    pose(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(), ", ",
+         load.point.y(), "): not finite");
+    places.push_back((load.force.array() == 0).all() ? EdgePlace{{}, {0, 0, 0}}
+                                                     : edge.place(load.point));
+  }
+  return places;
 }
 
 NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& matter,
@@ -140,7 +135,7 @@ NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& ma
   NodeArray load = NodeArray::Zero(mesh.n_nodes(), 2);
   if (loads.body_force) add_body_force(mesh, element, matter, loads.body_force, load);
   for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, depth_of(matter), edge, load);
-  for (const PointForce& force : loads.points) add_point_force(mesh, force, load);
+  add_point_forces(mesh, loads.points, load);
   return load;
 }
 
@@ -177,11 +172,7 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const Matter& ma
   LinearSystem system{stiffness_pattern(mesh, unknowns), {}};
   NodeArray nodal = nodal_loads(mesh, element, matter, loads);
   if (matter.temperature.warms()) nodal += thermal_forces(mesh, element, matter);
-  system.load.resize(unknowns.count);
-  for (Index node = 0; node < mesh.n_nodes(); ++node)
-    for (int axis = 0; axis < 2; ++axis)
-      if (unknowns.number(node, axis) >= 0)
-        system.load(unknowns.number(node, axis)) = nodal(node, axis);
+  system.load = restricted(unknowns, nodal);
 
   visit_cells(mesh, element, matter, [&](const Cell& cell) {
     check_unfolded(cell);
@@ -217,14 +208,12 @@ NodeArray internal_forces(const Mesh& mesh, const Element& element, const Matter
 
 Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, const Depth& depth) {
   std::map<Index, double> weight;
-  integrate_boundary(
-      mesh, name,
-      [&](const std::vector<Index>& nodes, const Eigen::Vector3d& N, const Eigen::Vector2d& tangent,
-          const Eigen::Vector2d& position, double w) {
-        for (std::size_t k = 0; k < nodes.size(); ++k)
-          weight[nodes[k]] +=
-              depth.at(position.x()) * w * N(static_cast<Index>(k)) * tangent.norm();
-      });
+  integrate_boundary(mesh, name, [&](const BoundaryPoint& at) {
+    const double x = at.point.position().x();
+    Index k = 0;
+    for (const Index node : at.side.nodes())
+      weight[node] += depth.at(x) * at.weight * at.N(k++) * at.tangent.norm();
+  });
   const std::vector<Index> nodes = boundary_nodes(mesh, name);
   Eigen::VectorXd weights(static_cast<Index>(nodes.size()));
   for (std::size_t k = 0; k < nodes.size(); ++k) weights(static_cast<Index>(k)) = weight[nodes[k]];
@@ -255,6 +244,14 @@ NodeArray expand(const Unknowns& unknowns, const Eigen::Ref<const Eigen::VectorX
     for (int axis = 0; axis < 2; ++axis)
       if (unknowns.number(node, axis) >= 0) all(node, axis) = values(unknowns.number(node, axis));
   return all;
+}
+
+Eigen::VectorXd restricted(const Unknowns& unknowns, const NodeArray& nodal) {
+  Eigen::VectorXd values(unknowns.count);
+  for (Index node = 0; node < nodal.rows(); ++node)
+    for (int axis = 0; axis < 2; ++axis)
+      if (unknowns.number(node, axis) >= 0) values(unknowns.number(node, axis)) = nodal(node, axis);
+  return values;
 }
 
 }  // namespace signorini

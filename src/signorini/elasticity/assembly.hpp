@@ -80,12 +80,13 @@ void check_element(const Mesh& mesh, const Element& element);
 [[nodiscard]] LinearSystem assemble(const Mesh& mesh, const Element& element, const Matter& matter,
                                     const Unknowns& unknowns, const Loads& loads);
 
-/// Where a point force acts.
-/// \param mesh  the body
-/// \param load  on it
-/// \return the nodes that share it
-/// \throws ProblemError if the force is not finite, or as place_on_edge()
-[[nodiscard]] EdgePlace place_of(const Mesh& mesh, const PointForce& load);
+/// Where point forces act.
+/// \param mesh   the body
+/// \param loads  on it
+/// \return the nodes that share each of them; none for a force of zero, wherever it is
+/// \throws ProblemError if a force is not finite, or as place_on_edge()
+[[nodiscard]] std::vector<EdgePlace> places_of(const Mesh& mesh,
+                                               const std::vector<PointForce>& loads);
 
 /// Nodal forces of the loads, consistent with the shape functions.
 /// \param mesh      the body
@@ -93,7 +94,7 @@ void check_element(const Mesh& mesh, const Element& element);
 /// \param matter    whose depth multiplies the loads
 /// \param loads     on the body
 /// \return `n_nodes x 2` on all nodes, held or not [force]
-/// \throws ProblemError if a load is not finite, its boundary does not exist, or as place_of()
+/// \throws ProblemError if a load is not finite, its boundary does not exist, or as places_of()
 [[nodiscard]] NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& matter,
                                     const Loads& loads);
 
@@ -138,5 +139,11 @@ void check_element(const Mesh& mesh, const Element& element);
 /// \throws std::invalid_argument unless there is one value per unknown
 [[nodiscard]] NodeArray expand(const Unknowns& unknowns,
                                const Eigen::Ref<const Eigen::VectorXd>& values);
+
+/// What the unknowns feel of forces on all nodes.
+/// \param unknowns  `n` of a body
+/// \param nodal     `n_nodes x 2` on its nodes, held or not [force]
+/// \return `n` components that are not held [force]
+[[nodiscard]] Eigen::VectorXd restricted(const Unknowns& unknowns, const NodeArray& nodal);
 
 }  // namespace signorini

@@ -1,13 +1,12 @@
 #include "signorini/elasticity/places.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/mesh/side_curve.hpp"
+#include "signorini/mesh/joints.hpp"
 
 namespace signorini {
 namespace {
@@ -34,29 +33,6 @@ std::string describe(const Mesh& mesh, Index node) {
   return text("node ", node, ", lies at (", mesh.nodes(node, 0), ", ", mesh.nodes(node, 1), ')');
 }
 
-/// The sides that belong to one cell only.
-std::vector<CellSide> outer_sides(const Mesh& mesh) {
-  struct Joined {
-    std::pair<Index, Index> ends;
-    CellSide side;
-  };
-  std::vector<Joined> all;
-  all.reserve(static_cast<std::size_t>(4 * mesh.n_cells()));
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (int side = 0; side < mesh.corners(cell); ++side) {
-      const std::vector<Index> nodes = mesh.side_nodes({cell, side});
-      all.push_back({std::minmax(nodes.front(), nodes.back()), {cell, side}});
-    }
-  std::sort(all.begin(), all.end(),
-            [](const Joined& a, const Joined& b) { return a.ends < b.ends; });
-  std::vector<CellSide> outer;
-  for (std::size_t k = 0; k < all.size(); ++k)
-    if ((k == 0 || all[k - 1].ends != all[k].ends) &&
-        (k + 1 == all.size() || all[k + 1].ends != all[k].ends))
-      outer.push_back(all[k].side);
-  return outer;
-}
-
 }  // namespace
 
 std::vector<Index> nodes_at(const Mesh& mesh, const std::string& boundary,
@@ -70,32 +46,37 @@ std::vector<Index> nodes_at(const Mesh& mesh, const std::string& boundary,
   return {found};
 }
 
-EdgePlace place_on_edge(const Mesh& mesh, const Vector2d& point) {
-  const double rounding = position_rounding(mesh);
-  const std::string at = text("point (", point.x(), ", ", point.y(), ") of '", mesh.name, "': ");
+EdgePlace place_on_edge(const Mesh& mesh, const Vector2d& point) { return Edge(mesh).place(point); }
+
+Edge::Edge(const Mesh& mesh) : mesh_(mesh) {}
+
+EdgePlace Edge::place(const Vector2d& point) {
+  const double rounding = position_rounding(mesh_);
+  const std::string at = text("point (", point.x(), ", ", point.y(), ") of '", mesh_.name, "': ");
   pose(point.allFinite(), at, "is not finite");
   std::vector<Index> nodes;
-  for (Index node = 0; node < mesh.n_nodes(); ++node)
-    if (distance(mesh, node, point) <= rounding) nodes.push_back(node);
+  for (Index node = 0; node < mesh_.n_nodes(); ++node)
+    if (distance(mesh_, node, point) <= rounding) nodes.push_back(node);
   pose(nodes.size() <= 1, at, "nodes ", nodes.empty() ? 0 : nodes.front(), " and ",
        nodes.empty() ? 0 : nodes.back(),
        " both lie there and are not joined. Choose a place beside them");
   if (!nodes.empty()) return {std::move(nodes), {1, 0, 0}};
 
+  if (sides_.empty())
+    for (const CellSide& side : outer_sides(mesh_)) sides_.emplace_back(mesh_, side);
   std::vector<EdgePlace> places;
-  for (const CellSide& side : outer_sides(mesh)) {
-    const SideCurve curve(mesh, side);
-    const double xi = curve.closest(point);
-    if ((curve.point(xi) - point).norm() <= rounding)
-      places.push_back({curve.nodes(), curve.shape(xi).value});
+  for (const SideCurve& side : sides_) {
+    const double xi = side.closest(point);
+    if ((side.point(xi) - point).norm() <= rounding)
+      places.push_back({side.nodes(), side.shape(xi).value});
   }
   pose(places.size() <= 1, at, "lies on two sides that are not joined. Choose another place");
   if (!places.empty()) return places.front();
-  nodes.resize(static_cast<std::size_t>(mesh.n_nodes()));
+  nodes.resize(static_cast<std::size_t>(mesh_.n_nodes()));
   std::iota(nodes.begin(), nodes.end(), Index{0});
-  const Index close = nearest(mesh, nodes, point);
+  const Index close = nearest(mesh_, nodes, point);
   throw ProblemError(text(at, "neither a node nor a place on the edge. The nearest, ",
-                          describe(mesh, close), ", ", distance(mesh, close, point), " away"));
+                          describe(mesh_, close), ", ", distance(mesh_, close, point), " away"));
 }
 
 }  // namespace signorini

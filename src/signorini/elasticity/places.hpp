@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "signorini/mesh/mesh.hpp"
+#include "signorini/mesh/side_curve.hpp"
 
 namespace signorini {
 
@@ -25,6 +26,22 @@ namespace signorini {
 struct EdgePlace {
   std::vector<Eigen::Index> nodes;  ///< one, or the two or three of a side
   Eigen::Vector3d share;            ///< of each of them [-]; those of a side add up to 1
+};
+
+/// The edge of a body, to find places on. Its sides are looked up for the first place that is not a node, and kept.
+class Edge {
+ public:
+  /// \param mesh  the body; must outlive the edge
+  explicit Edge(const Mesh& mesh);
+
+  /// \param point  where [length]
+  /// \return as place_on_edge()
+  /// \throws ProblemError as place_on_edge()
+  [[nodiscard]] EdgePlace place(const Eigen::Vector2d& point);
+
+ private:
+  const Mesh& mesh_;
+  std::vector<SideCurve> sides_;
 };
 
 /// Finds a node, or a place on the edge of a body, up to the rounding of positions.

@@ -1,9 +1,8 @@
 #include "signorini/elasticity/springs.hpp"
 
 #include "signorini/core/errors.hpp"
-#include "signorini/elasticity/element.hpp"
+#include "signorini/elasticity/along_boundary.hpp"
 #include "signorini/elasticity/places.hpp"
-#include "signorini/mesh/side_curve.hpp"
 
 namespace signorini {
 namespace {
@@ -20,17 +19,15 @@ void add(Index row, Index column, const Eigen::Vector2d& stiffness, Triplets& en
 }
 
 void add_along(const Mesh& mesh, const Depth& depth, const Spring& spring, Triplets& entries) {
-  for (const SideCurve& side : side_curves(mesh, spring.boundary))
-    for (const GaussPoint& gauss : gauss_line(3)) {
-      const Eigen::Vector3d N = side.shape(gauss.xi).value;
-      const double x = side.point(gauss.xi).position().x();
-      const double area = depth.at(x) * gauss.weight * side.tangent(gauss.xi).norm();
-      for (std::size_t i = 0; i < side.nodes().size(); ++i)
-        for (std::size_t j = 0; j < side.nodes().size(); ++j)
-          add(side.nodes()[i], side.nodes()[j],
-              N(static_cast<Index>(i)) * N(static_cast<Index>(j)) * area * spring.stiffness,
-              entries);
-    }
+  integrate_boundary(mesh, spring.boundary, [&](const BoundaryPoint& at) {
+    const double area = depth.at(at.point.position().x()) * at.weight * at.tangent.norm();
+    const std::vector<Index>& nodes = at.side.nodes();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t j = 0; j < nodes.size(); ++j)
+        add(nodes[i], nodes[j],
+            at.N(static_cast<Index>(i)) * at.N(static_cast<Index>(j)) * area * spring.stiffness,
+            entries);
+  });
 }
 
 }  // namespace

@@ -70,6 +70,11 @@ Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes) {
   return shapes;
 }
 
+void add_loads(const BodyModel& body, const Loads& loads, double sign, Eigen::VectorXd& load) {
+  load.segment(body.first_unknown, body.unknowns.count) +=
+      sign * restricted(body.unknowns, nodal_loads(body.mesh, body.element, body.material, loads));
+}
+
 std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
   const BodyModel& last = bodies.back();
   std::vector<FreeMotion> modes;

@@ -31,6 +31,14 @@ namespace signorini {
 /// \return number of their unknowns
 [[nodiscard]] Eigen::Index count_unknowns(const std::vector<BodyModel>& bodies);
 
+/// Adds loads of a body, times a sign, to p of all bodies.
+/// \param body          that they act on
+/// \param loads         instead of its own
+/// \param sign          1, or -1 to take them away [-]
+/// \param[in,out] load  p of the unknowns of all bodies [force]
+/// \throws ProblemError as nodal_loads()
+void add_loads(const BodyModel& body, const Loads& loads, double sign, Eigen::VectorXd& load);
+
 /// What messages call a contact.
 /// \param bodies   of the scene
 /// \param contact  one of its contacts
@@ -41,12 +49,6 @@ namespace signorini {
 /// \param contact  any
 /// \return whether it has friction or cohesion: a law that allows no friction force is none
 [[nodiscard]] bool rubs(const ContactSpec& contact);
-
-/// Brings the sides of a contact together as it says: small gaps adjusted first, then its interference.
-/// \param contact       whose lengths have been checked
-/// \param[in,out] pairs  of the meshes; gets new initial gaps
-/// \return what was done, to go on a line about the pairs; nothing if the contact asks for nothing
-[[nodiscard]] std::string fit(const ContactSpec& contact, Pairs& pairs);
 
 /// Rigid motions that supports and springs leave to the bodies, each on the unknowns of all of them.
 /// \param bodies  with their unknowns and springs

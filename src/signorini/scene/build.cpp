@@ -39,7 +39,8 @@ Model build(Plan plan, Ledger& ledger) {
   model.solver = std::move(plan.solver);
   model.notes = std::move(plan.notes);
   telling(model.notes, [&] {
-    for (const Effect* effect : plan.effects) effect->add(plan, model);
+    for (const Effect* effect : plan.effects)
+      if (effect->add != nullptr) effect->add(plan, model);
   });
   const QuadraticProgramme& programme = model.programme;
   ledger.count("unknowns", model.unknowns.count);

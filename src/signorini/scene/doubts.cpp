@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "signorini/core/rounding.hpp"
-#include "signorini/mesh/side_curve.hpp"
+#include "signorini/elasticity/along_boundary.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
@@ -82,28 +82,16 @@ void note_loose_nodes(const Scene& scene, const Mesh& mesh, Notes& notes) {
   }
 }
 
-/// Force and moment of a traction along a boundary per thickness, in axial symmetry per angle, and what they would be if nothing cancelled.
-struct Resultant {
-  Vector2d force = Vector2d::Zero();
-  double moment = 0;
-  double all_forces = 0;
-  double all_moments = 0;
-};
-
+/// What a traction along a boundary adds up to, about its first node, per thickness, in axial symmetry per angle.
 Resultant resultant(const Mesh& mesh, const EdgeLoad& load, const Depth& depth) {
-  const std::vector<SideCurve> sides = side_curves(mesh, load.boundary);
+  const AnchoredPoint first(
+      mesh.nodes.row(boundary_nodes(mesh, load.boundary).front()).transpose());
   Resultant sum;
-  for (const SideCurve& side : sides)
-    for (const GaussPoint& gauss : gauss_line(3)) {
-      const AnchoredPoint x = side.point(gauss.xi);
-      const Vector2d arm = x - sides.front().point(-1);
-      const Vector2d force = gauss.weight * side.tangent(gauss.xi).norm() *
-                             depth.part(x.position().x()) * load.traction(x.position());
-      sum.force += force;
-      sum.moment += arm.x() * force.y() - arm.y() * force.x();
-      sum.all_forces += force.norm();
-      sum.all_moments += arm.norm() * force.norm();
-    }
+  integrate_boundary(mesh, load.boundary, [&](const BoundaryPoint& at) {
+    const Vector2d position = at.point.position();
+    sum.add(at.point - first,
+            at.weight * at.tangent.norm() * depth.part(position.x()) * load.traction(position));
+  });
   return sum;
 }
 

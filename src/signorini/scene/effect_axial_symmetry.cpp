@@ -46,7 +46,7 @@ Effect axial_symmetry() {
           [](const Scene& scene, const Plan& /*draft*/) {
             return std::any_of(scene.bodies.begin(), scene.bodies.end(), is_axial);
           },
-          price, [](Plan& /*plan*/, Model& /*model*/) {}};
+          price, nullptr};
 }
 
 }  // namespace signorini::effect

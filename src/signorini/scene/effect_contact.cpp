@@ -6,6 +6,7 @@
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/contact_doubts.hpp"
 #include "signorini/scene/effects.hpp"
+#include "signorini/scene/fit.hpp"
 
 namespace signorini::effect {
 namespace {
@@ -109,7 +110,7 @@ Effect initial_overlap() {
             draft.on.push_back(text("initial overlap of ", overlapping(draft), " pairs"));
             note_overlap(scene, draft);
           },
-          [](Plan& /*plan*/, Model& /*model*/) {}};
+          nullptr};
 }
 
 }  // namespace signorini::effect

@@ -6,6 +6,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
+#include "signorini/scene/fit.hpp"
 
 namespace signorini {
 namespace {
@@ -27,8 +28,6 @@ void price(const Scene& scene, Plan& draft, Fit length, const std::string& name)
     if (given > 0) draft.on.push_back(text(what, ": ", given));
   }
 }
-
-void add(Plan& /*plan*/, Model& /*model*/) {}
 
 }  // namespace
 
@@ -60,7 +59,7 @@ Effect adjusted_gaps() {
           [](const Scene& scene, Plan& draft) {
             price(scene, draft, &ContactSpec::adjust, "adjusted gaps");
           },
-          add};
+          nullptr};
 }
 
 Effect interference() {
@@ -71,7 +70,7 @@ Effect interference() {
           [](const Scene& scene, Plan& draft) {
             price(scene, draft, &ContactSpec::interference, "interference");
           },
-          add};
+          nullptr};
 }
 
 }  // namespace effect

@@ -2,20 +2,11 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini::effect {
 namespace {
-
-using Eigen::Index;
-
-void add_load(const BodyModel& body, const Loads& loads, Eigen::VectorXd& load) {
-  const NodeArray nodal = nodal_loads(body.mesh, body.element, body.material, loads);
-  for (Index node = 0; node < body.mesh.n_nodes(); ++node)
-    for (int axis = 0; axis < 2; ++axis)
-      if (const Index unknown = body.unknowns.number(node, axis); unknown >= 0)
-        load(body.first_unknown + unknown) += nodal(node, axis);
-}
 
 bool has_weight(const Body& body) { return static_cast<bool>(body.loads.body_force); }
 
@@ -45,7 +36,7 @@ Effect body_force() {
           },
           [](Plan& /*plan*/, Model& model) {
             for (const BodyModel& body : model.bodies)
-              add_load(body, {body.loads.body_force, {}, {}}, model.programme.load);
+              add_loads(body, {body.loads.body_force, {}, {}}, 1, model.programme.load);
           }};
 }
 
@@ -65,7 +56,7 @@ Effect edge_loads() {
           },
           [](Plan& /*plan*/, Model& model) {
             for (const BodyModel& body : model.bodies)
-              add_load(body, {{}, body.loads.edges, {}}, model.programme.load);
+              add_loads(body, {{}, body.loads.edges, {}}, 1, model.programme.load);
           }};
 }
 
@@ -75,16 +66,19 @@ Effect point_forces() {
             return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_point_forces);
           },
           [](const Scene& scene, Plan& draft) {
-            for (const Body& body : scene.bodies)
-              for (const PointForce& load : body.loads.points)
-                if (pulls(load))
-                  draft.on.push_back(text("force (", load.force.x(), ", ", load.force.y(), ") on ",
-                                          describe(place_of(body.mesh, load)), " of '",
-                                          body.mesh.name, "'"));
+            for (const Body& body : scene.bodies) {
+              auto load = body.loads.points.begin();
+              for (const EdgePlace& place : places_of(body.mesh, body.loads.points)) {
+                if (!place.nodes.empty())
+                  draft.on.push_back(text("force (", load->force.x(), ", ", load->force.y(),
+                                          ") on ", describe(place), " of '", body.mesh.name, "'"));
+                ++load;
+              }
+            }
           },
           [](Plan& /*plan*/, Model& model) {
             for (const BodyModel& body : model.bodies)
-              add_load(body, {{}, {}, body.loads.points}, model.programme.load);
+              add_loads(body, {{}, {}, body.loads.points}, 1, model.programme.load);
           }};
 }
 

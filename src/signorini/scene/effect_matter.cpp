@@ -70,9 +70,6 @@ void price_temperature(const Scene& scene, Plan& draft) {
   }
 }
 
-/// assemble() reads what it needs from the material of each body.
-void add_nothing(Plan& /*plan*/, Model& /*model*/) {}
-
 }  // namespace
 
 Effect layers() {
@@ -80,7 +77,7 @@ Effect layers() {
           [](const Scene& scene, const Plan& /*draft*/) {
             return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_layers);
           },
-          price_layers, add_nothing};
+          price_layers, nullptr};
 }
 
 Effect temperature() {
@@ -88,7 +85,7 @@ Effect temperature() {
           [](const Scene& scene, const Plan& /*draft*/) {
             return std::any_of(scene.bodies.begin(), scene.bodies.end(), is_warm);
           },
-          price_temperature, add_nothing};
+          price_temperature, nullptr};
 }
 
 }  // namespace signorini::effect

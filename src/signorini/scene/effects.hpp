@@ -3,7 +3,8 @@
 /// optional entry in Scene, write a `.cpp` with a function of its name that returns it, and put that name into
 /// the table in effects.cpp; the conformance suite asks for a scene that has it.
 ///
-/// Nothing else looks at what a scene calls for: plan() asks every effect in the order of the table whether it
+/// No step of a run looks at what a scene calls for (doubts read it to write notes, and contact asks fit.hpp how
+/// its sides fit): plan() asks every effect in the order of the table whether it
 /// is present and what it takes, build() lets those that are add their part of the model, and what an effect
 /// leaves empty no later step sees. So the next ones will enter:
 ///
@@ -29,7 +30,8 @@ struct Effect {
   /// `on`. Throws ProblemError for what cannot be meant.
   void (*price)(const Scene& scene, Plan& draft);
   /// If it is present: adds its rows, loads or unknowns to a model of the bodies alone, in which effects before
-  /// it in the table have added theirs. It may move what it took out of the plan.
+  /// it in the table have added theirs. It may move what it took out of the plan. Null if there is nothing to add:
+  /// materials are read by assemble(), fits are in the gaps.
   void (*add)(Plan& plan, Model& model);
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/elasticity/along_boundary.hpp"
 #include "signorini/factor/front_speed.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -25,14 +26,12 @@ double seconds_of(Call&& call) {
 }
 
 BodySummary summary_of(const BodyModel& body) {
-  BodySummary summary{body.mesh.name, body.unknowns.count,
-                      static_cast<Eigen::Index>(body.pieces.size()), Eigen::Vector2d::Zero(), 0};
   const NodeArray load = nodal_loads(body.mesh, body.element, body.material, body.loads);
-  for (Index node = 0; node < load.rows(); ++node) {
-    summary.force += load.row(node).transpose();
-    summary.moment +=
-        body.mesh.nodes(node, 0) * load(node, 1) - body.mesh.nodes(node, 1) * load(node, 0);
-  }
+  Resultant sum;
+  for (Index node = 0; node < load.rows(); ++node)
+    sum.add(body.mesh.nodes.row(node).transpose(), load.row(node).transpose());
+  BodySummary summary{body.mesh.name, body.unknowns.count, static_cast<Index>(body.pieces.size()),
+                      sum.force, sum.moment};
   if (body.material.bulk.state == PlaneState::Axial) {  // all round the axis, these cancel
     summary.force.x() = 0;
     summary.moment = 0;
@@ -216,9 +215,6 @@ class Figures {
     if (rows_ == 0) return;
     const char* const phase = "contact";
     const double size = rows_ + static_cast<double>(plan_.modes.size());
-    add(Built::PerIteration, phase, "bytes of the closed rows", number * size * size, Trust::Bound);
-    add(Built::PerIteration, phase, "operations of the closed rows", size * size * size / 3,
-        Trust::Bound);
     constexpr double iterations = 5;
     add(Built::PerIteration, phase, "iterations", iterations, Trust::Estimate);
     const double closed = size / 2;
@@ -272,16 +268,19 @@ Prediction predict(const Plan& plan) {
 
 std::vector<ConfrontedFigure> confront(const Prediction& prediction, const Ledger& ledger) {
   std::vector<ConfrontedFigure> figures;
-  for (const PredictedFigure& figure : prediction.figures)
+  for (const PredictedFigure& figure : prediction.figures) {
+    figures.push_back({figure, {}});
+    std::optional<double>& measured = figures.back().measured;
     for (const LedgerEntry& entry : ledger.entries()) {
       if (entry.path != figure.phase) continue;
       if (figure.what == "seconds")
-        figures.push_back({figure, entry.seconds});
+        measured = entry.seconds;
       else if (figure.what == "bytes")
-        figures.push_back({figure, static_cast<double>(entry.bytes)});
+        measured = static_cast<double>(entry.bytes);
       else if (entry.counts.count(figure.what) > 0)
-        figures.push_back({figure, static_cast<double>(entry.counts.at(figure.what))});
+        measured = static_cast<double>(entry.counts.at(figure.what));
     }
+  }
   return figures;
 }
 

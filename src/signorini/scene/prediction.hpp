@@ -2,6 +2,7 @@
 /// What a plan will cost, said before there is a number, and what it did cost.
 #pragma once
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,6 @@ namespace signorini {
 /// How a figure of a prediction is meant.
 enum class Trust {
   Exact,  ///< it will be so
-  Bound,  ///< it will not be more
   Estimate  ///< of what depends on the numbers of the problem, or on the machine and who else works on it
 };
 
@@ -68,14 +68,14 @@ struct Prediction {
 
 /// A figure and what became of it.
 struct ConfrontedFigure {
-  PredictedFigure predicted;  ///< before the run
-  double measured = 0;        ///< after it
+  PredictedFigure predicted;       ///< before the run
+  std::optional<double> measured;  ///< after it; none if the ledger does not have it
 };
 
 /// Sets a prediction against the ledger of the run.
 /// \param prediction  of the plan
 /// \param ledger      of build(), condense() and solve()
-/// \return the figures of phases that the ledger has
+/// \return all its figures
 [[nodiscard]] std::vector<ConfrontedFigure> confront(const Prediction& prediction,
                                                      const Ledger& ledger);
 
@@ -85,7 +85,7 @@ std::ostream& operator<<(std::ostream& out, const Prediction& prediction);
 /// Prints a table of predicted and measured figures. \param out where to \param figures what \return `out`
 std::ostream& operator<<(std::ostream& out, const std::vector<ConfrontedFigure>& figures);
 
-/// \param trust  any \return "exact", "at most" or "about"
+/// \param trust  any \return "exact" or "about"
 [[nodiscard]] const char* to_string(Trust trust);
 /// \param built  any \return "once", "per load step" or "per iteration"
 [[nodiscard]] const char* to_string(Built built);

@@ -20,9 +20,7 @@ std::string in_words(const PredictedFigure& figure, double amount) {
 
 }  // namespace
 
-const char* to_string(Trust trust) {
-  return trust == Trust::Exact ? "exact" : trust == Trust::Bound ? "at most" : "about";
-}
+const char* to_string(Trust trust) { return trust == Trust::Exact ? "exact" : "about"; }
 
 const char* to_string(Built built) {
   return built == Built::Once      ? "once"
@@ -64,7 +62,7 @@ std::ostream& operator<<(std::ostream& out, const std::vector<ConfrontedFigure>&
     table << std::left << std::setw(18) << figure.predicted.phase << std::setw(26)
           << figure.predicted.what << std::right << std::setw(12)
           << in_words(figure.predicted, figure.predicted.amount) << std::setw(12)
-          << in_words(figure.predicted, figure.measured) << "  "
+          << (figure.measured ? in_words(figure.predicted, *figure.measured) : "-") << "  "
           << to_string(figure.predicted.trust) << '\n';
   return out << table.str();
 }

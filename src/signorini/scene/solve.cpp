@@ -50,16 +50,6 @@ void condense_loads(const Model& model, Condensed& condensed) {
   if (!model.modes.empty()) add_rigid_modes(programme, mode_shapes(model.modes), problem);
 }
 
-/// Adds the loads of a body, times a sign, to p of all bodies.
-void add_loads(const BodyModel& body, const Loads& loads, double sign, VectorXd& load) {
-  const NodeArray nodal = nodal_loads(body.mesh, body.element, body.material, loads);
-  for (Index k = 0; k < body.unknowns.count; ++k) {
-    const Index node = body.unknowns.node_of[static_cast<std::size_t>(k)];
-    const int axis = body.unknowns.number(node, 0) == k ? 0 : 1;
-    load(body.first_unknown + k) += sign * nodal(node, axis);
-  }
-}
-
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
   const NodeArray all = expand(model.unknowns, displacement);
   std::vector<NodeArray> bodies;
