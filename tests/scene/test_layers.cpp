@@ -85,11 +85,10 @@ TEST_CASE("a strip of two metals bends when it is warm", "[layers][heat]") {
                        prescribed_at("left", {0, 0}, Axis::Y),
                        prescribed_at("right", {50, 0}, Axis::Y)};
       body.temperature = Temperature{100, {0, 0}};
-      const auto [model, condensed, solution] = solved(scene, "the strip");
-      const Mesh& mesh = model.bodies[0].mesh;
+      const SolvedScene run = solved(scene, "the strip");
       const auto height = [&](double x) {
-        const EdgePlace at = place_on_edge(mesh, {x, 0});
-        return solution.displacements[0](at.nodes.front(), 1);
+        const EdgePlace at = place_on_edge(run.model.bodies[0].mesh, {x, 0});
+        return run.solution.displacements[0](at.nodes.front(), 1);
       };
       const double curvature = (height(20) - 2 * height(25) + height(30)) / 25;
       const double expected = 24 * 2e-5 * 100 / (5 * (14 + n + 1 / n));

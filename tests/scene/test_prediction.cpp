@@ -126,12 +126,13 @@ TEST_CASE("the ledger, which a prediction is set against, counts what the matric
   for (const auto& [name, scene] : scenes()) {
     CAPTURE(name);
     Ledger ledger;
-    const Model model = build(scene(), ledger);
+    const Scene now = scene();
+    const Model model = build(now, ledger);
     const Condensed condensed = condense(model, ledger);
     const auto is = [&](const char* phase, const char* what, Index amount) {
       CAPTURE(phase, what);
       CHECK(ledger.counted(phase, what) == amount);
-      CHECK(predict(plan(scene())).amount(phase, what) == static_cast<double>(amount));
+      CHECK(predict(plan(now)).amount(phase, what) == static_cast<double>(amount));
     };
     const QuadraticProgramme& programme = model.programme;
     is("assembly", "unknowns", programme.load.size());
