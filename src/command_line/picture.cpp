@@ -16,6 +16,7 @@
 #include "signorini/core/table.hpp"
 #include "signorini/elasticity/stress.hpp"
 #include "signorini/report/field_csv.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace command_line {
 namespace {
@@ -102,6 +103,13 @@ struct PressureCurve {
   double most = 0;  // pressure
 };
 
+/// Where the source of a contact begins; its first nodes may be held and have no pair.
+Eigen::RowVector2d start_of(const SceneRun& run, std::size_t contact) {
+  const Side& source = run.file.scene.contacts[contact].source;
+  const Mesh& mesh = run.model->bodies[body_index(run.model->bodies, source)].mesh;
+  return mesh.nodes.row(boundary_nodes(mesh, source.boundary).front());
+}
+
 PressureCurve pressures(const SceneRun& run) {
   const Pairs& pairs = run.model->pairs;
   const Eigen::VectorXd& pressure = run.solution->pressure;
@@ -113,7 +121,9 @@ PressureCurve pressures(const SceneRun& run) {
     const std::size_t contact = run.plan.contact_of[static_cast<std::size_t>(k)];
     const bool begins = k == 0 || run.plan.contact_of[static_cast<std::size_t>(k - 1)] != contact;
     if (begins && k > 0) csv << '\n';
-    way = begins ? 0 : way + (pairs.position.row(k) - pairs.position.row(k - 1)).norm();
+    const Eigen::RowVector2d before =
+        begins ? start_of(run, contact) : Eigen::RowVector2d(pairs.position.row(k - 1));
+    way = (begins ? 0 : way) + (pairs.position.row(k) - before).norm();
     longest = std::max(longest, way);
     if (pressure(k) > 0) closed.extend(Eigen::Matrix<double, 1, 1>(way));
     csv << shortest(way) << ',' << shortest(pressure(k)) << '\n';
