@@ -2,19 +2,14 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini::effect {
 namespace {
 
-using Eigen::Index;
-
 void add_load(const BodyModel& body, const Loads& loads, Eigen::VectorXd& load) {
-  const NodeArray nodal = nodal_loads(body.mesh, body.element, body.material, loads);
-  for (Index node = 0; node < body.mesh.n_nodes(); ++node)
-    for (int axis = 0; axis < 2; ++axis)
-      if (const Index unknown = body.unknowns.number(node, axis); unknown >= 0)
-        load(body.first_unknown + unknown) += nodal(node, axis);
+  add_nodal_forces(body, nodal_loads(body.mesh, body.element, body.material, loads), 1, load);
 }
 
 bool has_weight(const Body& body) { return static_cast<bool>(body.loads.body_force); }

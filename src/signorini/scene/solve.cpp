@@ -39,25 +39,12 @@ FrontalFactor factor(const Model& model, Ledger& ledger) {
 
 /// What the load does to a condensed problem whose factor, compliance and law are there.
 void condense_loads(const Model& model, Condensed& condensed) {
-  const QuadraticProgramme& programme = model.programme;
-  ContactProblem& problem = condensed.problem;
-  condensed.free_displacement = condensed.factor.solve(programme.load);
-  const VectorXd free =
-      gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
-  const Index slips = static_cast<Index>(model.law.pair.size());
-  problem.free_gap = free.head(free.size() - slips);
-  problem.free_slip = free.tail(slips);
-  if (!model.modes.empty()) add_rigid_modes(programme, mode_shapes(model.modes), problem);
+  move_freely(model, condensed.factor.solve(model.programme.load), condensed);
 }
 
 /// Adds the loads of a body, times a sign, to p of all bodies.
 void add_loads(const BodyModel& body, const Loads& loads, double sign, VectorXd& load) {
-  const NodeArray nodal = nodal_loads(body.mesh, body.element, body.material, loads);
-  for (Index k = 0; k < body.unknowns.count; ++k) {
-    const Index node = body.unknowns.node_of[static_cast<std::size_t>(k)];
-    const int axis = body.unknowns.number(node, 0) == k ? 0 : 1;
-    load(body.first_unknown + k) += sign * nodal(node, axis);
-  }
+  add_nodal_forces(body, nodal_loads(body.mesh, body.element, body.material, loads), sign, load);
 }
 
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
@@ -117,13 +104,24 @@ long long one_solve(const Condensed& condensed) {
 
 }  // namespace
 
-Condensed condense(const Model& model, Ledger& ledger) {
+void move_freely(const Model& model, VectorXd free_displacement, Condensed& condensed) {
   const QuadraticProgramme& programme = model.programme;
+  ContactProblem& problem = condensed.problem;
+  condensed.free_displacement = std::move(free_displacement);
+  const VectorXd free =
+      gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
+  const Index slips = static_cast<Index>(model.law.pair.size());
+  problem.free_gap = free.head(free.size() - slips);
+  problem.free_slip = free.tail(slips);
+  if (!model.modes.empty()) add_rigid_modes(programme, mode_shapes(model.modes), problem);
+}
+
+Condensed condense(const Model& model, Ledger& ledger) {
   Condensed condensed{telling(model.notes, [&] { return factor(model, ledger); }), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
   ledger.count("operations of one solve", one_solve(condensed));
   ContactProblem& problem = condensed.problem;
-  problem.compliance = condensed.factor.compliance(programme.A, ledger);
+  problem.compliance = condensed.factor.compliance(model.programme.A, ledger);
   ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
   problem.law = model.law;
   ledger.count("operations", one_solve(condensed));
@@ -146,7 +144,7 @@ void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& cond
 }
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
-               Ledger ledger) {
+               Ledger ledger, const SolverOptions& options) {
   const long long operations = one_solve(condensed);
   const CondensedProgramme small{condensed.problem, condensed.free_displacement,
                                  [&](const VectorXd& load) {
@@ -154,7 +152,7 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
                                    return condensed.factor.solve(load);
                                  }};
   CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),
-                                   find_solver(solver), {}, ledger);
+                                   find_solver(solver), options, ledger);
   Solution solution;
   solution.notes = model.notes;
   solution.contact = std::move(end.state);
@@ -195,6 +193,7 @@ void require_solved(const Solution& solution, const std::string& what) {
 }
 
 Solution solve(const Scene& scene) {
+  pose(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);
