@@ -23,12 +23,11 @@ Unknowns held_by_springs(const BodyModel& body) {
 
 }  // namespace
 
-void add_nodal_forces(const BodyModel& body, const NodeArray& forces, double sign,
-                      Eigen::VectorXd& load) {
+void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::VectorXd& load) {
   for (Index k = 0; k < body.unknowns.count; ++k) {
     const Index node = body.unknowns.node_of[static_cast<std::size_t>(k)];
     const int axis = body.unknowns.number(node, 0) == k ? 0 : 1;
-    load(body.first_unknown + k) += sign * forces(node, axis);
+    load(body.first_unknown + k) += forces(node, axis);
   }
 }
 

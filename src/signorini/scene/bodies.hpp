@@ -12,10 +12,8 @@ namespace signorini {
 /// Adds forces on the nodes of a body to p of all bodies, where its supports leave it free.
 /// \param body    one of them
 /// \param forces  `n_nodes x 2` [force]
-/// \param sign    -1 to take them off
 /// \param[in,out] load  p `n` of all bodies [force]
-void add_nodal_forces(const BodyModel& body, const NodeArray& forces, double sign,
-                      Eigen::VectorXd& load);
+void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::VectorXd& load);
 
 /// Which body a side belongs to.
 /// \param bodies  one or several

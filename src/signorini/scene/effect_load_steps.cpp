@@ -158,7 +158,7 @@ void add_parts(Plan& plan, Model& model) {
     for (std::size_t b = 0; b < model.bodies.size(); ++b) {
       const BodyModel& body = model.bodies[b];
       add_nodal_forces(body, nodal_forces(body, part.loads[b], part.temperature[b], part.held[b]),
-                       1, part.load);
+                       part.load);
       held.middleRows(body.first_node, body.mesh.n_nodes()) = part.held[b];
     }
     const Eigen::Map<const VectorXd> given(held.data(), held.size());

@@ -9,7 +9,7 @@ namespace signorini::effect {
 namespace {
 
 void add_load(const BodyModel& body, const Loads& loads, Eigen::VectorXd& load) {
-  add_nodal_forces(body, nodal_loads(body.mesh, body.element, body.material, loads), 1, load);
+  add_nodal_forces(body, nodal_loads(body.mesh, body.element, body.material, loads), load);
 }
 
 bool has_weight(const Body& body) { return static_cast<bool>(body.loads.body_force); }

@@ -35,7 +35,7 @@ struct Side {
   std::string body = {};  ///< name of the body; may be left out if there is only one
 };
 
-/// Coulomb friction with cohesion between two sides, for one load step.
+/// Coulomb friction with cohesion between two sides; slip counts from the load step before.
 struct Friction {
   double coefficient = 0;  ///< mu >= 0 [-]
   double cohesion = 0;     ///< c >= 0 where the sides touch [force/length^2]

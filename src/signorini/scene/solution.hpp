@@ -32,16 +32,14 @@ struct BodyModel {
 
 /// Matrices of the bodies and the gaps they may close.
 struct Model {
-  std::vector<BodyModel> bodies;   ///< as in the scene
-  Unknowns unknowns;               ///< `n` of all bodies, one after another
-  QuadraticProgramme programme;    ///< K, p, A, g of the gaps, then of the slips of `law`
-  Pairs pairs;                     ///< `n_c` that can close; see Gaps
-  std::vector<FreeMotion> modes;   ///< `n_r` null vectors of K
-  FrictionLaw law;                 ///< of the pairs that rub, empty if none does
-  std::string solver;              ///< of the family that the model needs, as the scene names it
-  std::vector<std::string> notes;  ///< of the plan
-  /// p `n` without the loads of the bodies, kept by change_loads(); empty before its first call [force].
-  Eigen::VectorXd unloaded = {};
+  std::vector<BodyModel> bodies;     ///< as in the scene
+  Unknowns unknowns;                 ///< `n` of all bodies, one after another
+  QuadraticProgramme programme;      ///< K, p, A, g of the gaps, then of the slips of `law`
+  Pairs pairs;                       ///< `n_c` that can close; see Gaps
+  std::vector<FreeMotion> modes;     ///< `n_r` null vectors of K
+  FrictionLaw law;                   ///< of the pairs that rub, empty if none does
+  std::string solver;                ///< of the family that the model needs, as the scene names it
+  std::vector<std::string> notes;    ///< of the plan
   Path path = {};                    ///< load steps, none without
   std::vector<LoadPart> parts = {};  ///< p and g are the sum of these times their histories
 };
@@ -81,16 +79,6 @@ struct Solution {
 /// \param free_displacement  u0 = K^-1 p `n` [length]
 /// \param[in,out] condensed  from condense() of a model with the same K, A and law
 void move_freely(const Model& model, Eigen::VectorXd free_displacement, Condensed& condensed);
-
-/// Puts other loads on the bodies, for many loads with one factor: a change costs a pair of triangular solves.
-///
-/// What else moves the bodies, such as given displacements, stays.
-/// \param loads      of each body, in place of those that it has; body force, edge loads and point forces
-/// \param model      gets the loads and p
-/// \param condensed  from condense() of the model; gets the free displacements and gaps of the new p
-/// \throws ProblemError unless there are loads for every body, if one is not finite or its boundary does not
-///   exist; model and condensed problem are then as before
-void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& condensed);
 
 /// Solves the condensed problem and recovers displacements, all refined from the original data.
 ///

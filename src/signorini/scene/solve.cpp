@@ -37,16 +37,6 @@ FrontalFactor factor(const Model& model, Ledger& ledger) {
   return {K, tree, ledger, describe, grounding(model.modes)};
 }
 
-/// What the load does to a condensed problem whose factor, compliance and law are there.
-void condense_loads(const Model& model, Condensed& condensed) {
-  move_freely(model, condensed.factor.solve(model.programme.load), condensed);
-}
-
-/// Adds the loads of a body, times a sign, to p of all bodies.
-void add_loads(const BodyModel& body, const Loads& loads, double sign, VectorXd& load) {
-  add_nodal_forces(body, nodal_loads(body.mesh, body.element, body.material, loads), sign, load);
-}
-
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
   const NodeArray all = expand(model.unknowns, displacement);
   std::vector<NodeArray> bodies;
@@ -125,22 +115,8 @@ Condensed condense(const Model& model, Ledger& ledger) {
   ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
   problem.law = model.law;
   ledger.count("operations", one_solve(condensed));
-  condense_loads(model, condensed);
+  move_freely(model, condensed.factor.solve(model.programme.load), condensed);
   return condensed;
-}
-
-void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& condensed) {
-  pose(loads.size() == model.bodies.size(), "change_loads: expected the loads of ",
-       model.bodies.size(), " bodies, got those of ", loads.size());
-  if (model.unloaded.size() == 0) {
-    model.unloaded = model.programme.load;
-    for (const BodyModel& body : model.bodies) add_loads(body, body.loads, -1, model.unloaded);
-  }
-  VectorXd load = model.unloaded;
-  for (std::size_t b = 0; b < loads.size(); ++b) add_loads(model.bodies[b], loads[b], 1, load);
-  model.programme.load.swap(load);
-  for (std::size_t b = 0; b < loads.size(); ++b) model.bodies[b].loads = loads[b];
-  condense_loads(model, condensed);
 }
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
