@@ -3,31 +3,27 @@
 #include <iostream>
 
 #include "signorini/report/pressure_table.hpp"
+#include "signorini/scene/steps.hpp"
 #include "signorini/scene_file/scene_file.hpp"
 
 using namespace signorini;
 
 int main(int argc, char** argv) try {
   pose(argc == 2, "expected one scene file, got ", argc - 1);
-  const SceneFile file = read_scene(argv[1]);
+  SceneFile file = read_scene(argv[1]);
   at_file(file, [&] {
-    // 1. Once: matrices, the factor, and the compliance of all candidate pairs.
-    Ledger ledger;
-    Model model = build(file.scene, ledger);
-    Condensed condensed = condense(model, ledger);
-    const Loads full = model.bodies[0].loads;
+    // 1. The pressure grows with a history, in a hundred steps.
+    for (EdgeLoad& load : file.scene.bodies[0].loads.edges) load.history = "part";
+    file.scene.path = Path{equal_steps(100), {proportional("part")}};
 
-    // 2. A hundred times: the load, two triangular solves, and contact on the condensed problem.
+    // 2. Once: matrices, the factor, and the compliance of all candidate pairs. A hundred times: contact on the condensed
+    // problem, and at most four triangular solves to refine it.
     std::cout << "load,closed,force\n";
-    for (int percent = 1; percent <= 100; ++percent) {
-      Loads part = full;
-      for (EdgeLoad& load : part.edges) load.pressure *= percent / 100.0;
-      change_loads({part}, model, condensed);
-      const Solution solution = solve(model, condensed, ledger);
-      require_solved(solution, text("the beam under ", percent, " percent"));
-      std::cout << percent / 100.0 << ',' << solution.contact.active.size() << ','
-                << resultants(model.pairs, solution).force.y() << '\n';
-    }
+    const PathEnd end = solve_steps(file.scene, [](const Model& model, const Step& step) {
+      std::cout << step.state.time << ',' << step.solution.contact.active.size() << ','
+                << resultants(model.pairs, step.solution).force.y() << '\n';
+    });
+    if (end.status != Status::Solved) throw NotSolved(end.reason);
   });
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -136,6 +136,13 @@ const std::map<std::string, EffectExample>& effect_examples() {
         [](Scene& scene) { scene.bodies[0].supports = {prescribed("left", Axis::X, 0)}; },
         {"A", "K", "g", "modes", "p", "pairs"},
         {"modes"}}},
+      {"load steps",
+       {plain_beam(),
+        [](Scene& scene) {
+          scene.path = Path{{0.5, 1}, {proportional("load")}};
+        },
+        {"parts"},
+        {"parts"}}},
   };
   return all;
 }

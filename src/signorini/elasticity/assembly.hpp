@@ -15,16 +15,18 @@ namespace signorini {
 
 /// Load on one boundary: a pressure against the body plus a traction. \PaperEq{XuanLi2002, 4}
 struct EdgeLoad {
-  std::string boundary;  ///< where it acts
-  double pressure = 0;   ///< against the body, normal to it [force/length^2]; < 0 pulls
-  VectorField traction;  ///< (x, y) components [force/length^2]; none if empty
+  std::string boundary;      ///< where it acts
+  double pressure = 0;       ///< against the body, normal to it [force/length^2]; < 0 pulls
+  VectorField traction;      ///< (x, y) components [force/length^2]; none if empty
+  std::string history = {};  ///< name of what it grows with, see Path; empty: it is always there
 };
 
 /// A force at one place. At a node it acts on that node alone; elsewhere on the edge of a body it is shared
 /// by the nodes of the side as their shape functions say.
 struct PointForce {
-  Eigen::Vector2d point;  ///< a node, or a place on the edge [length]
-  Eigen::Vector2d force;  ///< (x, y) components; in axial symmetry of the whole circle [force]
+  Eigen::Vector2d point;     ///< a node, or a place on the edge [length]
+  Eigen::Vector2d force;     ///< (x, y) components; in axial symmetry of the whole circle [force]
+  std::string history = {};  ///< name of what it grows with, see Path; empty: it is always there
 };
 
 /// What acts on a body.
@@ -32,6 +34,8 @@ struct Loads {
   VectorField body_force;               ///< [force/length^3]; none if empty
   std::vector<EdgeLoad> edges;          ///< several on one boundary add up
   std::vector<PointForce> points = {};  ///< several at one place add up
+  /// Name of what the body force grows with, see Path; empty: it is always there.
+  std::string body_force_history = {};
 };
 
 /// K and p of one body or several, supports already taken out.

@@ -20,6 +20,7 @@ struct Layer {
 struct Temperature {
   double uniform = 0;                                  ///< at the origin [temperature]
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [temperature/length]
+  std::string history = {};  ///< name of what it grows with, see Path; empty: it is always there
 
   /// \param x  a place [length] \return how much warmer it is there [temperature]
   [[nodiscard]] double at(const Eigen::Vector2d& x) const { return uniform + gradient.dot(x); }

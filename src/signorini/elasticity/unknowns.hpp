@@ -28,6 +28,8 @@ struct Support {
   VectorField displacement;  ///< [length]; must be there, only the held components are used
   bool normal_only = false;  ///< symmetry: hold the component across the (axis-parallel) boundary
   std::optional<Eigen::Vector2d> only_at = {};  ///< hold this one node of the boundary [length]
+  std::string history =
+      {};  ///< name of what the displacement grows with, see Path; empty: it is always there
 };
 
 /// No displacement. \PaperEq{XuanLi2002, 5}

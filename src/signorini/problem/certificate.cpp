@@ -139,10 +139,14 @@ bool strains(const QuadraticProgramme& programme, const Eigen::VectorXd& rigid) 
   return false;
 }
 
-/// Whether a force is claimed for a row of A that is empty and so cannot carry any.
-bool pushes_on_nothing(const QuadraticProgramme& programme, const Eigen::VectorXd& force) {
-  for (Index pair = 0; pair < force.size(); ++pair)
-    if (force(pair) != 0 && programme.A.row(pair).norm() == 0) return true;
+/// Whether a force is claimed for a row of A that is empty and so cannot carry any. A slip that supports give has an
+/// empty row, too, and friction on the support that resists it.
+bool pushes_on_nothing(const QuadraticProgramme& programme, const Eigen::VectorXd& force,
+                       Index pairs) {
+  for (Index row = 0; row < force.size(); ++row)
+    if (force(row) != 0 && programme.A.row(row).norm() == 0 &&
+        (row < pairs || programme.initial_gap(row) == 0))
+      return true;
   return false;
 }
 
@@ -170,7 +174,9 @@ double duality_gap(const QuadraticProgramme& programme, const PrimalDual& soluti
 Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& solution,
                         const FrictionLaw& law, Index equations) {
   if (!all_finite(programme) || !solution.displacement.allFinite() || !solution.force.allFinite() ||
-      !solution.displacement_low.allFinite() || pushes_on_nothing(programme, solution.force) ||
+      !solution.displacement_low.allFinite() ||
+      pushes_on_nothing(programme, solution.force,
+                        programme.A.rows() - static_cast<Index>(law.pair.size())) ||
       strains(programme, solution.rigid))
     return uncertified();
   const Eigen::VectorXd residual = equilibrium_residual(programme, solution);

@@ -160,6 +160,9 @@ struct SolverOptions {
   /// Where a method that only comes closer and closer may stop [-]: its error relative to that of no
   /// contact force at all. Methods that end by themselves do not look at it.
   double tolerance = 1e-12;
+  /// `n_c` what the pairs of a problem like this one do, to begin with; or empty. Methods that cannot do not look at
+  /// it, and no method needs it to be near.
+  std::vector<Motion> start = {};
 };
 
 /// Checks a law of friction.

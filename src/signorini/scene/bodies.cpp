@@ -23,6 +23,10 @@ Unknowns held_by_springs(const BodyModel& body) {
 
 }  // namespace
 
+void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::VectorXd& load) {
+  load.segment(body.first_unknown, body.unknowns.count) += restricted(body.unknowns, forces);
+}
+
 std::size_t body_index(const std::vector<BodyModel>& bodies, const Side& side) {
   if (side.body.empty() && bodies.size() == 1) return 0;
   std::string names;
@@ -68,11 +72,6 @@ Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes) {
   for (Index k = 0; k < shapes.cols(); ++k)
     shapes.col(k) = modes[static_cast<std::size_t>(k)].shape;
   return shapes;
-}
-
-void add_loads(const BodyModel& body, const Loads& loads, double sign, Eigen::VectorXd& load) {
-  load.segment(body.first_unknown, body.unknowns.count) +=
-      sign * restricted(body.unknowns, nodal_loads(body.mesh, body.element, body.material, loads));
 }
 
 std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {

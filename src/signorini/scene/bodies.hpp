@@ -9,6 +9,12 @@
 
 namespace signorini {
 
+/// Adds forces on the nodes of a body to p of all bodies, where its supports leave it free.
+/// \param body    one of them
+/// \param forces  `n_nodes x 2` [force]
+/// \param[in,out] load  p `n` of all bodies [force]
+void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::VectorXd& load);
+
 /// Which body a side belongs to.
 /// \param bodies  one or several
 /// \param side    that names it, or leaves the name out if there is one only
@@ -30,14 +36,6 @@ namespace signorini {
 /// \param bodies  one or several
 /// \return number of their unknowns
 [[nodiscard]] Eigen::Index count_unknowns(const std::vector<BodyModel>& bodies);
-
-/// Adds loads of a body, times a sign, to p of all bodies.
-/// \param body          that they act on
-/// \param loads         instead of its own
-/// \param sign          1, or -1 to take them away [-]
-/// \param[in,out] load  p of the unknowns of all bodies [force]
-/// \throws ProblemError as nodal_loads()
-void add_loads(const BodyModel& body, const Loads& loads, double sign, Eigen::VectorXd& load);
 
 /// What messages call a contact.
 /// \param bodies   of the scene

@@ -8,6 +8,10 @@
 namespace signorini::effect {
 namespace {
 
+void add_load(const BodyModel& body, const Loads& loads, Eigen::VectorXd& load) {
+  add_nodal_forces(body, nodal_loads(body.mesh, body.element, body.material, loads), load);
+}
+
 bool has_weight(const Body& body) { return static_cast<bool>(body.loads.body_force); }
 
 bool has_edge_loads(const Body& body) { return !body.loads.edges.empty(); }
@@ -36,7 +40,7 @@ Effect body_force() {
           },
           [](Plan& /*plan*/, Model& model) {
             for (const BodyModel& body : model.bodies)
-              add_loads(body, {body.loads.body_force, {}, {}}, 1, model.programme.load);
+              add_load(body, {body.loads.body_force, {}, {}}, model.programme.load);
           }};
 }
 
@@ -56,7 +60,7 @@ Effect edge_loads() {
           },
           [](Plan& /*plan*/, Model& model) {
             for (const BodyModel& body : model.bodies)
-              add_loads(body, {{}, body.loads.edges, {}}, 1, model.programme.load);
+              add_load(body, {{}, body.loads.edges, {}}, model.programme.load);
           }};
 }
 
@@ -78,7 +82,7 @@ Effect point_forces() {
           },
           [](Plan& /*plan*/, Model& model) {
             for (const BodyModel& body : model.bodies)
-              add_loads(body, {{}, {}, body.loads.points}, 1, model.programme.load);
+              add_load(body, {{}, {}, body.loads.points}, model.programme.load);
           }};
 }
 

@@ -6,7 +6,7 @@ namespace signorini {
 #define SIGNORINI_EFFECTS                                                                   \
   axial_symmetry(), body_force(), edge_loads(), point_forces(), layers(), temperature(),    \
       springs(), adjusted_gaps(), interference(), contact(), initial_overlap(), friction(), \
-      cohesion(), rigid_motions()
+      cohesion(), rigid_motions(), load_steps()
 
 namespace effect {
 Effect SIGNORINI_EFFECTS;  // declares them

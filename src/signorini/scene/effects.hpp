@@ -6,10 +6,9 @@
 /// No step of a run looks at what a scene calls for (doubts read it to write notes, and contact asks fit.hpp how
 /// its sides fit): plan() asks every effect in the order of the table whether it
 /// is present and what it takes, build() lets those that are add their part of the model, and what an effect
-/// leaves empty no later step sees. So the next ones will enter:
+/// leaves empty no later step sees. So entered load steps: `price` sorts the loads by the history that they follow,
+/// `add` hands the model one p and g per history; the factor and the compliance stay. And so the next ones will:
 ///
-/// * *load steps*: `price` lists the steps in the plan, `add` hands the model one p and g per step; the factor
-///   and the compliance stay.
 /// * *moving geometry*: `price` says that pairs are searched once per step, `add` hands the model a function
 ///   from displacements to gaps in the place of one A and g.
 /// * *finite strain*: `price` says that K is assembled and factored once per iteration, `add` hands the model a

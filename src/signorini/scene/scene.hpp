@@ -35,7 +35,7 @@ struct Side {
   std::string body = {};  ///< name of the body; may be left out if there is only one
 };
 
-/// Coulomb friction with cohesion between two sides, for one load step.
+/// Coulomb friction with cohesion between two sides; slip counts from the load step before.
 struct Friction {
   double coefficient = 0;  ///< mu >= 0 [-]
   double cohesion = 0;     ///< c >= 0 where the sides touch [force/length^2]
@@ -51,6 +51,8 @@ struct ContactSpec {
   std::optional<Friction> friction = {};         ///< none by default
   /// Everywhere on the source, the sides overlap by so much more than the meshes say [length]: a press fit.
   std::optional<double> interference = {};
+  /// Name of what the interference grows with, see Path; empty: it is always there.
+  std::string interference_history = {};
   /// Gaps and overlaps of the meshes up to this are none [length]: nodes are moved there without strain.
   std::optional<double> adjust = {};
 };
@@ -61,6 +63,7 @@ struct Scene {
   std::vector<Body> bodies = {{}};                ///< one or more
   std::vector<ContactSpec> contacts;              ///< none by default
   std::string solver = "primal_dual_active_set";  ///< name in solvers()
+  std::optional<Path> path = {};  ///< load steps, for solve_steps(); none by default
 };
 
 struct Effect;
@@ -79,6 +82,8 @@ struct Plan {
   std::vector<std::size_t> contact_of;  ///< `n_c` number of the contact of each pair
   FrictionLaw law;                      ///< of the pairs that can slide and whose own contact rubs
   std::string solver;                   ///< name of the one that the scene asks for
+  Path path;                            ///< load steps, none without
+  std::vector<LoadPart> parts;  ///< of loads that follow one history each, none without steps
 };
 
 /// Reads a scene and says what will be computed. \param scene  to be solved
@@ -102,6 +107,7 @@ struct Plan {
 
 /// All of it: plan, build, condense, solve. \param scene  to be solved
 /// \return the solution; its status and the errors are those of the four steps
+/// \throws ProblemError for a scene of load steps: that is for solve_steps()
 [[nodiscard]] Solution solve(const Scene& scene);
 
 /// Prints what is on and off, one line each, and notes. \param out where to \param plan what

@@ -12,6 +12,7 @@
 #include "signorini/factor/frontal_factor.hpp"
 #include "signorini/mesh/joints.hpp"
 #include "signorini/problem/certificate.hpp"
+#include "signorini/scene/path.hpp"
 
 namespace signorini {
 
@@ -31,16 +32,16 @@ struct BodyModel {
 
 /// Matrices of the bodies and the gaps they may close.
 struct Model {
-  std::vector<BodyModel> bodies;   ///< as in the scene
-  Unknowns unknowns;               ///< `n` of all bodies, one after another
-  QuadraticProgramme programme;    ///< K, p, A, g of the gaps, then of the slips of `law`
-  Pairs pairs;                     ///< `n_c` that can close; see Gaps
-  std::vector<FreeMotion> modes;   ///< `n_r` null vectors of K
-  FrictionLaw law;                 ///< of the pairs that rub, empty if none does
-  std::string solver;              ///< of the family that the model needs, as the scene names it
-  std::vector<std::string> notes;  ///< of the plan
-  /// p `n` without the loads of the bodies, kept by change_loads(); empty before its first call [force].
-  Eigen::VectorXd unloaded = {};
+  std::vector<BodyModel> bodies;     ///< as in the scene
+  Unknowns unknowns;                 ///< `n` of all bodies, one after another
+  QuadraticProgramme programme;      ///< K, p, A, g of the gaps, then of the slips of `law`
+  Pairs pairs;                       ///< `n_c` that can close; see Gaps
+  std::vector<FreeMotion> modes;     ///< `n_r` null vectors of K
+  FrictionLaw law;                   ///< of the pairs that rub, empty if none does
+  std::string solver;                ///< of the family that the model needs, as the scene names it
+  std::vector<std::string> notes;    ///< of the plan
+  Path path = {};                    ///< load steps, none without
+  std::vector<LoadPart> parts = {};  ///< p and g are the sum of these times their histories
 };
 
 /// The model with all unknowns but the contact forces eliminated.
@@ -73,17 +74,11 @@ struct Solution {
 /// \throws ProblemError if K is singular to working precision, see FrontalFactor
 [[nodiscard]] Condensed condense(const Model& model, Ledger& ledger);
 
-/// Puts other loads on the bodies, for many loads with one factor: a change costs a pair of triangular solves.
-///
-/// What else moves the bodies, such as given displacements, stays. p without loads is found by taking away those that
-/// the model has, once: begin with a model without loads if they are many times larger than the ones that follow.
-/// Notes that the plan made of its loads stay as well.
-/// \param loads      of each body, in place of those that it has; body force, edge loads and point forces
-/// \param model      gets the loads and p
-/// \param condensed  from condense() of the model; gets the free displacements and gaps of the new p
-/// \throws ProblemError unless there are loads for every body, if one is not finite or its boundary does not
-///   exist; model and condensed problem are then as before
-void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& condensed);
+/// Puts other free displacements into the condensed problem; the factor and the compliance stay.
+/// \param model              whose p they belong to, with its g
+/// \param free_displacement  u0 = K^-1 p `n` [length]
+/// \param[in,out] condensed  from condense() of a model with the same K, A and law
+void move_freely(const Model& model, Eigen::VectorXd free_displacement, Condensed& condensed);
 
 /// Solves the condensed problem and recovers displacements, all refined from the original data.
 ///
@@ -93,10 +88,12 @@ void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& cond
 /// \param condensed  from condense() of it
 /// \param solver     name in solvers(), with friction in friction_solvers()
 /// \param ledger     goes on in the solution, with the phases `contact`, `refinement`, `recovery`
+/// \param options    handed to the solver
 /// \return the solution; check its `contact.report.status` first, or call require_solved()
 /// \throws ProblemError for an unknown name; std::invalid_argument for more pairs than it accepts
 [[nodiscard]] Solution solve(const Model& model, const Condensed& condensed,
-                             const std::string& solver, Ledger ledger);
+                             const std::string& solver, Ledger ledger,
+                             const SolverOptions& options = {});
 
 /// The same with `model.solver`. \param model  from build() \param condensed  from condense() of it
 /// \param ledger  as above \return the solution

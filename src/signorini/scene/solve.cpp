@@ -37,19 +37,6 @@ FrontalFactor factor(const Model& model, Ledger& ledger) {
   return {K, tree, ledger, describe, grounding(model.modes)};
 }
 
-/// What the load does to a condensed problem whose factor, compliance and law are there.
-void condense_loads(const Model& model, Condensed& condensed) {
-  const QuadraticProgramme& programme = model.programme;
-  ContactProblem& problem = condensed.problem;
-  condensed.free_displacement = condensed.factor.solve(programme.load);
-  const VectorXd free =
-      gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
-  const Index slips = static_cast<Index>(model.law.pair.size());
-  problem.free_gap = free.head(free.size() - slips);
-  problem.free_slip = free.tail(slips);
-  if (!model.modes.empty()) add_rigid_modes(programme, mode_shapes(model.modes), problem);
-}
-
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
   const NodeArray all = expand(model.unknowns, displacement);
   std::vector<NodeArray> bodies;
@@ -107,36 +94,33 @@ long long one_solve(const Condensed& condensed) {
 
 }  // namespace
 
-Condensed condense(const Model& model, Ledger& ledger) {
+void move_freely(const Model& model, VectorXd free_displacement, Condensed& condensed) {
   const QuadraticProgramme& programme = model.programme;
+  ContactProblem& problem = condensed.problem;
+  condensed.free_displacement = std::move(free_displacement);
+  const VectorXd free =
+      gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
+  const Index slips = static_cast<Index>(model.law.pair.size());
+  problem.free_gap = free.head(free.size() - slips);
+  problem.free_slip = free.tail(slips);
+  if (!model.modes.empty()) add_rigid_modes(programme, mode_shapes(model.modes), problem);
+}
+
+Condensed condense(const Model& model, Ledger& ledger) {
   Condensed condensed{telling(model.notes, [&] { return factor(model, ledger); }), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
   ledger.count("operations of one solve", one_solve(condensed));
   ContactProblem& problem = condensed.problem;
-  problem.compliance = condensed.factor.compliance(programme.A, ledger);
+  problem.compliance = condensed.factor.compliance(model.programme.A, ledger);
   ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
   problem.law = model.law;
   ledger.count("operations", one_solve(condensed));
-  condense_loads(model, condensed);
+  move_freely(model, condensed.factor.solve(model.programme.load), condensed);
   return condensed;
 }
 
-void change_loads(const std::vector<Loads>& loads, Model& model, Condensed& condensed) {
-  pose(loads.size() == model.bodies.size(), "change_loads: expected the loads of ",
-       model.bodies.size(), " bodies, got those of ", loads.size());
-  if (model.unloaded.size() == 0) {
-    model.unloaded = model.programme.load;
-    for (const BodyModel& body : model.bodies) add_loads(body, body.loads, -1, model.unloaded);
-  }
-  VectorXd load = model.unloaded;
-  for (std::size_t b = 0; b < loads.size(); ++b) add_loads(model.bodies[b], loads[b], 1, load);
-  model.programme.load.swap(load);
-  for (std::size_t b = 0; b < loads.size(); ++b) model.bodies[b].loads = loads[b];
-  condense_loads(model, condensed);
-}
-
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
-               Ledger ledger) {
+               Ledger ledger, const SolverOptions& options) {
   const long long operations = one_solve(condensed);
   const CondensedProgramme small{condensed.problem, condensed.free_displacement,
                                  [&](const VectorXd& load) {
@@ -144,7 +128,7 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
                                    return condensed.factor.solve(load);
                                  }};
   CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),
-                                   find_solver(solver), {}, ledger);
+                                   find_solver(solver), options, ledger);
   Solution solution;
   solution.notes = model.notes;
   solution.contact = std::move(end.state);
@@ -188,6 +172,7 @@ void require_solved(const Solution& solution, const std::string& what) {
 }
 
 Solution solve(const Scene& scene) {
+  pose(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);

@@ -61,6 +61,16 @@ Attempt coarse_attempt(const ScaledProblem& problem) {
   return attempt;
 }
 
+/// Where to start from if a problem like this one is solved.
+Attempt attempt_from(const ScaledProblem& problem, const std::vector<Motion>& motions) {
+  Attempt attempt;
+  attempt.closure.force.setZero(problem.free.size());
+  attempt.closure.movement = problem.free;
+  attempt.closure.amplitude.setZero(problem.rigid.cols());
+  attempt.motions = motions;
+  return attempt;
+}
+
 }  // namespace
 
 void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attempt) {
@@ -118,9 +128,17 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   const bool rubs = !scaled.law.pair.empty();
   const Index own_limit = rubs ? exchange_limit : most_exchanges(scaled);
   const bool floats = problem.resultant.size() > 0;
-  Attempt attempt = rubs || floats ? first_attempt(scaled) : coarse_attempt(scaled);
-  exchange_motions(scaled, asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit,
-                   attempt);
+  const Index limit = asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit;
+  const auto cold = [&] { return rubs || floats ? first_attempt(scaled) : coarse_attempt(scaled); };
+  const bool warm = static_cast<Index>(options.start.size()) == scaled.pairs();
+  Attempt attempt = warm ? attempt_from(scaled, options.start) : cold();
+  exchange_motions(scaled, limit, attempt);
+  if (warm && asked == 0 && !attempt.confirmed) {
+    Attempt again = cold();
+    again.report = std::move(attempt.report);
+    attempt = std::move(again);
+    exchange_motions(scaled, limit, attempt);
+  }
   if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
     Attempt again = first_attempt(scaled);
     again.report = std::move(attempt.report);

@@ -30,6 +30,9 @@ namespace signorini {
 /// lemke() end it. With rigid modes the resultant is kept, the first set are the pairs that would be nearer
 /// than the gap their share of the load makes, and the same two methods follow; then there is solve() with springs.
 ///
+/// Where `options.start` says what the pairs of a similar problem do, the exchange begins there; if it does not arrive,
+/// all is as without it.
+///
 /// \param problem  any, F positive semidefinite
 /// \param options  `iteration_limit` for the exchange with all pairs and quasi_active_set() together; 0 stands for 10 n_c + 10
 ///   and what that takes, with friction for 50 exchanges, after which nothing else comes if there is a limit

@@ -1,0 +1,213 @@
+// Load steps: the loads of a scene, sorted by the history that they follow.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/effects.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+void check_increasing(const std::vector<double>& times, const std::string& what) {
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    pose(std::isfinite(times[k]), what, ": every time must be finite, got ", times[k]);
+    pose(k == 0 || times[k] > times[k - 1], what, ": times must increase, but ", times[k],
+         " follows ", times[k > 0 ? k - 1 : 0]);
+  }
+}
+
+void check_path(const Path& path) {
+  pose(!path.times.empty(), "load steps: expected the time of one step or more, got none");
+  check_increasing(path.times, "load steps");
+  pose(path.times.front() > 0, "load steps: the first step ends at time ", path.times.front(),
+       ", but steps begin at 0: a step needs a time > 0");
+  pose(path.halvings >= 0, "load steps: halvings must be >= 0, got ", path.halvings);
+  std::map<std::string, int> seen;
+  for (const History& history : path.histories) {
+    const std::string what = "history '" + history.name + "'";
+    pose(!history.name.empty(), "a history of load steps needs a name that loads can refer to");
+    pose(++seen[history.name] == 1, "two histories are called '", history.name, "'");
+    pose(!history.times.empty() && history.times.size() == history.values.size(), what,
+         ": expected as many values as times, at least one, got ", history.times.size(),
+         " times and ", history.values.size(), " values");
+    check_increasing(history.times, what);
+    for (const double value : history.values)
+      pose(std::isfinite(value), what, ": every value must be finite, got ", value);
+  }
+}
+
+/// The parts of a scene, and how many of its entries follow each.
+class Sorting {
+ public:
+  Sorting(const Scene& scene, const Plan& draft) : scene_(scene), draft_(draft) {
+    part("");
+    for (const History& history : scene.path->histories) part(history.name);
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) sort_body(b);
+    for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair) {
+      const ContactSpec& contact = scene.contacts[draft.contact_of[pair]];
+      if (contact.interference.value_or(0) != 0)
+        find(contact.interference_history).interference(static_cast<Index>(pair)) =
+            *contact.interference;
+    }
+    for (const ContactSpec& contact : scene.contacts)
+      if (contact.interference.value_or(0) != 0) ++entries_[contact.interference_history];
+  }
+
+  [[nodiscard]] std::vector<LoadPart>& parts() { return parts_; }
+  [[nodiscard]] int entries(const std::string& history) const {
+    const auto found = entries_.find(history);
+    return found == entries_.end() ? 0 : found->second;
+  }
+
+ private:
+  void part(const std::string& history) {
+    LoadPart& added = parts_.emplace_back();
+    added.history = history;
+    added.loads.resize(scene_.bodies.size());
+    added.temperature.resize(scene_.bodies.size());
+    for (const BodyModel& body : draft_.bodies)
+      added.held.emplace_back(NodeArray::Zero(body.mesh.n_nodes(), 2));
+    added.interference.setZero(static_cast<Index>(draft_.contact_of.size()));
+  }
+
+  LoadPart& find(const std::string& history) {
+    const auto found = std::find_if(parts_.begin(), parts_.end(),
+                                    [&](const LoadPart& part) { return part.history == history; });
+    if (found != parts_.end()) return *found;
+    std::string names;
+    for (const History& known : scene_.path->histories)
+      names += (names.empty() ? "'" : ", '") + known.name + "'";
+    throw ProblemError(text("no history is called '", history,
+                            "'; those of the load steps: ", names.empty() ? "none" : names));
+  }
+
+  LoadPart& use(const std::string& history) {
+    LoadPart& found = find(history);
+    ++entries_[history];
+    return found;
+  }
+
+  void sort_body(std::size_t b) {
+    const Body& body = scene_.bodies[b];
+    const Loads& loads = body.loads;
+    if (loads.body_force) use(loads.body_force_history).loads[b].body_force = loads.body_force;
+    for (const EdgeLoad& load : loads.edges) use(load.history).loads[b].edges.push_back(load);
+    for (const PointForce& load : loads.points) use(load.history).loads[b].points.push_back(load);
+    if (body.temperature && body.temperature->warms())
+      use(body.temperature->history).temperature[b] = *body.temperature;
+    for (const Support& support : body.supports)
+      if (!support.history.empty()) use(support.history);
+    for (LoadPart& part : parts_) {
+      std::vector<Support> own = body.supports;
+      for (Support& support : own)
+        if (support.history != part.history)
+          support.displacement = [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, 0); };
+      part.held[b] = number_unknowns(body.mesh, own, body.material.state).held;
+    }
+  }
+
+  const Scene& scene_;
+  const Plan& draft_;
+  std::vector<LoadPart> parts_;
+  std::map<std::string, int> entries_;
+};
+
+void price_steps(const Scene& scene, Plan& draft) {
+  check_path(*scene.path);
+  Sorting sorting(scene, draft);
+  draft.path = *scene.path;
+  draft.on.push_back(text("load steps: ", draft.path.times.size(), " up to time ",
+                          draft.path.times.back(), ", one factor for all"));
+  for (const History& history : draft.path.histories) {
+    draft.on.push_back(text("history '", history.name, "': ", history.times.size(), " rows, ",
+                            sorting.entries(history.name), " loads follow it"));
+    if (sorting.entries(history.name) == 0)
+      draft.notes.push_back("history '" + history.name + "': nothing follows it");
+  }
+  draft.parts = std::move(sorting.parts());
+}
+
+/// What a part does to the nodes of a body, held ones too.
+NodeArray nodal_forces(const BodyModel& body, const Loads& loads, const Temperature& temperature,
+                       const NodeArray& held) {
+  NodeArray forces = nodal_loads(body.mesh, body.element, body.material, loads);
+  if (temperature.warms() || (held.array() != 0).any()) {
+    Matter matter = body.material;
+    matter.temperature = temperature;
+    forces -= internal_forces(body.mesh, body.element, matter, held);
+  }
+  if (body.springs.rows() > 0)
+    Eigen::Map<VectorXd>(forces.data(), forces.size()) -=
+        body.springs * Eigen::Map<const VectorXd>(held.data(), held.size());
+  return forces;
+}
+
+void add_parts(Plan& plan, Model& model) {
+  const Index pairs = model.pairs.weight.size();
+  VectorXd rest = model.programme.initial_gap;
+  for (std::size_t k = plan.parts.size(); k-- > 0;) {
+    LoadPart& part = plan.parts[k];
+    part.load.setZero(model.unknowns.count);
+    NodeArray held = NodeArray::Zero(count_nodes(model.bodies), 2);
+    for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+      const BodyModel& body = model.bodies[b];
+      add_nodal_forces(body, nodal_forces(body, part.loads[b], part.temperature[b], part.held[b]),
+                       part.load);
+      held.middleRows(body.first_node, body.mesh.n_nodes()) = part.held[b];
+    }
+    const Eigen::Map<const VectorXd> given(held.data(), held.size());
+    part.movement.resize(rest.size());
+    part.movement.head(pairs) = model.pairs.opening * given - part.interference;
+    if (!model.law.pair.empty())
+      part.movement.tail(rest.size() - pairs) =
+          selected_rows(model.pairs.sliding, model.law.pair) * given;
+    if (k > 0)
+      rest -= part.movement;
+    else
+      part.movement = rest;  // with the gaps of the meshes
+  }
+  model.path = std::move(plan.path);
+  model.parts = std::move(plan.parts);
+}
+
+}  // namespace
+
+double History::at(double time) const {
+  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  if (after == times.begin()) return values.front();
+  const std::size_t k = static_cast<std::size_t>(after - times.begin()) - 1;
+  if (time == times[k] || after == times.end()) return values[k];
+  return values[k] + (values[k + 1] - values[k]) * ((time - times[k]) / (times[k + 1] - times[k]));
+}
+
+double factor_of(const Path& path, const LoadPart& part, double time) {
+  for (const History& history : path.histories)
+    if (history.name == part.history) return history.at(time);
+  return 1;  // it is always there
+}
+
+History proportional(const std::string& name) { return {name, {0, 1}, {0, 1}}; }
+
+std::vector<double> equal_steps(int steps, double end) {
+  std::vector<double> times;
+  for (int k = 1; k <= steps; ++k) times.push_back(end * k / steps);
+  return times;
+}
+
+namespace effect {
+
+Effect load_steps() {
+  return {"load steps",
+          [](const Scene& scene, const Plan& /*draft*/) { return scene.path.has_value(); },
+          price_steps, add_parts};
+}
+
+}  // namespace effect
+
+}  // namespace signorini

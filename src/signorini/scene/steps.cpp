@@ -1,0 +1,196 @@
+#include "signorini/scene/steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "signorini/closing/closing.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+VectorField times(double factor, const VectorField& field) {
+  if (!field) return {};
+  return [factor, field](const Eigen::Vector2d& x) { return Eigen::Vector2d(factor * field(x)); };
+}
+
+void add_times(double factor, const Loads& loads, Loads& sum) {
+  if (loads.body_force) sum.body_force = times(factor, loads.body_force);
+  for (EdgeLoad load : loads.edges) {
+    load.pressure *= factor;
+    load.traction = times(factor, load.traction);
+    sum.edges.push_back(std::move(load));
+  }
+  for (PointForce load : loads.points) {
+    load.force *= factor;
+    sum.points.push_back(std::move(load));
+  }
+}
+
+void check_steps(const Model& model, const char* function) {
+  pose(!model.parts.empty(), function,
+       ": the scene has no load steps; give its `path` times, or use solve()");
+}
+
+/// Whether the numbers of a state are those of a model.
+void check_sizes(const PathState& state, const Model& model) {
+  const Index pairs = model.pairs.weight.size();
+  const Index slips = static_cast<Index>(model.law.pair.size());
+  if (state.steps == 0) return;
+  const PrimalDual& solution = state.solution;
+  const Index n = model.unknowns.count;
+  const bool fits =
+      static_cast<Index>(state.motion.size()) == pairs && state.slip.size() == slips &&
+      state.increment.size() == slips && state.dissipation.size() == slips &&
+      solution.displacement.size() == n &&
+      (solution.displacement_low.size() == 0 || solution.displacement_low.size() == n) &&
+      (solution.rigid.size() == 0 || solution.rigid.size() == n) &&
+      solution.force.size() == pairs + slips;
+  pose(fits, "the state at time ", state.time, " is of another scene: it has ",
+       solution.displacement.size(), " unknowns, ", state.motion.size(), " pairs and ",
+       state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ", slips);
+}
+
+/// Lets the slips of a model count from where they were.
+void forget_slip(const VectorXd& slip, Model& model) {
+  if (slip.size() > 0) model.programme.initial_gap.tail(slip.size()) -= slip;
+}
+
+/// Whether a state solves its own step of a model.
+void check_balance(const PathState& state, Model& model) {
+  check_sizes(state, model);
+  if (state.steps == 0) return;
+  set_time(state.time, model);
+  forget_slip(state.slip - state.increment, model);
+  const Certificate certificate = certify(model.programme, state.solution, model.law);
+  pose(certificate.holds(), "the state at time ", state.time,
+       " is of another scene: its displacements and forces do not solve this one then (",
+       certificate, "). Go on with the scene that it was saved from, or start anew");
+}
+
+PathState after(const PathState& past, double time, const Solution& solution) {
+  const ContactState& contact = solution.contact;
+  PathState state = past;
+  ++state.steps;
+  state.time = time;
+  state.motion = all_motions(contact);
+  state.solution = solution.refined;
+  state.increment = contact.slip;
+  for (Index k = 0; k < state.increment.size(); ++k)
+    if (contact.motion[static_cast<std::size_t>(k)] == Motion::Stick) state.increment(k) = 0;
+  const VectorXd lost = contact.friction.cwiseProduct(state.increment).cwiseAbs();
+  if (past.steps == 0) {
+    state.slip = state.increment;
+    state.dissipation = lost;
+  } else {
+    state.slip += state.increment;
+    state.dissipation += lost;
+  }
+  return state;
+}
+
+}  // namespace
+
+CondensedPath condense_path(const Model& model, Ledger& ledger) {
+  check_steps(model, "condense_path");
+  CondensedPath path{condense(model, ledger), {}};
+  const Ledger::Phase phase(ledger, "condensation");
+  for (const LoadPart& part : model.parts) {
+    const bool acts = (part.load.array() != 0).any();
+    path.free_displacement.push_back(acts ? path.condensed.factor.solve(part.load)
+                                          : VectorXd::Zero(part.load.size()));
+    ledger.count("solves", acts ? 1 : 0);
+  }
+  return path;
+}
+
+void set_time(double time, Model& model) {
+  check_steps(model, "set_time");
+  QuadraticProgramme& programme = model.programme;
+  programme.load.setZero();
+  programme.initial_gap.setZero();
+  for (const LoadPart& part : model.parts) {
+    const double factor = factor_of(model.path, part, time);
+    programme.load += factor * part.load;
+    programme.initial_gap += factor * part.movement;
+  }
+  model.pairs.initial_gap = programme.initial_gap.head(model.pairs.weight.size());
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    BodyModel& body = model.bodies[b];
+    body.loads = {};
+    body.material.temperature = {};
+    body.unknowns.held.setZero();
+    for (const LoadPart& part : model.parts) {
+      const double f = factor_of(model.path, part, time);
+      add_times(f, part.loads[b], body.loads);
+      body.material.temperature.uniform += f * part.temperature[b].uniform;
+      body.material.temperature.gradient += f * part.temperature[b].gradient;
+      body.unknowns.held += f * part.held[b];
+    }
+    model.unknowns.held.middleRows(body.first_node, body.mesh.n_nodes()) = body.unknowns.held;
+  }
+}
+
+Step step(const PathState& past, double time, Model& model, CondensedPath& path, Ledger ledger) {
+  check_steps(model, "step");
+  check_sizes(past, model);
+  pose(time > past.time, "load step: it must end after time ", past.time,
+       ", where the last one ended, got ", time);
+  set_time(time, model);
+  forget_slip(past.slip, model);
+  VectorXd free = VectorXd::Zero(model.unknowns.count);
+  for (std::size_t k = 0; k < model.parts.size(); ++k)
+    free += factor_of(model.path, model.parts[k], time) * path.free_displacement[k];
+  move_freely(model, std::move(free), path.condensed);
+  SolverOptions options;
+  options.start = past.motion;
+  Step result{solve(model, path.condensed, model.solver, std::move(ledger), options), past};
+  if (result.solution.contact.report.status == Status::Solved)
+    result.state = after(past, time, result.solution);
+  return result;
+}
+
+PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathState& from) {
+  pose(scene.path.has_value(),
+       "solve_steps: the scene has no load steps; give its `path` times, or use solve()");
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  check_balance(from, model);
+  CondensedPath path = condense_path(model, ledger);
+  PathEnd end{from};
+  for (const double target : model.path.times) {
+    double reach = target;
+    for (int halved = 0; end.state.time < target;) {
+      Step next = step(end.state, reach, model, path, std::exchange(ledger, {}));
+      const Report& report = next.solution.contact.report;
+      if (report.status == Status::Solved) {
+        end.state = next.state;
+        if (observe) observe(model, next);
+        reach = target;
+        halved = 0;
+        continue;
+      }
+      if (++halved > model.path.halvings) {
+        const std::string& why = next.solution.contact.reason;
+        const std::string& escape = next.solution.escape;
+        end.status = report.status;
+        end.reason = text("the step from time ", end.state.time, " to ", reach,
+                          " was not solved: ", to_string(report.status), why.empty() ? "" : ": ",
+                          why, escape.empty() ? "" : ": ", escape, ". The step to ", target,
+                          " was halved ", model.path.halvings,
+                          " times; the last good state is that of time ", end.state.time);
+        return end;
+      }
+      ++end.halvings;
+      reach = end.state.time + 0.5 * (reach - end.state.time);
+    }
+  }
+  return end;
+}
+
+}  // namespace signorini

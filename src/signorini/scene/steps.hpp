@@ -1,0 +1,150 @@
+/// \file
+/// Load steps: one factor for a whole path, and friction that remembers.
+///
+/// K, the factor, the compliance and the rigid modes do not change along a path. What changes is linear in the
+/// histories: p, g and \f$ K^{-1}p \f$ are sums of parts, each condensed once. So a step costs the triangular solves
+/// of its refinement and dense algebra on the boundary, and begins from what the pairs did last.
+///
+/// The law of friction holds for the slip since the last step: \f$ s_k = s(t_k) + T u_k - s_{k-1} \f$ takes the
+/// place of the slip of \PaperEq{LinEtAl, 8}, where \f$ s_{k-1} \f$ is the slip in total before. A pair that sticks
+/// keeps its total to the last bit.
+#pragma once
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "signorini/scene/scene.hpp"
+
+namespace signorini {
+
+/// A model whose loads follow histories, with all unknowns but the contact forces eliminated.
+struct CondensedPath {
+  Condensed condensed;  ///< at the time that was set last
+  /// `n` K^-1 times the load of each part of the model [length]
+  std::vector<Eigen::VectorXd> free_displacement;
+};
+
+/// Where a path is after some steps: all that the next step has to know, and what a step found.
+struct PathState {
+  Eigen::Index steps = 0;  ///< done so far, halves of steps counted
+  double time = 0;         ///< of the last one [time]
+  /// `n_c` what all pairs do; empty before the first step
+  std::vector<Motion> motion = {};
+  Eigen::VectorXd slip = {};  ///< `n_s` in total, of the source along the tangent [length]
+  Eigen::VectorXd increment =
+      {};  ///< `n_s` since the step before [length]; exactly 0 of a pair that sticks
+  Eigen::VectorXd dissipation =
+      {};                    ///< `n_s` sum over the steps of |tau| |increment| [force*length], >= 0
+  PrimalDual solution = {};  ///< u in two parts and forces of all rows of A, of the last step
+};
+
+/// A step of a path.
+struct Step {
+  Solution solution;  ///< its slips are those since the step before
+  PathState state;    ///< after it if the step was solved, else before it
+};
+
+/// Called with the model as loaded at the time of the step, and a step that was solved.
+using StepObserver = std::function<void(const Model& model, const Step& step)>;
+
+/// How a path ended.
+struct PathEnd {
+  PathState state;  ///< after the last step that was solved
+  Status status =
+      Status::Solved;  ///< `Solved` if the last time was reached, else that of the step that failed
+  std::string reason =
+      {};  ///< in words, if it was not reached: where, why, and where to go on from
+  Eigen::Index halvings = 0;  ///< how many steps failed and were tried half as long
+};
+
+/// Condenses a model and each part of its loads.
+/// \param model   from build() of a scene with load steps
+/// \param ledger  receives the phases `factor` and `condensation`
+/// \return what step() needs
+/// \throws ProblemError as condense(), or if the scene has no load steps
+[[nodiscard]] CondensedPath condense_path(const Model& model, Ledger& ledger);
+
+/// Loads a model as its histories say.
+/// \param time  any [time]
+/// \param model  from build() of a scene with load steps; gets p, g and the loads, temperatures and given
+///   displacements of its bodies at that time
+void set_time(double time, Model& model);
+
+/// Goes one step.
+/// \param past    where the path is
+/// \param time    where the step ends, beyond `past.time` [time]
+/// \param model   gets the loads of that time; g of the slips counts from `past`
+/// \param path    from condense_path() of it
+/// \param ledger  goes on in the solution; pass an empty one to know what the step alone cost
+/// \return the solution, see solve(), and where the path then is
+/// \throws ProblemError unless the time is beyond `past.time`, or if the state has other numbers of pairs or slips
+///   than the model
+[[nodiscard]] Step step(const PathState& past, double time, Model& model, CondensedPath& path,
+                        Ledger ledger);
+
+/// Goes along the path of a scene. A step that is not solved is tried half as long, and again, as often as the path
+/// allows; then the path ends there, with the last state that was good.
+/// \param scene    with load steps
+/// \param observe  called after every step that was solved, halves too; may be empty
+/// \param from     where to go on, as an observer or read_state() got it: every number is then that of the path that was
+///   never interrupted
+/// \return the end; check its status
+/// \throws ProblemError as build() and condense(), if the scene has no load steps, or if `from` is not of this scene
+[[nodiscard]] PathEnd solve_steps(const Scene& scene, const StepObserver& observe = {},
+                                  const PathState& from = {});
+
+/// Writes a state as text, every number with the digits that give back its bits.
+/// \param state  of a path
+/// \param out    where to
+void write_state(const PathState& state, std::ostream& out);
+
+/// Reads what write_state() wrote.
+/// \param content  of the file
+/// \param name     of the file, for messages
+/// \return the state, bit by bit
+/// \throws ProblemError with the line where the text is something else
+[[nodiscard]] PathState read_state(const std::string& content, const std::string& name);
+
+/// Where the work of the loads went: sums over the steps so far [force*length].
+///
+/// Between two steps all forces and displacements are taken to change in proportion, so that the work of a force is its
+/// mean times the displacement. Then \f$ work = strain + dissipation + between \f$ holds to rounding for any path.
+struct Work {
+  double loads = 0;  ///< done by loads and temperatures, the forces of temperatures taken as loads
+  double supports = 0;     ///< done by given displacements
+  double contacts = 0;     ///< done by interferences that grow
+  double strain = 0;       ///< energy stored in bodies and springs
+  double dissipation = 0;  ///< |tau| |increment| of all pairs, as in PathState::dissipation
+  /// What a step does not resolve, \f$ \tfrac12(\tau_k - \tau_{k-1})\Delta s \f$ of pairs that begin to slide
+  /// within it and \f$ \tfrac12(\lambda_k\,gap_{k-1} - \lambda_{k-1}\,gap_k) \f$ of pairs that close or open: it
+  /// vanishes with the size of the steps, and where no pair changes within one.
+  double between = 0;
+
+  /// \return what loads, supports and contacts put in
+  [[nodiscard]] double put_in() const { return loads + supports + contacts; }
+};
+
+/// Adds up the work along a path, as an observer. It costs about one assembly per step.
+class WorkMeter {
+ public:
+  /// \param model  as loaded at the time of the step
+  /// \param step   the next one
+  void add(const Model& model, const Step& step);
+  /// \return the sums so far, from rest without loads
+  [[nodiscard]] const Work& work() const { return work_; }
+
+ private:
+  struct Body {
+    NodeArray displacement;
+    NodeArray load;     // of loads and temperature
+    NodeArray support;  // what holds it, where it is held
+  };
+  Work work_;
+  std::vector<Body> bodies_;
+  Eigen::VectorXd force_;  // of all rows
+  Eigen::VectorXd gap_;
+  Eigen::VectorXd interference_;
+};
+
+}  // namespace signorini

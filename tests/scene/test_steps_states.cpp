@@ -1,0 +1,155 @@
+// States of a path: turned back, saved, refused.
+#include <cmath>
+#include <limits>
+
+#include "catch_compat.hpp"
+#include "support/message.hpp"
+#include "support/paths.hpp"
+
+using namespace signorini;
+using namespace signorini_test;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+bool same(const Step& one, const Step& other) {
+  const PathState& a = one.state;
+  const PathState& b = other.state;
+  return a.time == b.time && a.motion == b.motion && a.slip == b.slip &&
+         a.increment == b.increment && a.dissipation == b.dissipation &&
+         a.solution.displacement == b.solution.displacement &&
+         a.solution.displacement_low == b.solution.displacement_low &&
+         a.solution.force == b.solution.force &&
+         one.solution.displacements == other.solution.displacements;
+}
+
+}  // namespace
+
+TEST_CASE("a stuck path that turns back has the same bits on its way back", "[steps][friction]") {
+  Scene scene = slab(4, {1, 0, 1, 0});
+  scene.contacts[0].friction = Friction{100, 0};
+  scene.bodies[0].supports = {prescribed("right", Axis::X, 0)};
+  scene.bodies[0].loads.edges.push_back(
+      {"top", 0, [](const Eigen::Vector2d&) { return Eigen::Vector2d(0.5, 0); }, "drag"});
+  const std::vector<Step> steps = steps_of(scene);
+  REQUIRE(steps.size() == 20);
+  const Index rub = steps[3].state.slip.size();
+  REQUIRE(rub > 10);
+  for (std::size_t k = 4; k < 8; ++k) {  // out, and the next way out
+    CHECK(steps[k].state.solution.force == steps[k + 8].state.solution.force);
+    CHECK(steps[k].state.solution.displacement == steps[k + 8].state.solution.displacement);
+  }
+  for (std::size_t k = 8; k < 11; ++k)  // back
+    CHECK(steps[k].state.solution.force == steps[14 - k].state.solution.force);
+  for (std::size_t k = 4; k < 20; ++k) {
+    CHECK(steps[k].state.increment == VectorXd::Zero(rub));
+    CHECK(steps[k].state.slip == steps[3].state.slip);
+  }
+}
+
+TEST_CASE("a path goes on from a state that was written and read, to the same bits",
+          "[steps][friction]") {
+  const Scene scene = slab(4, {1, -0.5});
+  const std::vector<Step> all = steps_of(scene);
+  const std::vector<Step> again = steps_of(scene);
+  for (std::size_t k = 0; k < all.size(); ++k) CHECK(same(all[k], again[k]));
+  for (const std::size_t stop : {0, 5, 9}) {
+    const PathState saved = read_state(written(all[stop].state), "saved");
+    CHECK(written(saved) == written(all[stop].state));
+    const std::vector<Step> rest = steps_of(scene, saved);
+    REQUIRE(rest.size() == all.size() - stop - 1);
+    for (std::size_t k = 0; k < rest.size(); ++k) CHECK(same(rest[k], all[stop + 1 + k]));
+  }
+}
+
+TEST_CASE("a step that fails is halved, then the path ends with the last good state", "[steps]") {
+  // Held by contact alone: pulled up, the slab leaves the ground for ever.
+  Scene scene = slab(1, {});
+  scene.contacts[0].friction.reset();
+  scene.bodies[0].supports = {prescribed("right", Axis::X, 0)};
+  scene.bodies[0].loads.edges[0].history = "press";
+  scene.path = Path{{1, 2}, {{"press", {0, 1, 2}, {0, 1, -1}}}, 3};
+  std::vector<double> times;
+  const PathEnd end =
+      solve_steps(scene, [&](const Model&, const Step& step) { times.push_back(step.state.time); });
+  CHECK(end.status != Status::Solved);
+  REQUIRE(times.size() > 1);
+  CHECK(times.front() == 1);
+  CHECK(end.state.time == times.back());
+  CHECK(end.state.time <= 1.5);  // without a load it still touches
+  CHECK(end.state.time > 1.4);
+  CHECK(end.halvings > 3);
+  CHECK_THAT(end.reason,
+             ContainsSubstring("last good state") && ContainsSubstring("halved 3 times"));
+}
+
+TEST_CASE("steps that cannot be meant are refused", "[steps]") {
+  const Scene good = slab(2, {1});
+  const auto message = [&](const auto& change) {
+    Scene scene = good;
+    change(scene);
+    return problem_message([&] { static_cast<void>(plan(scene)); });
+  };
+  CHECK(message([](Scene&) {}).empty());
+  CHECK_THAT(message([](Scene& s) { s.path->times = {}; }), ContainsSubstring("got none"));
+  CHECK_THAT(message([](Scene& s) { s.path->times = {1, 1}; }), ContainsSubstring("1 follows 1"));
+  CHECK_THAT(message([](Scene& s) {
+               s.path->times = {0, 1};
+             }),
+             ContainsSubstring("needs a time > 0"));
+  CHECK_THAT(message([](Scene& s) { s.path->times = {std::numeric_limits<double>::infinity()}; }),
+             ContainsSubstring("finite"));
+  CHECK_THAT(message([](Scene& s) { s.path->halvings = -1; }), ContainsSubstring("got -1"));
+  CHECK_THAT(message([](Scene& s) { s.path->histories[1].name = "press"; }),
+             ContainsSubstring("'press'"));
+  CHECK_THAT(message([](Scene& s) { s.path->histories[1].name = ""; }),
+             ContainsSubstring("needs a name"));
+  CHECK_THAT(message([](Scene& s) { s.path->histories[1].values = {1}; }),
+             ContainsSubstring("1 values"));
+  CHECK_THAT(message([](Scene& s) { s.path->histories[1].values[0] = NAN; }),
+             ContainsSubstring("finite"));
+  CHECK_THAT(message([](Scene& s) {
+               s.path->histories[1].times = {2, 1};
+             }),
+             ContainsSubstring("1 follows 2"));
+  CHECK_THAT(message([](Scene& s) { s.bodies[0].loads.edges[0].history = "pres"; }),
+             ContainsSubstring("'pres'") && ContainsSubstring("'press', 'drag'"));
+  CHECK_THAT(problem_message([&] { static_cast<void>(solve(good)); }),
+             ContainsSubstring("solve_steps()"));
+  Scene bare = good;
+  bare.path.reset();
+  for (EdgeLoad& load : bare.bodies[0].loads.edges) load.history.clear();
+  CHECK_THAT(problem_message([&] { static_cast<void>(solve_steps(bare)); }),
+             ContainsSubstring("no load steps"));
+}
+
+TEST_CASE("a state of another scene, and a step of no size, are refused", "[steps]") {
+  const Scene scene = slab(2, {1});
+  const PathState state = steps_of(scene)[2].state;
+  const auto message = [&](const Scene& other, const PathState& from) {
+    return problem_message([&] { static_cast<void>(solve_steps(other, {}, from)); });
+  };
+  Scene softer = scene;
+  softer.bodies[0].material.youngs_modulus *= 0.999;
+  CHECK_THAT(message(softer, state),
+             ContainsSubstring("another scene") && ContainsSubstring("do not solve"));
+  CHECK_THAT(message(slider(proportional("pull"), {1}), state), ContainsSubstring("another scene"));
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  CondensedPath path = condense_path(model, ledger);
+  for (const double time : {state.time, 0.5 * state.time})
+    CHECK_THAT(problem_message([&] { static_cast<void>(step(state, time, model, path, {})); }),
+               ContainsSubstring("after time"));
+  const std::string text = written(state);
+  const auto read = [](const std::string& content) {
+    return problem_message([&] { static_cast<void>(read_state(content, "s")); });
+  };
+  CHECK(read(text).empty());
+  CHECK_THAT(read(text.substr(0, text.size() / 2)), ContainsSubstring("s:"));
+  CHECK_THAT(read("time 1\n"), ContainsSubstring("signorini-state-1"));
+  CHECK_THAT(read(text + "1\n"), ContainsSubstring("end of the file"));
+  std::string wrong = text;
+  wrong[wrong.find("\ns\n") + 1] = 'x';
+  CHECK_THAT(read(wrong), ContainsSubstring("o, s, f or b"));
+}

@@ -1,0 +1,100 @@
+// Friction along a path: a slider by hand, and where the work goes.
+#include <algorithm>
+#include <cmath>
+
+#include "catch_compat.hpp"
+#include "support/paths.hpp"
+
+using namespace signorini;
+using namespace signorini_test;
+using Eigen::Index;
+
+TEST_CASE("a spring slider goes round its loop: force, slip and dissipation by hand",
+          "[steps][friction][closed-form]") {
+  const double bound = slider_friction * 1;
+  const History pull{"pull", {0, 1, 3, 5}, {0, 2 * bound, -2 * bound, 2 * bound}};
+  const Scene scene = slider(pull, equal_steps(40, 5));
+  Ledger ledger;
+  const Model model = build(scene, ledger);
+  const double k = model.programme.stiffness.coeff(1, 1);  // of the tip along y
+  REQUIRE(model.programme.stiffness.coeff(0, 1) == Approx(0).margin(1e-14 * k));
+  double place = 0;  // of the tip
+  double lost = 0;
+  double area = 0;  // of pull over place
+  double last_place = 0;
+  double last_pull = 0;
+  WorkMeter meter;
+  double lost_before_loop = 0;
+  double area_before_loop = 0;
+  const PathEnd end = solve_steps(scene, [&](const Model& at, const Step& step) {
+    const double force = pull.at(step.state.time);
+    // The tip moves no further than friction lets it: |force - k place| <= bound.
+    const double before = place;
+    place = std::min(std::max(place, (force - bound) / k), (force + bound) / k);
+    lost += bound * std::abs(place - before);
+    CAPTURE(step.state.time);
+    CHECK(step.solution.displacements[0](1, 1) == Approx(place).margin(1e-14));
+    CHECK(step.state.dissipation(0) == Approx(lost).margin(1e-14));
+    CHECK(std::abs(step.state.slip(0)) == Approx(std::abs(place)).margin(1e-14));
+    CHECK(step.state.solution.force(0) == Approx(1).epsilon(1e-13));
+    const double now = step.solution.displacements[0](1, 1);
+    area += 0.5 * (force + last_pull) * (now - last_place);
+    last_place = now;
+    last_pull = force;
+    meter.add(at, step);
+    const Work& work = meter.work();
+    CHECK(work.put_in() == Approx(work.strain + work.dissipation).epsilon(1e-12).margin(1e-15));
+    CHECK(std::abs(work.between) <= 1e-15);  // every kink is at the end of a step
+    if (step.state.time == 1) {
+      lost_before_loop = step.state.dissipation(0);
+      area_before_loop = area;
+    }
+  });
+  REQUIRE(end.status == Status::Solved);
+  CHECK(end.state.steps == 40);
+  const double loop = end.state.dissipation(0) - lost_before_loop;
+  CHECK(loop == Approx(4 * bound * bound / k).epsilon(1e-12));
+  CHECK(area - area_before_loop == Approx(loop).epsilon(1e-10));
+}
+
+TEST_CASE("work put in = strain energy + dissipation + what steps do not resolve, at every step",
+          "[steps][friction]") {
+  double between[2];
+  int k = 0;
+  for (const int steps : {8, 32}) {
+    Scene scene = slab(steps, {1, -1, 1});
+    scene.contacts[0].interference = 1e-3;
+    WorkMeter meter;
+    double most = 0;
+    double worst = 0;
+    const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {
+      meter.add(model, step);
+      const Work& work = meter.work();
+      worst =
+          std::max(worst, std::abs(work.put_in() - work.strain - work.dissipation - work.between));
+      most = std::max(most, work.put_in());
+    });
+    REQUIRE(end.status == Status::Solved);
+    CHECK(worst <= 1e-12 * most);
+    CHECK(meter.work().dissipation > 0.5 * most);
+    CHECK(meter.work().supports > 0.1 * most);
+    between[k++] = std::abs(meter.work().between) / most;
+  }
+  CHECK(between[0] > 1e-6);
+  CHECK(between[1] < 0.5 * between[0]);
+}
+
+// The node that the support drags has no unknown along the ground: its slip is given, its friction acts on the support.
+TEST_CASE("a node that a support drags over the ground rubs at its bound", "[steps][friction]") {
+  const std::vector<Step> steps = steps_of(slab(4, {1, -1}));
+  for (std::size_t k = 4; k < steps.size(); ++k) {
+    const ContactState& contact = steps[k].solution.contact;
+    const Index last = contact.slip.size() - 1;
+    const double given = k < 8 ? 0.0025 : -0.005;
+    CAPTURE(k);
+    CHECK(contact.slip(last) == Approx(given).epsilon(1e-12));
+    CHECK(
+        contact.friction(last) ==
+        Approx(given > 0 ? -0.4 * contact.force(last) : 0.4 * contact.force(last)).epsilon(1e-13));
+  }
+}
