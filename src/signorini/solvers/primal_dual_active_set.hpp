@@ -36,7 +36,8 @@ namespace signorini {
 /// \return `Solved` with forces and gaps >= 0; `Infeasible` with `escape` if no forces balance r; otherwise what the
 ///   last method says. `iterations` and `history` are those of all methods, one behind the other, with all
 ///   pairs; `factorisations` has those of every second pair as well
-/// \throws std::invalid_argument as check_problem()
+/// \throws std::invalid_argument as check_problem(); where pairs rub and there are no rigid modes, as check_finite(): F
+///   need not be symmetric then
 [[nodiscard]] ContactState primal_dual_active_set(const ContactProblem& problem,
                                                   const SolverOptions& options = {});
 
