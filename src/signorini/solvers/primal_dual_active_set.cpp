@@ -122,6 +122,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   Attempt attempt = rubs || floats ? first_attempt(scaled) : coarse_attempt(scaled);
   exchange_motions(scaled, asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit,
                    attempt);
+  if (rubs && !floats && asked == 0 && !attempt.confirmed) follow_sweeps(scaled, attempt);
   if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
     Attempt again = first_attempt(scaled);
     again.report = std::move(attempt.report);
