@@ -63,6 +63,11 @@ void declare(CLI::App& app, Request& request) {
   add_file("--plot", request.output.plot,
            "pressure and deformed meshes as a picture .svg or .png, by gnuplot");
   add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
+  add_problem(
+      app, "friction",
+      "w = W r + q with a normal and a tangential row for each pair, Coulomb's law; Siconos "
+      "format",
+      request);
   add_problem(app, "qp", "least x'Px/2 + q'x + r with l <= Ax <= u; block format", request);
 }
 

@@ -21,10 +21,18 @@ std::string reason_against(const Solver& solver, Index pairs, bool asymmetric) {
   return too_many(solver, pairs);
 }
 
+std::string names(const std::vector<Outcome>& outcomes) {
+  std::string all;
+  for (const Outcome& outcome : outcomes)
+    all += (all.empty() ? "" : ", ") + std::string(outcome.solver->name);
+  return all;
+}
+
 /// The solvers that are asked for, with the reasons why some of them are not tried.
-std::vector<Outcome> candidates(const std::string& asked, Index pairs, bool asymmetric) {
+std::vector<Outcome> candidates(const std::vector<Solver>& family, const std::string& asked,
+                                Index pairs, bool asymmetric) {
   std::vector<Outcome> all;
-  for (const Solver& solver : solvers()) {
+  for (const Solver& solver : family) {
     Outcome outcome;
     outcome.solver = &solver;
     outcome.word = "not tried";
@@ -35,13 +43,16 @@ std::vector<Outcome> candidates(const std::string& asked, Index pairs, bool asym
   const auto chosen = std::find_if(all.begin(), all.end(), [&](const Outcome& outcome) {
     return asked.empty() ? outcome.why.empty() : asked == outcome.solver->name;
   });
+  pose(chosen != all.end() || asked.empty(), "--solver: ", asked,
+       " does not take such problems; expected one of ", names(all), ", or all of them: all");
   return chosen == all.end() ? all : std::vector<Outcome>{*chosen};
 }
 
 /// Runs `run` on each solver that is asked for and can be tried.
 template <typename Run>
-std::vector<Outcome> each(const std::string& asked, Index pairs, bool asymmetric, Run&& run) {
-  std::vector<Outcome> outcomes = candidates(asked, pairs, asymmetric);
+std::vector<Outcome> each(const std::vector<Solver>& family, const std::string& asked, Index pairs,
+                          bool asymmetric, Run&& run) {
+  std::vector<Outcome> outcomes = candidates(family, asked, pairs, asymmetric);
   for (Outcome& outcome : outcomes) {
     if (!outcome.why.empty()) continue;
     const auto begin = std::chrono::steady_clock::now();
@@ -66,6 +77,7 @@ std::vector<Outcome> each(const std::string& asked, Index pairs, bool asymmetric
 
 Matrix kind_of(const ContactProblem& problem) {
   if (!is_symmetric(problem)) return Matrix::Asymmetric;
+  if (!problem.law.pair.empty()) return Matrix::Symmetric;
   const Eigen::MatrixXd& M = problem.compliance;
   const Eigen::VectorXd scale =
       M.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
@@ -85,6 +97,8 @@ const char* to_string(Matrix kind) {
       return "symmetric positive semidefinite";
     case Matrix::Indefinite:
       return "symmetric indefinite";
+    case Matrix::Symmetric:
+      return "symmetric";
     case Matrix::Asymmetric:
       return "not symmetric";
   }
@@ -93,17 +107,25 @@ const char* to_string(Matrix kind) {
 
 std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const std::string& asked,
                                double tolerance) {
-  return each(asked, problem.free_gap.size(), kind == Matrix::Asymmetric, [&](Outcome& outcome) {
+  const Index pairs = problem.free_gap.size();
+  const Index slips = problem.free_slip.size();
+  const auto run = [&](Outcome& outcome) {
     ContactState state = outcome.solver->solve(problem, {});
     outcome.status = state.report.status;
     outcome.iterations = state.report.iterations;
-    if (state.force.size() == problem.free_gap.size() &&
-        state.gap.size() == problem.free_gap.size())
+    if (state.force.size() == pairs && state.gap.size() == pairs &&
+        state.friction.size() == slips && state.slip.size() == slips)
       outcome.certificate = certify(problem, state);
     outcome.accepted = outcome.status == Status::Solved && outcome.certificate.worst() <= tolerance;
     outcome.force = std::move(state.force);
     outcome.gap = std::move(state.gap);
-  });
+    outcome.friction = std::move(state.friction);
+    outcome.slip = std::move(state.slip);
+    outcome.motion = std::move(state.motion);
+    outcome.uniqueness = state.uniqueness;
+  };
+  return each(slips > 0 ? friction_solvers() : solvers(), asked, pairs,
+              kind == Matrix::Asymmetric && slips == 0, run);
 }
 
 std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::string& asked,
@@ -111,7 +133,7 @@ std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::st
   const OneSided form = one_sided(programme);
   static_cast<void>(condense(form.programme));  // says what no solver could be blamed for
   const Index pairs = static_cast<Index>(form.rows.size()) - form.programme.equations;
-  return each(asked, pairs, false, [&](Outcome& outcome) {
+  return each(solvers(), asked, pairs, false, [&](Outcome& outcome) {
     const DenseSolution solution = solve(form.programme, *outcome.solver);
     outcome.status = solution.report.status;
     outcome.iterations = solution.report.iterations;

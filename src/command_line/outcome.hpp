@@ -21,25 +21,30 @@ struct Outcome {
   Eigen::Index iterations = 0;                              ///< as it counts them
   double seconds = 0;                                       ///< wall time [s]
   signorini::Certificate certificate = signorini::uncertified();  ///< from the data of the file
-  Eigen::VectorXd force;     ///< z, or one multiplier for each two-sided row
-  Eigen::VectorXd gap;       ///< w of a complementarity problem
+  Eigen::VectorXd force;                  ///< z, or one multiplier for each two-sided row
+  Eigen::VectorXd gap;                    ///< w of a complementarity problem
+  Eigen::VectorXd friction;               ///< tangential forces of a friction problem
+  Eigen::VectorXd slip;                   ///< tangential movements of a friction problem
+  std::vector<signorini::Motion> motion;  ///< of its pairs
+  signorini::Uniqueness uniqueness = signorini::Uniqueness::Unknown;  ///< of its solution
   Eigen::VectorXd unknowns;  ///< x of a quadratic programme
   double objective = 0;      ///< of a quadratic programme
 };
 
 /// What kind of matrix a complementarity problem has.
-enum class Matrix { PositiveDefinite, PositiveSemidefinite, Indefinite, Asymmetric };
+enum class Matrix { PositiveDefinite, PositiveSemidefinite, Indefinite, Symmetric, Asymmetric };
 
-/// \param problem  M and q
-/// \return the kind, found from the eigenvalues of the equilibrated matrix
+/// \param problem  M and q, or one with friction
+/// \return the kind, found from the eigenvalues of the equilibrated matrix; with friction, whose solutions it says
+///   little about, only whether it is symmetric
 Matrix kind_of(const signorini::ContactProblem& problem);
 /// \param kind  any
 /// \return in words
 const char* to_string(Matrix kind);
 
-/// Solves a complementarity problem with the solvers that are asked for.
-/// \param problem    M and q
-/// \param kind       of M
+/// Solves a complementarity problem, or one with friction, with the solvers that are asked for.
+/// \param problem    M and q, or one with friction
+/// \param kind       of its matrix
 /// \param asked      name of a solver, "all", or empty: the first one that takes the problem
 /// \param tolerance  largest figure of a certificate that is accepted
 /// \return one outcome for each solver

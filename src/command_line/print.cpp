@@ -68,6 +68,28 @@ void print_columns(std::ostream& out, const char* first, const VectorXd& a, cons
   }
 }
 
+void print_rubbing(std::ostream& out, const Outcome& solution) {
+  out << '\n' << std::setw(6) << "";
+  for (const char* const title : {"force", "gap", "friction force", "slip"})
+    out << std::setw(25) << title;
+  out << "  does\n";
+  for (Index i = 0; i < solution.force.size(); ++i) {
+    out << std::setw(6) << i + 1;
+    for (const VectorXd* column :
+         {&solution.force, &solution.gap, &solution.friction, &solution.slip})
+      out << std::setw(25) << as_text((*column)(i));
+    out << "  " << signorini::to_string(solution.motion[static_cast<std::size_t>(i)]) << '\n';
+  }
+}
+
+/// How many pairs do what.
+void print_motions(std::ostream& out, const std::vector<Motion>& motions) {
+  out << '\n';
+  for (const Motion motion : {Motion::Open, Motion::Stick, Motion::Forward, Motion::Backward})
+    out << signorini::to_string(motion) << ' ' << std::count(motions.begin(), motions.end(), motion)
+        << (motion == Motion::Backward ? "\n" : ", ");
+}
+
 /// The solvers and the verdict. \param solution  adds what an accepted solution consists of
 template <typename Solution>
 void write_outcomes(Json& json, const std::vector<Outcome>& outcomes, bool solved,
@@ -118,11 +140,17 @@ void print_family(std::ostream& out) {
 void print(std::ostream& out, const std::string& title, const FiledProblem& filed, Matrix kind,
            const std::vector<Outcome>& outcomes) {
   const Index n = filed.problem.free_gap.size();
-  out << title << ": complementarity problem, " << n << " pairs, matrix " << to_string(kind)
-      << "\n\n";
+  out << title << ": " << (filed.rubs() ? "friction" : "complementarity") << " problem, " << n
+      << " pairs, matrix " << to_string(kind) << "\n\n";
   print_table(out, outcomes, false);
   const Outcome* const solution = best(outcomes);
   if (solution == nullptr) return print_hint(out, outcomes);
+  if (filed.rubs()) {
+    if (n <= largest_printed) print_rubbing(out, *solution);
+    print_motions(out, solution->motion);
+    if (solution->uniqueness == Uniqueness::Doubtful) out << "other solutions may exist\n";
+    return;
+  }
   if (n <= largest_printed) print_columns(out, "force z", solution->force, "gap w", solution->gap);
   if (filed.known_force.size() == n)
     out << "largest difference from the z of the file: "
@@ -150,6 +178,11 @@ void write(Json& json, const FiledProblem& filed, Matrix kind, const std::vector
   json.key("pairs").value(filed.problem.free_gap.size()).key("matrix").value(to_string(kind));
   write_outcomes(json, outcomes, solved, [&](const Outcome& outcome) {
     json.key("force").value(outcome.force).key("gap").value(outcome.gap);
+    if (!filed.rubs()) return;
+    json.key("friction").value(outcome.friction).key("slip").value(outcome.slip);
+    json.key("motion").array();
+    for (const Motion motion : outcome.motion) json.value(signorini::to_string(motion));
+    json.end();
   });
   json.end();
 }

@@ -16,7 +16,7 @@ constexpr Eigen::Index largest_printed = 30;
 /// \param out  where to
 void print_family(std::ostream& out);
 
-/// Prints what a problem is, what the solvers made of it, and the solution.
+/// Prints what a problem without or with friction is, what the solvers made of it, and the solution.
 /// \param out       where to
 /// \param filed     the problem
 /// \param title     of the problem

@@ -66,11 +66,19 @@ const char* command_for(const std::string& content) {
   TextReader reader(content, "");
   if (!reader.next_line()) return "solve";
   const std::string first(reader.word());
-  if (first.find_first_not_of("0123456789") == std::string::npos) return "lcp";
+  if (first.find_first_not_of("0123456789") == std::string::npos)
+    return first == "2" && reader.word_anywhere() != "0" ? "friction" : "lcp";
   const std::string size(reader.word());
   if (first != "n" || size.empty() || size.find_first_not_of("0123456789") != std::string::npos)
     return "solve";
   return reader.next_line() && reader.word() == "m" ? "qp" : "lcp";
+}
+
+const char* taken_by(const std::string& command) {
+  return command == "qp"         ? "quadratic programme"
+         : command == "lcp"      ? "complementarity problem"
+         : command == "friction" ? "friction problem"
+                                 : "scene";
 }
 
 bool SceneRun::solved() const {

@@ -21,8 +21,12 @@ std::string content_of(const std::string& file);
 
 /// Which command a text was written for, as far as its first words tell.
 /// \param content  of a file
-/// \return "solve", "lcp" or "qp"
+/// \return "solve", "lcp", "friction" or "qp"
 const char* command_for(const std::string& content);
+
+/// \param command  of the program
+/// \return what it takes, in words
+const char* taken_by(const std::string& command);
 
 /// Runs a reader of a text.
 /// \param file     where the text comes from
@@ -41,10 +45,7 @@ auto read_or_hint(const std::string& file, const std::string& content, const cha
     const std::string wanted = command_for(content);
     const bool same = wanted == command || (wanted == "solve" && std::string(command) == "plan");
     if (same) throw;
-    throw signorini::ProblemError(signorini::text(file, ": this looks like a ",
-                                                  wanted == "solve" ? "scene"
-                                                  : wanted == "qp"  ? "quadratic programme"
-                                                                    : "complementarity problem",
+    throw signorini::ProblemError(signorini::text(file, ": this looks like a ", taken_by(wanted),
                                                   "; run: signorini ", wanted, " ",
                                                   file == standard_input ? "-" : file));
   }

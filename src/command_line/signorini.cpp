@@ -1,5 +1,5 @@
 // The program `signorini`: solves problems from files with the solvers of the book.
-// Run:  signorini plan|solve|lcp|qp FILE [options];  signorini --list | --man | --version
+// Run:  signorini plan|solve|lcp|friction|qp FILE [options];  signorini --list | --man | --version
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
@@ -27,14 +27,25 @@ constexpr int solved = 0;
 constexpr int not_solved = 1;
 constexpr int bad_input = 2;
 
-/// The problem of the file, for one of the two commands that take such files.
-ProblemFile read(const Request& request, const char* command) {
-  const std::string content = command_line::content_of(request.file);
-  return command_line::read_or_hint(request.name(), content, command,
-                                    [&] { return parse_problem(content, request.name()); });
+/// The command that takes what a file holds.
+const char* command_of(const ProblemFile& file) {
+  const auto* const problems = std::get_if<std::vector<FiledProblem>>(&file);
+  return problems == nullptr ? "qp" : problems->front().rubs() ? "friction" : "lcp";
 }
 
-/// One document, with the problems that `problems` writes. \param kind  "lcp" or "qp"
+/// The problem of the file, for one of the commands that take such files.
+ProblemFile read(const Request& request, const std::string& command) {
+  const std::string content = command_line::content_of(request.file);
+  ProblemFile file = command_line::read_or_hint(request.name(), content, command.c_str(), [&] {
+    return parse_problem(content, request.name());
+  });
+  const char* const wanted = command_of(file);
+  pose(command == wanted, request.name(), ": this is a ", command_line::taken_by(wanted),
+       "; run: signorini ", wanted, " ", request.file);
+  return file;
+}
+
+/// One document, with the problems that `problems` writes. \param kind  "lcp", "friction" or "qp"
 template <typename Problems>
 void write_document(const Request& request, const char* kind, Problems&& problems) {
   Json json;
@@ -45,14 +56,13 @@ void write_document(const Request& request, const char* kind, Problems&& problem
   std::cout << json.text();
 }
 
-int solve_lcp(const Request& request) {
-  const ProblemFile file = read(request, "lcp");
-  const auto* const problems = std::get_if<std::vector<FiledProblem>>(&file);
-  pose(problems != nullptr, request.name(), ": this is a quadratic programme; run: signorini qp ",
-       request.file);
+/// \param command  "lcp" or "friction"
+int solve_pairs(const Request& request, const char* command) {
+  const ProblemFile file = read(request, command);
+  const auto& problems = std::get<std::vector<FiledProblem>>(file);
   int code = solved;
   const auto each = [&](auto&& tell) {
-    for (const FiledProblem& filed : *problems) {
+    for (const FiledProblem& filed : problems) {
       const command_line::Matrix kind = command_line::kind_of(filed.problem);
       const auto outcomes =
           command_line::solve_all(filed.problem, kind, request.solver, request.tolerance);
@@ -64,16 +74,16 @@ int solve_lcp(const Request& request) {
     }
   };
   if (request.json) {
-    write_document(request, "lcp", [&](Json& json) {
+    write_document(request, command, [&](Json& json) {
       each([&](const auto& filed, auto kind, const auto& outcomes, bool good) {
         command_line::write(json, filed, kind, outcomes, good);
       });
     });
   } else {
     each([&](const auto& filed, auto kind, const auto& outcomes, bool /*good*/) {
-      const bool first = &filed == problems->data();
+      const bool first = &filed == problems.data();
       const std::string title =
-          problems->size() == 1 ? request.name() : text(request.name(), ":", filed.line);
+          problems.size() == 1 ? request.name() : text(request.name(), ":", filed.line);
       std::cout << (first ? "" : "\n");
       command_line::print(std::cout, title, filed, kind, outcomes);
     });
@@ -83,21 +93,19 @@ int solve_lcp(const Request& request) {
 
 int solve_qp(const Request& request) {
   const ProblemFile file = read(request, "qp");
-  const auto* const programme = std::get_if<TwoSidedProgramme>(&file);
-  pose(programme != nullptr, request.name(),
-       ": this is a complementarity problem; run: signorini lcp ", request.file);
+  const auto& programme = std::get<TwoSidedProgramme>(file);
   std::vector<command_line::Outcome> outcomes;
   try {
-    outcomes = command_line::solve_all(*programme, request.solver, request.tolerance);
+    outcomes = command_line::solve_all(programme, request.solver, request.tolerance);
   } catch (const ProblemError& error) {
     throw ProblemError(request.name() + ": " + error.what());
   }
   const bool good = command_line::is_solved(outcomes, true);
   if (request.json)
     write_document(request, "qp",
-                   [&](Json& json) { command_line::write(json, *programme, outcomes, good); });
+                   [&](Json& json) { command_line::write(json, programme, outcomes, good); });
   else
-    command_line::print(std::cout, request.name(), *programme, outcomes);
+    command_line::print(std::cout, request.name(), programme, outcomes);
   return good ? solved : not_solved;
 }
 
@@ -168,8 +176,8 @@ bool answered(const CLI::App& app) {
 
 int run(int argc, char** argv) {
   const char* const expected =
-      "expected plan FILE, solve FILE, lcp FILE, qp FILE, --list, --keys, --man or --version. Try "
-      "signorini --help";
+      "expected plan FILE, solve FILE, lcp FILE, friction FILE, qp FILE, --list, --keys, --man or "
+      "--version. Try signorini --help";
   Request request;
   CLI::App app(
       "Solves contact scenes, complementarity problems and quadratic programmes, and certifies "
@@ -197,7 +205,7 @@ int run(int argc, char** argv) {
   check_solver(request.solver, !scene);
   if (command == "plan") return plan_scene(request);
   if (command == "solve") return solve_scene(request);
-  return command == "lcp" ? solve_lcp(request) : solve_qp(request);
+  return command == "qp" ? solve_qp(request) : solve_pairs(request, command.c_str());
 }
 
 }  // namespace

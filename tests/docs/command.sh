@@ -17,11 +17,12 @@ expect() { # status, words that are said (an extended regular expression), argum
         failures=$((failures + 1))
     fi
 }
-lcp=$data/siconos_lcp qp=$data/maros_meszaros
+lcp=$data/siconos_lcp fc=$data/siconos_fc2d qp=$data/maros_meszaros
 printf 'n 1\nM\n0\nq\n-1\n' > immovable
 printf 'n 2\nM\n1 2\n0 1\nq\n-1 -1\n' > asymmetric
 printf 'n 1\nm 2\nr 0\nP\n2\nq\n0\nA\n1\n1\nl\n1 -1e20\nu\n1e20 0\n' > contradiction
 printf 'n 1\nM\n1e300\nq\n-1\n' > huge
+printf '2 1 0 2 2 2 2 1 0 0 1 -1 0 -1' > negative
 printf 'n 2\nM\n2 1\n1 nan\nq\n-1 -1\n' > odd
 
 expect 0 'solved .*' lcp "$lcp/lcp_deudeu.dat"
@@ -30,6 +31,10 @@ expect 0 'from the z of the file: 0\.0e\+00' lcp "$data/generated/fathi_spd_lemk
 expect 0 'positive semidefinite' lcp "$lcp/lcp_CPS_1.dat" --solver all
 expect 0 'published optimum 5\.32664756' qp "$qp/HS52.txt" --solver all
 expect 0 'quasi_active_set +solved .* 6155\.2508' qp "$qp/DUALC1.txt"
+expect 0 '2 +0\.0552243985742.* backward' friction "$fc/FC2D_SliderCrankLagrangian00000.dat" --solver lemke
+expect 0 'open 16, stick 11, forward 0, backward 1' friction - < "$fc/FrictionContactProblem00374.dat"
+expect 0 'friction_split +solved' friction "$fc/FrictionContactProblem00031.dat" --solver all
+expect 1 'friction_split +refused .*must be symmetric' friction "$fc/FC2D_SliderCrankLagrangian00000.dat" --solver friction_split
 expect 0 'may fail on problems that are:' --list
 expect 0 '--tolerance' lcp --help
 expect 1 'primal_dual_active_set +not tried +needs a symmetric matrix' lcp asymmetric --solver primal_dual_active_set
@@ -43,14 +48,21 @@ expect 1 'NOT CONFIRMED' lcp "$lcp/lcp_deudeu.dat" --tolerance 1e-300
 expect 2 "--solver: unknown solver 'magic'; there are: .*enumerate" lcp "$lcp/lcp_deudeu.dat" --solver magic
 expect 2 'HS35.txt: this is a quadratic programme; run: signorini qp' lcp "$qp/HS35.txt"
 expect 2 'this is a complementarity problem; run: signorini lcp' qp "$lcp/lcp_deudeu.dat"
+expect 2 'this is a friction problem; run: signorini friction' lcp "$fc/FrictionContactProblem00031.dat"
+expect 2 'this is a complementarity problem; run: signorini lcp' friction "$lcp/lcp_deudeu.dat"
+expect 2 'this is a quadratic programme; run: signorini qp' friction "$qp/HS35.txt"
+expect 2 'this looks like a friction problem; run: signorini friction' solve "$fc/FrictionContactProblem00031.dat"
+expect 2 'this looks like a scene; run: signorini solve' friction "$examples/cantilever.toml"
+expect 2 '--solver: quasi_active_set does not take such problems; expected one of primal_dual_active_set' friction "$fc/FrictionContactProblem00031.dat" --solver quasi_active_set
+expect 2 'mu\(1\): expected a friction coefficient of 0 or more, got -1' friction negative
 expect 2 'ZECEVIC2.txt: not strictly convex' qp "$qp/ZECEVIC2.txt"
 expect 2 "odd:4: M, row 2, number 2: expected a finite number, got 'nan'" lcp odd
 expect 2 'missing: there is no such file' lcp missing
 expect 2 'this is a folder' qp "$qp"
 expect 2 'FILE is required: signorini qp FILE\. Try signorini qp --help' qp
 expect 2 'FILE is required: signorini solve FILE\. Try signorini solve --help' solve
-expect 2 'expected plan FILE, solve FILE, lcp FILE, qp FILE, --list'
-expect 2 "unknown command 'foo'; there are: plan, solve, lcp, qp" foo odd
+expect 2 'expected plan FILE, solve FILE, lcp FILE, friction FILE, qp FILE, --list'
+expect 2 "unknown command 'foo'; there are: plan, solve, lcp, friction, qp" foo odd
 expect 2 "unknown command 'plna'; did you mean 'plan'\?" plna odd
 expect 2 "--solver: unknown solver 'lemk'; did you mean 'lemke'\?" lcp odd --solver lemk
 expect 2 "unknown option '--vtuu'; did you mean '--vtu'\?" solve odd --vtuu x
@@ -166,7 +178,7 @@ written ''
 # The manual page is what the program says, and has every option of every command.
 "$program" --man > man.1 || failures=$((failures + 1))
 holds 'the manual page of the build is another' cmp -s man.1 "$page"
-for command in '' plan solve lcp qp; do
+for command in '' plan solve lcp friction qp; do
     for option in $("$program" $command --help | grep -Eo '^ +(-h,)?--[a-z]+' | sed 's/.*--/--/'); do
         holds "no $option on the manual page" grep -Fq -- "$(printf '%s' "$option" | sed 's/-/\\-/g')" man.1
     done
@@ -206,6 +218,7 @@ json() { # status, arguments: valid, and on standard output alone
 cp immovable 'a "name" \ with	marks'
 json 0 qp "$qp/HS35.txt" --solver all
 json 0 lcp "$data/generated/fathi_spd_lemke_exponential.txt" --solver all
+json 0 friction "$fc/FrictionContactProblem00394.dat" --solver all
 json 1 lcp asymmetric --solver primal_dual_active_set
 json 1 lcp 'a "name" \ with	marks' --solver all
 json 1 qp contradiction --solver all

@@ -95,6 +95,48 @@ TEST_CASE("a block file holds several problems, with and without their solutions
   CHECK(worst(random.problem, random.known_force) < 1e-14);
 }
 
+TEST_CASE("a friction problem reads the same whatever its storage", "[problem_file]") {
+  // Two pairs; normal and tangential rows in turns, columns below each other.
+  const std::string end = " -1 5 -2 6  0.25 0.5\n1\n";
+  const std::string dense = "2 2 0 4 4 4 4  1 2 0 0  20 3 0 0  4 0 5 6  0 0 60 7 " + end;
+  const std::string blocks =
+      "2\n2\n1\n4\n4\n3\n2\n2\n2 4\n2 4\n3\n3\n0 2 3\n0 1 1\n0\n1 2 20 3\n1\n4 0 0 0\n2\n5 6 60 "
+      "7\n" +
+      end;
+  const std::string head = "CSparse Version 3.1.9, May 4, 2016.  Copyright (c) Timothy A. Davis\n";
+  const std::string columns =
+      "2\n2\n2\n4\n4\n2\n" + head +
+      "4-by-4, nzmax: 9 nnz: 9, 1-norm: 23\n  col 0 : locations 0 to 1\n 0 : 1\n 1 : 2\n"
+      "  col 1 : locations 2 to 3\n 0 : 20\n 1 : 3\n  col 2 : locations 4 to 6\n 0 : 4\n 2 : 5\n"
+      " 3 : 6\n  col 3 : locations 7 to 8\n 2 : 60\n 3 : 7\n" +
+      end;
+  const std::string triplets =
+      "2\n2\n2\n4\n4\n1\n" + head +
+      "triplet: 4-by-4, nzmax: 20 nnz: 9\n 0 0 : 1\n 1 0 : 2\n 0 1 : 20\n 1 1 : 3\n 0 2 : 4\n"
+      " 2 2 : 5\n 3 2 : 6\n 2 3 : 60\n 3 3 : 7\n" +
+      end;
+  Eigen::Matrix4d W;  // gaps first
+  W << 1, 4, 20, 0, 0, 5, 0, 60, 2, 0, 3, 0, 0, 6, 0, 7;
+  for (const std::string& content : {dense, blocks, columns, triplets}) {
+    CAPTURE(content);
+    const FiledProblem filed = lcps(parse_problem(content, "file")).at(0);
+    CHECK(filed.rubs());
+    CHECK(filed.problem.compliance == W);
+    CHECK(filed.problem.free_gap == Eigen::Vector2d(-1, -2));
+    CHECK(filed.problem.free_slip == Eigen::Vector2d(5, 6));
+    CHECK(filed.problem.law.pair == std::vector<Index>{0, 1});
+    CHECK(filed.problem.law.coefficient == Eigen::Vector2d(0.25, 0.5));
+    CHECK(filed.problem.law.cohesion == Eigen::Vector2d(0, 0));
+  }
+  // The same storages without friction.
+  const FiledProblem plain =
+      lcps(parse_problem("3 1 3 3 2 2 2 2 3 2 3 3 2 0 1 2 0 1 0 1 2 3 4 1 5 -1 -2 -3", "file"))
+          .at(0);
+  CHECK_FALSE(plain.rubs());
+  CHECK(plain.problem.compliance == (Eigen::Matrix3d() << 1, 3, 0, 2, 4, 0, 0, 0, 5).finished());
+  CHECK(plain.problem.free_gap == Eigen::Vector3d(-1, -2, -3));
+}
+
 TEST_CASE("a quadratic programme keeps every number and the published optimum", "[problem_file]") {
   const ProblemFile file = read_problem(data / "maros_meszaros/HS35.txt");
   const auto& programme = std::get<TwoSidedProgramme>(file);

@@ -54,9 +54,9 @@ TEST_CASE("sizes are whole numbers that the file can hold", "[problem_file]") {
 }
 
 TEST_CASE("the header of Siconos is checked against itself", "[problem_file]") {
-  CHECK(complaint("2 1 2 2") ==
-        "file:1: expected a dense matrix (storage 0), got storage 1; write the matrix out, column "
-        "by column");
+  CHECK(complaint("3 7 3 3") ==
+        "file:1: expected the storage of the matrix, 0 (dense), 1 (blocks) or 2 (columns or "
+        "triplets); of friction problems those of the plane are read, which begin with 2, got '7'");
   CHECK(complaint("2\n0\n2\n3\n2 3\n1 2 3") ==
         "file:4: columns of the matrix: expected 2 as the unknowns, got 3");
   CHECK(complaint("2\n0\n2\n2\n2\t7\n1 2 3") ==
@@ -64,6 +64,35 @@ TEST_CASE("the header of Siconos is checked against itself", "[problem_file]") {
   CHECK(complaint("2\n0\n2") ==
         "file:3: columns of the matrix: expected a whole number from 0 to 1000000, got the end of "
         "the file");
+}
+
+TEST_CASE("friction problems of Siconos that contradict themselves", "[problem_file]") {
+  const std::string dense = "2 1 0 2 2 2 2 1 0 0 1\n-1 0\n";
+  CHECK(complaint(dense + "-0.5") ==
+        "file:3: mu(1): expected a friction coefficient of 0 or more, got -0.5");
+  CHECK(complaint(dense) ==
+        "file:2: mu: expected 1 x 1 numbers, but only 0 characters are left in the file");
+  CHECK(complaint(dense + "0.5 7") ==
+        "file:3: expected the end of the problem, or a remark, got '7'");
+  CHECK(complaint("2 3 0 5") == "file:1: rows of the matrix: expected 6 as the unknowns, got 5");
+  const std::string block = "2 1 1 2 2 ";
+  CHECK(complaint(block + "1 1 1 3") ==
+        "file:1: end of a block row: expected a whole number from 1 to 2, got '3'");
+  CHECK(complaint(block + "1 1 1 1 2") ==
+        "file:1: end of a block row: expected the last at 2, got 1");
+  CHECK(complaint(block + "1 1 1 2 2 2 1 0 0") ==
+        "file:1: first block of a row: expected a whole number from 1 to 1, got '0'");
+  CHECK(complaint(block + "1 1 1 2 2 2 1 0 1 1") ==
+        "file:1: column of a block: expected a whole number from 0 to 0, got '1'");
+  const std::string sparse = "2 1 2 2 2 2\nCSparse Version\n2-by-2, nzmax: 2 nnz: 2, 1-norm: 1\n";
+  CHECK(complaint(sparse + "col 0 : locations 0 to 2") ==
+        "file:4: last entry of a column: expected a whole number from -1 to 1, got '2'");
+  CHECK(complaint(sparse + "col 0 : locations 0 to 0\n2 : 1") ==
+        "file:5: row of an entry: expected a whole number from 0 to 1, got '2'");
+  CHECK(complaint("2 1 2 2 2 2\nmatrix") == "file:2: expected 'CSparse', got 'matrix'");
+  CHECK(complaint("2 6000 2 12000 12000 2\n") ==
+        "file:1: a matrix with 12000 rows is not read: at most 10000, because it is solved as a "
+        "dense one");
 }
 
 TEST_CASE("numbers of Siconos that are missing, odd or too many", "[problem_file]") {

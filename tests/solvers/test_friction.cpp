@@ -131,7 +131,13 @@ TEST_CASE("problems that do not fit are refused with their sizes", "[friction][e
   CHECK_THROWS_AS(friction_solvers().front().solve(problem, {}), std::invalid_argument);
   problem.law.coefficient(0) = 0.1;
   problem.compliance(0, 1) = 0.5;  // not symmetric
-  CHECK_THROWS_AS(friction_solvers().front().solve(problem, {}), std::invalid_argument);
+  CHECK_THROWS_AS(find_solver("friction_split").solve(problem, {}), std::invalid_argument);
+  problem.rigid = Eigen::Vector2d(1, 0);
+  problem.resultant = Eigen::VectorXd::Ones(1);
+  for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister"})
+    CHECK_THROWS_AS(find_solver(name).solve(problem, {}), std::invalid_argument);
+  problem.rigid.resize(0, 0);
+  problem.resultant.resize(0);
   problem.compliance = MatrixXd::Identity(3, 3);
   CHECK_THROWS_AS(friction_solvers().front().solve(problem, {}), std::invalid_argument);
 }

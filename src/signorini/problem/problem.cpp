@@ -8,6 +8,20 @@
 
 namespace signorini {
 
+const char* to_string(Motion motion) {
+  switch (motion) {
+    case Motion::Open:
+      return "open";
+    case Motion::Stick:
+      return "stick";
+    case Motion::Forward:
+      return "forward";
+    case Motion::Backward:
+      return "backward";
+  }
+  return "unknown";
+}
+
 const char* to_string(Status status) {
   switch (status) {
     case Status::Solved:

@@ -81,6 +81,11 @@ enum class Motion : signed char {
   Backward  ///< slip < 0, tau = b
 };
 
+/// A motion in words.
+/// \param motion  any
+/// \return "open", "stick", "forward" or "backward"
+[[nodiscard]] const char* to_string(Motion motion);
+
 /// \param motion  of a pair
 /// \return the sign of tau at its bound, 0 where the pair does not slide
 [[nodiscard]] inline double friction_sign(Motion motion) {

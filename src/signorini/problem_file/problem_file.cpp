@@ -8,6 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/text_reader.hpp"
+#include "signorini/problem_file/siconos.hpp"
 
 namespace signorini {
 namespace {
@@ -50,39 +51,6 @@ Eigen::VectorXd read_entries(TextReader& in, const std::string& name, Index size
 Eigen::VectorXd read_vector(TextReader& in, const std::string& name, Index size) {
   in.expect_line(name);
   return read_entries(in, name, size);
-}
-
-/// One number of the Siconos format, on this line or below.
-Index siconos_size(TextReader& in, const std::string& what) {
-  return in.size(in.word_anywhere(), what, 0);
-}
-
-std::vector<FiledProblem> read_siconos(TextReader& in, std::string_view first) {
-  FiledProblem filed;
-  filed.line = in.line();
-  const Index n = in.size(first, "number of unknowns", 1);
-  const Index storage = siconos_size(in, "storage of the matrix");
-  if (storage != 0)
-    in.fail(text("expected a dense matrix (storage 0), got storage ", storage,
-                 "; write the matrix out, column by column"));
-  for (const char* what : {"rows of the matrix", "columns of the matrix",
-                           "rows of the matrix, repeated", "columns of the matrix, repeated"}) {
-    const Index size = siconos_size(in, what);
-    if (size != n) in.fail(text(what, ": expected ", n, " as the unknowns, got ", size));
-  }
-  in.check_room(n, n + 1, "matrix and vector");
-  filed.problem.compliance.resize(n, n);
-  filed.problem.free_gap.resize(n);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i)
-      filed.problem.compliance(i, j) =
-          in.number(in.word_anywhere(), text("M(", i + 1, ",", j + 1, ")"));
-  for (Index i = 0; i < n; ++i)
-    filed.problem.free_gap(i) = in.number(in.word_anywhere(), text("q(", i + 1, ")"));
-  const std::string_view more = in.word_anywhere();
-  if (!more.empty() && more.find_first_not_of("0123456789+-.eE") == std::string_view::npos)
-    in.fail(text("the end of the ", n, " x ", n + 1, " numbers, or a remark"), more);
-  return {std::move(filed)};
 }
 
 /// A problem whose line `n NUMBER` and line `M` were read.

@@ -35,7 +35,8 @@ struct Side {
   std::string body = {};  ///< name of the body; may be left out if there is only one
 };
 
-/// Coulomb friction with cohesion between two sides; slip counts from the load step before.
+/// Friction between two sides: |tau| <= mu lambda + c where they touch; slip counts from the load step before.
+/// Coulomb's law has c = 0, Tresca's mu = 0, the bound then being given.
 struct Friction {
   double coefficient = 0;  ///< mu >= 0 [-]
   double cohesion = 0;     ///< c >= 0 where the sides touch [force/length^2]

@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 
 ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptions& options) {
   const bool rubs = !problem.law.pair.empty();
-  if (rubs || problem.resultant.size() > 0) check_problem(problem);
+  if (problem.resultant.size() > 0) check_problem(problem);
   const ScaledProblem scaled = equilibrate_any(problem);
   if (auto away = pulled_away(problem, scaled)) return *away;
   const bool limited = options.iteration_limit > 0;

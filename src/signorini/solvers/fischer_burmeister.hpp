@@ -37,7 +37,7 @@ namespace signorini {
 /// \return `Solved`; `Infeasible` with `escape` if no forces balance r; `Breakdown` if \f$ |\Phi| \f$ falls no
 ///   more at a point that is no solution, as happens if nothing solves the problem; `IterationLimit`.
 ///   `report.history` holds \f$ |\Phi| \f$ relative to its first value as `residual`
-/// \throws std::invalid_argument as check_finite(), with friction or rigid modes as check_problem()
+/// \throws std::invalid_argument as check_finite(), with rigid modes as check_problem()
 [[nodiscard]] ContactState fischer_burmeister(const ContactProblem& problem,
                                               const SolverOptions& options = {});
 

@@ -159,7 +159,8 @@ ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& coverin
 
 ContactState lemke(const ContactProblem& problem, const SolverOptions& options) {
   if (!problem.law.pair.empty() || problem.resultant.size() > 0) {
-    const ScaledProblem scaled = equilibrate(problem);
+    if (problem.resultant.size() > 0) check_problem(problem);
+    const ScaledProblem scaled = equilibrate_any(problem);
     if (auto away = pulled_away(problem, scaled)) return *away;
     Attempt attempt = first_attempt(scaled);
     follow_pivots(scaled, options, attempt);

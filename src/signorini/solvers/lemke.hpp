@@ -61,7 +61,7 @@ namespace signorini {
 /// \param options  as above, for all paths together; with friction or rigid modes of each path
 /// \return as above; `iterations` counts the pivots of all paths. With friction or rigid modes also `Infeasible`
 ///   with `escape` if no forces balance r, and `Breakdown` if the sets of cohesive pairs run in circles
-/// \throws std::invalid_argument as check_finite(), with friction or rigid modes as check_problem()
+/// \throws std::invalid_argument as check_finite(), with rigid modes as check_problem()
 [[nodiscard]] ContactState lemke(const ContactProblem& problem, const SolverOptions& options = {});
 
 }  // namespace signorini

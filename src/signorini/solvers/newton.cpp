@@ -146,7 +146,7 @@ Attempt first_attempt(const ScaledProblem& problem) {
     unit = ContactEquations(problem, nested_friction).reach();
     now.force = U * problem.resultant;
     now.amplitude = -U.transpose() * (problem.free + problem.compliance * now.force);
-  } else if (!problem.law.pair.empty()) {
+  } else if (!problem.law.pair.empty() && problem.symmetric) {
     const ContactState normal =
         goldfarb_idnani({problem.compliance.topLeftCorner(pairs, pairs), problem.free.head(pairs)});
     if (normal.report.status == Status::Solved) now.force.head(pairs) = normal.force;
@@ -175,7 +175,7 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   ContactState state =
       finished(problem, scaled, attempt.closure, attempt.motions, std::move(report));
   if (state.reason.empty()) state.reason = std::move(attempt.reason);
-  if (attempt.confirmed && !scaled.law.pair.empty())
+  if (attempt.confirmed && !scaled.law.pair.empty() && scaled.symmetric)
     state.uniqueness = uniqueness(scaled, attempt.closure);
   return state;
 }

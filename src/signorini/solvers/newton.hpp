@@ -65,6 +65,14 @@ void exchange_motions(const ScaledProblem& problem, Eigen::Index limit, Attempt&
 /// Exchanges with friction if the caller sets no limit.
 inline constexpr Eigen::Index exchange_limit = 50;
 
+/// Finds out what pairs that rub do by sweeps: each pair in turn gets the forces that its law asks for while all
+/// others keep theirs [\ref AcaryEtAl2019]. The number of sweeps doubles, and as often as no fewer pairs changed
+/// in an earlier doubling, exchange_motions() may end it. All sweeps together cost no more than a factorisation of F,
+/// and they use its zeros. They are not counted as iterations.
+/// \param problem  scaled, without rigid modes
+/// \param[in,out] attempt  its report is continued
+void follow_sweeps(const ScaledProblem& problem, Attempt& attempt);
+
 /// Follows Lemke's path through all kinds of contact, see lemke().
 /// \param problem  scaled
 /// \param options  of each path

@@ -122,10 +122,11 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
 }
 
 ContactState primal_dual_active_set(const ContactProblem& problem, const SolverOptions& options) {
-  const ScaledProblem scaled = equilibrate(problem);
+  const bool rubs = !problem.law.pair.empty();
+  if (!rubs || problem.resultant.size() > 0) check_problem(problem);
+  const ScaledProblem scaled = equilibrate_any(problem);
   if (auto away = pulled_away(problem, scaled)) return *away;
   const Index asked = options.iteration_limit;
-  const bool rubs = !scaled.law.pair.empty();
   const Index own_limit = rubs ? exchange_limit : most_exchanges(scaled);
   const bool floats = problem.resultant.size() > 0;
   const Index limit = asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit;
@@ -139,6 +140,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
     attempt = std::move(again);
     exchange_motions(scaled, limit, attempt);
   }
+  if (rubs && !floats && asked == 0 && !attempt.confirmed) follow_sweeps(scaled, attempt);
   if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
     Attempt again = first_attempt(scaled);
     again.report = std::move(attempt.report);

@@ -45,7 +45,7 @@ struct Solver {
   ContactState (*solve)(const ContactProblem& problem, const SolverOptions& options);
   Eigen::Index largest = 0;  ///< most pairs it accepts; 0: no bound
   /// Traits of problems on which it may end without a solution, and then says so. One that lists
-  /// Asymmetric throws for such a matrix.
+  /// Asymmetric throws for such a matrix where nothing rubs.
   std::vector<Trait> may_fail = {};
   Takes friction = Takes::No;  ///< whether it takes slips
   /// Whether it takes rigid modes itself, or needs the springs of solve()

@@ -2,8 +2,8 @@
 #include "support/friction.hpp"
 
 #include "signorini/core/errors.hpp"
+#include "signorini/problem_file/problem_file.hpp"
 #include "support/classes/classes.hpp"
-#include "support/friction_contact_file.hpp"
 
 namespace signorini_test {
 namespace {
@@ -148,8 +148,11 @@ Instances friction_cylinder_away() {
 Instances friction_siconos() {
   Instances made;
   for (const char* name : {"FrictionContactProblem00031", "FrictionContactProblem00374"})
-    made.push_back({name, read_friction_contact(std::string(SIGNORINI_TEST_DATA) +
-                                                "/siconos_fc2d/" + name + ".dat")});
+    made.push_back(
+        {name, std::get<std::vector<FiledProblem>>(read_problem(std::string(SIGNORINI_TEST_DATA) +
+                                                                "/siconos_fc2d/" + name + ".dat"))
+                   .front()
+                   .problem});
   return made;
 }
 
