@@ -53,7 +53,7 @@ TEST_CASE("every kind of load follows its history: a step is the scene with scal
     body.springs = {{"left", {0, 3}}};
     body.temperature = Temperature{f * 2, {f * 1, f * -0.5}, one};
     body.loads.edges = {{"top", h * 5, [h](const Eigen::Vector2d& x) {
-                           return h * Eigen::Vector2d(0.3 * x.x(), 0);
+                           return Eigen::Vector2d(0.3 * h * x.x(), 0);
                          }}};
     body.loads.edges[0].history = two;
     body.loads.edges.push_back({"top", 1, {}});

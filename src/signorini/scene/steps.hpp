@@ -5,9 +5,8 @@
 /// histories: p, g and \f$ K^{-1}p \f$ are sums of parts, each condensed once. So a step costs the triangular solves
 /// of its refinement and dense algebra on the boundary, and begins from what the pairs did last.
 ///
-/// The law of friction holds for the slip since the last step: \f$ s_k = s(t_k) + T u_k - s_{k-1} \f$ takes the
-/// place of the slip of \PaperEq{LinEtAl, 8}, where \f$ s_{k-1} \f$ is the slip in total before. A pair that sticks
-/// keeps its total to the last bit.
+/// The law of friction holds for the slip since the last step: \f$ s_k = s(t_k) + T u_k - s_{k-1} \f$, where
+/// \f$ s_{k-1} \f$ is the slip in total before. A pair that sticks keeps its total to the last bit.
 #pragma once
 #include <functional>
 #include <iosfwd>
@@ -71,7 +70,7 @@ struct PathEnd {
 ///   displacements of its bodies at that time
 void set_time(double time, Model& model);
 
-/// Goes one step.
+/// Goes one step. Slip counts from the step before, in the place of the slip of \PaperEq{LinEtAl, 8}.
 /// \param past    where the path is
 /// \param time    where the step ends, beyond `past.time` [time]
 /// \param model   gets the loads of that time; g of the slips counts from `past`
