@@ -106,6 +106,14 @@ void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displ
   out << "    </Piece>\n";
 }
 
+/// A text between quotation marks of XML.
+std::string in_xml(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  return result;
+}
+
 }  // namespace
 
 void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution) {
@@ -121,6 +129,18 @@ void write_vtu(const std::filesystem::path& file, const Model& model, const Solu
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     write_body(out, model.bodies[b], solution.displacements[b], contact);
   out << "  </UnstructuredGrid>\n</VTKFile>\n";
+  write_file(file, out.str());
+}
+
+void write_pvd(const std::filesystem::path& file, const std::vector<TimedFile>& files) {
+  std::ostringstream out;
+  out << std::setprecision(17)
+      << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+         "byte_order=\"LittleEndian\">\n  <Collection>\n";
+  for (const TimedFile& one : files)
+    out << "    <DataSet timestep=\"" << one.time << "\" part=\"0\" file=\"" << in_xml(one.file)
+        << "\"/>\n";
+  out << "  </Collection>\n</VTKFile>\n";
   write_file(file, out.str());
 }
 
