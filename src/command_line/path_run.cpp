@@ -1,9 +1,11 @@
 #include "command_line/path_run.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "command_line/picture.hpp"
@@ -48,6 +50,27 @@ void add_rows(const std::string& rows, double time, std::string& table) {
       if (table.find("\ntime,") == std::string::npos) table += "time," + line + '\n';
     }
   }
+}
+
+/// The rows of such a table up to a time.
+std::string rows_until(double time, const std::string& table) {
+  std::string rows;
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string comment = "# time ";
+    const std::size_t begin = line.rfind(comment, 0) == 0 ? comment.size() : 0;
+    double at = 0;
+    const auto read = std::from_chars(line.data() + begin, line.data() + line.size(), at);
+    if (read.ec == std::errc() && at > time) break;
+    rows += line + '\n';
+  }
+  return rows;
+}
+
+/// What a file holds, nothing if there is none.
+std::string content_if_any(const std::string& file) {
+  std::error_code unseen;
+  return fs::is_regular_file(file, unseen) ? content_of(file) : "";
 }
 
 Index solves_of(const Ledger& ledger) {
@@ -122,6 +145,11 @@ PathFiles::PathFiles(const SceneRun& run, std::string read)
   Output all = wanted_;
   if (!all.vtu.empty()) all.vtu = collection(all.vtu);
   static_cast<void>(Drafts(files_of(all), read_));
+  if (run.from.steps == 0) return;
+  if (!all.csv.empty()) table_ = rows_until(run.from.time, content_if_any(all.csv));
+  if (!all.vtu.empty()) fields_ = read_pvd(content_if_any(all.vtu));
+  const auto later = [&](const TimedFile& file) { return file.time > run.from.time; };
+  fields_.erase(std::remove_if(fields_.begin(), fields_.end(), later), fields_.end());
 }
 
 void PathFiles::add(const Model& model, const Step& step) {
@@ -157,44 +185,56 @@ void PathFiles::finish(const SceneRun& run) const {
   });
 }
 
-void print_step_head(std::ostream& out, const SceneRun& run) {
-  out << '\n';
-  for (const Column& column : columns(run, nullptr, nullptr)) out << std::setw(13) << column.name;
-  out << std::endl;
+void PathTeller::begin(const SceneRun& run) {
+  if (std::exchange(begun_, true)) return;
+  if (as_json_) {
+    write_head(json_.object(), run);
+    json_.key("steps").array();
+    return;
+  }
+  print_head(out_, run);
+  if (run.from.steps > 0)
+    out_ << "\ngoes on from time " << run.from.time << ", after " << run.from.steps << " steps\n";
+  out_ << '\n';
+  for (const Column& column : columns(run, nullptr, nullptr)) out_ << std::setw(13) << column.name;
+  out_ << '\n';
 }
 
-void print_step(std::ostream& out, const SceneRun& run, const Model& model, const Step& step) {
+void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step) {
+  begin(run);
+  if (as_json_) {
+    json_.object().key("step").value(step.state.steps).key("time").value(step.state.time);
+    if (!run.plan.law.pair.empty()) json_.key("dissipated").value(step.state.dissipation.sum());
+    write_result(json_, run.plan.solver, model, step.solution);
+    json_.end();
+    return;
+  }
   for (const Column& column : columns(run, &model, &step))
-    out << std::setw(13) << number(column.value, column.format);
-  out << std::endl;
+    out_ << std::setw(13) << number(column.value, column.format);
+  out_ << std::endl;  // now: the next step may take long
 }
 
-void print_end(std::ostream& out, const SceneRun& run) {
+void PathTeller::end(const SceneRun& run) {
+  begin(run);
   const PathEnd& end = *run.end;
+  const std::string reason = run.solved() ? "" : end.reason + way_on(run);
+  if (as_json_) {
+    json_.end().key("solved").value(run.solved()).key("status").value(to_string(end.status));
+    json_.key("reason").value(reason).key("time").value(end.state.time);
+    json_.key("halvings").value(end.halvings);
+    out_ << json_.end().text();
+    return;
+  }
   if (run.solved())
-    out << "\nsolved: " << end.state.steps << " steps up to time " << end.state.time;
+    out_ << "\nsolved: " << end.state.steps << " steps up to time " << end.state.time;
   else
-    out << "\nnot solved: " << end.reason << way_on(run);
-  if (end.halvings > 0) out << "\nsteps that failed and were halved: " << end.halvings;
-  out << '\n';
+    out_ << "\nnot solved: " << reason;
+  if (end.halvings > 0) out_ << "\nsteps that failed and were halved: " << end.halvings;
+  out_ << '\n';
   if (!run.solution) return;
-  out << "\nat time " << end.state.time << ": certificate: " << run.solution->certificate << '\n';
-  print_result(out, run);
-  out << '\n' << confront(run.prediction, run.ledgers);
-}
-
-void write_step(Json& json, const SceneRun& run, const Model& model, const Step& step) {
-  json.object().key("step").value(step.state.steps).key("time").value(step.state.time);
-  json.key("dissipated").value(step.state.dissipation.sum());
-  write_result(json, run.plan.solver, model, step.solution);
-  json.end();
-}
-
-void write_end(Json& json, const SceneRun& run) {
-  const PathEnd& end = *run.end;
-  json.key("solved").value(run.solved()).key("status").value(to_string(end.status));
-  json.key("reason").value(end.reason + (run.solved() ? "" : way_on(run)));
-  json.key("time").value(end.state.time).key("halvings").value(end.halvings);
+  out_ << "\nat time " << end.state.time << "\ncertificate: " << run.solution->certificate << '\n';
+  print_result(out_, run);
+  out_ << '\n' << confront(run.prediction, run.ledgers);
 }
 
 }  // namespace command_line

@@ -1,5 +1,6 @@
 // Load steps of a scene file: what is said and written after each.
 #pragma once
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace command_line {
 /// \throws signorini::ProblemError if it is none, or the load steps end before it
 void go_on(SceneRun& run, const std::string& file);
 
-/// The files of a path: those of a step are there, complete, before the next one begins.
+/// The files of a path: those of a step are there, complete, before the next one begins. A path that goes on keeps what
+/// files of the same names say of the steps before.
 class PathFiles {
  public:
   /// \param run   that will be solved
@@ -39,35 +41,27 @@ class PathFiles {
   std::vector<signorini::TimedFile> fields_;
 };
 
-/// Prints the names of the columns of print_step().
-/// \param out  where to
-/// \param run  that is planned
-void print_step_head(std::ostream& out, const SceneRun& run);
+/// Tells of a path: a line for each step as soon as it is solved, or one JSON document at the end.
+class PathTeller {
+ public:
+  /// \param out   where to
+  /// \param json  a document in the place of lines
+  PathTeller(std::ostream& out, bool json) : out_(out), as_json_(json) {}
+  /// \param run    what is being solved
+  /// \param model  as loaded in the step
+  /// \param step   that was solved
+  void tell(const SceneRun& run, const signorini::Model& model, const signorini::Step& step);
+  /// Tells how the path ended, what the last good step found, and what all cost.
+  /// \param run  after solve_scene()
+  void end(const SceneRun& run);
 
-/// Prints one line.
-/// \param out    where to
-/// \param run    that is planned
-/// \param model  as loaded in the step
-/// \param step   that was solved
-void print_step(std::ostream& out, const SceneRun& run, const signorini::Model& model,
-                const signorini::Step& step);
+ private:
+  void begin(const SceneRun& run);
 
-/// Prints how the path ended, what the last good step found, and what all cost.
-/// \param out  where to
-/// \param run  after solve_scene()
-void print_end(std::ostream& out, const SceneRun& run);
-
-/// Writes a step as one object.
-/// \param json   the document
-/// \param run    that is planned
-/// \param model  as loaded in the step
-/// \param step   that was solved
-void write_step(signorini::Json& json, const SceneRun& run, const signorini::Model& model,
-                const signorini::Step& step);
-
-/// Writes how the path ended, as keys of an object that is open.
-/// \param json  the document
-/// \param run   after solve_scene()
-void write_end(signorini::Json& json, const SceneRun& run);
+  std::ostream& out_;
+  signorini::Json json_;
+  bool as_json_;
+  bool begun_ = false;
+};
 
 }  // namespace command_line

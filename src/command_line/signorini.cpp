@@ -131,27 +131,12 @@ int plan_scene(const Request& request) {
 int solve_path(const Request& request, command_line::SceneRun& run) {
   if (!request.from.empty()) command_line::go_on(run, request.from);
   command_line::PathFiles files(run, request.file);
-  Json json;
-  if (request.json) {
-    command_line::write_head(json.object(), run);
-    json.key("steps").array();
-  } else {
-    command_line::print_head(std::cout, run);
-    command_line::print_step_head(std::cout, run);
-  }
+  command_line::PathTeller teller(std::cout, request.json);
   command_line::solve_scene(run, [&](const Model& model, const Step& step) {
     files.add(model, step);
-    if (request.json)
-      command_line::write_step(json, run, model, step);
-    else
-      command_line::print_step(std::cout, run, model, step);
+    teller.tell(run, model, step);
   });
-  if (request.json) {
-    command_line::write_end(json.end(), run);
-    std::cout << json.end().text();
-  } else {
-    command_line::print_end(std::cout, run);
-  }
+  teller.end(run);
   if (run.solution) files.finish(run);
   return run.solved() ? solved : not_solved;
 }

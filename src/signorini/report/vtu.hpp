@@ -35,4 +35,7 @@ struct TimedFile {
 /// \throws ProblemError if the file cannot be written
 void write_pvd(const std::filesystem::path& file, const std::vector<TimedFile>& files);
 
+/// \param content  of a file that write_pvd() wrote \return its files; none of another content
+[[nodiscard]] std::vector<TimedFile> read_pvd(const std::string& content);
+
 }  // namespace signorini

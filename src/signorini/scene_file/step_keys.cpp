@@ -2,6 +2,7 @@
 #include <set>
 #include <utility>
 
+#include "signorini/core/table.hpp"
 #include "signorini/scene_file/scene_keys.hpp"
 
 namespace signorini {
@@ -23,8 +24,9 @@ void add_times(const Value& item, const StepsDraft& steps, double begin,
   const Value& place = until ? *until : item;
   const double end = *steps.until;
   if (!(end > begin))
-    place.fail("load steps of size zero: they must end after time ", begin,
-               times.empty() ? ", where steps begin" : ", where those before end", ", got ", end);
+    place.fail("load steps of size zero: they must end after time ", shortest(begin),
+               times.empty() ? ", where steps begin" : ", where those before end", ", got ",
+               shortest(end));
   if (times.size() + static_cast<std::size_t>(steps.count) > most_steps)
     item.fail("at most ", most_steps, " load steps are taken");
   double last = begin;
@@ -32,7 +34,7 @@ void add_times(const Value& item, const StepsDraft& steps, double begin,
     times.push_back(share == 1 ? end : begin + share * (end - begin));
     if (!(times.back() > last))
       place.fail("load steps of size zero: ", steps.count, " of them do not fit between time ",
-                 begin, " and ", end);
+                 shortest(begin), " and ", shortest(end));
     last = times.back();
   }
 }
