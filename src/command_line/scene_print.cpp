@@ -197,48 +197,65 @@ void write_ledger(Json& json, const Ledger& ledger) {
 
 }  // namespace
 
-void print_plan(std::ostream& out, const SceneRun& run) {
+void print_head(std::ostream& out, const SceneRun& run) {
   print_title(out, run);
   signorini::print(out, run.plan, run.notes());
+}
+
+void print_plan(std::ostream& out, const SceneRun& run) {
+  print_head(out, run);
   out << '\n' << run.prediction;
 }
 
+void print_result(std::ostream& out, const SceneRun& run) {
+  print_bodies(out, *run.model, *run.solution);
+  if (run.solution->pressure.size() == 0) return;
+  print_resultants(out, *run.model, *run.solution);
+  print_pressures(out, run.model->pairs, *run.solution);
+}
+
 void print_solution(std::ostream& out, const SceneRun& run) {
-  print_title(out, run);
-  signorini::print(out, run.plan, run.notes());
+  print_head(out, run);
   print_status(out, *run.solution);
-  if (run.solved()) print_bodies(out, *run.model, *run.solution);
-  if (run.solved() && run.solution->pressure.size() > 0) {
-    print_resultants(out, *run.model, *run.solution);
-    print_pressures(out, run.model->pairs, *run.solution);
+  if (run.solved()) print_result(out, run);
+  out << '\n' << run.solution->ledger << '\n' << confront(run.prediction, run.ledgers);
+}
+
+void write_head(Json& json, const SceneRun& run) {
+  json.key("file").value(run.file.name).key("title").value(run.file.title);
+  write_plan(json, run);
+}
+
+void write_result(Json& json, const std::string& solver, const Model& model,
+                  const Solution& solution) {
+  const bool solved = solution.contact.report.status == Status::Solved;
+  write_lines(json, "notes", solution.notes);
+  json.key("solved").value(solved);
+  json.key("solver").value(solver);
+  json.key("status").value(to_string(solution.contact.report.status));
+  json.key("reason").value(why_unsolved(solution));
+  json.key("iterations").value(solution.contact.report.iterations);
+  json.key("certificate");
+  write(json, solution.certificate);
+  if (solved) {
+    const Resultants sum = resultants(model.pairs, solution);
+    json.key("resultants").object();
+    write_point(json, "force", sum.force);
+    json.key("moment").value(sum.moment).key("closed").value(sum.closed_weight);
+    json.key("peak_pressure").value(sum.peak_pressure).end();
+    write_bodies(json, model, solution);
+    write_pairs(json, model.pairs, solution);
   }
-  out << '\n' << run.solution->ledger << '\n' << confront(run.prediction, run.solution->ledger);
+  write_ledger(json, solution.ledger);
 }
 
 void write(Json& json, const SceneRun& run) {
-  json.object().key("file").value(run.file.name).key("title").value(run.file.title);
-  write_plan(json, run);
-  write_lines(json, "notes", run.notes());
-  if (run.solution) {
-    const Solution& solution = *run.solution;
-    json.key("solved").value(run.solved());
-    json.key("solver").value(run.plan.solver);
-    json.key("status").value(to_string(solution.contact.report.status));
-    json.key("reason").value(why_unsolved(solution));
-    json.key("iterations").value(solution.contact.report.iterations);
-    json.key("certificate");
-    write(json, solution.certificate);
-    if (run.solved()) {
-      const Resultants sum = resultants(run.model->pairs, solution);
-      json.key("resultants").object();
-      write_point(json, "force", sum.force);
-      json.key("moment").value(sum.moment).key("closed").value(sum.closed_weight);
-      json.key("peak_pressure").value(sum.peak_pressure).end();
-      write_bodies(json, *run.model, solution);
-      write_pairs(json, run.model->pairs, solution);
-    }
-    write_ledger(json, solution.ledger);
-  }
+  json.object();
+  write_head(json, run);
+  if (run.solution)
+    write_result(json, run.plan.solver, *run.model, *run.solution);
+  else
+    write_lines(json, "notes", run.notes());
   json.end();
 }
 

@@ -159,6 +159,56 @@ if [ "$(id -u)" -ne 0 ]; then
     chmod u+w outputs
 fi
 
+# Load steps: a line, a file and a state for each.  A path goes on from its state to the same bits.
+path=$examples/to_and_fro.toml
+expect 0 'load steps: 51 up to time 4, one factor for all' plan "$path"
+expect 0 "history 'drag': 0 at time 0, 0 at time 1, 1 at time 2, -1 at time 3, 1 at time 4; 1 loads follow it" plan "$path"
+expect 0 'later step +seconds about' plan "$path"
+expect 0 '^ +11 +2 +[0-9]+ +4 +40 +0 +40 +-60 +200 +3\.3251 ' solve "$path" --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
+expect 0 'solved: 51 steps up to time 4' solve "$path"
+holds 'rows of all steps' test "$(cut -d, -f1 outputs/a.csv | grep -vc '[a-z]') $(grep -c '^time,x,y,' outputs/a.csv)" = '2091 1'
+holds 'a collection of all steps' test "$(grep -c '<DataSet timestep="[0-9.]*" part="0" file="a_00[0-5][0-9].vtu"/>' outputs/a.pvd)" -eq 51
+sed '/^count = 20/,$d' "$path" | sed '$d' > part.toml
+expect 0 'solved: 11 steps up to time 2' solve part.toml --vtu outputs/b.vtu --csv outputs/b.csv --state outputs/b
+holds 'a step is not changed by what follows' cmp outputs/a_0011.vtu outputs/b_0011.vtu
+expect 0 'goes on from time 2, after 11 steps' solve "$path" --from outputs/b --vtu outputs/b.vtu --csv outputs/b.csv --state outputs/b
+holds 'the same state' cmp outputs/a outputs/b
+holds 'the same table' cmp outputs/a.csv outputs/b.csv
+sed 's/"b_/"a_/' outputs/b.pvd > collection
+holds 'the same collection' cmp outputs/a.pvd collection
+for file in outputs/a_*.vtu; do
+    holds 'the same step' cmp "$file" "outputs/b_${file#outputs/a_}"
+done
+expect 2 'outputs/b: this state is that of time 4, .*end at 4: nothing is left' solve "$path" --from outputs/b
+expect 2 'a.csv:[0-9]+: expected .*signorini-state' solve "$path" --from outputs/a.csv
+expect 2 "cannot write 'outputs/b' twice" solve "$path" --csv outputs/b --state outputs/b
+expect 2 '^signorini: --state: .*punch.toml has no load steps' solve "$examples/punch.toml" --state outputs/c
+expect 2 '^signorini: --from: .*punch.toml has no load steps' solve "$examples/punch.toml" --from outputs/b
+rm outputs/*
+expect 0 'solved: 11 steps' solve part.toml --state outputs/a
+sed 's/^friction = .*/friction = 0.2/' "$path" > other.toml
+expect 2 '--from: the state at time 2 is of another scene: its displacements' solve other.toml --from outputs/a
+sed 's/cells = .40, 10./cells = [20, 10]/' "$path" > other.toml
+expect 2 '--from: the state at time 2 is of another scene: it has 861 unknowns' solve other.toml --from outputs/a
+rm outputs/*
+# Pressed until time 1, then pulled off the ground: what was good stays.
+{
+    sed 's/^pressure.*/pressure = { top = { value = 1, history = "press" } }/' lifted.toml
+    printf '[[steps]]\nvalues = { press = 1 }\n[[steps]]\ncount = 2\nvalues = { press = -1 }\n'
+} > pulled.toml
+expect 1 'not solved: the step from time 1\.5 to .*last good state is that of time 1\.5\. To go on from there: signorini solve pulled.toml --from outputs/a$' solve pulled.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
+holds 'steps of a path that failed' grep -q '^1\.5,' outputs/a.csv
+holds 'a state of a path that failed' grep -qx 'time 1.5' outputs/a
+written 'a
+a.csv
+a.pvd
+a_0001.vtu
+a_0002.vtu'
+expect 1 'time 1\.5\. With --state FILE the next run can go on' solve pulled.toml
+sed 's/press = 1 /press = -1 /' pulled.toml > never.toml
+expect 1 'not solved: the step from time 0 to ' solve never.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
+written ''
+
 # Wrong scenes: one line that names file and line, as the comment at their top says, and nothing else.
 count=0
 for file in "$data"/scenes/wrong/*.toml; do
@@ -201,6 +251,7 @@ if [ -c /dev/full ]; then
     lost --help
     lost --man
     lost solve "$cantilever" --json
+    lost solve "$path"
     lost qp --help
 fi
 
@@ -228,4 +279,8 @@ for word in '"on"' '"predicted"' '"trust": "exact"' '"certificate"' '"ledger"' '
     holds "no $word in JSON" grep -Fq "$word" out.json
 done
 json 1 solve lifted.toml
+json 1 solve pulled.toml
+holds 'good steps in JSON' test "$(grep -c '"step": [0-9]' out.json)" -eq 2
+json 0 solve "$path"
+holds 'all steps in JSON' test "$(grep -c '"step": [0-9]' out.json)" -eq 51
 [ "$failures" -eq 0 ]

@@ -214,3 +214,22 @@ TEST_CASE("nothing is written of a problem that is not solved, or where nobody c
                   std::invalid_argument);
   CHECK(folder.entries() == 0);
 }
+
+TEST_CASE("a collection names the file of every time, and is read back", "[vtu]") {
+  const Folder folder;
+  const std::filesystem::path file = folder.path() / "all.pvd";
+  const std::vector<TimedFile> files = {{1.0 / 3, "a_0001.vtu"}, {2, "<\"R&D\" &lt;>_0002.vtu"}};
+  write_pvd(file, files);
+  const std::string content = content_of(file);
+  CHECK(is_balanced(content));
+  CHECK_THAT(content, ContainsSubstring("timestep=\"0.3333333333333333"));
+  CHECK_THAT(content, ContainsSubstring("file=\"a_0001.vtu\"/>"));
+  const std::vector<TimedFile> back = read_pvd(content);
+  REQUIRE(back.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    CHECK(back[k].time == files[k].time);
+    CHECK(back[k].file == files[k].file);
+  }
+  CHECK(read_pvd("<DataSet timestep=\"one\" file=\"a\"/>\n<DataSet timestep=\"1\"/>\n").empty());
+  CHECK_THROWS_AS(write_pvd(folder.path() / "nowhere" / "a.pvd", files), ProblemError);
+}

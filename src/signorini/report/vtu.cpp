@@ -1,7 +1,10 @@
 #include "signorini/report/vtu.hpp"
 
+#include <charconv>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
@@ -106,6 +109,35 @@ void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displ
   out << "    </Piece>\n";
 }
 
+/// Characters that XML has for itself, and what stands for them.
+constexpr std::pair<char, const char*> entities[] = {
+    {'&', "&amp;"}, {'<', "&lt;"}, {'"', "&quot;"}};
+
+/// A text between quotation marks of XML.
+std::string in_xml(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    std::string word(1, c);
+    for (const auto& [letter, entity] : entities)
+      if (c == letter) word = entity;
+    result += word;
+  }
+  return result;
+}
+
+/// The value of an attribute of a tag, back from XML; empty without it.
+std::string attribute(const std::string& tag, const std::string& name) {
+  const std::size_t at = tag.find(' ' + name + "=\"");
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + name.size() + 3;
+  std::string value = tag.substr(begin, tag.find('"', begin) - begin);
+  for (std::size_t k = std::size(entities); k-- > 0;)
+    for (std::size_t from = 0; (from = value.find(entities[k].second, from)) != std::string::npos;
+         ++from)
+      value.replace(from, std::char_traits<char>::length(entities[k].second), 1, entities[k].first);
+  return value;
+}
+
 }  // namespace
 
 void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution) {
@@ -122,6 +154,31 @@ void write_vtu(const std::filesystem::path& file, const Model& model, const Solu
     write_body(out, model.bodies[b], solution.displacements[b], contact);
   out << "  </UnstructuredGrid>\n</VTKFile>\n";
   write_file(file, out.str());
+}
+
+void write_pvd(const std::filesystem::path& file, const std::vector<TimedFile>& files) {
+  std::ostringstream out;
+  out << std::setprecision(17)
+      << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+         "byte_order=\"LittleEndian\">\n  <Collection>\n";
+  for (const TimedFile& one : files)
+    out << "    <DataSet timestep=\"" << one.time << "\" part=\"0\" file=\"" << in_xml(one.file)
+        << "\"/>\n";
+  out << "  </Collection>\n</VTKFile>\n";
+  write_file(file, out.str());
+}
+
+std::vector<TimedFile> read_pvd(const std::string& content) {
+  std::vector<TimedFile> files;
+  std::istringstream lines(content);
+  for (std::string tag; std::getline(lines, tag);) {
+    const std::string time = attribute(tag, "timestep");
+    TimedFile file{0, attribute(tag, "file")};
+    const char* const end = time.data() + time.size();
+    const auto [rest, failed] = std::from_chars(time.data(), end, file.time);
+    if (failed == std::errc() && rest == end && !file.file.empty()) files.push_back(file);
+  }
+  return files;
 }
 
 }  // namespace signorini

@@ -61,18 +61,6 @@ void forget_slip(const VectorXd& slip, Model& model) {
   if (slip.size() > 0) model.programme.initial_gap.tail(slip.size()) -= slip;
 }
 
-/// Whether a state solves its own step of a model.
-void check_balance(const PathState& state, Model& model) {
-  check_sizes(state, model);
-  if (state.steps == 0) return;
-  set_time(state.time, model);
-  forget_slip(state.slip - state.increment, model);
-  const Certificate certificate = certify(model.programme, state.solution, model.law);
-  pose(certificate.holds(), "the state at time ", state.time,
-       " is of another scene: its displacements and forces do not solve this one then (",
-       certificate, "). Go on with the scene that it was saved from, or start anew");
-}
-
 PathState after(const PathState& past, double time, const Solution& solution) {
   const ContactState& contact = solution.contact;
   PathState state = past;
@@ -95,6 +83,17 @@ PathState after(const PathState& past, double time, const Solution& solution) {
 }
 
 }  // namespace
+
+void check_state(const PathState& state, Model& model) {
+  check_sizes(state, model);
+  if (state.steps == 0) return;
+  set_time(state.time, model);
+  forget_slip(state.slip - state.increment, model);
+  const Certificate certificate = certify(model.programme, state.solution, model.law);
+  pose(certificate.holds(), "the state at time ", state.time,
+       " is of another scene: its displacements and forces do not solve this one then (",
+       certificate, "). Go on with the scene that it was saved from, or start anew");
+}
 
 CondensedPath condense_path(const Model& model, Ledger& ledger) {
   check_steps(model, "condense_path");
@@ -160,8 +159,13 @@ PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathS
        "solve_steps: the scene has no load steps; give its `path` times, or use solve()");
   Ledger ledger;
   Model model = build(scene, ledger);
-  check_balance(from, model);
+  check_state(from, model);
   CondensedPath path = condense_path(model, ledger);
+  return solve_steps(model, path, std::move(ledger), observe, from);
+}
+
+PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const StepObserver& observe,
+                    const PathState& from) {
   PathEnd end{from};
   for (const double target : model.path.times) {
     double reach = target;
