@@ -208,7 +208,7 @@ void write_outputs(const SceneRun& run, Drafts& drafts) {
   try {
     if (!wanted.vtu.empty()) write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution);
     if (!wanted.csv.empty())
-      write_file(drafts.begin(wanted.csv), pressure_csv(run.model->pairs, *run.solution));
+      write_file(drafts.begin(wanted.csv), pressure_csv(*run.model, *run.solution));
     if (!wanted.plot.empty()) draw(drafts.begin(wanted.plot), picture_kind(wanted.plot), run);
   } catch (const ProblemError& error) {  // of a draft, which nobody has asked for by this name
     throw ProblemError(drafts.in_words(error.what()));
