@@ -154,7 +154,7 @@ PathFiles::PathFiles(const SceneRun& run, std::string read)
 
 void PathFiles::add(const Model& model, const Step& step) {
   if (!wanted_.csv.empty())
-    add_rows(pressure_csv(model.pairs, step.solution), step.state.time, table_);
+    add_rows(pressure_csv(model, step.solution, "", &step.state), step.state.time, table_);
   std::vector<std::string> files;
   std::string fields, all;
   if (!wanted_.vtu.empty()) {
@@ -167,7 +167,7 @@ void PathFiles::add(const Model& model, const Step& step) {
   Drafts drafts(files, read_);
   publish(drafts, [&] {
     if (!wanted_.vtu.empty()) {
-      write_vtu(drafts.begin(fields), model, step.solution);
+      write_vtu(drafts.begin(fields), model, step.solution, &step.state);
       write_pvd(drafts.begin(all), fields_);
     }
     if (wanted_.state.empty()) return;
@@ -205,7 +205,7 @@ void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step)
   if (as_json_) {
     json_.object().key("step").value(step.state.steps).key("time").value(step.state.time);
     if (!run.plan.law.pair.empty()) json_.key("dissipated").value(step.state.dissipation.sum());
-    write_result(json_, run.plan.solver, model, step.solution);
+    write_result(json_, run.plan.solver, model, step.solution, &step.state);
     json_.end();
     return;
   }

@@ -121,6 +121,8 @@ bool SceneRun::solved() const {
   return solution && solution->contact.report.status == Status::Solved;
 }
 
+const PathState* SceneRun::state() const { return end ? &end->state : nullptr; }
+
 const std::vector<std::string>& SceneRun::notes() const {
   return solution ? solution->notes : model ? model->notes : plan.notes;
 }
@@ -255,7 +257,7 @@ void write_outputs(const SceneRun& run, Drafts& drafts) {
   publish(drafts, [&] {
     if (!wanted.vtu.empty()) write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution);
     if (!wanted.csv.empty())
-      write_file(drafts.begin(wanted.csv), pressure_csv(run.model->pairs, *run.solution));
+      write_file(drafts.begin(wanted.csv), pressure_csv(*run.model, *run.solution));
     if (!wanted.plot.empty()) draw(drafts.begin(wanted.plot), picture_kind(wanted.plot), run);
   });
 }

@@ -67,6 +67,8 @@ struct SceneRun {
 
   /// \return whether there is a solution, of load steps of all of them
   [[nodiscard]] bool solved() const;
+  /// \return where the load steps ended; null without load steps
+  [[nodiscard]] const signorini::PathState* state() const;
   /// \return the notes of the solution, else of the model, else of the plan
   [[nodiscard]] const std::vector<std::string>& notes() const;
   /// Does something with the scene. \param action  to be done \return what it returns

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/report/pair_columns.hpp"
 #include "signorini/report/pressure_table.hpp"
 
 using namespace signorini;
@@ -10,7 +11,7 @@ using namespace signorini;
 namespace {
 
 /// Three pairs with slanted normals, the first two closed.
-Pairs three_gaps() {
+Pairs three_pairs() {
   Pairs gaps;
   gaps.initial_gap.setZero(3);
   gaps.weight = Eigen::Vector3d(0.5, 1, 0.5);
@@ -22,6 +23,14 @@ Pairs three_gaps() {
   return gaps;
 }
 
+Model three_gaps() {
+  Model model;
+  model.pairs = three_pairs();
+  model.contacts = {"stone.rim on half plane"};
+  model.contact_of = {0, 0, 0};
+  return model;
+}
+
 Solution three_forces() {
   Solution solution;
   solution.contact.report.status = Status::Solved;
@@ -29,6 +38,16 @@ Solution three_forces() {
   solution.contact.gap = Eigen::Vector3d(0, 0, 0.25);
   solution.contact.active = {0, 1};
   solution.pressure = Eigen::Vector3d(20, 3, 0);
+  return solution;
+}
+
+/// The first pair slides forward, the second sticks but for rounding, the third is open.
+Solution three_forces_with_friction() {
+  Solution solution = three_forces();
+  solution.contact.rubbing = {0, 1, 2};
+  solution.contact.friction = Eigen::Vector3d(-5, 2, 0);
+  solution.contact.slip = Eigen::Vector3d(0.5, 1e-20, -0.125);
+  solution.contact.motion = {Motion::Forward, Motion::Stick, Motion::Open};
   return solution;
 }
 
@@ -42,27 +61,120 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("the resultants are the sums of the pairs, with sign", "[pressure_table]") {
-  const Resultants sum = resultants(three_gaps(), three_forces());
+  const Resultants sum = resultants(three_pairs(), three_forces());
   CHECK(sum.force == Eigen::Vector2d(6, 11));         // out of the obstacle, onto the body
   CHECK(sum.moment == Approx(-6 + 6).margin(1e-14));  // x fy - y fx: 0 x 8 - 1 x 6 and 2 x 3 - 0
   CHECK(sum.closed_weight == 1.5);
   CHECK(sum.peak_pressure == 20);
   Solution shifted = three_forces();
   shifted.contact.force(1) = 5;
-  CHECK(resultants(three_gaps(), shifted).moment == Approx(-6 + 10).epsilon(1e-14));
+  CHECK(resultants(three_pairs(), shifted).moment == Approx(-6 + 10).epsilon(1e-14));
 }
 
 TEST_CASE("friction counts in the resultants, and notes stand in front of the table",
           "[pressure_table][friction]") {
-  Solution solution = three_forces();
-  solution.contact.rubbing = {0, 1, 2};
-  solution.contact.friction = Eigen::Vector3d(-5, 2, 0);
+  Solution solution = three_forces_with_friction();
   // Tangents (0.8, -0.6) and (1, 0): friction adds (-4, 3) at (0, 1) and (2, 0) at (2, 0).
-  const Resultants sum = resultants(three_gaps(), solution);
+  const Resultants sum = resultants(three_pairs(), solution);
   CHECK((sum.force - Eigen::Vector2d(6 - 4 + 2, 11 + 3)).norm() <= 1e-14);
   CHECK(sum.moment == Approx(4).epsilon(1e-14));
+  CHECK(sum.normal_force == 13);
+  CHECK(sum.shear_force == -3);
+  CHECK(sum.dissipated == 2.5);  // the second pair sticks: what rounding left of its slip is none
+  CHECK(sum.dissipated_total == 2.5);
   solution.notes = {"this is one of several"};
   CHECK(lines_of(pressure_csv(three_gaps(), solution))[0] == "# note this is one of several");
+}
+
+TEST_CASE("the pairs of every kind are counted", "[pressure_table][friction]") {
+  Solution solution = three_forces_with_friction();
+  const Resultants sum = resultants(three_pairs(), solution);
+  CHECK(std::vector<Eigen::Index>{sum.pairs, sum.closed, sum.rubbing, sum.stick, sum.slide} ==
+        std::vector<Eigen::Index>{3, 2, 3, 1, 1});
+  solution.contact.motion[0] = Motion::Backward;
+  CHECK(resultants(three_pairs(), solution).slide == 1);
+  const Resultants smooth = resultants(three_pairs(), three_forces());
+  CHECK(std::vector<Eigen::Index>{smooth.closed, smooth.rubbing, smooth.stick, smooth.slide} ==
+        std::vector<Eigen::Index>{2, 0, 0, 0});
+}
+
+TEST_CASE("sums of the contacts add up to that of all", "[pressure_table][friction]") {
+  Model model = three_gaps();
+  model.contacts = {"a.rim on half plane", "b.rim on \"c\".top"};
+  model.contact_of = {0, 1, 1};
+  const Solution solution = three_forces_with_friction();
+  const std::vector<Resultants> each = resultants_of_contacts(model, solution);
+  const Resultants all = resultants(model.pairs, solution);
+  REQUIRE(each.size() == 2);
+  CHECK(each[0].normal_force == 10);
+  CHECK(each[1].normal_force == 3);
+  CHECK(each[0].pairs == 1);
+  CHECK(each[1].stick == 1);
+  CHECK(each[1].peak_pressure == 3);
+  CHECK((each[0].force + each[1].force - all.force).norm() <= 1e-14);
+  CHECK(each[0].moment + each[1].moment == Approx(all.moment).epsilon(1e-14));
+  CHECK(each[0].dissipated + each[1].dissipated == all.dissipated);
+  CHECK(each[0].closed_weight + each[1].closed_weight == all.closed_weight);
+
+  const std::vector<std::string> lines = lines_of(pressure_csv(model, solution));
+  REQUIRE(lines.size() == 7);
+  CHECK_THAT(lines[0], ContainsSubstring("# force on the sources (4, 14)"));
+  CHECK_THAT(lines[1],
+             ContainsSubstring("# contact a.rim on half plane: force on the source (2, 11)"));
+  CHECK_THAT(lines[2], ContainsSubstring("shear force 2, open 1, stick 1, slide 0, dissipated 0"));
+  CHECK_THAT(lines[3], ContainsSubstring(",dissipated,contact"));
+  CHECK_THAT(lines[4], ContainsSubstring(",2.5,a.rim on half plane"));
+  CHECK_THAT(lines[5], ContainsSubstring(R"(,0,"b.rim on ""c"".top")"));
+}
+
+TEST_CASE("with friction the table has its columns behind the others",
+          "[pressure_table][friction]") {
+  const std::vector<std::string> lines =
+      lines_of(pressure_csv(three_gaps(), three_forces_with_friction()));
+  REQUIRE(lines.size() == 5);
+  CHECK_THAT(lines[0], ContainsSubstring("# contact stone.rim on half plane: force on the source"));
+  CHECK(lines[1] ==
+        "x,y,gap,pressure,force,status,shear_traction,shear_force,slip,motion,dissipated");
+  CHECK(lines[2] == "0,1,0,20,10,closed,-10,-5,0.5,forward,2.5");
+  CHECK(lines[3] == "2,0,0,3,3,closed,2,2,0,stick,0");
+  CHECK(lines[4] == "4,-1,0.25,0,0,open,0,0,-0.125,open,0");
+}
+
+TEST_CASE("a pair that cannot rub bears no shear and has neither slip nor motion",
+          "[pressure_table][friction]") {
+  Solution solution = three_forces_with_friction();
+  solution.contact.rubbing = {0};
+  solution.contact.friction.conservativeResize(1);
+  solution.contact.slip.conservativeResize(1);
+  solution.contact.motion.resize(1);
+  const std::vector<std::string> lines = lines_of(pressure_csv(three_gaps(), solution));
+  CHECK(lines[2] == "0,1,0,20,10,closed,-10,-5,0.5,forward,2.5");
+  CHECK(lines[3] == "2,0,0,3,3,closed,0,0,,,0");
+  CHECK(lines[4] == "4,-1,0.25,0,0,open,0,0,,,0");
+}
+
+TEST_CASE("on a path the table has the time, and slip and work so far", "[pressure_table][steps]") {
+  PathState state;
+  state.steps = 2;
+  state.time = 0.75;
+  state.slip = Eigen::Vector3d(1.5, 0.25, -0.5);
+  state.dissipation = Eigen::Vector3d(12.5, 1, 0);
+  const Solution solution = three_forces_with_friction();
+  const std::vector<std::string> lines =
+      lines_of(pressure_csv(three_gaps(), solution, "rel 1e-6", &state));
+  CHECK_THAT(lines[1], ContainsSubstring("dissipated 2.5, in total 13.5"));
+  CHECK(lines[2] ==
+        "time,x,y,gap,pressure,force,status,shear_traction,shear_force,slip,motion,dissipated,"
+        "slip_total,dissipated_total");
+  CHECK(lines[3] == "0.75,0,1,0,20,10,closed,-10,-5,0.5,forward,2.5,1.5,12.5");
+  CHECK(resultants(three_pairs(), solution, &state).dissipated_total == 13.5);
+  const std::vector<PairColumn> columns = pair_columns(three_gaps(), solution, &state);
+  CHECK(lines_of(csv_head(columns) + csv_lines(columns)) ==
+        std::vector<std::string>(lines.begin() + 2, lines.end()));
+  state.slip = Eigen::Vector2d(0, 0);
+  CHECK_THROWS_WITH(pair_columns(three_gaps(), solution, &state),
+                    ContainsSubstring("the solution has 3 slips, but the state of its path 2"));
+  CHECK_THROWS_AS(resultants(three_pairs(), solution, &state), std::invalid_argument);
 }
 
 TEST_CASE("the table has its columns and one line per pair in order", "[pressure_table]") {
@@ -88,5 +200,5 @@ TEST_CASE("no table is made of a problem that is not solved", "[pressure_table]"
   Solution solution = three_forces();
   solution.contact.report.status = Status::Breakdown;
   CHECK_THROWS_WITH(pressure_csv(three_gaps(), solution), ContainsSubstring("breakdown"));
-  CHECK_THROWS_AS(resultants(three_gaps(), solution), std::invalid_argument);
+  CHECK_THROWS_AS(resultants(three_pairs(), solution), std::invalid_argument);
 }

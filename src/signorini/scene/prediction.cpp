@@ -231,14 +231,15 @@ class Figures {
 
   void refinement() {
     const char* const phase = "refinement";
-    // u without contact takes two sweeps. With contact forces the first only moves u, and three close the rows.
-    const double solves = (rows_ == 0 ? 2 : 4) * steps_;
+    // A solve mends u without contact. Contact forces move it, a sweep mends both, and what it changes of the forces moves
+    // u again; rigid motions take two sweeps more.
+    const double solves = (rows_ == 0 ? 1 : plan_.modes.empty() ? 3 : 5) * steps_;
     add(Built::PerIteration, phase, "solves", solves, Trust::Estimate);
     add(Built::PerIteration, phase, "operations", solves * known_.fronts.solve_operations(),
         Trust::Estimate);
-    // A residual for every sweep, and one for each of two certificates.
-    seconds(Built::PerIteration, phase,
-            solves * solve() + (solves + 2 * steps_) * sample_.residual);
+    // A residual for every solve that mends, and one for the certificate.
+    const double residuals = rows_ == 0 ? 2 * steps_ : solves - steps_;
+    seconds(Built::PerIteration, phase, solves * solve() + residuals * sample_.residual);
   }
 
   /// Seconds of one solve: two walks through L.

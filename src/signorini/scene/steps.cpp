@@ -68,9 +68,7 @@ PathState after(const PathState& past, double time, const Solution& solution) {
   state.time = time;
   state.motion = all_motions(contact);
   state.solution = solution.refined;
-  state.increment = contact.slip;
-  for (Index k = 0; k < state.increment.size(); ++k)
-    if (contact.motion[static_cast<std::size_t>(k)] == Motion::Stick) state.increment(k) = 0;
+  state.increment = increment(contact);
   const VectorXd lost = contact.friction.cwiseProduct(state.increment).cwiseAbs();
   if (past.steps == 0) {
     state.slip = state.increment;
@@ -133,6 +131,13 @@ void set_time(double time, Model& model) {
     }
     model.unknowns.held.middleRows(body.first_node, body.mesh.n_nodes()) = body.unknowns.held;
   }
+}
+
+VectorXd increment(const ContactState& contact) {
+  VectorXd slip = contact.slip;
+  for (Index k = 0; k < slip.size(); ++k)
+    if (contact.motion[static_cast<std::size_t>(k)] == Motion::Stick) slip(k) = 0;
+  return slip;
 }
 
 Step step(const PathState& past, double time, Model& model, CondensedPath& path, Ledger ledger) {

@@ -70,6 +70,10 @@ struct PathEnd {
 ///   displacements of its bodies at that time
 void set_time(double time, Model& model);
 
+/// \param contact  of a solution
+/// \return `n_s` slips of the step [length]; exactly 0 of a pair that sticks, where rounding leaves the solution a rest
+[[nodiscard]] Eigen::VectorXd increment(const ContactState& contact);
+
 /// Goes one step. Slip counts from the step before, in the place of the slip of \PaperEq{LinEtAl, 8}.
 /// \param past    where the path is
 /// \param time    where the step ends, beyond `past.time` [time]
