@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iomanip>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <system_error>
@@ -94,28 +95,21 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
   const auto add = [&](const char* name, const char* format, auto value) {
     all.push_back({name, step == nullptr ? 0.0 : static_cast<double>(value()), format});
   };
-  const auto moving = [&](auto counts) {
-    const std::vector<Motion>& motion = step->solution.contact.motion;
-    return std::count_if(motion.begin(), motion.end(), counts);
-  };
-  const auto force = [&] { return resultants(model->pairs, step->solution).force; };
+  std::optional<Resultants> sum;
+  if (step != nullptr) sum = resultants(model->pairs, step->solution, &step->state);
+  const bool rubs = !run.plan.law.pair.empty();
   add("step", "%.0f", [&] { return step->state.steps; });
   add("time", "%.5g", [&] { return step->state.time; });
   add("iterations", "%.0f", [&] { return step->solution.contact.report.iterations; });
   add("solves", "%.0f", [&] { return solves_of(step->solution.ledger); });
   if (run.plan.gaps.A.rows() > 0) {
-    add("closed", "%.0f", [&] { return step->solution.contact.active.size(); });
-    if (!run.plan.law.pair.empty()) {
-      add("stick", "%.0f", [&] { return moving([](Motion m) { return m == Motion::Stick; }); });
-      add("slip", "%.0f", [&] {
-        return moving([](Motion m) { return m == Motion::Forward || m == Motion::Backward; });
-      });
-    }
+    add("closed", "%.0f", [&] { return sum->closed; });
+    if (rubs) add("stick", "%.0f", [&] { return sum->stick; });
+    if (rubs) add("slide", "%.0f", [&] { return sum->slide; });
     if (run.plan.bodies[0].material.bulk.state != PlaneState::Axial)
-      add("force x", "%.5g", [&] { return force().x(); });
-    add("force y", "%.5g", [&] { return force().y(); });
-    if (!run.plan.law.pair.empty())
-      add("dissipated", "%.5g", [&] { return step->state.dissipation.sum(); });
+      add("force x", "%.5g", [&] { return sum->force.x(); });
+    add("force y", "%.5g", [&] { return sum->force.y(); });
+    if (rubs) add("dissipated", "%.5g", [&] { return sum->dissipated_total; });
   }
   add("certificate", "%.1e", [&] { return step->solution.certificate.worst(); });
   return all;
@@ -200,6 +194,16 @@ void PathTeller::begin(const SceneRun& run) {
   out_ << '\n';
 }
 
+void PathTeller::keep_notes(const Step& step) {
+  const bool first = !std::exchange(noted_, true);
+  for (const std::string& note : step.solution.notes) {
+    // Notes that differ in a number only are one.
+    const std::string kind = note.substr(0, note.find_first_of("0123456789"));
+    if (!told_.insert(kind).second || first) continue;  // the head has those of the first step
+    late_notes_ += text("  note  from time ", step.state.time, " on: ", note, '\n');
+  }
+}
+
 void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step) {
   begin(run);
   if (as_json_) {
@@ -209,6 +213,7 @@ void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step)
     json_.end();
     return;
   }
+  keep_notes(step);
   for (const Column& column : columns(run, &model, &step))
     out_ << std::setw(13) << number(column.value, column.format);
   out_ << std::endl;  // now: the next step may take long
@@ -230,7 +235,7 @@ void PathTeller::end(const SceneRun& run) {
   else
     out_ << "\nnot solved: " << reason;
   if (end.halvings > 0) out_ << "\nsteps that failed and were halved: " << end.halvings;
-  out_ << '\n';
+  out_ << '\n' << (late_notes_.empty() ? "" : "\n") << late_notes_;
   if (!run.solution) return;
   out_ << "\nat time " << end.state.time << "\ncertificate: " << run.solution->certificate << '\n';
   print_result(out_, run);

@@ -1,6 +1,7 @@
 // Load steps of a scene file: what is said and written after each.
 #pragma once
 #include <iosfwd>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -57,11 +58,15 @@ class PathTeller {
 
  private:
   void begin(const SceneRun& run);
+  void keep_notes(const signorini::Step& step);
 
   std::ostream& out_;
   signorini::Json json_;
   bool as_json_;
   bool begun_ = false;
+  bool noted_ = false;
+  std::set<std::string> told_;  // notes up to their first number
+  std::string late_notes_;      // that no earlier step had
 };
 
 }  // namespace command_line

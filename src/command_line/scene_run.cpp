@@ -76,11 +76,12 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
     const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
     const double steps = static_cast<double>(run.ledgers.size());
     const auto rest = left(step.state.time);
-    progress.say(text("step ", step.state.steps, " at time ", step.state.time, ", ", rest,
+    progress.say(text("step ", step.state.steps, " at time ", step.state.time, ", ",
+                      step.solution.contact.report.iterations, " iterations, ", rest,
                       " to go, about ",
                       number(gone.count() / steps * static_cast<double>(rest), "%.2g"), " s left"));
   };
-  progress.say(text("step 1, ", left(run.from.time), " to go"));
+  progress.say(text("step ", run.from.steps + 1, ", ", left(run.from.time), " to go"));
   run.end = solve_steps(model, path, std::move(ledger), each, run.from);
   set_time(run.end->state.time, model);
 }

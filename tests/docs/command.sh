@@ -204,6 +204,8 @@ a.csv
 a.pvd
 a_0001.vtu
 a_0002.vtu'
+sed 's/youngs_modulus = 1,/youngs_modulus = 20,/; s/value = 1,/value = 2,/; s/^count.*/until = 1.5/; s/press = -1/press = 2/' pulled.toml > soft.toml
+expect 0 'note  from time 1\.5 on: linear elasticity takes deformations for small' solve soft.toml
 expect 1 'time 1\.5\. With --state FILE the next run can go on' solve pulled.toml
 sed 's/press = 1 /press = -1 /' pulled.toml > never.toml
 expect 1 'not solved: the step from time 0 to ' solve never.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a

@@ -153,7 +153,7 @@ void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displ
 
 /// Characters that XML has for itself, and what stands for them.
 constexpr std::pair<char, const char*> entities[] = {
-    {'&', "&amp;"}, {'<', "&lt;"}, {'"', "&quot;"}};
+    {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
 
 /// A text between quotation marks of XML.
 std::string in_xml(const std::string& text) {
