@@ -58,10 +58,16 @@ void declare(CLI::App& app, Request& request) {
   const auto add_file = [&](const char* option, std::string& file, const char* what) {
     solve->add_option(option, file, what)->type_name("FILE");
   };
-  add_file("--vtu", request.output.vtu, "meshes and fields, for ParaView");
-  add_file("--csv", request.output.csv, "the pressure table");
+  add_file("--vtu", request.output.vtu,
+           "meshes and fields, for ParaView, with pressure, traction and status of contact");
+  add_file("--csv", request.output.csv,
+           "a table of all pairs: place, gap, pressure, force, status; with friction shear, slip, "
+           "motion "
+           "and dissipated work; with several contacts their names");
   add_file("--plot", request.output.plot,
-           "pressure and deformed meshes as a picture .svg or .png, by gnuplot");
+           "deformed meshes and the pressure of each contact, with friction also its shear, as a "
+           "picture "
+           ".svg or .png, by gnuplot");
   add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
   add_problem(
       app, "friction",
