@@ -173,7 +173,8 @@ using Confirmed = std::optional<std::pair<Closure, std::vector<Motion>>>;
                                   const std::vector<Eigen::Index>& candidates,
                                   const Closure* start = nullptr);
 
-/// Names the direction of pairs that slide after their slip: without a friction force a method need not know it.
+/// Names the direction of pairs that slide without a friction force after their slip: a method need not know it. Where
+/// there is a friction force it has the direction, and a slip against it is rounding.
 /// \param[in,out] state  whose motions may change from forward to backward and back
 void name_slides(ContactState& state);
 
