@@ -225,6 +225,7 @@ void write(Json& json, const SceneRun& run) {
     json.key("solver").value(run.plan.solver);
     json.key("status").value(to_string(solution.contact.report.status));
     json.key("reason").value(why_unsolved(solution));
+    if (solution.limit) json.key("limit").value(*solution.limit);
     json.key("iterations").value(solution.contact.report.iterations);
     json.key("certificate");
     write(json, solution.certificate);
