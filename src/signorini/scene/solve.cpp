@@ -124,8 +124,8 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
 std::string limit_in_words(const std::optional<double>& limit) {
   if (!limit) return {};
   if (*limit == 0)
-    return "Friction holds no part of it, however small, because it grows with the load. ";
-  return text("Friction holds at most ", *limit, " of it. ");
+    return "Friction holds no part of this load, however small, because it grows with the load. ";
+  return text("Friction holds at most ", *limit, " of this load. ");
 }
 
 long long one_solve(const Condensed& condensed) {
