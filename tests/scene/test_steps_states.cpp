@@ -63,27 +63,6 @@ TEST_CASE("a path goes on from a state that was written and read, to the same bi
   }
 }
 
-TEST_CASE("a step that fails is halved, then the path ends with the last good state", "[steps]") {
-  // Held by contact alone: pulled up, the slab leaves the ground for ever.
-  Scene scene = slab(1, {});
-  scene.contacts[0].friction.reset();
-  scene.bodies[0].supports = {prescribed("right", Axis::X, 0)};
-  scene.bodies[0].loads.edges[0].history = "press";
-  scene.path = Path{{1, 2}, {{"press", {0, 1, 2}, {0, 1, -1}}}, 3};
-  std::vector<double> times;
-  const PathEnd end =
-      solve_steps(scene, [&](const Model&, const Step& step) { times.push_back(step.state.time); });
-  CHECK(end.status != Status::Solved);
-  REQUIRE(times.size() > 1);
-  CHECK(times.front() == 1);
-  CHECK(end.state.time == times.back());
-  CHECK(end.state.time <= 1.5);  // without a load it still touches
-  CHECK(end.state.time > 1.4);
-  CHECK(end.halvings > 3);
-  CHECK_THAT(end.reason,
-             ContainsSubstring("last good state") && ContainsSubstring("halved 3 times"));
-}
-
 TEST_CASE("steps that cannot be meant are refused", "[steps]") {
   const Scene good = slab(2, {1});
   const auto message = [&](const auto& change) {

@@ -135,21 +135,28 @@ void Closing::factor_symmetric(const ScaledProblem& problem) {
   spread_ = factor_.solve_columns(rigid_ * held_);
 }
 
+MatrixXd closing_matrix(const ScaledProblem& problem, const Rows& rows, const KnownSet& set) {
+  const Index m = static_cast<Index>(rows.size());
+  const Index k = problem.rigid.cols();
+  MatrixXd M = MatrixXd::Zero(m + k, m + k);
+  M.topLeftCorner(m, m) = problem.compliance(rows, rows);
+  if (k > 0) {
+    M.topRightCorner(m, k) = problem.rigid(rows, Eigen::all);
+    M.bottomLeftCorner(k, m) = M.topRightCorner(m, k).transpose();
+  }
+  for (const SlidingPair& pair : set.sliding) {
+    const Index column = std::find(rows.begin(), rows.end(), pair.gap) - rows.begin();
+    M.col(column).head(m) += pair.slope * problem.compliance(rows, pair.slip);
+    if (k > 0) M.col(column).tail(k) += pair.slope * problem.rigid.row(pair.slip).transpose();
+  }
+  return M;
+}
+
 void Closing::factor_general(const ScaledProblem& problem, const KnownSet& set) {
   const Index m = static_cast<Index>(rows_.size());
   const Index k = problem.rigid.cols();
   if (m + k == 0) return;
-  MatrixXd M = MatrixXd::Zero(m + k, m + k);
-  M.topLeftCorner(m, m) = problem.compliance(rows_, rows_);
-  if (k > 0) {
-    M.topRightCorner(m, k) = problem.rigid(rows_, Eigen::all);
-    M.bottomLeftCorner(k, m) = M.topRightCorner(m, k).transpose();
-  }
-  for (const SlidingPair& pair : set.sliding) {
-    const Index column = std::find(rows_.begin(), rows_.end(), pair.gap) - rows_.begin();
-    M.col(column).head(m) += pair.slope * problem.compliance(rows_, pair.slip);
-    if (k > 0) M.col(column).tail(k) += pair.slope * problem.rigid.row(pair.slip).transpose();
-  }
+  const MatrixXd M = closing_matrix(problem, rows_, set);
   general_ = LuFactor(M);
   const bool regular = general_.rcond() > static_cast<double>(m + k + 1) * epsilon;
   if (!regular) inverse_ = pseudo_inverse(M);

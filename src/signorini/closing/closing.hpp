@@ -102,6 +102,15 @@ class Closing {
   Eigen::MatrixXd inverse_;  ///< its pseudo-inverse where that is singular
 };
 
+/// The matrix of Closing as it is written there.
+/// \param problem  scaled
+/// \param rows     W `m`
+/// \param set      whose sliding pairs have their gaps in W
+/// \return `m + k` square, its first m columns those of the forces of W
+[[nodiscard]] Eigen::MatrixXd closing_matrix(const ScaledProblem& problem,
+                                             const std::vector<Eigen::Index>& rows,
+                                             const KnownSet& set);
+
 /// Forces and movements when what all pairs do is known; scaled numbers [sqrt(energy)].
 struct Closure {
   Eigen::VectorXd force;           ///< of all rows; tension < 0 is possible

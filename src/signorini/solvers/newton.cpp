@@ -177,6 +177,8 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   if (state.reason.empty()) state.reason = std::move(attempt.reason);
   if (attempt.confirmed && !scaled.law.pair.empty() && scaled.symmetric)
     state.uniqueness = uniqueness(scaled, attempt.closure);
+  if (state.uniqueness == Uniqueness::Doubtful)
+    state.doubt = doubt(scaled, attempt.motions, attempt.closure);
   return state;
 }
 
