@@ -24,7 +24,7 @@ do for [m=1:3:2] {
   plot file using 'push':(is(m, 'stick')) with lines ls 1 lw 3, \
        file using 'push':(is(m, 'forward')) with lines ls 2 lw 3, \
        file using 'push':(is(m, 'open')) with lines ls 3 lw 3, \
-       path using 'push':(column('mu') == m && column('time') <= 9 ? column('slip') : NaN) with points pt 9 ps 1.1 lc rgb BLACK, \
-       path using 'push':(column('mu') == m && column('time') > 9 ? column('slip') : NaN) with points pt 10 ps 1.3 lw 1.2 lc rgb BLACK
+       path using 'push':(column('mu') == m && column('time') <= 11 ? column('slip') : NaN) with points pt 9 ps 1.1 lc rgb BLACK, \
+       path using 'push':(column('mu') == m && column('time') > 11 ? column('slip') : NaN) with points pt 10 ps 1.3 lw 1.2 lc rgb BLACK
 }
 unset multiplot

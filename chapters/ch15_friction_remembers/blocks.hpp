@@ -27,8 +27,8 @@ inline Scene incline(double angle, const Friction& law) {
   return scene;
 }
 
-// [limit]
 /// \param law  of friction \return the steepest incline that holds the block [rad]
+// [limit]
 inline double slip_angle(const Friction& law) {
   double holds = 0, slides = 0.5 * 3.141592653589793;
   while (slides - holds > 1e-12) {

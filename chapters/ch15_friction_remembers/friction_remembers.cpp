@@ -80,7 +80,7 @@ void three_orders(const ProgramOptions& run, Results& results) {
   Table figure({"order", "x", "shear", "bound"});
   std::vector<End> smooth;
   for (const Order& order : orders()) {
-    Scene scene = cylinder(equal_steps(64, 2), order.press, order.push);
+    Scene scene = cylinder(equal_steps(32, 2), order.press, order.push);
     const double push = end_of(scene, &figure, order.name).push;
     const bool none = order.push.times[0] < order.press.times[0];  // nothing but rounding
     results.add(text("push_", smooth.size()), push, "-", none ? Repeats::No : Repeats::Yes);
@@ -98,9 +98,9 @@ void three_orders(const ProgramOptions& run, Results& results) {
 // 4. More steps: what they change and what not.
 // [steps]
 void more_steps(const ProgramOptions& run, Results& results, const Pressed& known) {
-  Table table({"steps per way", "shear at Q = 0 misses by [%]", "lost in a loop [μJ]",
+  Table table({"steps", "shear on the way back at Q = 0 misses by [%]", "lost in a loop [μJ]",
                "work of the push [μJ]", "Q / μP, straight"});
-  for (const int n : {1, 2, 4, 8, 16, 32}) {
+  for (const int n : {1, 2, 4, 8, 16}) {
     std::vector<double> times = {1};  // pressed in one step
     for (const double time : steps_between(1, 6, n)) times.push_back(time);
     WorkMeter meter;

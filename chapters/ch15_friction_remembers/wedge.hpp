@@ -36,7 +36,7 @@ inline std::vector<Answer> answers(double coefficient, double push) {
 // [answers]
 
 /// A triangle with that stiffness at its tip, in N and mm. It is pressed until time 1, then pushed to 0.8 N at
-/// time 9 and let go until time 17. \param coefficient  mu [-] \return the scene, with 17 steps
+/// time 11 and let go until time 21. \param coefficient  mu [-] \return the scene, with 21 steps
 inline Scene wedge(double coefficient) {
   Scene scene;
   Body& wedge = scene.bodies[0];
@@ -52,7 +52,7 @@ inline Scene wedge(double coefficient) {
   scene.contacts = {{{"tip"}, half_plane({1.5, 0}, {-1, 0})}};
   scene.contacts[0].friction = Friction{coefficient, 0};
   scene.path =
-      Path{equal_steps(17, 17), {{"press", {0, 1}, {0, 1}}, {"push", {1, 9, 17}, {0, 0.8, 0}}}};
+      Path{equal_steps(21, 21), {{"press", {0, 1}, {0, 1}}, {"push", {1, 11, 21}, {0, 0.8, 0}}}};
   return scene;
 }
 
