@@ -8,6 +8,7 @@
 #include "signorini/scene/readings.hpp"
 #include "support/message.hpp"
 #include "support/paths.hpp"
+#include "support/same_scenes.hpp"
 
 using Eigen::Index;
 using namespace signorini;
@@ -165,20 +166,11 @@ TEST_CASE("a slab that nothing but friction holds sticks, and slides off when dr
 
 TEST_CASE("friction in other units is the same friction", "[friction][units]") {
   const Scene first = dragged_block(10, 2, {0.25, 0.1});
-  Scene second = first;
   const double length = 1e6;
-  for (Body& body : second.bodies) {
-    body.mesh.nodes *= length;
-    body.material.youngs_modulus *= 1e-3;
-  }
-  second.bodies[1].loads.edges[0].pressure *= 1e-3;
-  second.bodies[1].loads.edges[0].traction = [](const Eigen::Vector2d&) {
-    return Eigen::Vector2d(2e-3, 0);
-  };
-  second.contacts[0].friction->cohesion *= 1e-3;
+  const double force = 1e-3 * length * length;
   const ContactState a = solved(first, "the slab").solution.contact;
-  const ContactState b = solved(second, "the slab").solution.contact;
-  CHECK((b.friction / (1e-3 * length) - a.friction).norm() <= 1e-10 * a.friction.norm());
+  const ContactState b = solved(in_units(first, length, force), "the slab").solution.contact;
+  CHECK((b.friction / force - a.friction).norm() <= 1e-10 * a.friction.norm());
   CHECK((b.slip / length - a.slip).norm() <= 1e-10 * a.slip.norm());
   CHECK(b.motion == a.motion);
 }
