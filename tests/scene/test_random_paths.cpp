@@ -117,3 +117,31 @@ TEST_CASE(
     }
   }
 }
+
+// Pairs that slid are then at their bounds and do not move: slips of rounding size have either sign.
+TEST_CASE("a step in which nothing changes is solved, and nothing moves",
+          "[random][steps][friction]") {
+  std::vector<Scene> scenes = {slab(2, {1, -1})};
+  for (const std::uint64_t seed : {195, 308, 766, 950})
+    scenes.push_back(random_scene(seed, RandomScenes::Paths).scene);
+  for (const Scene& scene : scenes) {
+    Ledger ledger;
+    Model model = build(scene, ledger);
+    CondensedPath path = condense_path(model, ledger);
+    PathState state;
+    for (const double time : scene.path->times) {
+      const Step moved = step(state, time, model, path, {});
+      REQUIRE(moved.solution.contact.report.status == Status::Solved);
+      // The same loads again: the state is as if it were of an earlier time.
+      PathState past = moved.state;
+      past.time = state.time;
+      const Step again = step(past, time, model, path, {});
+      REQUIRE(again.solution.contact.report.status == Status::Solved);
+      const Eigen::VectorXd& force = moved.state.solution.force;
+      const Eigen::VectorXd& slip = moved.state.slip;
+      CHECK((again.state.solution.force - force).norm() <= 1e-9 * force.norm());
+      CHECK((again.state.slip - slip).norm() <= 1e-9 * slip.norm());
+      state = moved.state;
+    }
+  }
+}
