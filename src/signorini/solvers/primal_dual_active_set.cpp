@@ -74,7 +74,7 @@ Attempt attempt_from(const ScaledProblem& problem, const std::vector<Motion>& mo
 }  // namespace
 
 void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attempt) {
-  const double unit = reach(problem.compliance);
+  const double unit = reach(problem);
   const bool rubs = !problem.law.pair.empty();
   const bool plain = !rubs && problem.rigid.cols() == 0;
   std::set<std::vector<Motion>> seen;

@@ -32,6 +32,8 @@ void follow_soft_pairs(const ScaledProblem& problem, Attempt& attempt) {
   Attempt at{attempt.closure, attempt.motions, {}};
   for (double softness = 1; softness > epsilon && attempt.report.iterations < most;) {
     soft.compliance.diagonal() = problem.compliance.diagonal().array() + softness;
+    for (Index i = 0; i < soft.sparse.cols(); ++i)
+      soft.sparse.coeffRef(i, i) = soft.compliance(i, i);
     soft.free = problem.free - softness * at.closure.force;
     Attempt next = exchanged(soft, at, few, attempt.report);
     softness *= next.confirmed ? 0.5 : 4;
