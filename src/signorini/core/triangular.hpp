@@ -22,9 +22,12 @@ inline void solve_lower(const Eigen::Ref<const Eigen::MatrixXd>& L, Eigen::Ref<E
 /// \param x  `n` b, then x; known already behind its first k numbers
 inline void solve_lower_transposed(const Eigen::Ref<const Eigen::MatrixXd>& L,
                                    Eigen::Ref<Eigen::VectorXd> x) {
-  const Eigen::Index n = x.size();
-  for (Eigen::Index j = std::min(n, L.cols()) - 1; j >= 0; --j)
-    x(j) = (x(j) - L.col(j).segment(j + 1, n - j - 1).dot(x.tail(n - j - 1))) / L(j, j);
+  const Eigen::Index k = std::min(x.size(), L.cols());
+  const Eigen::Index known = x.size() - k;
+  for (Eigen::Index j = 0; j < k && known > 0; ++j)  // along the memory of L
+    x(j) -= L.col(j).segment(k, known).dot(x.tail(known));
+  for (Eigen::Index j = k - 1; j >= 0; --j)
+    x(j) = (x(j) - L.col(j).segment(j + 1, k - j - 1).dot(x.segment(j + 1, k - j - 1))) / L(j, j);
 }
 
 }  // namespace signorini
