@@ -11,52 +11,57 @@ namespace signorini {
 /// The result is as if computed with about 32 digits and rounded once. It must not be compiled with
 /// `-ffast-math`, which assumes that the errors are zero, nor with fused multiplications, which
 /// make other errors; the library's CMake target passes `-ffp-contract=off` to its users.
-class ExactSum {
+/// \tparam Number  double, or a few of them side by side, such as Eigen::Array2d, whose sums have the same bits
+template <typename Number>
+class ExactSumOf {
  public:
   /// \param value  what the sum starts at
   /// \param low    what the value lacks
-  explicit ExactSum(double value = 0, double low = 0) : high_(value), low_(low) {}
+  explicit ExactSumOf(const Number& value = 0, const Number& low = 0) : high_(value), low_(low) {}
 
   /// Adds one number. \param value  the number
-  void add(double value) {
-    const double sum = high_ + value;
-    const double part = sum - high_;
+  void add(const Number& value) {
+    const Number sum = high_ + value;
+    const Number part = sum - high_;
     low_ += (high_ - (sum - part)) + (value - part);
     high_ = sum;
   }
   /// Adds the product `a * b` without rounding it, if no step overflows or underflows.
   /// \param a  first factor, of magnitude below 2^996
   /// \param b  second factor, of magnitude below 2^996
-  void add_product(double a, double b) {
-    const double product = a * b;
+  void add_product(const Number& a, const Number& b) {
+    const Number product = a * b;
     const Halves x = split(a);
     const Halves y = split(b);
-    const double error =
+    const Number error =
         x.low * y.low - (((product - x.high * y.high) - x.low * y.high) - x.high * y.low);
     add(product);
     low_ += error;
   }
   /// \return the sum, rounded once
-  [[nodiscard]] double value() const { return high_ + low_; }
+  [[nodiscard]] Number value() const { return high_ + low_; }
   /// \return the larger part of the sum
-  [[nodiscard]] double high() const { return high_; }
+  [[nodiscard]] Number high() const { return high_; }
   /// \return what the larger part lacks
-  [[nodiscard]] double low() const { return low_; }
+  [[nodiscard]] Number low() const { return low_; }
 
  private:
   struct Halves {
-    double high;
-    double low;
+    Number high;
+    Number low;
   };
   /// Two numbers of at most 26 bits whose sum is `a`; valid for |a| < 2^996.
-  static Halves split(double a) {
-    const double scaled = 134217729.0 * a;  // 2^27 + 1
-    const double high = scaled - (scaled - a);
+  static Halves split(const Number& a) {
+    const Number scaled = 134217729.0 * a;  // 2^27 + 1
+    const Number high = scaled - (scaled - a);
     return {high, a - high};
   }
 
-  double high_;
-  double low_;
+  Number high_;
+  Number low_;
 };
+
+/// The sum of plain numbers.
+using ExactSum = ExactSumOf<double>;
 
 }  // namespace signorini

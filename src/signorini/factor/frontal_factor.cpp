@@ -9,6 +9,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/triangular.hpp"
 #include "signorini/factor/front.hpp"
 
 namespace signorini {
@@ -34,6 +35,12 @@ double scale_of(const Eigen::SparseMatrix<double>& K) {
   int exponent = 0;
   static_cast<void>(std::frexp(most, &exponent));
   return std::ldexp(1, -std::max(exponent, std::numeric_limits<double>::min_exponent));
+}
+
+/// Has the processor fetch numbers that will be read next: it foresees walks up the memory, not those down.
+void fetch(const Eigen::Map<const MatrixXd>& numbers) {
+  constexpr Index line = 64 / sizeof(double);  // what one fetch brings
+  for (Index k = 0; k < numbers.size(); k += line) __builtin_prefetch(numbers.data() + k);
 }
 
 }  // namespace
@@ -199,26 +206,30 @@ FrontalFactor::Columns FrontalFactor::columns(const Front& front) const {
 }
 
 void FrontalFactor::forward(VectorXd& x) const {
-  VectorXd rim(fronts_.widest);
+  VectorXd numbers(fronts_.tallest);
   for (const Front& front : fronts_.all) {
-    const Columns L = columns(front);
     Eigen::Ref<VectorXd> own = x.segment(front.separator.first, front.own());
-    L.topRows(front.own()).triangularView<Eigen::Lower>().solveInPlace(own);
-    rim.head(front.rim()).noalias() = L.bottomRows(front.rim()) * own;
+    if ((own.array() == 0).all()) continue;  // nothing to hand on
+    Eigen::Ref<VectorXd> rows = numbers.head(front.rows());
+    rows << own, VectorXd::Zero(front.rim());
+    solve_lower(columns(front), rows);
+    own = rows.head(front.own());
     for (std::size_t k = 0; k < front.boundary.size(); ++k)
-      x(front.boundary[k]) -= rim(static_cast<Index>(k));
+      x(front.boundary[k]) += rows(front.own() + static_cast<Index>(k));
   }
 }
 
 void FrontalFactor::backward(VectorXd& x) const {
-  VectorXd rim(fronts_.widest);
+  VectorXd numbers(fronts_.tallest);
   for (auto front = fronts_.all.rbegin(); front != fronts_.all.rend(); ++front) {
-    const Columns L = columns(*front);
     Eigen::Ref<VectorXd> own = x.segment(front->separator.first, front->own());
+    Eigen::Ref<VectorXd> rows = numbers.head(front->rows());
+    rows.head(front->own()) = own;
     for (std::size_t k = 0; k < front->boundary.size(); ++k)
-      rim(static_cast<Index>(k)) = x(front->boundary[k]);
-    own.noalias() -= L.bottomRows(front->rim()).transpose() * rim.head(front->rim());
-    L.topRows(front->own()).triangularView<Eigen::Lower>().transpose().solveInPlace(own);
+      rows(front->own() + static_cast<Index>(k)) = x(front->boundary[k]);
+    if (front + 1 != fronts_.all.rend()) fetch(columns(front[1]));
+    solve_lower_transposed(columns(*front), rows);
+    own = rows.head(front->own());
   }
 }
 

@@ -63,7 +63,7 @@ Fronts fronts_of(const Matrix& matrix, const SeparatorTree& tree) {
         for (const int place : fronts.front(below).boundary) take(place);
     std::sort(front.boundary.begin(), front.boundary.end());
     fronts.entries += front.rows() * front.own();
-    fronts.widest = std::max(fronts.widest, front.rim());
+    fronts.tallest = std::max(fronts.tallest, front.rows());
     fronts.all.push_back(std::move(front));
   }
   return fronts;

@@ -29,7 +29,7 @@ struct Fronts {
   std::vector<int> place;    ///< `n` place of each unknown
   std::vector<Front> all;    ///< what is below comes before
   Eigen::Index entries = 0;  ///< numbers that L takes, those above its diagonal blocks among them
-  Eigen::Index widest = 0;   ///< the most rows that a boundary has
+  Eigen::Index tallest = 0;  ///< the most rows that a front has
 
   /// \return number of unknowns n
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(order.size()); }

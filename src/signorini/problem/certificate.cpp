@@ -55,15 +55,34 @@ Strained split(const PrimalDual& solution) {
   return u;
 }
 
-/// Subtracts one column of the symmetric K times u. K has both triangles, so a column serves as a row.
-void subtract_stiffness_row(const QuadraticProgramme& programme, const Strained& u, Index row,
-                            ExactSum& sum) {
-  double small = 0;
-  for (Eigen::SparseMatrix<double>::InnerIterator entry(programme.stiffness, row); entry; ++entry) {
-    sum.add_product(-entry.value(), u.high(entry.row()));
-    small += entry.value() * u.low(entry.row());
+/// Whether this and the next column of K have entries in the same rows, as the unknowns of a node mostly have.
+bool twins(const Eigen::SparseMatrix<double>& K, Index column) {
+  if (column + 1 >= K.cols() || !K.isCompressed()) return false;
+  const int* const outer = K.outerIndexPtr() + column;
+  const int* const inner = K.innerIndexPtr();
+  return outer[1] - outer[0] == outer[2] - outer[1] &&
+         std::equal(inner + outer[0], inner + outer[1], inner + outer[1]);
+}
+
+/// p - K u of one row, or of two that are twins side by side. K has both triangles, so columns serve as rows.
+template <int rows>
+void subtract_stiffness(const QuadraticProgramme& programme, const Strained& u, Index row,
+                        std::vector<ExactSum>& sums) {
+  using Numbers = Eigen::Array<double, rows, 1>;
+  const Eigen::SparseMatrix<double>& K = programme.stiffness;
+  const double* const values = K.valuePtr() + K.outerIndexPtr()[row];
+  const int* const inner = K.innerIndexPtr() + K.outerIndexPtr()[row];
+  const Index count = K.col(row).nonZeros();
+  ExactSumOf<Numbers> sum(programme.load.segment<rows>(row), Numbers::Zero());
+  Numbers small = Numbers::Zero();
+  for (Index k = 0; k < count; ++k) {
+    Numbers entry;
+    for (int r = 0; r < rows; ++r) entry(r) = values[r * count + k];
+    sum.add_product(-entry, Numbers::Constant(u.high(inner[k])));
+    small += entry * u.low(inner[k]);
   }
   sum.add(-small);
+  for (int r = 0; r < rows; ++r) sums.emplace_back(sum.high()(r), sum.low()(r));
 }
 
 /// Scales of one problem: a length and a force.
@@ -71,14 +90,6 @@ struct Scales {
   double length = 0;
   double force = 0;
 };
-
-bool all_finite(const QuadraticProgramme& programme) {
-  const auto finite = [](const auto& matrix) {
-    return matrix.nonZeros() == 0 || std::isfinite(matrix.sum());
-  };
-  return programme.load.allFinite() && programme.initial_gap.allFinite() &&
-         finite(programme.stiffness) && finite(programme.A);
-}
 
 /// Norms of the rows of A; 1 for an empty row.
 Eigen::VectorXd row_norms(const RowMatrix& A) {
@@ -173,14 +184,15 @@ double duality_gap(const QuadraticProgramme& programme, const PrimalDual& soluti
 /// The certificate of gaps, of which some are equations, and of slips.
 Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& solution,
                         const FrictionLaw& law, Index equations) {
-  if (!all_finite(programme) || !solution.displacement.allFinite() || !solution.force.allFinite() ||
-      !solution.displacement_low.allFinite() ||
+  const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
+  const Eigen::VectorXd movement = gaps(programme, solution);
+  // An entry of K, p, A or g that is not finite leaves none of its sums finite, whatever it is multiplied by.
+  if (!residual.allFinite() || !movement.allFinite() || !solution.displacement.allFinite() ||
+      !solution.force.allFinite() || !solution.displacement_low.allFinite() ||
       pushes_on_nothing(programme, solution.force,
                         programme.A.rows() - static_cast<Index>(law.pair.size())) ||
       strains(programme, solution.rigid))
     return uncertified();
-  const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
-  const Eigen::VectorXd movement = gaps(programme, solution);
   const Eigen::VectorXd norm = row_norms(programme.A);
   const Scales scale = scales_of(programme, solution, norm);
   const Index slips = static_cast<Index>(law.pair.size());
@@ -222,10 +234,11 @@ Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,
   const Strained u = split(solution);
   std::vector<ExactSum> sum;
   sum.reserve(static_cast<std::size_t>(programme.load.size()));
-  for (Index i = 0; i < programme.load.size(); ++i) {
-    sum.emplace_back(programme.load(i));
-    subtract_stiffness_row(programme, u, i, sum.back());
-  }
+  for (Index i = 0; i < programme.load.size(); ++i)
+    if (twins(programme.stiffness, i))
+      subtract_stiffness<2>(programme, u, i++, sum);
+    else
+      subtract_stiffness<1>(programme, u, i, sum);
   for (Index pair = 0; pair < programme.A.rows(); ++pair)
     for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
       sum[static_cast<std::size_t>(entry.col())].add_product(-entry.value(), solution.force(pair));
