@@ -119,9 +119,10 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
 std::string way_on(const SceneRun& run) {
   const std::string& state = run.file.output.state;
   if (run.end->state.steps == 0) return "";
-  return state.empty()
-             ? ". With --state FILE the next run can go on from there, by --from FILE"
-             : ". To go on from there: signorini solve " + run.file.name + " --from " + state;
+  if (state.empty()) return ". With --state FILE the next run can go on from there, by --from FILE";
+  const std::string& name = run.file.name;
+  return text(". To go on from there: signorini solve ", name == standard_input ? "-" : name,
+              " --from ", state);
 }
 
 }  // namespace
