@@ -28,10 +28,15 @@ void print_sums(std::ostream& out, const std::string& what, const Resultants& su
   out << '\n';
 }
 
-/// Whether a column is worth its place where all pairs are closed and of one contact and time.
-bool is_printed(const PairColumn& column) {
-  const std::string& name = column.name;
-  return name != "time" && name != "gap" && name != "status" && name != "contact";
+/// The columns that are worth their place where all pairs are closed and of one contact and time.
+std::vector<PairColumn> printed(std::vector<PairColumn> columns, const Resultants& sum) {
+  const auto idle = [&](const PairColumn& column) {
+    const std::string& name = column.name;
+    return name == "time" || name == "gap" || name == "status" || name == "contact" ||
+           (column.of_friction && sum.rubbing == 0);
+  };
+  columns.erase(std::remove_if(columns.begin(), columns.end(), idle), columns.end());
+  return columns;
 }
 
 void print_pairs(std::ostream& out, const std::vector<PairColumn>& columns,
@@ -40,12 +45,10 @@ void print_pairs(std::ostream& out, const std::vector<PairColumn>& columns,
     out << std::setw(std::max(14, static_cast<int>(column.name.size()) + 2)) << text;
   };
   out << '\n';
-  for (const PairColumn& column : columns)
-    if (is_printed(column)) cell(column, column.name);
+  for (const PairColumn& column : columns) cell(column, column.name);
   out << '\n';
   for (const Index pair : pairs) {
-    for (const PairColumn& column : columns)
-      if (is_printed(column)) cell(column, column.cell(pair, "%.6g"));
+    for (const PairColumn& column : columns) cell(column, column.cell(pair, "%.6g"));
     out << '\n';
   }
 }
@@ -61,7 +64,7 @@ void print_closed(std::ostream& out, const std::vector<PairColumn>& columns, con
   if (sum.closed > largest_printed)
     out << "more than " << largest_printed << " are not printed: --csv FILE writes them\n";
   else if (sum.closed > 0)
-    print_pairs(out, columns, closed);
+    print_pairs(out, printed(columns, sum), closed);
 }
 
 void write_sums(Json& json, const Resultants& sum) {

@@ -59,11 +59,17 @@ void declare(CLI::App& app, Request& request) {
     solve->add_option(option, file, what)->type_name("FILE");
   };
   add_file("--vtu", request.output.vtu,
-           "meshes and fields, for ParaView; of load steps a file each, and a .pvd of all");
-  add_file("--csv", request.output.csv, "the pressure table; of load steps with a column time");
+           "meshes and fields, for ParaView, with pressure, traction and status of contact; of "
+           "load steps a "
+           "file each, and a .pvd of all");
+  add_file("--csv", request.output.csv,
+           "a table of all pairs: place, gap, pressure, force, status; with friction shear, slip, "
+           "motion and "
+           "dissipated work; with several contacts their names; of load steps with a column time");
   add_file("--plot", request.output.plot,
-           "pressure and deformed meshes as a picture .svg or .png, by gnuplot; of load steps the "
-           "last");
+           "deformed meshes and the pressure of each contact, with friction also its shear, as a "
+           "picture .svg or "
+           ".png, by gnuplot; of load steps the last");
   add_file("--state", request.output.state, "where load steps are, kept up to date");
   add_file(
       "--from", request.from,

@@ -123,6 +123,7 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
     outcome.slip = std::move(state.slip);
     outcome.motion = std::move(state.motion);
     outcome.uniqueness = state.uniqueness;
+    outcome.doubt = state.doubt;
   };
   return each(slips > 0 ? friction_solvers() : solvers(), asked, pairs,
               kind == Matrix::Asymmetric && slips == 0, run);

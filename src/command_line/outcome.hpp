@@ -27,6 +27,7 @@ struct Outcome {
   Eigen::VectorXd slip;                   ///< tangential movements of a friction problem
   std::vector<signorini::Motion> motion;  ///< of its pairs
   signorini::Uniqueness uniqueness = signorini::Uniqueness::Unknown;  ///< of its solution
+  signorini::Doubt doubt = {};                                        ///< if that is doubtful
   Eigen::VectorXd unknowns;  ///< x of a quadratic programme
   double objective = 0;      ///< of a quadratic programme
 };

@@ -228,6 +228,7 @@ void PathTeller::end(const SceneRun& run) {
     json_.end().key("solved").value(run.solved()).key("status").value(to_string(end.status));
     json_.key("reason").value(reason).key("time").value(end.state.time);
     json_.key("halvings").value(end.halvings);
+    if (end.limit) json_.key("limit").value(*end.limit);
     out_ << json_.end().text();
     return;
   }

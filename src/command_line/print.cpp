@@ -90,6 +90,16 @@ void print_motions(std::ostream& out, const std::vector<Motion>& motions) {
         << (motion == Motion::Backward ? "\n" : ", ");
 }
 
+/// What speaks for other solutions.
+void print_doubt(std::ostream& out, const Outcome& outcome) {
+  out << "other solutions may exist: the determinant of ";
+  if (outcome.doubt.pair < 0)
+    out << "the pairs that slide";
+  else
+    out << "pair " << outcome.doubt.pair;
+  out << ", 1 without friction, is " << number(outcome.doubt.determinant, "%.6g") << '\n';
+}
+
 /// The solvers and the verdict. \param solution  adds what an accepted solution consists of
 template <typename Solution>
 void write_outcomes(Json& json, const std::vector<Outcome>& outcomes, bool solved,
@@ -148,7 +158,7 @@ void print(std::ostream& out, const std::string& title, const FiledProblem& file
   if (filed.rubs()) {
     if (n <= largest_printed) print_rubbing(out, *solution);
     print_motions(out, solution->motion);
-    if (solution->uniqueness == Uniqueness::Doubtful) out << "other solutions may exist\n";
+    if (solution->uniqueness == Uniqueness::Doubtful) print_doubt(out, *solution);
     return;
   }
   if (n <= largest_printed) print_columns(out, "force z", solution->force, "gap w", solution->gap);

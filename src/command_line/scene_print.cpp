@@ -176,6 +176,7 @@ void write_result(Json& json, const std::string& solver, const Model& model,
   json.key("solver").value(solver);
   json.key("status").value(to_string(solution.contact.report.status));
   json.key("reason").value(why_unsolved(solution));
+  if (solution.limit) json.key("limit").value(*solution.limit);
   json.key("iterations").value(solution.contact.report.iterations);
   json.key("certificate");
   write(json, solution.certificate);

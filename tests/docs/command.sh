@@ -166,7 +166,7 @@ expect 0 "history 'drag': 0 at time 0, 0 at time 1, 1 at time 2, -1 at time 3, 1
 expect 0 'later step +seconds about' plan "$path"
 expect 0 '^ +11 +2 +[0-9]+ +4 +40 +0 +40 +-60 +200 +3\.3251 ' solve "$path" --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
 expect 0 'solved: 51 steps up to time 4' solve "$path"
-holds 'rows of all steps' test "$(cut -d, -f1 outputs/a.csv | grep -vc '[a-z]') $(grep -c '^time,.*,pressure,' outputs/a.csv)" = '2091 1'
+holds 'rows of all steps' test "$(cut -d, -f1 outputs/a.csv | grep -vc '[a-z]') $(grep -c '^time,x,y,' outputs/a.csv)" = '2091 1'
 holds 'a collection of all steps' test "$(grep -c '<DataSet timestep="[0-9.]*" part="0" file="a_00[0-5][0-9].vtu"/>' outputs/a.pvd)" -eq 51
 sed '/^count = 20/,$d' "$path" | sed '$d' > part.toml
 expect 0 'solved: 11 steps up to time 2' solve part.toml --vtu outputs/b.vtu --csv outputs/b.csv --state outputs/b
@@ -204,12 +204,58 @@ a.csv
 a.pvd
 a_0001.vtu
 a_0002.vtu'
-sed 's/youngs_modulus = 1,/youngs_modulus = 20,/; s/value = 1,/value = 0.5,/; s/^count.*/until = 1.5/; s/press = -1/press = 6/' pulled.toml > soft.toml
+sed 's/youngs_modulus = 1,/youngs_modulus = 20,/; s/value = 1,/value = 2,/; s/^count.*/until = 1.5/; s/press = -1/press = 2/' pulled.toml > soft.toml
 expect 0 'note  from time 1\.5 on: linear elasticity takes deformations for small' solve soft.toml
 expect 1 'time 1\.5\. With --state FILE the next run can go on' solve pulled.toml
 sed 's/press = 1 /press = -1 /' pulled.toml > never.toml
 expect 1 'not solved: the step from time 0 to ' solve never.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
 written ''
+rm -f outputs/*
+
+# Contacts are told apart and friction is seen; a scene without either has the columns it had.
+cat > two_contacts.toml << 'END'
+[[body]]
+name = "block"
+mesh = { kind = "block", size = [4, 2], cells = [8, 4] }
+material = { youngs_modulus = 1000, poisson_ratio = 0.3 }
+pressure = { top = 5, right = 1 }
+[[contact]]
+source = "bottom"
+target = { kind = "half_plane", point = [0, 0], normal = [0, 1] }
+friction = 0.1
+[[contact]]
+source = "left"
+target = { kind = "half_plane", point = [0, 0], normal = [1, 0] }
+END
+expect 0 'punch.bottom on block.top: force on the source \(-150, 1000\), .* normal force 1000, shear force -150, dissipated work 0\.038' solve "$examples/punch.toml"
+expect 0 '21 of 21 pairs are closed: 19 stick, 2 slide' solve "$examples/punch.toml"
+expect 0 ' 5 +0 +372\.811 +93\.2026 +-149\.124 +-37\.2811 +0\.000908812 +forward +0\.0338815' solve "$examples/punch.toml"
+expect 0 'contact beam.bottom on half plane: force on the source' solve "$cantilever"
+expect 0 'all contacts: force on the sources \(2, 20\)' solve two_contacts.toml --csv outputs/two.csv --vtu outputs/two.vtu
+header() { # file: the names of its columns
+    grep -v '^#' "$1" | head -n 1
+}
+old=x,y,gap,pressure,force,status new=shear_traction,shear_force,slip,motion,dissipated
+holds 'columns of two contacts' test "$(header outputs/two.csv)" = "$old,$new,contact"
+holds 'rows of a contact with friction' test "$(grep -Ec ',(stick|forward|backward),[-+0-9.e]+,block.bottom on half plane$' outputs/two.csv)" = 9
+holds 'rows of one without' test "$(grep -c ',0,0,,,0,block.left on half plane$' outputs/two.csv)" = 5
+for name in $(printf '%s' "$old,$new,time,slip_total,dissipated_total,contact" | tr , ' ') $(grep -o 'contact_[a-z_]*' outputs/two.vtu | sort -u); do
+    holds "no $name in the README of the examples" grep -Fq "\`$name\`" "$examples/README.md"
+done
+expect 0 solved solve "$cantilever" --csv outputs/one.csv --vtu outputs/one.vtu
+holds 'columns without friction' test "$(header outputs/one.csv)" = "$old"
+holds 'fields without friction' test "$(grep -Ec 'contact_(shear|slip|motion|number)' outputs/one.vtu)" = 0
+written 'one.csv
+one.vtu
+two.csv
+two.vtu'
+if command -v gnuplot > /dev/null 2>&1; then
+    expect 0 solved solve two_contacts.toml --plot outputs/two.svg
+    for word in 'block.bottom on half plane' 'block.left on half plane' 'bound of the shear'; do
+        holds "no $word in the picture" grep -Fq "$word" outputs/two.svg
+    done
+    written two.svg
+fi
 
 # Wrong scenes: one line that names file and line, as the comment at their top says, and nothing else.
 count=0
@@ -277,7 +323,7 @@ json 1 lcp 'a "name" \ with	marks' --solver all
 json 1 qp contradiction --solver all
 json 0 plan "$examples/punch.toml"
 json 0 solve "$examples/punch.toml"
-for word in '"on"' '"predicted"' '"trust": "exact"' '"certificate"' '"ledger"' '"pairs"' '"shear_force"' '"notes"'; do
+for word in '"on"' '"predicted"' '"trust": "exact"' '"certificate"' '"ledger"' '"pairs"' '"shear_traction"' '"motion"' '"units"' '"punch.bottom on block.top"' '"notes"'; do
     holds "no $word in JSON" grep -Fq "$word" out.json
 done
 json 1 solve lifted.toml

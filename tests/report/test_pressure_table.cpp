@@ -1,64 +1,16 @@
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "catch_compat.hpp"
-#include "signorini/report/pair_columns.hpp"
 #include "signorini/report/pressure_table.hpp"
+#include "support/three_pairs.hpp"
 
 using namespace signorini;
-
-namespace {
-
-/// Three pairs with slanted normals, the first two closed.
-Pairs three_pairs() {
-  Pairs gaps;
-  gaps.initial_gap.setZero(3);
-  gaps.weight = Eigen::Vector3d(0.5, 1, 0.5);
-  gaps.position.resize(3, 2);
-  gaps.position << 0, 1, 2, 0, 4, -1;
-  gaps.normal.resize(3, 2);
-  gaps.normal << 0.6, 0.8, 0, 1, 1, 0;
-  gaps.node = {7, 8, 9};
-  return gaps;
-}
-
-Model three_gaps() {
-  Model model;
-  model.pairs = three_pairs();
-  model.contacts = {"stone.rim on half plane"};
-  model.contact_of = {0, 0, 0};
-  return model;
-}
-
-Solution three_forces() {
-  Solution solution;
-  solution.contact.report.status = Status::Solved;
-  solution.contact.force = Eigen::Vector3d(10, 3, 0);
-  solution.contact.gap = Eigen::Vector3d(0, 0, 0.25);
-  solution.contact.active = {0, 1};
-  solution.pressure = Eigen::Vector3d(20, 3, 0);
-  return solution;
-}
-
-/// The first pair slides forward, the second sticks but for rounding, the third is open.
-Solution three_forces_with_friction() {
-  Solution solution = three_forces();
-  solution.contact.rubbing = {0, 1, 2};
-  solution.contact.friction = Eigen::Vector3d(-5, 2, 0);
-  solution.contact.slip = Eigen::Vector3d(0.5, 1e-20, -0.125);
-  solution.contact.motion = {Motion::Forward, Motion::Stick, Motion::Open};
-  return solution;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-}  // namespace
+using signorini_test::lines_of;
+using signorini_test::three_forces;
+using signorini_test::three_forces_with_friction;
+using signorini_test::three_gaps;
+using signorini_test::three_pairs;
 
 TEST_CASE("the resultants are the sums of the pairs, with sign", "[pressure_table]") {
   const Resultants sum = resultants(three_pairs(), three_forces());
@@ -125,56 +77,6 @@ TEST_CASE("sums of the contacts add up to that of all", "[pressure_table][fricti
   CHECK_THAT(lines[3], ContainsSubstring(",dissipated,contact"));
   CHECK_THAT(lines[4], ContainsSubstring(",2.5,a.rim on half plane"));
   CHECK_THAT(lines[5], ContainsSubstring(R"(,0,"b.rim on ""c"".top")"));
-}
-
-TEST_CASE("with friction the table has its columns behind the others",
-          "[pressure_table][friction]") {
-  const std::vector<std::string> lines =
-      lines_of(pressure_csv(three_gaps(), three_forces_with_friction()));
-  REQUIRE(lines.size() == 5);
-  CHECK_THAT(lines[0], ContainsSubstring("# contact stone.rim on half plane: force on the source"));
-  CHECK(lines[1] ==
-        "x,y,gap,pressure,force,status,shear_traction,shear_force,slip,motion,dissipated");
-  CHECK(lines[2] == "0,1,0,20,10,closed,-10,-5,0.5,forward,2.5");
-  CHECK(lines[3] == "2,0,0,3,3,closed,2,2,0,stick,0");
-  CHECK(lines[4] == "4,-1,0.25,0,0,open,0,0,-0.125,open,0");
-}
-
-TEST_CASE("a pair that cannot rub bears no shear and has neither slip nor motion",
-          "[pressure_table][friction]") {
-  Solution solution = three_forces_with_friction();
-  solution.contact.rubbing = {0};
-  solution.contact.friction.conservativeResize(1);
-  solution.contact.slip.conservativeResize(1);
-  solution.contact.motion.resize(1);
-  const std::vector<std::string> lines = lines_of(pressure_csv(three_gaps(), solution));
-  CHECK(lines[2] == "0,1,0,20,10,closed,-10,-5,0.5,forward,2.5");
-  CHECK(lines[3] == "2,0,0,3,3,closed,0,0,,,0");
-  CHECK(lines[4] == "4,-1,0.25,0,0,open,0,0,,,0");
-}
-
-TEST_CASE("on a path the table has the time, and slip and work so far", "[pressure_table][steps]") {
-  PathState state;
-  state.steps = 2;
-  state.time = 0.75;
-  state.slip = Eigen::Vector3d(1.5, 0.25, -0.5);
-  state.dissipation = Eigen::Vector3d(12.5, 1, 0);
-  const Solution solution = three_forces_with_friction();
-  const std::vector<std::string> lines =
-      lines_of(pressure_csv(three_gaps(), solution, "rel 1e-6", &state));
-  CHECK_THAT(lines[1], ContainsSubstring("dissipated 2.5, in total 13.5"));
-  CHECK(lines[2] ==
-        "time,x,y,gap,pressure,force,status,shear_traction,shear_force,slip,motion,dissipated,"
-        "slip_total,dissipated_total");
-  CHECK(lines[3] == "0.75,0,1,0,20,10,closed,-10,-5,0.5,forward,2.5,1.5,12.5");
-  CHECK(resultants(three_pairs(), solution, &state).dissipated_total == 13.5);
-  const std::vector<PairColumn> columns = pair_columns(three_gaps(), solution, &state);
-  CHECK(lines_of(csv_head(columns) + csv_lines(columns)) ==
-        std::vector<std::string>(lines.begin() + 2, lines.end()));
-  state.slip = Eigen::Vector2d(0, 0);
-  CHECK_THROWS_WITH(pair_columns(three_gaps(), solution, &state),
-                    ContainsSubstring("the solution has 3 slips, but the state of its path 2"));
-  CHECK_THROWS_AS(resultants(three_pairs(), solution, &state), std::invalid_argument);
 }
 
 TEST_CASE("the table has its columns and one line per pair in order", "[pressure_table]") {

@@ -148,7 +148,13 @@ TEST_CASE("a solution beside which others may exist says so", "[friction][model]
   const Solution doubtful = solve(rough_beam(3));  // mu so high that a pair can lock by itself
   CHECK(doubtful.contact.uniqueness == Uniqueness::Doubtful);
   REQUIRE(doubtful.notes.size() == 1);
-  CHECK_THAT(doubtful.notes[0], ContainsSubstring("may be other solutions"));
+  const double mu = 3 / (1 - doubtful.contact.doubt.determinant);
+  CHECK(mu < 3);
+  CHECK_THAT(doubtful.notes[0], ContainsSubstring("may be other solutions") &&
+                                    ContainsSubstring("of node ") && ContainsSubstring("at (") &&
+                                    ContainsSubstring(text("coefficient of ", mu, " on")));
+  CHECK(solve(rough_beam(0.999 * mu)).contact.uniqueness != Uniqueness::Doubtful);
+  CHECK(solve(rough_beam(1.001 * mu)).contact.uniqueness == Uniqueness::Doubtful);
 }
 
 TEST_CASE("names that nothing needs yet are refused too, and idle choices noted", "[plan][input]") {

@@ -102,6 +102,49 @@ TEST_CASE("the warning starts where one node stops being unique", "[friction][cl
   CHECK(verdict(1.67) == Uniqueness::Doubtful);
 }
 
+TEST_CASE("the warning names the pair, its determinant and the friction from which on it holds",
+          "[friction][closed-form]") {
+  // Stiffness [1 -k; -k 1]: the determinant is 1 - mu k.
+  for (const double k : {0.6, 0.8})
+    for (const double mu : {0.9, 1.01, 3.0, 1e3}) {
+      CAPTURE(k, mu);
+      Matrix2d F;
+      F << 1, k, k, 1;
+      F /= 1 - k * k;
+      // K u = f - r with f = (-0.2, 0.5) would be u = F f without contact.
+      const Eigen::Vector2d free = F * Eigen::Vector2d(-0.2, 0.5);
+      const ContactState state =
+          friction_solvers().front().solve(one_pair(F, free(0), free(1), mu / k), {});
+      REQUIRE(state.report.status == Status::Solved);
+      CHECK((state.uniqueness == Uniqueness::Doubtful) == (mu > 1));
+      CHECK(state.doubt.pair == (mu > 1 ? 0 : -1));
+      CHECK(state.doubt.determinant == Approx(mu > 1 ? 1 - mu : 1).epsilon(1e-13).margin(0));
+      if (mu > 1) CHECK(mu / k / (1 - state.doubt.determinant) == Approx(1 / k).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("without the friction of the pair that is named, beyond its share, the sign is right",
+          "[friction][closing]") {
+  Random random(77);
+  int named = 0;
+  for (int sample = 0; sample < 1500; ++sample) {
+    ContactProblem problem = random_friction(random, 2 + sample % 4, 8);
+    const ContactState solution = friction_solvers().front().solve(problem, {});
+    if (solution.report.status != Status::Solved || solution.doubt.pair < 0) continue;
+    const std::vector<Motion> motions = all_motions(solution);
+    if (!close(equilibrate(problem), motions).reversed) continue;
+    ++named;
+    double& mu = problem.law.coefficient(solution.doubt.pair);
+    const double critical = mu / (1 - solution.doubt.determinant);
+    CAPTURE(sample, mu, critical);
+    mu = 1.000001 * critical;
+    CHECK(close(equilibrate(problem), motions).reversed);
+    mu = 0.999999 * critical;
+    CHECK_FALSE(close(equilibrate(problem), motions).reversed);
+  }
+  CHECK(named > 5);
+}
+
 TEST_CASE("a solution on the turned branch warns of the others", "[friction][hard]") {
   Matrix2d F;
   F << 1, 2, 2, 9;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
 
@@ -139,6 +140,58 @@ bool drags(const MatrixXd& rigid, const VectorXd& resultant, const FrictionLaw& 
   return (opening.array() >= -rounding.array()).all() && work.value() < -proof_rounding * terms;
 }
 
+/// An escape that holds for the modes and the load as posed too; only the rows are measured in the units of the
+/// problem.
+VectorXd posed_escape(const ContactProblem& problem, const ScaledProblem& scaled) {
+  const VectorXd way = escape(scaled);
+  if (way.size() == 0) return {};
+  const MatrixXd rigid = scaled.scale.asDiagonal() * problem.rigid;
+  return drags(rigid, problem.resultant, scaled.law, way) ? way : VectorXd();
+}
+
+/// 1 - mu |C_ii| / G_ii of pair k of the law; 1 of a body that floats: there G and C depend on what grounds it.
+double own_determinant(const ScaledProblem& problem, Index k) {
+  const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+  if (!problem.rigid.row(pair).isZero(0) || !problem.rigid.row(problem.pairs() + k).isZero(0))
+    return 1;
+  return 1 - problem.law.coefficient(k) * std::abs(problem.compliance(pair, problem.pairs() + k)) /
+                 problem.compliance(pair, pair);
+}
+
+/// The doubt that a determinant of the wrong sign is. If the friction of pair i is multiplied by k, column i of the
+/// matrix M loses (1 - k) b, and by Cramer's rule its determinant is 1 - (1 - k) (M^-1 b)_i times what it was.
+Doubt doubt_of_set(const ScaledProblem& problem, const KnownSet& set) {
+  const std::vector<Index>& rows = set.closed;
+  const MatrixXd M = closing_matrix(problem, rows, set);
+  const MatrixXd smooth = closing_matrix(problem, rows, KnownSet{rows});
+  const LuFactor factor(M);
+  Doubt most;
+  double largest_share = 1;
+  for (const SlidingPair& pair : set.sliding) {
+    const Index column = std::find(rows.begin(), rows.end(), pair.gap) - rows.begin();
+    const double share = factor.solve(M.col(column) - smooth.col(column))(column);
+    if (share > largest_share) {
+      largest_share = share;
+      most = {pair.gap, 1 / (1 - share)};
+    }
+  }
+  if (most.pair >= 0) return most;
+  const LuFactor plain(smooth);
+  const VectorXd ratio = factor.pivots().cwiseQuotient(plain.pivots());
+  most.determinant = ratio.prod() * factor.permutation_sign() * plain.permutation_sign();
+  return most;
+}
+
+/// Whether mu |T| mu / 4 leaves nothing of a diagonal entry of G. \param least  |T| or less
+bool takes_all(const ScaledProblem& problem, double least) {
+  for (Index k = 0; k < problem.law.coefficient.size(); ++k) {
+    const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+    if (0.25 * least * std::pow(problem.law.coefficient(k), 2) > problem.compliance(pair, pair))
+      return true;
+  }
+  return false;
+}
+
 /// Whether G - C T^-1 C^T - mu |T| mu / 4 is positive definite, beyond rounding.
 bool bound_excludes_others(const ScaledProblem& problem) {
   const MatrixXd& F = problem.compliance;
@@ -148,12 +201,15 @@ bool bound_excludes_others(const ScaledProblem& problem) {
   if (pairs == 0) return true;
   if (slips > 0) {
     const MatrixXd T = F.bottomRightCorner(slips, slips);
+    const MatrixXd C = F.topRightCorner(pairs, slips);
+    const bool coupled = !C.isZero(0);
+    const VectorXd answer = T.rowwise().sum();
+    if (coupled && takes_all(problem, answer.dot(T * answer) / answer.squaredNorm())) return false;
     const CholeskyFactor tangential(T);
     if (!tangential.positive()) return false;
-    const MatrixXd C = F.topRightCorner(pairs, slips);
     S.noalias() -= C * tangential.solve_columns(C.transpose());
     const double largest = symmetric_eigenvalues(T).maxCoeff();
-    for (Index k = 0; k < slips && !C.isZero(0); ++k) {
+    for (Index k = 0; k < slips && coupled; ++k) {
       const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
       S(pair, pair) -= 0.25 * largest * std::pow(problem.law.coefficient(k), 2);
     }
@@ -223,13 +279,35 @@ VectorXd escape(const ScaledProblem& problem) {
   return problem.inverse * way;
 }
 
+double balanced_share(const ContactProblem& problem, const VectorXd& before) {
+  require(before.size() == problem.resultant.size(), "balanced_share: the load has ",
+          problem.resultant.size(), " resultants, but what it grows from ", before.size());
+  const Index pairs = problem.free_gap.size();
+  double share = 1;
+  for (ContactProblem now = problem;;) {
+    const VectorXd way = posed_escape(now, equilibrate(now));
+    if (way.size() == 0) break;
+    ExactSum held, growth;
+    for (Index j = 0; j < way.size(); ++j) {
+      held.add_product(before(j), way(j));
+      growth.add_product(problem.resultant(j), way(j));
+      growth.add_product(-before(j), way(j));
+    }
+    for (Index k = 0; k < problem.law.cohesion.size(); ++k)
+      held.add_product(problem.law.cohesion(k), std::abs(problem.rigid.row(pairs + k).dot(way)));
+    if (!(held.value() > 0)) return 0;
+    const double next = held.value() / -growth.value();
+    if (!(next < share)) break;  // a proof that rounding alone could improve
+    share = next;
+    now.resultant = before + share * (problem.resultant - before);
+  }
+  return share;
+}
+
 std::optional<ContactState> pulled_away(const ContactProblem& problem,
                                         const ScaledProblem& scaled) {
-  VectorXd way = escape(scaled);
+  VectorXd way = posed_escape(problem, scaled);
   if (way.size() == 0) return std::nullopt;
-  // Once more for the modes and the load as posed; only the rows are measured in the units of the problem.
-  const MatrixXd rigid = scaled.scale.asDiagonal() * problem.rigid;
-  if (!drags(rigid, problem.resultant, scaled.law, way)) return std::nullopt;
   Closure none;
   none.force = VectorXd::Zero(scaled.free.size());
   none.movement = scaled.free;
@@ -244,19 +322,24 @@ std::optional<ContactState> pulled_away(const ContactProblem& problem,
 }
 
 Uniqueness uniqueness(const ScaledProblem& problem, const Closure& solution) {
-  const Index pairs = problem.pairs();
   const FrictionLaw& law = problem.law;
   if (solution.reversed) return Uniqueness::Doubtful;
-  for (Index k = 0; k < law.coefficient.size(); ++k) {
-    const Index pair = law.pair[static_cast<std::size_t>(k)];
-    if (law.coefficient(k) * std::abs(problem.compliance(pair, pairs + k)) >
-        problem.compliance(pair, pair))
-      return Uniqueness::Doubtful;
-  }
+  for (Index k = 0; k < law.coefficient.size(); ++k)
+    if (own_determinant(problem, k) < 0) return Uniqueness::Doubtful;
   const bool rubs = !law.coefficient.isZero(0) || !law.cohesion.isZero(0);
   if (rubs && (problem.rigid.cols() > 0 || !law.cohesion.isZero(0))) return Uniqueness::Unknown;
   const bool only = bound_excludes_others(problem) && holds_modes(problem, solution);
   return only ? Uniqueness::Proved : Uniqueness::Unknown;
+}
+
+Doubt doubt(const ScaledProblem& problem, const std::vector<Motion>& motions,
+            const Closure& solution) {
+  if (solution.reversed) return doubt_of_set(problem, known_set(motions, problem.law));
+  Doubt least;
+  for (Index k = 0; k < problem.law.coefficient.size(); ++k)
+    if (const double own = own_determinant(problem, k); own < least.determinant)
+      least = {problem.law.pair[static_cast<std::size_t>(k)], own};
+  return least;
 }
 
 }  // namespace signorini

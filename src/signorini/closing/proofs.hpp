@@ -44,6 +44,20 @@ namespace signorini {
 ///   otherwise an empty vector
 [[nodiscard]] Eigen::VectorXd escape(const ScaledProblem& problem);
 
+/// How much of a growing load contact can balance: the largest share s of [0, 1] for which no escape() proves that
+/// no forces within their bounds have the resultant \f$ r_0 + s (r - r_0) \f$.
+///
+/// Every proof a holds for all s beyond \f$ -(r_0^T a + \sum c_i |v_i|) / ((r - r_0)^T a) \f$; there the next one is
+/// looked for. That is Newton's method for the distance from the resultants that contact can give, a polyhedron, so it
+/// ends after finitely many proofs, and exactly to rounding. It is the limit theorem of statics: what is beyond s
+/// moves away for certain. That all below is held is certain for Tresca's law only, because the sliding of Coulomb's
+/// opens no gap as the theorem would have it.
+/// \param problem  with R, and r of the full load
+/// \param before   r_0 `n_r` that the load grows from; zeros: the whole load grows
+/// \return s [-]; 1 if nothing refutes r itself, 0 if not even r_0 or any part beyond it can be balanced
+/// \throws std::invalid_argument as check_problem(), or if the sizes of r and r_0 differ
+[[nodiscard]] double balanced_share(const ContactProblem& problem, const Eigen::VectorXd& before);
+
 /// The state of a body that its load pulls away, if escape() has a proof that holds for R and r as they were posed.
 /// \param problem  as it was posed
 /// \param scaled   the same, equilibrated
@@ -71,5 +85,17 @@ namespace signorini {
 /// \param solution  a confirmed one
 /// \return the verdict
 [[nodiscard]] Uniqueness uniqueness(const ScaledProblem& problem, const Closure& solution);
+
+/// Which pair a warning of uniqueness() rests on.
+///
+/// If the determinant of the motions found has the wrong sign, it is the pair whose mu has to fall least, alone, for the
+/// sign to change; -1 if none can do it alone. Otherwise it is the pair for which \f$ 1 - \mu_i |C_{ii}| / G_{ii} \f$ is
+/// smallest.
+/// \param problem   scaled
+/// \param motions   `n_c` of the solution
+/// \param solution  a confirmed one that is `Doubtful`
+/// \return pair and determinant
+[[nodiscard]] Doubt doubt(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                          const Closure& solution);
 
 }  // namespace signorini

@@ -20,6 +20,10 @@ struct QuadraticProgramme {
 };
 
 /// Which pairs rub, and how strongly: \PaperEq{LinEtAl, 6}. Without friction all three are empty.
+///
+/// The bound of a friction force is \f$ b = \mu\lambda + c \f$, a straight line over the force that presses the pair:
+/// Coulomb's law has c = 0, Tresca's mu = 0, and with both it is Coulomb's with cohesion. This is all that solvers and
+/// certificates take; laws by name, which give these two numbers for each pair, are friction_laws().
 struct FrictionLaw {
   std::vector<Eigen::Index> pair;  ///< `n_s` pairs whose slips are the last `n_s` rows of A
   Eigen::VectorXd coefficient;     ///< mu `n_s` >= 0 [-]
@@ -138,6 +142,17 @@ enum class Uniqueness {
   Doubtful  ///< a warning: others may exist, see uniqueness()
 };
 
+/// The pair that a warning of several solutions rests on, see doubt().
+///
+/// The determinant of the equations of the pairs that slide is linear in the mu of each of them. Divided by its value
+/// without the friction of this pair, it is \f$ 1 - \mu/\mu_c \f$: it changes its sign, and several solutions begin, at
+/// \f$ \mu_c = \mu / (1 - determinant) \f$.
+struct Doubt {
+  Eigen::Index pair =
+      -1;  ///< its number; -1 if there is no warning, or it is of all sliding pairs together
+  double determinant = 1;  ///< normalised as above, or by that without any friction [-]; < 0 warns
+};
+
 /// Forces, gaps and status of all pairs. Unless `report.status` is Solved, these are the last ones
 /// that the method looked at and no solution.
 struct ContactState {
@@ -151,6 +166,7 @@ struct ContactState {
   std::vector<Motion> motion = {};         ///< `n_s` what these pairs do
   Eigen::VectorXd amplitude = {};          ///< a `n_r`
   Uniqueness uniqueness = Uniqueness::Unknown;  ///< of a solution with friction
+  Doubt doubt = {};                             ///< what `Doubtful` rests on
   std::string reason = {};                      ///< what stopped the solver, in words; may be empty
   /// Proof that nothing solves the problem, or empty: y `n_c` >= 0 with G y = 0 and d^T y < 0. For any
   /// forces, \f$ y^T(d + G\lambda) = d^T y < 0 \f$, so some gap stays negative.

@@ -48,6 +48,16 @@ Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A
   return R;
 }
 
+Eigen::VectorXd rigid_resultant(const Eigen::VectorXd& load, const Eigen::MatrixXd& null_vectors) {
+  Eigen::VectorXd resultant(null_vectors.cols());
+  for (Index j = 0; j < null_vectors.cols(); ++j) {
+    Entry work;
+    for (Index i = 0; i < load.size(); ++i) work.add_product(-load(i), null_vectors(i, j));
+    resultant(j) = work.value();
+  }
+  return resultant;
+}
+
 void add_rigid_modes(const QuadraticProgramme& programme, const Eigen::MatrixXd& null_vectors,
                      ContactProblem& problem) {
   const Index n = programme.load.size();
@@ -58,12 +68,7 @@ void add_rigid_modes(const QuadraticProgramme& programme, const Eigen::MatrixXd&
   require(problem.compliance.rows() == rows, "rigid modes: expected a compliance of ", rows,
           " rows, got ", problem.compliance.rows());
   problem.rigid = rigid_gaps(programme.A, null_vectors);
-  problem.resultant.resize(null_vectors.cols());
-  for (Index j = 0; j < null_vectors.cols(); ++j) {
-    Entry work;
-    for (Index i = 0; i < n; ++i) work.add_product(-programme.load(i), null_vectors(i, j));
-    problem.resultant(j) = work.value();
-  }
+  problem.resultant = rigid_resultant(programme.load, null_vectors);
 }
 
 }  // namespace signorini

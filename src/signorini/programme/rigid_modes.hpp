@@ -20,6 +20,13 @@ namespace signorini {
 [[nodiscard]] Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
                                          const Eigen::MatrixXd& null_vectors);
 
+/// What a load does along rigid modes.
+/// \param load          p `n`
+/// \param null_vectors  N `n x n_r`
+/// \return r = -N^T p `n_r`; an entry counts as zero if the rounding of its terms can make it
+[[nodiscard]] Eigen::VectorXd rigid_resultant(const Eigen::VectorXd& load,
+                                              const Eigen::MatrixXd& null_vectors);
+
 /// Adds the rigid modes to the condensed problem of a programme whose bodies contact alone holds.
 ///
 /// K is singular, so the caller grounds it: K_g = K + C C^T with one spring per mode, N^T C regular.
@@ -28,7 +35,7 @@ namespace signorini {
 ///
 /// \f[ d = g - A K_g^{-1} p,\quad G = A K_g^{-1} A^T,\quad R = -A N,\quad r = -N^T p. \f]
 ///
-/// R is that of rigid_gaps(), and an entry of r too counts as zero if the rounding of its terms can make it.
+/// R is that of rigid_gaps(), and r that of rigid_resultant().
 ///
 /// A rotation should turn its body about a point inside: about a far one it is mostly a shift, and what
 /// remains of the two when they cancel is rounded as they are.

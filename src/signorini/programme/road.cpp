@@ -143,6 +143,7 @@ void Road::take_over(const ContactState& claim, bool corrected) {
   ContactState& state = end_.state;
   append(state.report, claim.report);
   state.uniqueness = claim.uniqueness;
+  state.doubt = claim.doubt;
   state.reason = claim.reason;
   state.escape = claim.escape;
   state.infeasibility = claim.infeasibility;

@@ -31,18 +31,18 @@ std::string csv_word(const std::string& word) {
   return quoted + '"';
 }
 
-void add_friction(const Model& model, const ContactState& contact, const PathState* state,
+void add_friction(const Model& model, const Solution& solution, const PathState* state,
                   std::vector<PairColumn>& columns) {
+  const ContactState& contact = solution.contact;
   VectorXd motion(contact.friction.size());
   for (Index k = 0; k < motion.size(); ++k)
     motion(k) = static_cast<double>(contact.motion[static_cast<std::size_t>(k)]);
   std::vector<std::string> motions;
   for (const Motion word : {Motion::Open, Motion::Stick, Motion::Forward, Motion::Backward})
     motions.emplace_back(to_string(word));
-  const VectorXd shear = of_rubbing(contact, contact.friction, 0);
   columns.push_back({"shear_traction", "force/length^2", "contact_shear_traction",
-                     shear.cwiseQuotient(model.pairs.weight)});
-  columns.push_back({"shear_force", "force", "", shear});
+                     shear_tractions(model, solution)});
+  columns.push_back({"shear_force", "force", "", of_rubbing(contact, contact.friction, 0)});
   columns.push_back(
       {"slip", "length", "contact_slip", of_rubbing(contact, increment(contact), none)});
   columns.push_back(
@@ -78,6 +78,11 @@ VectorXd dissipated(const ContactState& contact) {
   return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
 }
 
+VectorXd shear_tractions(const Model& model, const Solution& solution) {
+  const ContactState& contact = solution.contact;
+  return of_rubbing(contact, contact.friction, 0).cwiseQuotient(model.pairs.weight);
+}
+
 std::string PairColumn::cell(Index pair, const char* format) const {
   const double value = values(pair);
   if (std::isnan(value)) return "";
@@ -100,7 +105,9 @@ std::vector<PairColumn> pair_columns(const Model& model, const Solution& solutio
   columns.push_back({"pressure", "force/length^2", "contact_pressure", solution.pressure});
   columns.push_back({"force", "force", "", contact.force});
   columns.push_back({"status", "-", "contact_status", closed, {"open", "closed"}});
-  if (!contact.rubbing.empty()) add_friction(model, contact, state, columns);
+  const std::size_t smooth = columns.size();
+  if (!contact.rubbing.empty()) add_friction(model, solution, state, columns);
+  for (std::size_t k = smooth; k < columns.size(); ++k) columns[k].of_friction = true;
   if (model.contacts.size() > 1) {
     VectorXd number(n_pairs);
     for (Index pair = 0; pair < n_pairs; ++pair)

@@ -15,6 +15,7 @@ struct PairColumn {
   std::string field;       ///< its name among the point data of a VTU file; empty: it is not there
   Eigen::VectorXd values;  ///< `n_c`; of words their numbers; not a number where a pair has none
   std::vector<std::string> words = {};  ///< that the values number from 0; empty: they are numbers
+  bool of_friction = false;             ///< whether it says nothing of pairs that cannot rub
 
   /// \param pair  a pair \param format  of a number, as for number()
   /// \return its word or number as text; empty if it has none
@@ -31,6 +32,11 @@ void check_solved(const Solution& solution, const PathState* state, const char* 
 /// \param contact  of a solution
 /// \return `n_s` work |tau| |slip| that each pair that rubs lost by sliding [force length], see increment()
 [[nodiscard]] Eigen::VectorXd dissipated(const ContactState& contact);
+
+/// \param model     that was solved
+/// \param solution  of it
+/// \return `n_c` friction force / weight [force/length^2], on the source along the tangent; 0 where a pair cannot rub
+[[nodiscard]] Eigen::VectorXd shear_tractions(const Model& model, const Solution& solution);
 
 /// All columns of a solution. What a scene has not is no column.
 ///

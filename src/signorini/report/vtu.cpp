@@ -80,15 +80,12 @@ NodalField at_nodes(const std::string& name, const Rows& of_pairs, const std::ve
 }
 
 /// Pressure along the normals, shear traction along the tangents.
-Rows tractions(const Pairs& pairs, const Solution& solution) {
-  const ContactState& contact = solution.contact;
+Rows tractions(const Model& model, const Solution& solution) {
+  const Pairs& pairs = model.pairs;
   Rows traction = solution.pressure.asDiagonal() * pairs.normal;
-  for (std::size_t k = 0; k < contact.rubbing.size(); ++k) {
-    const Index pair = contact.rubbing[k];
-    const double shear = contact.friction(static_cast<Index>(k)) / pairs.weight(pair);
-    traction(pair, 0) += shear * pairs.normal(pair, 1);
-    traction(pair, 1) -= shear * pairs.normal(pair, 0);
-  }
+  const Eigen::VectorXd shear = shear_tractions(model, solution);
+  traction.col(0) += shear.cwiseProduct(pairs.normal.col(1));
+  traction.col(1) -= shear.cwiseProduct(pairs.normal.col(0));
   return traction;
 }
 
@@ -100,7 +97,7 @@ std::vector<NodalField> nodal_fields(const Model& model, const Solution& solutio
     if (!column.field.empty())
       fields.push_back(at_nodes(column.field, column.values, pairs, column.words.empty() ? 0 : -1));
   if (solution.pressure.size() > 0)
-    fields.push_back(at_nodes("contact_traction", tractions(model.pairs, solution), pairs, 0));
+    fields.push_back(at_nodes("contact_traction", tractions(model, solution), pairs, 0));
   return fields;
 }
 

@@ -48,8 +48,19 @@ void take_slips(const Scene& scene, Plan& draft) {
   draft.on.push_back(text("slips of ", law.pair.size(), " pairs"));
 }
 
-/// Says what a constant is in every contact. \return its values for the pairs of the law
-VectorXd price(const Scene& scene, Plan& draft, Constant constant, const std::string& name) {
+/// The bound of a pair as the law of its contact has it.
+FrictionBound bound(const Plan& draft, const ContactSpec& contact, double weight) {
+  try {
+    return find_friction_law(contact.friction->law).bound(*contact.friction, weight);
+  } catch (const ProblemError& error) {
+    throw ProblemError(
+        text("friction of the ", describe(draft.bodies, contact), ": ", error.what()));
+  }
+}
+
+/// Says what a constant is in every contact. \return what the laws make of it for the pairs that rub
+VectorXd price(const Scene& scene, Plan& draft, Constant constant, const std::string& name,
+               double FrictionBound::*part) {
   for (const ContactSpec& contact : scene.contacts) {
     const double given = value(contact, constant);
     const std::string what = text(name, " of the ", describe(draft.bodies, contact));
@@ -60,7 +71,8 @@ VectorXd price(const Scene& scene, Plan& draft, Constant constant, const std::st
   VectorXd values(draft.law.coefficient.size());
   for (Index k = 0; k < values.size(); ++k) {
     const Index pair = draft.law.pair[static_cast<std::size_t>(k)];
-    values(k) = value(scene.contacts[draft.contact_of[static_cast<std::size_t>(pair)]], constant);
+    const ContactSpec& contact = scene.contacts[draft.contact_of[static_cast<std::size_t>(pair)]];
+    values(k) = bound(draft, contact, draft.gaps.pairs.weight(pair)).*part;
   }
   return values;
 }
@@ -82,8 +94,8 @@ Effect friction() {
             return any_has(scene, &Friction::coefficient);
           },
           [](const Scene& scene, Plan& draft) {
-            draft.law.coefficient =
-                price(scene, draft, &Friction::coefficient, "friction coefficient");
+            draft.law.coefficient = price(scene, draft, &Friction::coefficient,
+                                          "friction coefficient", &FrictionBound::slope);
           },
           add_slips};
 }
@@ -93,8 +105,8 @@ Effect cohesion() {
       "cohesion",
       [](const Scene& scene, const Plan& /*draft*/) { return any_has(scene, &Friction::cohesion); },
       [](const Scene& scene, Plan& draft) {
-        VectorXd values = price(scene, draft, &Friction::cohesion, "cohesion");
-        draft.law.cohesion = values.cwiseProduct(draft.gaps.pairs.weight(draft.law.pair));
+        draft.law.cohesion =
+            price(scene, draft, &Friction::cohesion, "cohesion", &FrictionBound::offset);
       },
       add_slips};
 }

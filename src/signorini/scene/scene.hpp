@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "signorini/contact/friction_laws.hpp"
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/contact/obstacle.hpp"
@@ -33,13 +34,6 @@ struct Body {
 struct Side {
   std::string boundary;   ///< its name
   std::string body = {};  ///< name of the body; may be left out if there is only one
-};
-
-/// Friction between two sides: |tau| <= mu lambda + c where they touch; slip counts from the load step before.
-/// Coulomb's law has c = 0, Tresca's mu = 0, the bound then being given.
-struct Friction {
-  double coefficient = 0;  ///< mu >= 0 [-]
-  double cohesion = 0;     ///< c >= 0 where the sides touch [force/length^2]
 };
 
 /// Two sides that may touch. A choice that has no meaning, as an operator beside a rigid obstacle, is noted.

@@ -1,6 +1,7 @@
 /// \file
 /// The model of a scene, the condensed problem, and the solution.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,9 @@ struct Solution {
   /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
   std::string escape;  ///< if the load pulls a body away: how it moves off
+  /// If it is proved that contact and friction cannot balance the load: the share of it that they can balance at most,
+  /// in a load step of what the step adds [-], see balanced_share(). Without friction and steps it is left out: it is 0
+  std::optional<double> limit = {};
   /// What a user should know: the notes of the plan, then such as that others may exist or that strains are large.
   std::vector<std::string> notes;
   Ledger ledger;  ///< what it cost

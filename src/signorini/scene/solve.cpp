@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/rigid_modes.hpp"
@@ -55,6 +56,37 @@ std::string escape_in_words(const Model& model, const VectorXd& escape) {
   return words;
 }
 
+/// Where a pair is: its node, if it has one, and the place.
+std::string pair_in_words(const Model& model, Index pair) {
+  const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
+  std::string words = text("pair ", pair);
+  if (node >= 0) {
+    std::size_t b = model.bodies.size() - 1;
+    while (model.bodies[b].first_node > node) --b;
+    words += text(" of node ", node - model.bodies[b].first_node, " of body '",
+                  model.bodies[b].mesh.name, '\'');
+  }
+  return text(words, " at (", model.pairs.position(pair, 0), ", ", model.pairs.position(pair, 1),
+              ')');
+}
+
+/// The warning of several solutions: which pair it rests on, and from which friction on it holds.
+std::string doubt_in_words(const Model& model, const Doubt& doubt) {
+  const std::string warning =
+      "friction: there may be other solutions of the same loads, this is one of them";
+  const FrictionLaw& law = model.law;
+  const auto found = std::find(law.pair.begin(), law.pair.end(), doubt.pair);
+  if (found == law.pair.end())
+    return text(warning,
+                ": the determinant of the pairs that slide, normalised to 1 without friction, is ",
+                doubt.determinant, ", and below 0 there are several");
+  const double mu = law.coefficient(found - law.pair.begin());
+  return text(warning, ": the determinant of ", pair_in_words(model, doubt.pair),
+              ", normalised to 1 without its friction, is ", doubt.determinant,
+              ", and several solutions begin below 0, from a friction coefficient of ",
+              mu / (1 - doubt.determinant), " on; there it is ", mu);
+}
+
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
 void note_open_motions(const Model& model, const VectorXd& force, Solution& solution) {
   if (model.modes.empty() || solution.contact.report.status != Status::Solved) return;
@@ -86,6 +118,14 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   if (solution.contact.report.status != Status::Solved) return;
   for (std::string& note : doubts_of_solution(model, solution))
     solution.notes.push_back(std::move(note));
+}
+
+/// How much of the load would be held.
+std::string limit_in_words(const std::optional<double>& limit) {
+  if (!limit) return {};
+  if (*limit == 0)
+    return "Friction holds no part of this load, however small, because it grows with the load. ";
+  return text("Friction holds at most ", *limit, " of this load. ");
 }
 
 long long one_solve(const Condensed& condensed) {
@@ -135,9 +175,10 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   solution.certificate = end.certificate;
   const ContactState& contact = solution.contact;
   if (contact.uniqueness == Uniqueness::Doubtful && contact.report.status == Status::Solved)
-    solution.notes.emplace_back(
-        "friction: there may be other solutions of the same loads, this is one of them");
+    solution.notes.push_back(doubt_in_words(model, contact.doubt));
   solution.escape = escape_in_words(model, contact.escape);
+  if (contact.escape.size() > 0 && !model.law.pair.empty())
+    solution.limit = balanced_share(condensed.problem, VectorXd::Zero(contact.escape.size()));
   if (end.solution.displacement.size() > 0) {
     const Ledger::Phase phase(ledger, "recovery");
     recover(model, std::move(end.solution), solution);
@@ -154,7 +195,8 @@ std::string why_unsolved(const Solution& solution) {
   const std::string& reason = solution.contact.reason;
   if (solution.escape.empty()) return reason;
   return text(reason.empty() ? "the load pulls a body away from all it could rest on" : reason,
-              ": ", solution.escape, ". Turn the load round or add a support");
+              ": ", solution.escape, ". ", limit_in_words(solution.limit),
+              "Turn the load round or add a support");
 }
 
 void require_solved(const Solution& solution, const std::string& what) {

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "signorini/closing/closing.hpp"
+#include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/programme/rigid_modes.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
@@ -13,6 +16,9 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+
+/// How far a step that ends at the limit stays away from it, where pairs that all slide would hold nothing.
+constexpr double limit_margin = 1e-10;
 
 VectorField times(double factor, const VectorField& field) {
   if (!field) return {};
@@ -59,6 +65,50 @@ void check_sizes(const PathState& state, const Model& model) {
 /// Lets the slips of a model count from where they were.
 void forget_slip(const VectorXd& slip, Model& model) {
   if (slip.size() > 0) model.programme.initial_gap.tail(slip.size()) -= slip;
+}
+
+/// What the loads of a time do along the rigid modes.
+VectorXd resultant_at(double time, const Model& model, const Eigen::MatrixXd& modes) {
+  VectorXd load = VectorXd::Zero(model.unknowns.count);
+  for (const LoadPart& part : model.parts) load += factor_of(model.path, part, time) * part.load;
+  return rigid_resultant(load, modes);
+}
+
+/// Until when contact and friction can balance the loads of a step, which are linear between the rows of histories.
+double balanced_until(double begin, double end, const Model& model, ContactProblem problem) {
+  std::vector<double> times = {end};
+  for (const History& history : model.path.histories)
+    for (const double row : history.times)
+      if (row > begin && row < end) times.push_back(row);
+  std::sort(times.begin(), times.end());
+  const Eigen::MatrixXd modes = mode_shapes(model.modes);
+  VectorXd before = resultant_at(begin, model, modes);
+  for (const double time : times) {
+    problem.resultant = resultant_at(time, model, modes);
+    const double share = balanced_share(problem, before);
+    if (share < 1) return begin + share * (time - begin);
+    before = problem.resultant;
+    begin = time;
+  }
+  return end;
+}
+
+/// Says why a step failed, and until when its loads can be balanced at all.
+void tell(const Solution& failed, double time, PathEnd& end) {
+  const std::string& why = failed.contact.reason;
+  end.status = failed.contact.report.status;
+  end.reason = text("the step from time ", end.state.time, " to ", time,
+                    " was not solved: ", to_string(end.status), why.empty() ? "" : ": ", why,
+                    failed.escape.empty() ? "" : ": ", failed.escape);
+  if (failed.limit && !end.limit)
+    end.limit = end.state.time + *failed.limit * (time - end.state.time);
+  if (end.limit)
+    end.reason += text(". Contact and friction hold the loads until time ", *end.limit, " at most");
+}
+
+PathEnd ended(PathEnd end) {
+  end.reason += text("; the last good state is that of time ", end.state.time);
+  return end;
 }
 
 PathState after(const PathState& past, double time, const Solution& solution) {
@@ -154,8 +204,12 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
   SolverOptions options;
   options.start = past.motion;
   Step result{solve(model, path.condensed, model.solver, std::move(ledger), options), past};
-  if (result.solution.contact.report.status == Status::Solved)
-    result.state = after(past, time, result.solution);
+  Solution& solution = result.solution;
+  if (solution.contact.report.status == Status::Solved)
+    result.state = after(past, time, solution);
+  else if (solution.contact.escape.size() > 0)
+    solution.limit = (balanced_until(past.time, time, model, path.condensed.problem) - past.time) /
+                     (time - past.time);
   return result;
 }
 
@@ -172,28 +226,35 @@ PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathS
 PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const StepObserver& observe,
                     const PathState& from) {
   PathEnd end{from};
+  double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
   for (const double target : model.path.times) {
     double reach = target;
     for (int halved = 0; end.state.time < target;) {
-      Step next = step(end.state, reach, model, path, std::exchange(ledger, {}));
-      const Report& report = next.solution.contact.report;
-      if (report.status == Status::Solved) {
+      const Step next = step(end.state, reach, model, path, std::exchange(ledger, {}));
+      if (next.solution.contact.report.status == Status::Solved) {
         end.state = next.state;
         if (observe) observe(model, next);
-        reach = target;
+        if (end.state.time >= held) return ended(std::move(end));
+        if (!end.limit) {
+          end.status = Status::Solved;
+          end.reason.clear();
+        }
+        reach = std::min(target, held);
         halved = 0;
         continue;
       }
+      const bool known = end.limit.has_value();
+      tell(next.solution, reach, end);
+      if (end.limit && !known) {
+        const double left = *end.limit - end.state.time;
+        if (left <= limit_margin * (reach - end.state.time)) return ended(std::move(end));
+        held = end.state.time + (1 - limit_margin) * left;
+        reach = held;
+        continue;
+      }
       if (++halved > model.path.halvings) {
-        const std::string& why = next.solution.contact.reason;
-        const std::string& escape = next.solution.escape;
-        end.status = report.status;
-        end.reason = text("the step from time ", end.state.time, " to ", reach,
-                          " was not solved: ", to_string(report.status), why.empty() ? "" : ": ",
-                          why, escape.empty() ? "" : ": ", escape, ". The step to ", target,
-                          " was halved ", model.path.halvings,
-                          " times; the last good state is that of time ", end.state.time);
-        return end;
+        end.reason += text(". The step to ", target, " was halved ", model.path.halvings, " times");
+        return ended(std::move(end));
       }
       ++end.halvings;
       reach = end.state.time + 0.5 * (reach - end.state.time);

@@ -93,7 +93,12 @@ const Keys<Friction>& friction_keys() {
   static const Keys<Friction> keys = {
       key("coefficient", &Friction::coefficient, "", "mu", Bound::NotNegative),
       key("cohesion", &Friction::cohesion, "force/length^2", "c where the sides touch",
-          Bound::NotNegative)};
+          Bound::NotNegative),
+      {{"law", "text", "", written(Friction().law),
+        "name of the law: " + names_of(friction_laws())},
+       [](const Value& value, Friction& friction) {
+         take_member(value, friction_laws(), "law", friction.law);
+       }}};
   return keys;
 }
 

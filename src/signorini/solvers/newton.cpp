@@ -141,7 +141,7 @@ Attempt first_attempt(const ScaledProblem& problem) {
   Closure& now = attempt.closure;
   now.force.setZero(problem.free.size());
   now.amplitude.setZero(U.cols());
-  double unit = reach(problem.compliance);
+  double unit = reach(problem);
   if (U.cols() > 0) {
     unit = ContactEquations(problem, nested_friction).reach();
     now.force = U * problem.resultant;
@@ -177,6 +177,8 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   if (state.reason.empty()) state.reason = std::move(attempt.reason);
   if (attempt.confirmed && !scaled.law.pair.empty() && scaled.symmetric)
     state.uniqueness = uniqueness(scaled, attempt.closure);
+  if (state.uniqueness == Uniqueness::Doubtful)
+    state.doubt = doubt(scaled, attempt.motions, attempt.closure);
   return state;
 }
 
