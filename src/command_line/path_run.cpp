@@ -160,7 +160,7 @@ void PathFiles::add(const Model& model, const Step& step) {
   }
   if (!wanted_.state.empty()) files.push_back(wanted_.state);
   Drafts drafts(files, read_);
-  publish(drafts, [&] {
+  drafts.publish([&] {
     if (!wanted_.vtu.empty()) {
       write_vtu(drafts.begin(fields), model, step.solution, &step.state);
       write_pvd(drafts.begin(all), fields_);
@@ -174,7 +174,7 @@ void PathFiles::add(const Model& model, const Step& step) {
 
 void PathFiles::finish(const SceneRun& run) const {
   Drafts drafts(files_of({{}, wanted_.csv, wanted_.plot, {}}), read_);
-  publish(drafts, [&] {
+  drafts.publish([&] {
     if (!wanted_.csv.empty()) write_file(drafts.begin(wanted_.csv), table_);
     if (!wanted_.plot.empty()) draw(drafts.begin(wanted_.plot), picture_kind(wanted_.plot), run);
   });
