@@ -119,9 +119,10 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
 std::string way_on(const SceneRun& run) {
   const std::string& state = run.file.output.state;
   if (run.end->state.steps == 0) return "";
-  return state.empty()
-             ? ". With --state FILE the next run can go on from there, by --from FILE"
-             : ". To go on from there: signorini solve " + run.file.name + " --from " + state;
+  if (state.empty()) return ". With --state FILE the next run can go on from there, by --from FILE";
+  const std::string& name = run.file.name;
+  return text(". To go on from there: signorini solve ", name == standard_input ? "-" : name,
+              " --from ", state);
 }
 
 }  // namespace
@@ -159,7 +160,7 @@ void PathFiles::add(const Model& model, const Step& step) {
   }
   if (!wanted_.state.empty()) files.push_back(wanted_.state);
   Drafts drafts(files, read_);
-  publish(drafts, [&] {
+  drafts.publish([&] {
     if (!wanted_.vtu.empty()) {
       write_vtu(drafts.begin(fields), model, step.solution, &step.state);
       write_pvd(drafts.begin(all), fields_);
@@ -173,7 +174,7 @@ void PathFiles::add(const Model& model, const Step& step) {
 
 void PathFiles::finish(const SceneRun& run) const {
   Drafts drafts(files_of({{}, wanted_.csv, wanted_.plot, {}}), read_);
-  publish(drafts, [&] {
+  drafts.publish([&] {
     if (!wanted_.csv.empty()) write_file(drafts.begin(wanted_.csv), table_);
     if (!wanted_.plot.empty()) draw(drafts.begin(wanted_.plot), picture_kind(wanted_.plot), run);
   });

@@ -1,11 +1,11 @@
 // A scene file from its text to a solution, and the files that were asked for.
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "command_line/drafts.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/prediction.hpp"
 #include "signorini/scene/steps.hpp"
@@ -93,48 +93,8 @@ SceneRun plan_scene(const std::string& file, const std::string& solver, const ch
 /// \throws signorini::ProblemError as signorini::condense(), with the line, or as signorini::check_state()
 void solve_scene(SceneRun& run, const signorini::StepObserver& observe = {});
 
-/// Files that appear all together or not at all.
-class Drafts {
- public:
-  /// \param files  that will appear
-  /// \param read   what the run was read from
-  /// \throws signorini::ProblemError if two of them are the same, or one is a folder or a device, or what the run was
-  ///   read from, or ends like a scene or a mesh
-  Drafts(const std::vector<std::string>& files, const std::string& read);
-  ~Drafts();
-  Drafts(const Drafts&) = delete;
-  Drafts& operator=(const Drafts&) = delete;
-  Drafts(Drafts&&) = delete;
-  Drafts& operator=(Drafts&&) = delete;
-  /// \param file  one of them \return what to write it as until it appears; nothing has this name
-  std::filesystem::path begin(const std::string& file);
-  /// \param message  that may name a draft \return the message, naming the file
-  [[nodiscard]] std::string in_words(std::string message) const;
-  /// Gives all files their names, once each was begun and written.
-  /// \throws signorini::ProblemError naming the first that cannot have it; then all is as it was before
-  void publish();
-
- private:
-  struct Entry {
-    std::filesystem::path file;
-    std::filesystem::path draft = {};  // empty until it is begun
-    std::filesystem::path before =
-        {};  // what the file of this name is called meanwhile; empty if there is none
-    bool published = false;
-  };
-  [[nodiscard]] std::filesystem::path unused(const std::filesystem::path& beside) const;
-  void take_back();
-
-  std::vector<Entry> entries_;
-};
-
 /// \param output  what is asked for \return the names of its files
 std::vector<std::string> files_of(const signorini::Output& output);
-
-/// Writes something to drafts and publishes them.
-/// \param drafts  of all files \param write  begins and writes each
-/// \throws signorini::ProblemError of `write`, in the words of people who know no drafts; then no file appears
-void publish(Drafts& drafts, const std::function<void()>& write);
 
 /// Writes what the scene file and the command line ask for.
 /// \param run     that is solved

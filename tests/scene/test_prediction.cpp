@@ -10,6 +10,7 @@
 #include "support/cantilever.hpp"
 #include "support/effect_examples.hpp"
 #include "support/hertz.hpp"
+#include "support/paths.hpp"
 #include "support/two_bodies.hpp"
 
 using namespace signorini;
@@ -119,6 +120,42 @@ TEST_CASE("the figures that are said to be exact are so whatever effect is on", 
     }
     CHECK(exact == 13);
   }
+}
+
+TEST_CASE("a path is predicted with all its steps, and its ledgers add up to what is exact",
+          "[prediction][steps]") {
+  const Scene one = signorini_test::slab(1, {});
+  const Scene many = signorini_test::slab(4, {1, -1});
+  const Prediction prediction = predict(plan(many));
+  std::vector<Ledger> ledgers;
+  const PathEnd end = solve_steps(
+      many, [&](const Model&, const Step& step) { ledgers.push_back(step.solution.ledger); });
+  REQUIRE(end.status == Status::Solved);
+  const double steps = static_cast<double>(many.path->times.size());
+  REQUIRE(static_cast<double>(ledgers.size()) == steps);
+  int exact = 0;
+  double solves = 0;
+  for (const ConfrontedFigure& figure : confront(prediction, ledgers)) {
+    CAPTURE(figure.predicted.phase, figure.predicted.what);
+    if (figure.predicted.phase == "refinement" && figure.predicted.what == "solves")
+      solves = *figure.measured;
+    if (figure.predicted.trust != Trust::Exact) continue;
+    CHECK(figure.measured == figure.predicted.amount);
+    ++exact;
+  }
+  CHECK(exact == 13);
+  double counted = 0;
+  for (const Ledger& ledger : ledgers)
+    counted += static_cast<double>(ledger.counted("refinement", "solves"));
+  CHECK(solves == counted);
+  CHECK(solves > steps);
+  const Prediction first = predict(plan(one));
+  for (const char* phase : {"refinement", "contact"}) {
+    const char* const what = std::string(phase) == "contact" ? "iterations" : "solves";
+    CHECK(prediction.amount(phase, what) == steps * first.amount(phase, what));
+  }
+  CHECK(prediction.amount("a later step", "seconds") > 0);
+  CHECK(first.amount("a later step", "seconds") == 0);
 }
 
 TEST_CASE("the ledger, which a prediction is set against, counts what the matrices have",

@@ -41,14 +41,15 @@ const std::string floor_below =
 }  // namespace
 
 TEST_CASE("title, solver and output of a scene file", "[scene_file]") {
-  const SceneFile file =
-      parsed("title = \"A beam\"\nsolver = \"lemke\"\n" + material +
-             "output = { vtu = \"a\", csv = \"b\", plot = \"c\" }\n[[body]]\n" + block);
+  const SceneFile file = parsed(
+      "title = \"A beam\"\nsolver = \"lemke\"\n" + material +
+      "output = { vtu = \"a\", csv = \"b\", plot = \"c\", state = \"d\" }\n[[body]]\n" + block);
   CHECK(file.title == "A beam");
   CHECK(file.scene.solver == "lemke");
   CHECK(file.output.vtu == "a");
   CHECK(file.output.csv == "b");
   CHECK(file.output.plot == "c");
+  CHECK(file.output.state == "d");
   CHECK(file.name == "name");
   CHECK(file.body_lines == std::vector<std::size_t>{5});
   CHECK(file.contact_lines.empty());
