@@ -118,6 +118,34 @@ void tell(const Solution& failed, double time, PathEnd& end) {
     end.reason += text(". Contact and friction hold the loads until time ", *end.limit, " at most");
 }
 
+/// The share of a step that failed after which some pair can no longer do what it did last, with loads that grow in
+/// proportion: one that sticks would slide, or one that is closed be pulled. Nothing if that cannot be foreseen.
+std::optional<double> first_change(const PathState& past, const ContactProblem& problem) {
+  if (past.steps == 0) return std::nullopt;
+  const ScaledProblem scaled = equilibrate(problem);
+  const Closure end = close(scaled, past.motion);
+  if (!end.solvable) return std::nullopt;
+  const VectorXd& now = past.solution.force;
+  const VectorXd then = scaled.scale.cwiseProduct(end.force);
+  double share = 1;
+  const auto use_up = [&share](double room, double left) {
+    if (left < 0) share = std::min(share, std::max(0.0, room / (room - left)));
+  };
+  const Index pairs = scaled.pairs();
+  for (Index i = 0; i < pairs; ++i)
+    if (past.motion[static_cast<std::size_t>(i)] != Motion::Open) use_up(now(i), then(i));
+  const FrictionLaw& law = problem.law;
+  for (Index k = 0; k < law.coefficient.size(); ++k) {
+    const Index pair = law.pair[static_cast<std::size_t>(k)];
+    if (past.motion[static_cast<std::size_t>(pair)] != Motion::Stick) continue;
+    const auto room = [&](const VectorXd& force, double sign) {
+      return law.coefficient(k) * force(pair) + law.cohesion(k) - sign * force(pairs + k);
+    };
+    for (const double sign : {-1.0, 1.0}) use_up(room(now, sign), room(then, sign));
+  }
+  return share < 1 ? std::optional<double>(share) : std::nullopt;
+}
+
 PathEnd ended(PathEnd end) {
   end.reason += text("; the last good state is that of time ", end.state.time);
   return end;
@@ -217,38 +245,57 @@ PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathS
   check_balance(from, model);
   CondensedPath path = condense_path(model, ledger);
   PathEnd end{from};
+  const auto goes = [&](double time) {
+    const Step next = step(end.state, time, model, path, std::exchange(ledger, {}));
+    const bool solved = next.solution.contact.report.status == Status::Solved;
+    if (solved) {
+      end.state = next.state;
+      if (observe) observe(model, next);
+    } else {
+      tell(next.solution, time, end);
+    }
+    return solved;
+  };
   double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
+  Index foreseen = 0;                                     // changes of pairs
   for (const double target : model.path.times) {
+    const double margin = limit_margin * (target - end.state.time);
     double reach = target;
     for (int halved = 0; end.state.time < target;) {
-      const Step next = step(end.state, reach, model, path, std::exchange(ledger, {}));
-      if (next.solution.contact.report.status == Status::Solved) {
-        end.state = next.state;
-        if (observe) observe(model, next);
-        if (end.state.time >= held) return ended(std::move(end));
-        if (!end.limit) {
-          end.status = Status::Solved;
-          end.reason.clear();
-        }
+      const double begin = end.state.time;
+      const bool known = end.limit.has_value();
+      if (goes(reach)) {
+        if (reach >= held) return ended(std::move(end));
         reach = std::min(target, held);
         halved = 0;
-        continue;
+      } else if (end.limit && !known) {
+        if (*end.limit - begin <= margin) return ended(std::move(end));
+        reach = held = *end.limit - margin;
+      } else if (++halved <= model.path.halvings) {
+        ++end.halvings;
+        reach = begin + 0.5 * (reach - begin);
+      } else {
+        std::optional<double> share;
+        if (foreseen++ < model.programme.A.rows())
+          share = first_change(end.state, path.condensed.problem);
+        const double change = begin + share.value_or(0) * (reach - begin);
+        const bool until = share && (change - margin <= begin || goes(change - margin));
+        if (!until || !goes(change + margin)) {
+          if (until) end.limit = change;
+          end.reason +=
+              text(". The step to ", target, " was halved ", model.path.halvings, " times",
+                   until ? text(", and nothing is found beyond time ", change,
+                                ", where pairs begin to slide or to open")
+                         : "");
+          return ended(std::move(end));
+        }
+        reach = target;
+        halved = 0;
       }
-      const bool known = end.limit.has_value();
-      tell(next.solution, reach, end);
-      if (end.limit && !known) {
-        const double left = *end.limit - end.state.time;
-        if (left <= limit_margin * (reach - end.state.time)) return ended(std::move(end));
-        held = end.state.time + (1 - limit_margin) * left;
-        reach = held;
-        continue;
-      }
-      if (++halved > model.path.halvings) {
-        end.reason += text(". The step to ", target, " was halved ", model.path.halvings, " times");
-        return ended(std::move(end));
-      }
-      ++end.halvings;
-      reach = end.state.time + 0.5 * (reach - end.state.time);
+    }
+    if (!end.limit) {
+      end.status = Status::Solved;
+      end.reason.clear();
     }
   }
   return end;
