@@ -125,7 +125,8 @@ double half_width(const SolvedScene& block) {
 // 5. Gap and pressure along the base, for figure 1.4.
 void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Results& results) {
   const Pairs& pairs = block.model.pairs;
-  write_file(run.out / "fig_1_4.csv", pressure_csv(pairs, block.solution, "rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_1_4.csv",
+             pressure_csv(block.model, block.solution, "rel 1e-6 abs 1e-8"));
   const Eigen::VectorXd x = pairs.position.col(0);
   const NodeArray moved = pairs.position + block.solution.displacements[0](pairs.node, Eigen::all);
   const Table outline =

@@ -141,7 +141,7 @@ void contact_pressure(const ProgramOptions& run, Results& results) {
                                 {"euler_bernoulli", x.unaryExpr(thin)},
                                 {"timoshenko", x.unaryExpr(thick)}});
   write_file(run.out / "fig_6_3.csv", curve.csv("rel 1e-6 abs 1e-7"));
-  write_file(run.out / "pressure.csv", pressure_csv(fine.model.pairs, fine.solution));
+  write_file(run.out / "pressure.csv", pressure_csv(fine.model, fine.solution));
   write_vtu(run.out / "ch06.vtu", fine.model, fine.solution);
   const SolvedScene coarse = solve_cantilever(paper, "q4_incompatible", 100);
   const BodyModel& body = coarse.model.bodies[0];

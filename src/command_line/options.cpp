@@ -44,8 +44,8 @@ CLI::App* add_problem(CLI::App& app, const char* name, const char* title, Reques
 void declare(CLI::App& app, Request& request) {
   app.footer(
       "0 if the problem is solved and everything is written; 1 if it is not solved, and then no "
-      "file is "
-      "written; 2 if the input is wrong, or what was found could not be printed or written.");
+      "file is written, but of load steps what was good before; 2 if the input is wrong, or what "
+      "was found could not be printed or written.");
   app.add_flag("--list", "the solvers, and on which problems each may fail");
   app.add_flag("--keys", "the keys of scene files, in Markdown");
   app.add_flag("--man", "this help as a manual page");
@@ -58,10 +58,22 @@ void declare(CLI::App& app, Request& request) {
   const auto add_file = [&](const char* option, std::string& file, const char* what) {
     solve->add_option(option, file, what)->type_name("FILE");
   };
-  add_file("--vtu", request.output.vtu, "meshes and fields, for ParaView");
-  add_file("--csv", request.output.csv, "the pressure table");
+  add_file("--vtu", request.output.vtu,
+           "meshes and fields, for ParaView, with pressure, traction and status of contact; of "
+           "load steps a "
+           "file each, and a .pvd of all");
+  add_file("--csv", request.output.csv,
+           "a table of all pairs: place, gap, pressure, force, status; with friction shear, slip, "
+           "motion and "
+           "dissipated work; with several contacts their names; of load steps with a column time");
   add_file("--plot", request.output.plot,
-           "pressure and deformed meshes as a picture .svg or .png, by gnuplot");
+           "deformed meshes and the pressure of each contact, with friction also its shear, as a "
+           "picture .svg or "
+           ".png, by gnuplot; of load steps the last");
+  add_file("--state", request.output.state, "where load steps are, kept up to date");
+  add_file(
+      "--from", request.from,
+      "goes on from what --state wrote, to the same numbers; files keep the steps up to there");
   add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
   add_problem(
       app, "friction",

@@ -11,12 +11,12 @@
 
 #include "command_line/figure_style.hpp"
 #include "command_line/scene_run.hpp"
+#include "command_line/traction_curves.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/elasticity/stress.hpp"
 #include "signorini/report/field_csv.hpp"
-#include "signorini/scene/bodies.hpp"
 
 namespace command_line {
 namespace {
@@ -95,46 +95,6 @@ Cells cells(const SceneRun& run, double scale) {
   return found;
 }
 
-/// Pressure over the way along the source.
-struct PressureCurve {
-  std::string csv;  // a block for each contact
-  double from = 0;  // where pairs are closed, with a margin
-  double to = 0;
-  double most = 0;  // pressure
-};
-
-/// Where the source of a contact begins; its first nodes may be held and have no pair.
-Eigen::RowVector2d start_of(const SceneRun& run, std::size_t contact) {
-  const Side& source = run.file.scene.contacts[contact].source;
-  const Mesh& mesh = run.model->bodies[body_index(run.model->bodies, source)].mesh;
-  return mesh.nodes.row(boundary_nodes(mesh, source.boundary).front());
-}
-
-PressureCurve pressures(const SceneRun& run) {
-  const Pairs& pairs = run.model->pairs;
-  const Eigen::VectorXd& pressure = run.solution->pressure;
-  std::ostringstream csv;
-  Eigen::AlignedBox<double, 1> closed;
-  double way = 0;
-  double longest = 0;
-  for (Index k = 0; k < pressure.size(); ++k) {
-    const std::size_t contact = run.plan.contact_of[static_cast<std::size_t>(k)];
-    const bool begins = k == 0 || run.plan.contact_of[static_cast<std::size_t>(k - 1)] != contact;
-    if (begins && k > 0) csv << '\n';
-    const Eigen::RowVector2d before =
-        begins ? start_of(run, contact) : Eigen::RowVector2d(pairs.position.row(k - 1));
-    way = (begins ? 0 : way) + (pairs.position.row(k) - before).norm();
-    longest = std::max(longest, way);
-    if (pressure(k) > 0) closed.extend(Eigen::Matrix<double, 1, 1>(way));
-    csv << shortest(way) << ',' << shortest(pressure(k)) << '\n';
-  }
-  if (closed.isEmpty()) return {csv.str(), 0, longest, 0};
-  const double length = closed.sizes()(0);
-  const double margin = length > 0 ? length / 3 : longest / 10;
-  return {csv.str(), std::max(0.0, closed.min()(0) - margin),
-          std::min(longest, closed.max()(0) + margin), pressure.maxCoeff()};
-}
-
 /// Where things are on the picture [pixels], from its lower left corner.
 struct Layout {
   double height = 0;
@@ -147,10 +107,10 @@ constexpr double left = 84;
 constexpr double right = 690;
 
 /// As flat as the scene is, within reason.
-Layout layout_of(const Box& box, bool touches) {
+Layout layout_of(const Box& box, double panels) {
   const double wanted = (right - left) * box.sizes().y() / box.sizes().x();
   Layout layout;
-  layout.bottom = touches ? 300 : 60;
+  layout.bottom = 60 + panels;
   layout.top = layout.bottom + std::clamp(wanted, 60.0, 520.0);
   layout.height = layout.top + 90;
   return layout;
@@ -176,21 +136,41 @@ void draw_meshes(std::ostream& gp, const Box& box, const Layout& layout, double 
   gp << '\n';
 }
 
-void draw_pressures(std::ostream& gp, const PressureCurve& curve, const Layout& layout) {
-  gp << "unset label 1\nset bmargin at screen " << 60 / layout.height << "\nset tmargin at screen "
-     << 225 / layout.height
+/// Draws a contact in a panel. \param bottom  of it [pixels] \param block  name of its data
+void draw_tractions(std::ostream& gp, const TractionCurve& curve, bool named, double bottom,
+                    const Layout& layout, const std::string& block) {
+  const double top = bottom + 165;
+  gp << "unset label 1\nunset key\nunset xzeroaxis\nset bmargin at screen "
+     << bottom / layout.height << "\nset tmargin at screen " << top / layout.height
      << "\nset size noratio\nset xtics autofreq\nset ytics autofreq\nset xlabel 'way along the "
-        "source'\nset ylabel 'contact pressure'\nset yrange "
-     << (curve.most > 0 ? "[0:*]" : "[0:1]") << "\nset xrange " << range(curve.from, curve.to)
-     << '\n';
-  gp << "plot $pressure using 1:2 with linespoints ls 1\n";
+        "source'\nset ylabel '"
+     << (curve.rubs ? "contact traction" : "contact pressure") << "'\nset yrange "
+     << (curve.most <= 0 ? "[0:1]"
+         : curve.rubs    ? "[*:*]"
+                         : "[0:*]")
+     << "\nset xrange " << range(curve.from, curve.to) << '\n';
+  if (named)
+    gp << "set label 1 " << for_gnuplot(curve.name) << " noenhanced at screen " << left / width
+       << ", screen " << (top + (curve.rubs ? 38 : 16)) / layout.height << '\n';
+  if (!curve.rubs) {
+    gp << "plot " << block << " using 1:2 with linespoints ls 1\n";
+    return;
+  }
+  gp << "set key horizontal left center noopaque at screen " << left / width << ", screen "
+     << (top + 16) / layout.height << "\nset xzeroaxis lt 8\nplot " << block
+     << " using 1:4 with lines ls 7 lw 0.8 title 'bound of the shear', '' using 1:(-$4) with lines "
+        "ls 7 lw 0.8 notitle, '' using 1:2 with linespoints ls 1 title 'pressure', '' using 1:3 "
+        "with linespoints ls 2 title 'shear'\n";
 }
 
 std::string script(const std::filesystem::path& file, PictureKind kind, const SceneRun& run) {
-  const bool touches = run.solution->pressure.size() > 0;
+  const std::vector<TractionCurve> curves = traction_curves(run);
   const double scale = magnification(run);
   const Box box = box_of(run, scale);
-  const Layout layout = layout_of(box, touches);
+  const bool named = curves.size() > 1 || (!curves.empty() && curves.front().rubs);
+  const double panel =
+      named ? 285 : 240;  // height of the curves of a contact, with all around them
+  const Layout layout = layout_of(box, panel * static_cast<double>(curves.size()));
   Index n_cells = 0;
   for (const BodyModel& body : run.model->bodies) n_cells += body.mesh.n_cells();
   std::ostringstream gp;
@@ -202,14 +182,15 @@ std::string script(const std::filesystem::path& file, PictureKind kind, const Sc
      << " size width,height font sprintf('DejaVu Sans,%g', width/60.0) background '#ffffff'\n"
      << "set output out\nunset key\n$cells << EOD\n"
      << stress.csv << "EOD\n";
-  if (touches) gp << "set multiplot\n";
+  const auto block = [](std::size_t k) { return text("$contact", k); };
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    gp << block(k) << " << EOD\n" << curves[k].csv << "EOD\n";
+  if (!curves.empty()) gp << "set multiplot\n";
   draw_meshes(gp, box, layout, scale, stress, n_cells);
-  if (touches) {
-    const PressureCurve curve = pressures(run);
-    gp << "$pressure << EOD\n" << curve.csv << "EOD\n";
-    draw_pressures(gp, curve, layout);
-    gp << "unset multiplot\n";
-  }
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    draw_tractions(gp, curves[k], named, 60 + panel * static_cast<double>(curves.size() - 1 - k),
+                   layout, block(k));
+  if (!curves.empty()) gp << "unset multiplot\n";
   gp << "set output\n";
   return gp.str();
 }

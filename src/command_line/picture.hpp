@@ -15,7 +15,8 @@ enum class PictureKind { Svg, Png };
 /// \throws signorini::ProblemError unless that is .svg or .png
 PictureKind picture_kind(const std::string& file);
 
-/// Draws the deformed meshes, coloured by von Mises' stress, and below them the pressure along the contacts.
+/// Draws the deformed meshes, coloured by von Mises' stress, and below them each contact: the pressure along its source,
+/// and with friction the shear traction between its bounds.
 /// \param file  to be written
 /// \param kind  of it
 /// \param run   that is solved

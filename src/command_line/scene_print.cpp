@@ -1,14 +1,12 @@
 #include "command_line/scene_print.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <ostream>
 
+#include "command_line/contact_print.hpp"
 #include "command_line/print.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/elasticity/stress.hpp"
-#include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace command_line {
@@ -71,11 +69,6 @@ std::vector<BodyFigures> figures_of(const Model& model, const Solution& solution
   return all;
 }
 
-/// A force; what pushes along the radius all round the axis has no sum.
-std::string force_in_words(const Eigen::Vector2d& force, bool axial) {
-  return axial ? text(force.y(), " along the axis") : text('(', force.x(), ", ", force.y(), ')');
-}
-
 void print_bodies(std::ostream& out, const Model& model, const Solution& solution) {
   for (const BodyFigures& body : figures_of(model, solution)) {
     out << "body '" << body.name << "': moves by up to " << body.moves << ", at (" << body.at.x()
@@ -85,38 +78,6 @@ void print_bodies(std::ostream& out, const Model& model, const Solution& solutio
     if (body.on_springs) out << ", springs " << force_in_words(body.springs, body.axial);
     out << '\n';
   }
-}
-
-/// Pairs that are closed, if they are few.
-void print_pressures(std::ostream& out, const Pairs& pairs, const Solution& solution) {
-  const std::vector<Index>& active = solution.contact.active;
-  const Index closed = static_cast<Index>(active.size());
-  out << closed << " of " << solution.pressure.size() << " pairs are closed\n";
-  if (closed == 0) return;
-  if (closed > largest_printed) {
-    out << "more than " << largest_printed << " are not printed: --csv FILE writes them\n";
-    return;
-  }
-  const auto cell = [&](double value) { out << std::setw(14) << number(value, "%.6g"); };
-  out << '\n';
-  for (const char* name : {"x", "y", "pressure", "force"}) out << std::setw(14) << name;
-  out << '\n';
-  for (const Index pair : active) {
-    cell(pairs.position(pair, 0));
-    cell(pairs.position(pair, 1));
-    cell(solution.pressure(pair));
-    cell(solution.contact.force(pair));
-    out << '\n';
-  }
-}
-
-void print_resultants(std::ostream& out, const Model& model, const Solution& solution) {
-  const Resultants sum = resultants(model.pairs, solution);
-  const bool axial = model.bodies[0].material.bulk.state == PlaneState::Axial;
-  out << "contact: force on the sources " << force_in_words(sum.force, axial);
-  if (!axial) out << ", moment about the origin " << sum.moment;
-  out << ", closed boundary " << sum.closed_weight << ", peak pressure " << sum.peak_pressure
-      << '\n';
 }
 
 void write_lines(Json& json, const char* key, const std::vector<std::string>& lines) {
@@ -150,24 +111,6 @@ void write_plan(Json& json, const SceneRun& run) {
   json.end().end();
 }
 
-void write_pairs(Json& json, const Pairs& pairs, const Solution& solution) {
-  const ContactState& contact = solution.contact;
-  Eigen::VectorXd closed = Eigen::VectorXd::Zero(contact.force.size());
-  for (const Index pair : contact.active) closed(pair) = 1;
-  json.key("pairs").object();
-  json.key("x").value(Eigen::VectorXd(pairs.position.col(0)));
-  json.key("y").value(Eigen::VectorXd(pairs.position.col(1)));
-  json.key("gap").value(contact.gap).key("pressure").value(solution.pressure);
-  json.key("force").value(contact.force).key("closed").value(closed);
-  if (!contact.rubbing.empty()) {
-    Eigen::VectorXd rubbing(static_cast<Index>(contact.rubbing.size()));
-    std::copy(contact.rubbing.begin(), contact.rubbing.end(), rubbing.data());
-    json.key("rubbing").value(rubbing).key("friction").value(contact.friction);
-    json.key("slip").value(contact.slip);
-  }
-  json.end();
-}
-
 void write_bodies(Json& json, const Model& model, const Solution& solution) {
   json.key("bodies").array();
   for (const BodyFigures& body : figures_of(model, solution)) {
@@ -197,49 +140,60 @@ void write_ledger(Json& json, const Ledger& ledger) {
 
 }  // namespace
 
-void print_plan(std::ostream& out, const SceneRun& run) {
+void print_head(std::ostream& out, const SceneRun& run) {
   print_title(out, run);
   signorini::print(out, run.plan, run.notes());
+}
+
+void print_plan(std::ostream& out, const SceneRun& run) {
+  print_head(out, run);
   out << '\n' << run.prediction;
 }
 
+void print_result(std::ostream& out, const SceneRun& run) {
+  print_bodies(out, *run.model, *run.solution);
+  if (run.solution->pressure.size() == 0) return;
+  print_contacts(out, *run.model, *run.solution, run.state());
+}
+
 void print_solution(std::ostream& out, const SceneRun& run) {
-  print_title(out, run);
-  signorini::print(out, run.plan, run.notes());
+  print_head(out, run);
   print_status(out, *run.solution);
-  if (run.solved()) print_bodies(out, *run.model, *run.solution);
-  if (run.solved() && run.solution->pressure.size() > 0) {
-    print_resultants(out, *run.model, *run.solution);
-    print_pressures(out, run.model->pairs, *run.solution);
+  if (run.solved()) print_result(out, run);
+  out << '\n' << run.solution->ledger << '\n' << confront(run.prediction, run.ledgers);
+}
+
+void write_head(Json& json, const SceneRun& run) {
+  json.key("file").value(run.file.name).key("title").value(run.file.title);
+  write_plan(json, run);
+}
+
+void write_result(Json& json, const std::string& solver, const Model& model,
+                  const Solution& solution, const PathState* state) {
+  const bool solved = solution.contact.report.status == Status::Solved;
+  write_lines(json, "notes", solution.notes);
+  json.key("solved").value(solved);
+  json.key("solver").value(solver);
+  json.key("status").value(to_string(solution.contact.report.status));
+  json.key("reason").value(why_unsolved(solution));
+  if (solution.limit) json.key("limit").value(*solution.limit);
+  json.key("iterations").value(solution.contact.report.iterations);
+  json.key("certificate");
+  write(json, solution.certificate);
+  if (solved) {
+    write_contacts(json, model, solution, state);
+    write_bodies(json, model, solution);
   }
-  out << '\n' << run.solution->ledger << '\n' << confront(run.prediction, run.solution->ledger);
+  write_ledger(json, solution.ledger);
 }
 
 void write(Json& json, const SceneRun& run) {
-  json.object().key("file").value(run.file.name).key("title").value(run.file.title);
-  write_plan(json, run);
-  write_lines(json, "notes", run.notes());
-  if (run.solution) {
-    const Solution& solution = *run.solution;
-    json.key("solved").value(run.solved());
-    json.key("solver").value(run.plan.solver);
-    json.key("status").value(to_string(solution.contact.report.status));
-    json.key("reason").value(why_unsolved(solution));
-    if (solution.limit) json.key("limit").value(*solution.limit);
-    json.key("iterations").value(solution.contact.report.iterations);
-    json.key("certificate");
-    write(json, solution.certificate);
-    if (run.solved()) {
-      const Resultants sum = resultants(run.model->pairs, solution);
-      json.key("resultants").object();
-      write_point(json, "force", sum.force);
-      json.key("moment").value(sum.moment).key("closed").value(sum.closed_weight);
-      json.key("peak_pressure").value(sum.peak_pressure).end();
-      write_bodies(json, *run.model, solution);
-      write_pairs(json, run.model->pairs, solution);
-    }
-    write_ledger(json, solution.ledger);
-  }
+  json.object();
+  write_head(json, run);
+  if (run.solution)
+    write_result(json, run.plan.solver, *run.model, *run.solution, run.state());
+  else
+    write_lines(json, "notes", run.notes());
   json.end();
 }
 

@@ -12,10 +12,34 @@ namespace command_line {
 /// \param run  that is planned
 void print_plan(std::ostream& out, const SceneRun& run);
 
+/// Prints what a scene calls for.
+/// \param out  where to
+/// \param run  that is planned
+void print_head(std::ostream& out, const SceneRun& run);
+
+/// Prints what became of bodies and contacts.
+/// \param out  where to
+/// \param run  that has a solution
+void print_result(std::ostream& out, const SceneRun& run);
+
 /// Prints the plan in short, the result with forces and pressures, notes, and what it cost.
 /// \param out  where to
 /// \param run  that solve_scene() has finished with, solved or not
 void print_solution(std::ostream& out, const SceneRun& run);
+
+/// Writes what a file calls for, as keys of an object that is open: file, title and plan.
+/// \param json  the document
+/// \param run   that is planned
+void write_head(signorini::Json& json, const SceneRun& run);
+
+/// Writes a solution, as keys of an object that is open, from notes to ledger.
+/// \param json      the document
+/// \param solver    name of the one that was asked
+/// \param model     that was solved or not
+/// \param solution  of it
+/// \param state     after this load step; null: the solution is no step
+void write_result(signorini::Json& json, const std::string& solver, const signorini::Model& model,
+                  const signorini::Solution& solution, const signorini::PathState* state);
 
 /// Writes a scene as one object: plan, and as far as it came, certificate, ledger, pairs and notes.
 /// \param json  the document

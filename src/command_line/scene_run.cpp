@@ -3,13 +3,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "command_line/picture.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
+#include "signorini/core/table.hpp"
 #include "signorini/core/text_reader.hpp"
 #include "signorini/problem_file/problem_file.hpp"
 #include "signorini/report/pressure_table.hpp"
@@ -51,6 +54,38 @@ void forget(const fs::path& file) {
   fs::remove(file, ignored);
 }
 
+/// Goes along the load steps of a scene.
+void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Progress& progress) {
+  Model& model = *run.model;
+  try {
+    check_state(run.from, model);
+  } catch (const ProblemError& error) {
+    throw ProblemError(text("--from: ", error.what()));
+  }
+  CondensedPath path = run.step([&] { return condense_path(model, ledger); });
+  const std::vector<double>& times = model.path.times;
+  const auto left = [&](double time) {
+    return std::count_if(times.begin(), times.end(), [&](double t) { return t > time; });
+  };
+  const auto begin = std::chrono::steady_clock::now();
+  const auto each = [&](const Model& at, const Step& step) {
+    run.solution = step.solution;
+    run.ledgers.push_back(step.solution.ledger);
+    progress.say("");
+    observe(at, step);
+    const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
+    const double steps = static_cast<double>(run.ledgers.size());
+    const auto rest = left(step.state.time);
+    progress.say(text("step ", step.state.steps, " at time ", step.state.time, ", ",
+                      step.solution.contact.report.iterations, " iterations, ", rest,
+                      " to go, about ",
+                      number(gone.count() / steps * static_cast<double>(rest), "%.2g"), " s left"));
+  };
+  progress.say(text("step ", run.from.steps + 1, ", ", left(run.from.time), " to go"));
+  run.end = solve_steps(model, path, std::move(ledger), each, run.from);
+  set_time(run.end->state.time, model);
+}
+
 }  // namespace
 
 std::string content_of(const std::string& file) {
@@ -82,8 +117,11 @@ const char* taken_by(const std::string& command) {
 }
 
 bool SceneRun::solved() const {
+  if (end) return end->status == Status::Solved;
   return solution && solution->contact.report.status == Status::Solved;
 }
+
+const PathState* SceneRun::state() const { return end ? &end->state : nullptr; }
 
 const std::vector<std::string>& SceneRun::notes() const {
   return solution ? solution->notes : model ? model->notes : plan.notes;
@@ -105,7 +143,7 @@ SceneRun plan_scene(const std::string& file, const std::string& solver, const ch
   return run;
 }
 
-void solve_scene(SceneRun& run) {
+void solve_scene(SceneRun& run, const StepObserver& observe) {
   const Progress progress;
   const auto figure = [&](const char* phase, const char* what) {
     return run.prediction.amount(phase, what);
@@ -116,9 +154,11 @@ void solve_scene(SceneRun& run) {
   run.model = run.step([&] { return build(run.plan, ledger); });
   progress.say(text(all, "factoring, ", figure("factor/numeric", "operations"), " operations, and ",
                     figure("assembly", "rows"), " contact rows"));
+  if (run.file.scene.path) return follow(run, std::move(ledger), observe, progress);
   const Condensed condensed = run.step([&] { return condense(*run.model, ledger); });
   progress.say(text(all, "solving"));
   run.solution = run.step([&] { return solve(*run.model, condensed, ledger); });
+  run.ledgers = {run.solution->ledger};
 }
 
 Drafts::Drafts(const std::vector<std::string>& files, const std::string& read) {
@@ -198,22 +238,28 @@ void Drafts::publish() {
 
 std::vector<std::string> files_of(const Output& output) {
   std::vector<std::string> files;
-  for (const std::string& file : {output.vtu, output.csv, output.plot})
+  for (const std::string& file : {output.vtu, output.csv, output.plot, output.state})
     if (!file.empty()) files.push_back(file);
   return files;
 }
 
-void write_outputs(const SceneRun& run, Drafts& drafts) {
-  const Output& wanted = run.file.output;
+void publish(Drafts& drafts, const std::function<void()>& write) {
   try {
-    if (!wanted.vtu.empty()) write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution);
-    if (!wanted.csv.empty())
-      write_file(drafts.begin(wanted.csv), pressure_csv(run.model->pairs, *run.solution));
-    if (!wanted.plot.empty()) draw(drafts.begin(wanted.plot), picture_kind(wanted.plot), run);
+    write();
   } catch (const ProblemError& error) {  // of a draft, which nobody has asked for by this name
     throw ProblemError(drafts.in_words(error.what()));
   }
   drafts.publish();
+}
+
+void write_outputs(const SceneRun& run, Drafts& drafts) {
+  const Output& wanted = run.file.output;
+  publish(drafts, [&] {
+    if (!wanted.vtu.empty()) write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution);
+    if (!wanted.csv.empty())
+      write_file(drafts.begin(wanted.csv), pressure_csv(*run.model, *run.solution));
+    if (!wanted.plot.empty()) draw(drafts.begin(wanted.plot), picture_kind(wanted.plot), run);
+  });
 }
 
 }  // namespace command_line

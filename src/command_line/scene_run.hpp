@@ -1,12 +1,14 @@
 // A scene file from its text to a solution, and the files that were asked for.
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/prediction.hpp"
+#include "signorini/scene/steps.hpp"
 #include "signorini/scene_file/scene_file.hpp"
 
 namespace command_line {
@@ -56,11 +58,17 @@ struct SceneRun {
   signorini::SceneFile file;              ///< as it was read, with what the command line changes
   signorini::Plan plan;                   ///< of its scene
   signorini::Prediction prediction;       ///< of the plan
+  signorini::PathState from = {};         ///< where load steps go on
   std::optional<signorini::Model> model;  ///< after solve_scene()
-  std::optional<signorini::Solution> solution;  ///< after solve_scene()
+  std::optional<signorini::Solution>
+      solution;  ///< after solve_scene(); of load steps, of the last good one
+  std::optional<signorini::PathEnd> end;        ///< of load steps, after solve_scene()
+  std::vector<signorini::Ledger> ledgers = {};  ///< of the solution, or of all load steps
 
-  /// \return whether there is a solution
+  /// \return whether there is a solution, of load steps of all of them
   [[nodiscard]] bool solved() const;
+  /// \return where the load steps ended; null without load steps
+  [[nodiscard]] const signorini::PathState* state() const;
   /// \return the notes of the solution, else of the model, else of the plan
   [[nodiscard]] const std::vector<std::string>& notes() const;
   /// Does something with the scene. \param action  to be done \return what it returns
@@ -79,10 +87,11 @@ struct SceneRun {
 /// \throws signorini::ProblemError for what is wrong with it, with its line
 SceneRun plan_scene(const std::string& file, const std::string& solver, const char* command);
 
-/// Builds, condenses and solves; says on a terminal what it is doing.
-/// \param run  from plan_scene()
-/// \throws signorini::ProblemError as signorini::condense(), with the line
-void solve_scene(SceneRun& run);
+/// Builds, condenses and solves, step by step if the scene has load steps; says on a terminal what it is doing.
+/// \param run      from plan_scene()
+/// \param observe  called after every load step that was solved
+/// \throws signorini::ProblemError as signorini::condense(), with the line, or as signorini::check_state()
+void solve_scene(SceneRun& run, const signorini::StepObserver& observe = {});
 
 /// Files that appear all together or not at all.
 class Drafts {
@@ -121,6 +130,11 @@ class Drafts {
 
 /// \param output  what is asked for \return the names of its files
 std::vector<std::string> files_of(const signorini::Output& output);
+
+/// Writes something to drafts and publishes them.
+/// \param drafts  of all files \param write  begins and writes each
+/// \throws signorini::ProblemError of `write`, in the words of people who know no drafts; then no file appears
+void publish(Drafts& drafts, const std::function<void()>& write);
 
 /// Writes what the scene file and the command line ask for.
 /// \param run     that is solved

@@ -10,6 +10,7 @@
 #include "command_line/man.hpp"
 #include "command_line/options.hpp"
 #include "command_line/outcome.hpp"
+#include "command_line/path_run.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/print.hpp"
 #include "command_line/scene_print.hpp"
@@ -126,13 +127,31 @@ int plan_scene(const Request& request) {
               command_line::print_plan);
 }
 
+/// Solves a scene with load steps; what is asked for is in run.
+int solve_path(const Request& request, command_line::SceneRun& run) {
+  if (!request.from.empty()) command_line::go_on(run, request.from);
+  command_line::PathFiles files(run, request.file);
+  command_line::PathTeller teller(std::cout, request.json);
+  command_line::solve_scene(run, [&](const Model& model, const Step& step) {
+    files.add(model, step);
+    teller.tell(run, model, step);
+  });
+  teller.end(run);
+  if (run.solution) files.finish(run);
+  return run.solved() ? solved : not_solved;
+}
+
 int solve_scene(const Request& request) {
   command_line::SceneRun run = command_line::plan_scene(request.file, request.solver, "solve");
   Output& output = run.file.output;
   if (!request.output.vtu.empty()) output.vtu = request.output.vtu;
   if (!request.output.csv.empty()) output.csv = request.output.csv;
   if (!request.output.plot.empty()) output.plot = request.output.plot;
+  if (!request.output.state.empty()) output.state = request.output.state;
   if (!output.plot.empty()) static_cast<void>(command_line::picture_kind(output.plot));
+  if (run.file.scene.path) return solve_path(request, run);
+  pose(output.state.empty() && request.from.empty(), output.state.empty() ? "--from" : "--state",
+       ": ", run.file.name, " has no load steps: leave it out, or give the scene [[steps]]");
   command_line::Drafts drafts(command_line::files_of(output), request.file);
   command_line::solve_scene(run);
   const int code = tell(request, run, command_line::print_solution);

@@ -66,3 +66,13 @@ TEST_CASE("an open pair closes, and a closed one opens, where rounding cannot ha
   CHECK(next(Motion::Stick, {-0.9 * r, 0}, {0, 0}, r) == Motion::Stick);
   CHECK(next(Motion::Stick, {-1.1 * r, 0}, {0, 0}, r) == Motion::Open);
 }
+
+TEST_CASE("a pair slides against its friction force, and along its slip if there is none",
+          "[known_set][friction]") {
+  ContactState state;
+  state.friction = Eigen::Vector3d(-1, 0, 0);
+  state.slip = Eigen::Vector3d(-1e-20, -1, 2);
+  state.motion = {Motion::Forward, Motion::Forward, Motion::Stick};
+  name_slides(state);
+  CHECK(state.motion == std::vector<Motion>{Motion::Forward, Motion::Backward, Motion::Stick});
+}

@@ -159,6 +159,104 @@ if [ "$(id -u)" -ne 0 ]; then
     chmod u+w outputs
 fi
 
+# Load steps: a line, a file and a state for each.  A path goes on from its state to the same bits.
+path=$examples/to_and_fro.toml
+expect 0 'load steps: 51 up to time 4, one factor for all' plan "$path"
+expect 0 "history 'drag': 0 at time 0, 0 at time 1, 1 at time 2, -1 at time 3, 1 at time 4; 1 loads follow it" plan "$path"
+expect 0 'later step +seconds about' plan "$path"
+expect 0 '^ +11 +2 +[0-9]+ +4 +40 +0 +40 +-60 +200 +3\.3251 ' solve "$path" --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
+expect 0 'solved: 51 steps up to time 4' solve "$path"
+holds 'rows of all steps' test "$(cut -d, -f1 outputs/a.csv | grep -vc '[a-z]') $(grep -c '^time,x,y,' outputs/a.csv)" = '2091 1'
+holds 'a collection of all steps' test "$(grep -c '<DataSet timestep="[0-9.]*" part="0" file="a_00[0-5][0-9].vtu"/>' outputs/a.pvd)" -eq 51
+sed '/^count = 20/,$d' "$path" | sed '$d' > part.toml
+expect 0 'solved: 11 steps up to time 2' solve part.toml --vtu outputs/b.vtu --csv outputs/b.csv --state outputs/b
+holds 'a step is not changed by what follows' cmp outputs/a_0011.vtu outputs/b_0011.vtu
+expect 0 'goes on from time 2, after 11 steps' solve "$path" --from outputs/b --vtu outputs/b.vtu --csv outputs/b.csv --state outputs/b
+holds 'the same state' cmp outputs/a outputs/b
+holds 'the same table' cmp outputs/a.csv outputs/b.csv
+sed 's/"b_/"a_/' outputs/b.pvd > collection
+holds 'the same collection' cmp outputs/a.pvd collection
+for file in outputs/a_*.vtu; do
+    holds 'the same step' cmp "$file" "outputs/b_${file#outputs/a_}"
+done
+expect 2 'outputs/b: this state is that of time 4, .*end at 4: nothing is left' solve "$path" --from outputs/b
+expect 2 'a.csv:[0-9]+: expected .*signorini-state' solve "$path" --from outputs/a.csv
+expect 2 "cannot write 'outputs/b' twice" solve "$path" --csv outputs/b --state outputs/b
+expect 2 '^signorini: --state: .*punch.toml has no load steps' solve "$examples/punch.toml" --state outputs/c
+expect 2 '^signorini: --from: .*punch.toml has no load steps' solve "$examples/punch.toml" --from outputs/b
+rm outputs/*
+expect 0 'solved: 11 steps' solve part.toml --state outputs/a
+sed 's/^friction = .*/friction = 0.2/' "$path" > other.toml
+expect 2 '--from: the state at time 2 is of another scene: its displacements' solve other.toml --from outputs/a
+sed 's/cells = .40, 10./cells = [20, 10]/' "$path" > other.toml
+expect 2 '--from: the state at time 2 is of another scene: it has 861 unknowns' solve other.toml --from outputs/a
+rm outputs/*
+# Pressed until time 1, then pulled off the ground: what was good stays.
+{
+    sed 's/^pressure.*/pressure = { top = { value = 1, history = "press" } }/' lifted.toml
+    printf '[[steps]]\nvalues = { press = 1 }\n[[steps]]\ncount = 2\nvalues = { press = -1 }\n'
+} > pulled.toml
+expect 1 'not solved: the step from time 1\.5 to .*last good state is that of time 1\.5\. To go on from there: signorini solve pulled.toml --from outputs/a$' solve pulled.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
+holds 'steps of a path that failed' grep -q '^1\.5,' outputs/a.csv
+holds 'a state of a path that failed' grep -qx 'time 1.5' outputs/a
+written 'a
+a.csv
+a.pvd
+a_0001.vtu
+a_0002.vtu'
+sed 's/youngs_modulus = 1,/youngs_modulus = 20,/; s/value = 1,/value = 2,/; s/^count.*/until = 1.5/; s/press = -1/press = 2/' pulled.toml > soft.toml
+expect 0 'note  from time 1\.5 on: linear elasticity takes deformations for small' solve soft.toml
+expect 1 'time 1\.5\. With --state FILE the next run can go on' solve pulled.toml
+sed 's/press = 1 /press = -1 /' pulled.toml > never.toml
+expect 1 'not solved: the step from time 0 to ' solve never.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
+written ''
+rm -f outputs/*
+
+# Contacts are told apart and friction is seen; a scene without either has the columns it had.
+cat > two_contacts.toml << 'END'
+[[body]]
+name = "block"
+mesh = { kind = "block", size = [4, 2], cells = [8, 4] }
+material = { youngs_modulus = 1000, poisson_ratio = 0.3 }
+pressure = { top = 5, right = 1 }
+[[contact]]
+source = "bottom"
+target = { kind = "half_plane", point = [0, 0], normal = [0, 1] }
+friction = 0.1
+[[contact]]
+source = "left"
+target = { kind = "half_plane", point = [0, 0], normal = [1, 0] }
+END
+expect 0 'punch.bottom on block.top: force on the source \(-150, 1000\), .* normal force 1000, shear force -150, dissipated work 0\.038' solve "$examples/punch.toml"
+expect 0 '21 of 21 pairs are closed: 19 stick, 2 slide' solve "$examples/punch.toml"
+expect 0 ' 5 +0 +372\.811 +93\.2026 +-149\.124 +-37\.2811 +0\.000908812 +forward +0\.0338815' solve "$examples/punch.toml"
+expect 0 'contact beam.bottom on half plane: force on the source' solve "$cantilever"
+expect 0 'all contacts: force on the sources \(2, 20\)' solve two_contacts.toml --csv outputs/two.csv --vtu outputs/two.vtu
+header() { # file: the names of its columns
+    grep -v '^#' "$1" | head -n 1
+}
+old=x,y,gap,pressure,force,status new=shear_traction,shear_force,slip,motion,dissipated
+holds 'columns of two contacts' test "$(header outputs/two.csv)" = "$old,$new,contact"
+holds 'rows of a contact with friction' test "$(grep -Ec ',(stick|forward|backward),[-+0-9.e]+,block.bottom on half plane$' outputs/two.csv)" = 9
+holds 'rows of one without' test "$(grep -c ',0,0,,,0,block.left on half plane$' outputs/two.csv)" = 5
+for name in $(printf '%s' "$old,$new,time,slip_total,dissipated_total,contact" | tr , ' ') $(grep -o 'contact_[a-z_]*' outputs/two.vtu | sort -u); do
+    holds "no $name in the README of the examples" grep -Fq "\`$name\`" "$examples/README.md"
+done
+expect 0 solved solve "$cantilever" --csv outputs/one.csv --vtu outputs/one.vtu
+holds 'columns without friction' test "$(header outputs/one.csv)" = "$old"
+holds 'fields without friction' test "$(grep -Ec 'contact_(shear|slip|motion|number)' outputs/one.vtu)" = 0
+written 'one.csv
+one.vtu
+two.csv
+two.vtu'
+if command -v gnuplot > /dev/null 2>&1; then
+    expect 0 solved solve two_contacts.toml --plot outputs/two.svg
+    for word in 'block.bottom on half plane' 'block.left on half plane' 'bound of the shear'; do
+        holds "no $word in the picture" grep -Fq "$word" outputs/two.svg
+    done
+    written two.svg
+fi
+
 # Wrong scenes: one line that names file and line, as the comment at their top says, and nothing else.
 count=0
 for file in "$data"/scenes/wrong/*.toml; do
@@ -201,6 +299,7 @@ if [ -c /dev/full ]; then
     lost --help
     lost --man
     lost solve "$cantilever" --json
+    lost solve "$path"
     lost qp --help
 fi
 
@@ -224,8 +323,12 @@ json 1 lcp 'a "name" \ with	marks' --solver all
 json 1 qp contradiction --solver all
 json 0 plan "$examples/punch.toml"
 json 0 solve "$examples/punch.toml"
-for word in '"on"' '"predicted"' '"trust": "exact"' '"certificate"' '"ledger"' '"pairs"' '"friction"' '"notes"'; do
+for word in '"on"' '"predicted"' '"trust": "exact"' '"certificate"' '"ledger"' '"pairs"' '"shear_traction"' '"motion"' '"units"' '"punch.bottom on block.top"' '"notes"'; do
     holds "no $word in JSON" grep -Fq "$word" out.json
 done
 json 1 solve lifted.toml
+json 1 solve pulled.toml
+holds 'good steps in JSON' test "$(grep -c '"step": [0-9]' out.json)" -eq 2
+json 0 solve "$path"
+holds 'all steps in JSON' test "$(grep -c '"step": [0-9]' out.json)" -eq 51
 [ "$failures" -eq 0 ]

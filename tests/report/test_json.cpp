@@ -24,6 +24,12 @@ TEST_CASE("what JSON has no word for is escaped or null", "[json]") {
   CHECK(json.text() == "[\n  null,\n  null,\n  [null],\n  \"\\\"\\\\\\u000a\\u0001\\u00ff\"\n]\n");
 }
 
+TEST_CASE("texts of an array stand on one line, and missing ones are null", "[json]") {
+  Json json;
+  json.value(std::vector<std::string>{"a \"b\"", "", "c"});
+  CHECK(json.text() == "[\"a \\\"b\\\"\", null, \"c\"]\n");
+}
+
 TEST_CASE("an unfinished JSON document is the caller's mistake", "[json]") {
   Json json;
   CHECK_THROWS_AS(json.end(), std::invalid_argument);

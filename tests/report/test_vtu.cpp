@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -11,10 +10,14 @@
 #include "support/folder.hpp"
 #include "support/message.hpp"
 #include "support/two_bodies.hpp"
+#include "support/vtu_file.hpp"
 
 using namespace signorini;
+using signorini_test::array_of;
 using signorini_test::content_of;
 using signorini_test::Folder;
+using signorini_test::is_balanced;
+using signorini_test::lines_in;
 
 namespace {
 
@@ -30,35 +33,6 @@ Solved solved(const std::string& element) {
   const Condensed condensed = condense(model, ledger);
   Solution solution = solve(model, condensed, scene.solver, ledger);
   return {std::move(model), std::move(solution)};
-}
-
-/// The words between the array called `name` and its end tag; empty if there is none.
-std::vector<std::string> array_of(const std::string& file, const std::string& name) {
-  const std::size_t tag = file.find("Name=\"" + name + "\"");
-  if (tag == std::string::npos) return {};
-  const std::size_t begin = file.find('>', tag) + 1;
-  std::istringstream in(file.substr(begin, file.find("</DataArray>", begin) - begin));
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
-
-/// Whether every tag that is opened is closed in the right order.
-bool is_balanced(const std::string& file) {
-  std::vector<std::string> open;
-  for (std::size_t at = file.find('<'); at != std::string::npos; at = file.find('<', at + 1)) {
-    const std::size_t end = file.find('>', at);
-    if (end == std::string::npos) return false;
-    const std::string tag = file.substr(at + 1, end - at - 1);
-    if (tag[0] == '?') continue;
-    if (tag[0] == '/') {
-      if (open.empty() || open.back() != tag.substr(1)) return false;
-      open.pop_back();
-    } else if (tag.back() != '/') {
-      open.push_back(tag.substr(0, tag.find(' ')));
-    }
-  }
-  return open.empty();
 }
 
 }  // namespace
@@ -83,6 +57,10 @@ TEST_CASE("a VTU file is well formed and its arrays have the sizes it names", "[
     CHECK(array_of(file, "von_mises").size() == points);
     CHECK(array_of(file, "contact_pressure").size() == points);
     CHECK(array_of(file, "contact_gap").size() == points);
+    CHECK(array_of(file, "contact_traction").size() == 3 * points);
+    for (const char* absent :
+         {"contact_shear_traction", "contact_slip", "contact_motion", "contact_number"})
+      CHECK(array_of(file, absent).empty());
     CHECK(array_of(file, "cell_stress").size() == 4 * cells);
     CHECK(array_of(file, "points").size() == 3 * points);
     CHECK(array_of(file, "connectivity").size() == nodes * cells);
@@ -195,10 +173,7 @@ TEST_CASE("the notes of a solution go with its VTU file, and none are no field",
   write_vtu(folder.path() / "notes.vtu", run.model, run.solution);
   const std::string file = content_of(folder.path() / "notes.vtu");
   CHECK(is_balanced(file));
-  std::string said;
-  for (const std::string& word : array_of(file, "notes"))
-    said += word == "0" ? '|' : static_cast<char>(std::stoi(word));
-  CHECK(said == "a < b & c|two|");
+  CHECK(lines_in(file, "notes") == "a < b & c|two|");
 }
 
 TEST_CASE("nothing is written of a problem that is not solved, or where nobody can write",
@@ -213,4 +188,23 @@ TEST_CASE("nothing is written of a problem that is not solved, or where nobody c
   CHECK_THROWS_AS(write_vtu(folder.path() / "beam.vtu", run.model, run.solution),
                   std::invalid_argument);
   CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("a collection names the file of every time, and is read back", "[vtu]") {
+  const Folder folder;
+  const std::filesystem::path file = folder.path() / "all.pvd";
+  const std::vector<TimedFile> files = {{1.0 / 3, "a_0001.vtu"}, {2, "<\"R&D\" &lt;>_0002.vtu"}};
+  write_pvd(file, files);
+  const std::string content = content_of(file);
+  CHECK(is_balanced(content));
+  CHECK_THAT(content, ContainsSubstring("timestep=\"0.3333333333333333"));
+  CHECK_THAT(content, ContainsSubstring("file=\"a_0001.vtu\"/>"));
+  const std::vector<TimedFile> back = read_pvd(content);
+  REQUIRE(back.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    CHECK(back[k].time == files[k].time);
+    CHECK(back[k].file == files[k].file);
+  }
+  CHECK(read_pvd("<DataSet timestep=\"one\" file=\"a\"/>\n<DataSet timestep=\"1\"/>\n").empty());
+  CHECK_THROWS_AS(write_pvd(folder.path() / "nowhere" / "a.pvd", files), ProblemError);
 }

@@ -1,13 +1,12 @@
 // What must not matter between two bodies: where they lie, how nodes are numbered, which one comes first.
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "catch_compat.hpp"
-#include "signorini/core/random.hpp"
 #include "support/facing_blocks.hpp"
+#include "support/same_scenes.hpp"
 #include "support/two_bodies.hpp"
 
 using Eigen::Index;
@@ -47,17 +46,6 @@ void compare(const std::vector<NodeArray>& now, const std::vector<NodeArray>& be
           margin * before[body].cwiseAbs().maxCoeff());
 }
 
-/// The order of `n` things, shuffled.
-std::vector<Index> shuffled(Index n, std::uint64_t seed) {
-  std::vector<Index> order(static_cast<std::size_t>(n));
-  std::iota(order.begin(), order.end(), Index{0});
-  Random random(seed);
-  for (std::size_t i = order.size(); i > 1; --i)
-    std::swap(order[i - 1],
-              order[static_cast<std::size_t>(random.uniform(0, static_cast<double>(i)))]);
-  return order;
-}
-
 }  // namespace
 
 TEST_CASE("forces between two bodies turn with them, and are mirrored with them", "[invariance]") {
@@ -94,18 +82,9 @@ TEST_CASE("forces between two bodies do not depend on numbers", "[invariance]") 
       CAPTURE(gap_operator);
       const Scene scene = press_fit(order, gap_operator);
       const std::vector<NodeArray> before = forces(scene);
-      Scene other = scene;
-      std::vector<std::vector<Index>> place;  // of every old node in the new mesh
-      for (Body& body : other.bodies) {
-        const Mesh old = body.mesh;
-        place.push_back(shuffled(old.n_nodes(), 7));
-        for (Index node = 0; node < old.n_nodes(); ++node)
-          body.mesh.nodes.row(place.back()[static_cast<std::size_t>(node)]) = old.nodes.row(node);
-        for (Index& node : body.mesh.cells.reshaped())
-          node = place.back()[static_cast<std::size_t>(node)];
-      }
-      std::vector<NodeArray> back = forces(other);
-      for (std::size_t b = 0; b < 2; ++b) back[b] = back[b](place[b], Eigen::all).eval();
+      const Renumbered other = renumbered(scene, 7);
+      std::vector<NodeArray> back = forces(other.scene);
+      for (std::size_t b = 0; b < 2; ++b) back[b] = back[b](other.place[b], Eigen::all).eval();
       compare(back, before, 1e-12);
 
       Scene swapped = scene;

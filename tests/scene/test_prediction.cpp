@@ -84,7 +84,7 @@ TEST_CASE("what is said to be exact is so, and the operations of a run are withi
     const Solution solution = solve(scene());
     REQUIRE(solution.contact.report.status == Status::Solved);
     int exact = 0;
-    for (const ConfrontedFigure& figure : confront(prediction, solution.ledger)) {
+    for (const ConfrontedFigure& figure : confront(prediction, {solution.ledger})) {
       CAPTURE(figure.predicted.phase, figure.predicted.what);
       if (figure.predicted.trust == Trust::Exact) {
         CHECK(figure.measured == figure.predicted.amount);
@@ -111,7 +111,7 @@ TEST_CASE("the figures that are said to be exact are so whatever effect is on", 
     const Prediction prediction = predict(plan(scene));
     static_cast<void>(condense(build(scene, ledger), ledger));
     int exact = 0;
-    for (const ConfrontedFigure& figure : confront(prediction, ledger)) {
+    for (const ConfrontedFigure& figure : confront(prediction, {ledger})) {
       if (figure.predicted.trust != Trust::Exact) continue;
       CAPTURE(figure.predicted.phase, figure.predicted.what);
       CHECK(figure.measured == figure.predicted.amount);
@@ -222,7 +222,7 @@ TEST_CASE("loose pieces of a body are counted", "[prediction]") {
 TEST_CASE("a prediction and what became of it are printed", "[prediction]") {
   const Prediction prediction = predict(plan(pressed_block()));
   std::ostringstream out;
-  out << prediction << confront(prediction, solve(pressed_block()).ledger);
+  out << prediction << confront(prediction, {solve(pressed_block()).ledger});
   for (const char* word : {"body 'square': 1 piece", "once", "per load step", "per iteration",
                            "about", "predicted    measured  trust", "exact"}) {
     CAPTURE(word, out.str());

@@ -24,15 +24,11 @@ double over(Wide part, Wide whole) {
   if (part == 0) return 0;
   return whole > 0 ? static_cast<double>(part / whole) : std::numeric_limits<double>::infinity();
 }
-/// Keeps the largest, and what is not a number.
-void grow(double& figure, double value) {
-  if (!(value <= figure)) figure = std::isnan(value) ? HUGE_VAL : value;
-}
 
 /// The model and the solution, number by number.
 class Checked {
  public:
-  Checked(const Model& model, const Solution& solution);
+  Checked(const Model& model, const Solution& solution, double length);
   SceneErrors errors();
 
  private:
@@ -60,15 +56,15 @@ class Checked {
   Wides contact_;   // `n` A^T f
   Wides movement_;  // gaps and slips
   Wides norm_;      // of rows, 1 for one without entries
-  Wide length_ = 0;
+  Wide length_;
   Wide force_ = 0;
   Wide inside_ = 0;    // largest |K| |u|
   Wide resolved_ = 0;  // largest rounding of K u: u is known in two doubles
   SceneErrors errors_;
 };
 
-Checked::Checked(const Model& model, const Solution& solution)
-    : model_(model), solution_(solution), given_(model.programme) {
+Checked::Checked(const Model& model, const Solution& solution, double length)
+    : model_(model), solution_(solution), given_(model.programme), length_(length) {
   const PrimalDual& found = solution.refined;
   for (Index j = 0; j < given_.load.size(); ++j) {
     const double low = found.displacement_low.size() > 0 ? found.displacement_low(j) : 0;
@@ -208,18 +204,23 @@ SceneErrors Checked::errors() {
   for (Index pair = 0; pair < model_.pairs.weight.size(); ++pair) look_at_pair(pair);
   for (std::size_t k = 0; k < model_.law.pair.size(); ++k) look_at_friction(static_cast<Index>(k));
   look_at_rigid_motions();
+  errors_.length = static_cast<double>(length_);
   return errors_;
 }
 
 }  // namespace
+
+void grow(double& figure, double value) {
+  if (!(value <= figure)) figure = std::isnan(value) ? HUGE_VAL : value;
+}
 
 double SceneErrors::worst() const {
   return std::max(
       {equilibrium, strain, penetration, tension, complementarity, cone, stick, sliding, reading});
 }
 
-SceneErrors check_scene(const Model& model, const Solution& solution) {
-  return Checked(model, solution).errors();
+SceneErrors check_scene(const Model& model, const Solution& solution, double length) {
+  return Checked(model, solution, length).errors();
 }
 
 }  // namespace signorini_test

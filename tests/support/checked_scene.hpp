@@ -21,6 +21,7 @@ struct SceneErrors {
   double stick = 0;    ///< slip of a pair that is said to stick
   double sliding = 0;  ///< smaller of |slip| and what friction lacks to resist it
   double reading = 0;  ///< difference of the gaps, slips and forces that are told from those of u
+  double length = 0;   ///< that lengths were divided by [length]
   /// Whether pairs that carry or stick leave no rigid motion. Without that others may still do.
   bool held = true;
 
@@ -28,7 +29,12 @@ struct SceneErrors {
   [[nodiscard]] double worst() const;
 };
 
+/// Keeps the largest, and what is not a number. \param[in,out] figure  so far \param value  the next one
+void grow(double& figure, double value);
+
 /// Checks a solution whose status is Solved. \param model from build() \param solution of it
-SceneErrors check_scene(const signorini::Model& model, const signorini::Solution& solution);
+/// \param length  that lengths are divided by at least: what slips count from was rounded to it [length]
+SceneErrors check_scene(const signorini::Model& model, const signorini::Solution& solution,
+                        double length = 0);
 
 }  // namespace signorini_test

@@ -44,6 +44,9 @@ inline signorini::Scene moved(signorini::Scene scene, const Eigen::Vector2d& shi
     body.mesh = signorini::moved(std::move(body.mesh), shift);
     for (signorini::Support& support : body.supports)
       if (support.only_at) *support.only_at += shift;
+    for (signorini::Spring& spring : body.springs)
+      if (spring.only_at) *spring.only_at += shift;
+    for (signorini::PointForce& load : body.loads.points) load.point += shift;
   }
   for (signorini::ContactSpec& contact : scene.contacts)
     if (auto* const obstacle = std::get_if<signorini::Obstacle>(&contact.target))

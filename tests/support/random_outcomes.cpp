@@ -34,6 +34,67 @@ bool says_undetermined(const Solution& solution) {
   });
 }
 
+void say_end(const Solution& solution, Trial& trial) {
+  const ContactState& contact = solution.contact;
+  trial.text += text("\n  ", to_string(contact.report.status), " after ", contact.report.iterations,
+                     " of ", contact.gap.size(), " pairs, ", solution.certificate, ' ',
+                     solution.escape, contact.reason);
+}
+
+/// Keeps the worst of what is called solved.
+void judge(const SceneErrors& errors, const Solution& solution, Trial& trial) {
+  if (!(errors.worst() < trial.errors.worst())) trial.errors = errors;
+  if (trial.outcome == Outcome::Wrong) return;
+  if (!errors.held) trial.outcome = says_undetermined(solution) ? Outcome::Hovers : Outcome::Unsaid;
+  if (!(errors.worst() <= most_error)) trial.outcome = Outcome::Wrong;
+}
+
+void try_once(const Scene& scene, void (*change)(Solution& solution), Trial& trial) {
+  Ledger ledger;
+  const Model model = build(scene, ledger);
+  Solution solution = solve(model, condense(model, ledger), std::move(ledger));
+  trial.outcome = ending(solution);
+  say_end(solution, trial);
+  if (trial.outcome != Outcome::Solved) return;
+  if (change != nullptr) change(solution);
+  judge(check_scene(model, solution), solution, trial);
+}
+
+/// What stands in the way of the next step of a path.
+Outcome try_next(const Scene& scene, const PathState& state, Trial& trial) {
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  CondensedPath path = condense_path(model, ledger);
+  const double time =
+      *std::upper_bound(scene.path->times.begin(), scene.path->times.end(), state.time);
+  const Solution solution = step(state, time, model, path, {}).solution;
+  say_end(solution, trial);
+  return ending(solution);
+}
+
+void try_path(const Scene& scene, void (*change)(Solution& solution), Trial& trial) {
+  CheckedPath check(scene);
+  trial.outcome = Outcome::Solved;
+  const PathEnd end = solve_steps(scene, [&](const Model& model, Step step) {
+    if (change != nullptr) {
+      change(step.solution);
+      step.state.solution = step.solution.refined;
+    }
+    judge(check.add(model, step), step.solution, trial);
+  });
+  trial.imbalance = check.imbalance();
+  trial.halvings = end.halvings;
+  if (end.status == Status::Solved) {
+    if (!check.balances()) trial.outcome = Outcome::Wrong;
+    return;
+  }
+  trial.text += "\n  " + end.reason;
+  if (trial.outcome == Outcome::Wrong) return;
+  trial.outcome = try_next(scene, end.state, trial);
+  // As far as it went, the path was right; a whole step that is solved where its halves were not is a limit of them.
+  if (trial.outcome == Outcome::Solved) trial.outcome = Outcome::Limit;
+}
+
 }  // namespace
 
 Trial try_scene(std::uint64_t seed, RandomScenes kind, const std::string& solver,
@@ -44,22 +105,12 @@ Trial try_scene(std::uint64_t seed, RandomScenes kind, const std::string& solver
   trial.text = std::move(drawn.text);
   const auto start = std::chrono::steady_clock::now();
   try {
-    Ledger ledger;
-    const Model model = build(drawn.scene, ledger);
-    Solution solution = solve(model, condense(model, ledger), std::move(ledger));
-    trial.outcome = ending(solution);
-    trial.text += text("\n  ", to_string(solution.contact.report.status), " after ",
-                       solution.contact.report.iterations, " of ", model.pairs.weight.size(),
-                       " pairs, ", solution.certificate, ' ', solution.escape);
-    trial.text += solution.contact.reason;
-    if (trial.outcome == Outcome::Solved) {
-      if (change != nullptr) change(solution);
-      trial.errors = check_scene(model, solution);
-      if (!trial.errors.held)
-        trial.outcome = says_undetermined(solution) ? Outcome::Hovers : Outcome::Unsaid;
-      if (!(trial.errors.worst() <= most_error)) trial.outcome = Outcome::Wrong;
-    }
+    if (drawn.scene.path)
+      try_path(drawn.scene, change, trial);
+    else
+      try_once(drawn.scene, change, trial);
   } catch (const ProblemError& error) {
+    trial.outcome = Outcome::Refused;
     trial.text += text("\n  ", error.what());
   } catch (const std::exception& error) {
     trial.outcome = Outcome::Threw;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "support/checked_scene.hpp"
+#include "support/checked_path.hpp"
 #include "support/random_scenes.hpp"
 
 namespace signorini_test {
@@ -34,12 +34,14 @@ inline constexpr double most_error = 1e-9;
 /// What became of one scene.
 struct Trial {
   Outcome outcome = Outcome::Refused;
-  SceneErrors errors;  ///< of what is solved
-  std::string text;    ///< the scene in words, and what the library said
-  double seconds = 0;  ///< of the solution
+  SceneErrors errors;         ///< of what is solved, of the worst step
+  std::string text;           ///< the scene in words, and what the library said
+  double seconds = 0;         ///< of the solution
+  double imbalance = 0;       ///< of the work along a path, see CheckedPath::imbalance() [-]
+  Eigen::Index halvings = 0;  ///< of steps that were not solved at once
 };
 
-/// Draws a scene and solves it. \param seed, kind of random_scene()
+/// Draws a scene and solves it, every step of its path if it has one. \param seed, kind of random_scene()
 /// \param solver  of the family that the kind needs; empty: the default
 /// \param change  spoils what was solved, to see that it is found out; null: leaves it
 /// \return what became of it

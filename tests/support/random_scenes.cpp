@@ -8,7 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/mesh/split.hpp"
 #include "support/far.hpp"
-#include "support/random_bodies.hpp"
+#include "support/random_paths.hpp"
 
 namespace signorini_test {
 namespace {
@@ -49,8 +49,10 @@ class Drawing {
   void cut();
 
   Draws draw_;
-  [[nodiscard]] bool rubs() const {
-    return kind_ == RandomScenes::Frictional || kind_ == RandomScenes::Varied;
+  [[nodiscard]] bool rubs() const { return kind_ == RandomScenes::Frictional || varies(); }
+
+  [[nodiscard]] bool varies() const {
+    return kind_ == RandomScenes::Varied || kind_ == RandomScenes::Paths;
   }
 
   RandomScenes kind_;
@@ -326,11 +328,13 @@ RandomScene Drawing::drawn() {
     symmetric_half();
   else
     rings();
-  if (kind_ == RandomScenes::Varied) {
+  if (varies()) {
     for (Body& body : scene_.bodies) vary(body);
     for (ContactSpec& contact : scene_.contacts) vary(contact);
   }
-  if (kind_ == RandomScenes::Triangles) cut();
+  const bool path = kind_ == RandomScenes::Paths;
+  if (kind_ == RandomScenes::Triangles || (path && draw_.chance(4))) cut();
+  if (path) add_path(draw_, scene_);
   return {std::move(scene_), std::move(draw_.text)};
 }
 
@@ -344,6 +348,10 @@ RandomScene revolved(RandomScene plane, double off) {
   for (Body& body : round.scene.bodies) {
     body.material.state = PlaneState::Axial;
     body.material.thickness = 1;
+    for (Layer& layer : body.layers) {
+      layer.material.state = PlaneState::Axial;
+      layer.material.thickness = 1;
+    }
   }
   return round;
 }
@@ -351,9 +359,12 @@ RandomScene revolved(RandomScene plane, double off) {
 }  // namespace
 
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
-  if (kind != RandomScenes::Revolved) return Drawing(seed, kind).drawn();
+  const bool path = kind == RandomScenes::Paths;
+  RandomScene plane =
+      Drawing(seed, kind == RandomScenes::Revolved ? RandomScenes::Frictionless : kind).drawn();
+  if (kind != RandomScenes::Revolved && !(path && seed % 5 == 0)) return plane;
   const double off[] = {0, 0.25, 3};
-  return revolved(Drawing(seed, RandomScenes::Frictionless).drawn(), off[seed % 3]);
+  return revolved(std::move(plane), off[seed % 3]);
 }
 
 }  // namespace signorini_test

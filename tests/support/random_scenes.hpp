@@ -12,8 +12,9 @@ enum class RandomScenes {
   Frictionless,
   Frictional,
   Varied,  ///< as Frictional, and often with point forces, springs, layers, heat, interference, adjusted gaps
-  Revolved,  ///< the cross-sections are of bodies of revolution
-  Triangles  ///< as Frictionless, on triangles and meshes of both
+  Revolved,   ///< the cross-sections are of bodies of revolution
+  Triangles,  ///< as Frictionless, on triangles and meshes of both
+  Paths       ///< load steps of Varied, some on triangles, some revolved
 };
 
 /// A scene and what it is, in words.
@@ -33,10 +34,10 @@ struct RandomScene {
 ///
 /// Only whole numbers are drawn, and all numbers come from them by single roundings before a mesh is made.
 /// \param seed  names the scene
-/// \param kind  Frictional and Varied: at least one contact rubs. Revolved: the frictionless scene of the same seed as the
+/// \param kind  Frictional, Varied and Paths: at least one contact rubs. Revolved: the frictionless scene of the same seed as the
 ///   cross-section of bodies of revolution, which reach the axis or keep off it by up to three sizes.
 ///   Triangles: the scene of Frictionless with the cells of its first body cut into triangles, and every second one
-///   of the others
+///   of the others. Paths: five steps, see add_path(); a quarter in triangles, a fifth revolved
 /// \return the scene, with the default solvers
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind);
 

@@ -34,7 +34,8 @@ inline Refined refined(const signorini::QuadraticProgramme& programme,
   const std::vector<signorini::Motion> motions = signorini::motions_of(closed, pairs);
   const signorini::ScaledProblem scaled = signorini::equilibrate(condensed);
   const signorini::RefinementData data{programme, solve, condensed, scaled, modes};
-  Refined result{signorini::refine(data, std::move(start), motions)};
+  const Eigen::VectorXd force = std::exchange(start.force, Eigen::VectorXd::Zero(pairs));
+  Refined result{signorini::refine(data, std::move(start), force, motions)};
   result.confirmed = signorini::judge(data, result, motions).confirmed;
   return result;
 }

@@ -1,6 +1,6 @@
 // Solves random scenes and counts what became of them.
 // Run:  random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]
-// KIND is frictionless, frictional, varied, revolved or triangles, SOLVER a name or `default`; seeds that end in a named OUTCOME are
+// KIND is frictionless, frictional, varied, revolved, triangles or paths, SOLVER a name or `default`; seeds that end in a named OUTCOME are
 // listed with their scenes.
 #include <algorithm>
 #include <iostream>
@@ -20,7 +20,8 @@ int main(int argc, char** argv) try {
                                                      {"frictional", RandomScenes::Frictional},
                                                      {"varied", RandomScenes::Varied},
                                                      {"revolved", RandomScenes::Revolved},
-                                                     {"triangles", RandomScenes::Triangles}};
+                                                     {"triangles", RandomScenes::Triangles},
+                                                     {"paths", RandomScenes::Paths}};
   const RandomScenes kind = kinds.at(word);
   const std::string solver = argv[2] == std::string("default") ? "" : argv[2];
   const std::uint64_t first = std::stoull(argv[3]);
@@ -29,6 +30,9 @@ int main(int argc, char** argv) try {
   double seconds = 0;
   double worst = 0;
   double longest = 0;
+  double imbalance = 0;
+  int uneven = 0;
+  Eigen::Index halvings = 0;
   std::uint64_t slowest = first;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const Trial trial = try_scene(seed, kind, solver);
@@ -37,6 +41,9 @@ int main(int argc, char** argv) try {
     seconds += trial.seconds;
     if (trial.seconds > longest) slowest = seed;
     longest = std::max(longest, trial.seconds);
+    imbalance = std::max(imbalance, trial.imbalance);
+    if (trial.imbalance > most_imbalance) ++uneven;
+    halvings += trial.halvings;
     if (trial.outcome != Outcome::Wrong) worst = std::max(worst, trial.errors.worst());
     const SceneErrors& e = trial.errors;
     if (std::find(argv + 5, argv + argc, std::string(outcome_names[outcome])) != argv + argc)
@@ -44,13 +51,14 @@ int main(int argc, char** argv) try {
                 << e.equilibrium << ", strain " << e.strain << ", penetration " << e.penetration
                 << ", tension " << e.tension << ", complementarity " << e.complementarity
                 << ", cone " << e.cone << ", stick " << e.stick << ", sliding " << e.sliding
-                << ", reading " << e.reading << std::endl;
+                << ", reading " << e.reading << ", imbalance " << trial.imbalance << std::endl;
   }
   std::cout << argv[1] << ' ' << argv[2] << ' ' << first << " + " << count << ':';
   for (std::size_t k = 0; k < n_outcomes; ++k)
     std::cout << ' ' << outcome_names[k] << ' ' << counts[k];
-  std::cout << "; largest error " << worst << "; " << seconds << " s, of them " << longest
-            << " for " << slowest << '\n';
+  std::cout << "; largest error " << worst << ", imbalance " << imbalance << " (" << uneven
+            << " beyond " << most_imbalance << "); halvings " << halvings << "; " << seconds
+            << " s, of them " << longest << " for " << slowest << '\n';
 } catch (const std::exception& error) {
   std::cerr << "random_scenes: " << error.what() << '\n';
   return 1;

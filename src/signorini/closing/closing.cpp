@@ -13,6 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Rows = std::vector<Index>;
+using Entry = Eigen::SparseMatrix<double>::InnerIterator;
 
 bool has_slopes(const KnownSet& set) {
   for (const SlidingPair& pair : set.sliding)
@@ -70,8 +71,15 @@ void settle(const ScaledProblem& problem, const Rows& support, Closure& now) {
   now.movement = problem.free;
   VectorXd size = problem.free.cwiseAbs();
   for (const Index j : support) {
-    now.movement += now.force(j) * problem.compliance.col(j);
-    size += std::abs(now.force(j)) * problem.compliance.col(j).cwiseAbs();
+    const double force = now.force(j);
+    if (problem.sparse.size() == 0) {
+      now.movement += force * problem.compliance.col(j);
+      size += std::abs(force) * problem.compliance.col(j).cwiseAbs();
+    }
+    for (Entry entry(problem.sparse, j); problem.sparse.size() > 0 && entry; ++entry) {
+      now.movement(entry.row()) += force * entry.value();
+      size(entry.row()) += std::abs(force * entry.value());
+    }
   }
   for (Index j = 0; j < modes; ++j) {
     now.movement += now.amplitude(j) * problem.rigid.col(j);
@@ -97,8 +105,11 @@ void settle(const ScaledProblem& problem, const Rows& support, Closure& now) {
 }  // namespace
 
 Closing::Closing(const ScaledProblem& problem, const KnownSet& set) : rows_(set.closed) {
-  symmetric_ = problem.symmetric && !has_slopes(set);
-  if (symmetric_)
+  const bool sparse = problem.sparse.size() > 0;
+  symmetric_ = problem.symmetric && !has_slopes(set) && !sparse;
+  if (sparse)
+    factor_sparse(problem, set);
+  else if (symmetric_)
     factor_symmetric(problem);
   else
     factor_general(problem, set);
@@ -166,13 +177,49 @@ void Closing::factor_general(const ScaledProblem& problem, const KnownSet& set) 
   reversed_ = regular && negative != (k % 2 == 1);
 }
 
+void Closing::factor_sparse(const ScaledProblem& problem, const KnownSet& set) {
+  const Index m = static_cast<Index>(rows_.size());
+  const Index k = problem.rigid.cols();
+  if (m + k == 0) return;
+  Rows place(static_cast<std::size_t>(problem.free.size()), -1);
+  for (Index i = 0; i < m; ++i)
+    place[static_cast<std::size_t>(rows_[static_cast<std::size_t>(i)])] = i;
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](Index row, Index column, double slope) {
+    for (Entry entry(problem.sparse, row); entry; ++entry)
+      if (const Index at = place[static_cast<std::size_t>(entry.row())]; at >= 0)
+        entries.emplace_back(at, column, slope * entry.value());
+    for (Index j = 0; j < k; ++j)
+      entries.emplace_back(m + j, column, slope * problem.rigid(row, j));
+  };
+  for (Index i = 0; i < m; ++i) {
+    const Index row = rows_[static_cast<std::size_t>(i)];
+    add(row, i, 1);
+    for (Index j = 0; j < k; ++j) entries.emplace_back(i, m + j, problem.rigid(row, j));
+  }
+  for (const SlidingPair& pair : set.sliding)
+    add(pair.slip, place[static_cast<std::size_t>(pair.gap)], pair.slope);
+  for (Index i = 0; i < m + k; ++i)
+    entries.emplace_back(i, i, (i < m ? 1 : -1) * std::sqrt(epsilon));
+  Eigen::SparseMatrix<double> M(m + k, m + k);
+  M.setFromTriplets(entries.begin(), entries.end());
+  sparse_ = std::make_unique<SparseLuFactor>();
+  const bool regular = sparse_->factorise(M);
+  reversed_ = regular && (sparse_->sign() < 0) != (k % 2 == 1);
+  if (regular) return;
+  sparse_ = nullptr;
+  factor_general(problem, set);
+}
+
 std::pair<VectorXd, VectorXd> Closing::solve(const VectorXd& top, const VectorXd& bottom) const {
   const Index m = top.size();
   if (!symmetric_) {
     if (m + bottom.size() == 0) return {top, bottom};
     VectorXd right(m + bottom.size());
     right << top, bottom;
-    const VectorXd both = inverse_.size() > 0 ? VectorXd(inverse_ * right) : general_.solve(right);
+    const VectorXd both = sparse_               ? sparse_->solve(right)
+                          : inverse_.size() > 0 ? VectorXd(inverse_ * right)
+                                                : general_.solve(right);
     return {both.head(m), both.tail(bottom.size())};
   }
   VectorXd amplitude = VectorXd::Zero(bottom.size());
@@ -197,17 +244,26 @@ Closure close(const ScaledProblem& problem, const KnownSet& set, const Closure* 
   begin(problem, support, start, now);
   impose(set, now.force);
   const Index modes = problem.rigid.cols();
-  const MatrixXd columns = problem.compliance(rows, support);
+  const bool sparse = problem.sparse.size() > 0;
+  const MatrixXd columns = sparse ? MatrixXd() : problem.compliance(rows, support);
   const MatrixXd rigid = modes > 0 ? MatrixXd(problem.rigid(rows, Eigen::all)) : MatrixXd();
-  for (int step = 0; step < 4 && !(rows.empty() && modes == 0); ++step) {
-    ExactVector moved(problem.free(rows));
-    for (std::size_t c = 0; c < support.size(); ++c)
-      if (now.force(support[c]) != 0)
-        moved.add_product(columns.col(static_cast<Index>(c)), now.force(support[c]));
+  const auto moved = [&] {
+    ExactVector sum(sparse ? problem.free : VectorXd(problem.free(rows)));
+    for (std::size_t c = 0; c < support.size(); ++c) {
+      const double force = now.force(support[c]);
+      if (sparse && force != 0) sum.add_product(problem.sparse, support[c], force);
+      if (!sparse && force != 0) sum.add_product(columns.col(static_cast<Index>(c)), force);
+    }
+    for (Index j = 0; j < modes; ++j)
+      sum.add_product(sparse ? problem.rigid.col(j) : rigid.col(j), now.amplitude(j));
+    return sparse ? VectorXd(sum.value()(rows)) : sum.value();
+  };
+  const int most =
+      sparse ? 16 : 4;  // each leaves sqrt(epsilon) over an eigenvalue where that was added
+  for (int step = 0; step < most && !(rows.empty() && modes == 0); ++step) {
     ExactVector balance(modes > 0 ? VectorXd(-problem.resultant) : VectorXd());
     if (modes > 0) balance.add_products(problem.rigid, now.force);
-    for (Index j = 0; j < modes; ++j) moved.add_product(rigid.col(j), now.amplitude(j));
-    const auto [change, turn] = system.solve(-moved.value(), -balance.value());
+    const auto [change, turn] = system.solve(-moved(), -balance.value());
     for (std::size_t r = 0; r < rows.size(); ++r)
       now.force(rows[r]) += change(static_cast<Index>(r));
     now.amplitude += turn;

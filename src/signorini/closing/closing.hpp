@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "signorini/closing/scaled.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/exact_sum.hpp"
+#include "signorini/core/sparse_lu.hpp"
 
 namespace signorini {
 
@@ -67,7 +69,8 @@ struct KnownSet {
 /// is symmetric and rows of W repeat each other, as many as are independent are kept, the first of the set
 /// first; they close the others as well if that can be done. Adding \f$ \rho U_W U_W^T \f$ to the first block
 /// changes no solution then, because U^T f is given, and makes that block positive definite. Any other
-/// singular system has its least-norm solution.
+/// singular system has its least-norm solution. Where F has few entries, \f$ \sqrt\epsilon \f$ on the diagonal makes
+/// any system regular, and refinement takes it away again from all that the system determines.
 class Closing {
  public:
   /// \param problem  scaled
@@ -88,18 +91,20 @@ class Closing {
  private:
   void factor_symmetric(const ScaledProblem& problem);
   void factor_general(const ScaledProblem& problem, const KnownSet& set);
+  void factor_sparse(const ScaledProblem& problem, const KnownSet& set);
 
   std::vector<Eigen::Index> rows_;
   bool symmetric_ = true;
   bool reversed_ = false;
-  CholeskyFactor factor_;    ///< of F_WW + rho U_W U_W^T
-  Eigen::MatrixXd rigid_;    ///< U_W
-  double rho_ = 0;           ///< compliance of springs that hold the modes [-]
-  Eigen::MatrixXd held_;     ///< `k x m` orthonormal: the modes that W holds
-  Eigen::MatrixXd spread_;   ///< factor^-1 U_W held
-  CholeskyFactor schur_;     ///< of held^T U_W^T spread
-  LuFactor general_;         ///< of a system that is not symmetric
-  Eigen::MatrixXd inverse_;  ///< its pseudo-inverse where that is singular
+  CholeskyFactor factor_;                   ///< of F_WW + rho U_W U_W^T
+  Eigen::MatrixXd rigid_;                   ///< U_W
+  double rho_ = 0;                          ///< compliance of springs that hold the modes [-]
+  Eigen::MatrixXd held_;                    ///< `k x m` orthonormal: the modes that W holds
+  Eigen::MatrixXd spread_;                  ///< factor^-1 U_W held
+  CholeskyFactor schur_;                    ///< of held^T U_W^T spread
+  LuFactor general_;                        ///< of a system that is not symmetric
+  Eigen::MatrixXd inverse_;                 ///< its pseudo-inverse where that is singular
+  std::unique_ptr<SparseLuFactor> sparse_;  ///< of a system with few entries, made regular; or null
 };
 
 /// The matrix of Closing as it is written there.
@@ -182,7 +187,8 @@ using Confirmed = std::optional<std::pair<Closure, std::vector<Motion>>>;
                                   const std::vector<Eigen::Index>& candidates,
                                   const Closure* start = nullptr);
 
-/// Names the direction of pairs that slide after their slip: without a friction force a method need not know it.
+/// Names the direction of pairs that slide without a friction force after their slip: a method need not know it. Where
+/// there is a friction force it has the direction, and a slip against it is rounding.
 /// \param[in,out] state  whose motions may change from forward to backward and back
 void name_slides(ContactState& state);
 

@@ -117,8 +117,9 @@ Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& cand
 
 void name_slides(ContactState& state) {
   for (std::size_t k = 0; k < state.motion.size(); ++k) {
-    const double slip = state.slip(static_cast<Index>(k));
-    if (friction_sign(state.motion[k]) != 0 && slip != 0)
+    const Index row = static_cast<Index>(k);
+    const double slip = state.slip(row);
+    if (friction_sign(state.motion[k]) != 0 && state.friction(row) == 0 && slip != 0)
       state.motion[k] = slip > 0 ? Motion::Forward : Motion::Backward;
   }
 }

@@ -182,6 +182,16 @@ Doubt doubt_of_set(const ScaledProblem& problem, const KnownSet& set) {
   return most;
 }
 
+/// Whether mu |T| mu / 4 leaves nothing of a diagonal entry of G. \param least  |T| or less
+bool takes_all(const ScaledProblem& problem, double least) {
+  for (Index k = 0; k < problem.law.coefficient.size(); ++k) {
+    const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+    if (0.25 * least * std::pow(problem.law.coefficient(k), 2) > problem.compliance(pair, pair))
+      return true;
+  }
+  return false;
+}
+
 /// Whether G - C T^-1 C^T - mu |T| mu / 4 is positive definite, beyond rounding.
 bool bound_excludes_others(const ScaledProblem& problem) {
   const MatrixXd& F = problem.compliance;
@@ -191,12 +201,15 @@ bool bound_excludes_others(const ScaledProblem& problem) {
   if (pairs == 0) return true;
   if (slips > 0) {
     const MatrixXd T = F.bottomRightCorner(slips, slips);
+    const MatrixXd C = F.topRightCorner(pairs, slips);
+    const bool coupled = !C.isZero(0);
+    const VectorXd answer = T.rowwise().sum();
+    if (coupled && takes_all(problem, answer.dot(T * answer) / answer.squaredNorm())) return false;
     const CholeskyFactor tangential(T);
     if (!tangential.positive()) return false;
-    const MatrixXd C = F.topRightCorner(pairs, slips);
     S.noalias() -= C * tangential.solve_columns(C.transpose());
     const double largest = symmetric_eigenvalues(T).maxCoeff();
-    for (Index k = 0; k < slips && !C.isZero(0); ++k) {
+    for (Index k = 0; k < slips && coupled; ++k) {
       const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
       S(pair, pair) -= 0.25 * largest * std::pow(problem.law.coefficient(k), 2);
     }

@@ -62,6 +62,9 @@ ScaledProblem scaled_by_pairs(const ContactProblem& problem) {
   scaled.free = scaled.scale.cwiseProduct(free);
   scale_law(problem.law, scaled);
   scale_modes(problem, scaled);
+  if (!problem.law.pair.empty() &&
+      64 * (scaled.compliance.array() != 0).count() <= scaled.compliance.size())
+    scaled.sparse = scaled.compliance.sparseView(0, 0);
   return scaled;
 }
 
@@ -91,6 +94,12 @@ ContactProblem as_posed(const ScaledProblem& problem) {
 
 double reach(const MatrixXd& compliance) {
   const double sum = compliance.size() == 0 ? 0 : compliance.cwiseAbs().rowwise().sum().maxCoeff();
+  return sum > 0 ? sum : 1;
+}
+
+double reach(const ScaledProblem& problem) {
+  if (problem.sparse.size() == 0) return reach(problem.compliance);
+  const double sum = (problem.sparse.cwiseAbs() * VectorXd::Ones(problem.free.size())).maxCoeff();
   return sum > 0 ? sum : 1;
 }
 

@@ -2,6 +2,7 @@
 /// Equilibration: one unit for all forces and movements, so that nothing depends on the units of a problem.
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include "signorini/problem/problem.hpp"
 
@@ -25,6 +26,8 @@ struct ScaledProblem {
   Eigen::MatrixXd inverse = {};    ///< `n_r x k`: amplitude = inverse * scaled amplitude
   /// Minus the part of r along a motion that moves no pair, as amplitudes `n_r`, or empty
   Eigen::VectorXd loose = {};
+  /// F once more where pairs rub and at most one entry in 64 is not 0, as in piles of rigid bodies; else empty
+  Eigen::SparseMatrix<double> sparse = {};
 
   /// \return n_c
   [[nodiscard]] Eigen::Index pairs() const {
@@ -53,5 +56,9 @@ struct ScaledProblem {
 /// \param compliance  F of a scaled problem
 /// \return the sum, 1 if that is 0 [-]
 [[nodiscard]] double reach(const Eigen::MatrixXd& compliance);
+
+/// \param problem  scaled
+/// \return the same, by the entries that are not 0 where there are few
+[[nodiscard]] double reach(const ScaledProblem& problem);
 
 }  // namespace signorini

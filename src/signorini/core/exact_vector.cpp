@@ -13,6 +13,16 @@ void ExactVector::add_product(const Eigen::Ref<const Eigen::VectorXd>& column, d
   }
 }
 
+void ExactVector::add_product(const Eigen::SparseMatrix<double>& matrix, Eigen::Index column,
+                              double factor) {
+  for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry) {
+    ExactSum sum(high_(entry.row()), low_(entry.row()));
+    sum.add_product(entry.value(), factor);
+    high_(entry.row()) = sum.high();
+    low_(entry.row()) = sum.low();
+  }
+}
+
 void ExactVector::add_products(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& factors) {
   for (Eigen::Index i = 0; i < high_.size(); ++i) {
     ExactSum sum(high_(i));

@@ -2,6 +2,7 @@
 /// Residuals of many equations at once in about twice the working precision.
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace signorini {
 
@@ -16,6 +17,11 @@ class ExactVector {
   /// \param column  as long as the vector, magnitudes below 2^996
   /// \param factor  of magnitude below 2^996
   void add_product(const Eigen::Ref<const Eigen::VectorXd>& column, double factor);
+  /// Adds a column of a sparse matrix times a factor without rounding the products.
+  /// \param matrix  with as many rows as the vector, magnitudes below 2^996
+  /// \param column  of the matrix
+  /// \param factor  of magnitude below 2^996
+  void add_product(const Eigen::SparseMatrix<double>& matrix, Eigen::Index column, double factor);
   /// Adds the transpose of a matrix times a vector without rounding the products.
   /// \param matrix   one column per sum, magnitudes below 2^996
   /// \param factors  one per row, magnitudes below 2^996

@@ -24,4 +24,6 @@ Eigen::VectorXd SparseLuFactor::solve(const Eigen::VectorXd& b) const {
   return numbers_->lu.solve(b);
 }
 
+int SparseLuFactor::sign() const { return static_cast<int>(numbers_->lu.signDeterminant()); }
+
 }  // namespace signorini

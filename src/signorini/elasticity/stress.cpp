@@ -111,6 +111,24 @@ StressArray cell_stress(const Mesh& mesh, const Element& element, const Matter& 
   return stress;
 }
 
+double strain_energy(const Mesh& mesh, const Element& element, const Matter& matter,
+                     const NodeArray& displacements) {
+  require(displacements.rows() == mesh.n_nodes(), "strain_energy: need the displacements of ",
+          mesh.n_nodes(), " nodes, got ", displacements.rows());
+  double energy = 0;
+  visit_strains(mesh, element, matter, [&](const Cell& cell, const StrainPoints& points) {
+    const CellVector u = gathered(cell, displacements);
+    with_rows(cell.body.D.rows(), [&](auto n_rows) {
+      for (int i = 0; i < points.size; ++i) {
+        const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+        const Eigen::Matrix<double, n_rows, 1> strain = fixed_rows<n_rows>(point.B) * u;
+        energy += 0.5 * point.volume * strain.dot(fixed_rows<n_rows>(cell.body.D) * strain);
+      }
+    });
+  });
+  return energy;
+}
+
 double von_mises(const Eigen::Vector4d& stress) {
   const double xy = stress(0) - stress(1);
   const double yz = stress(1) - stress(3);

@@ -35,6 +35,19 @@ using StressArray = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 [[nodiscard]] StressArray cell_stress(const Mesh& mesh, const Element& element,
                                       const Matter& matter, const NodeArray& displacements);
 
+/// Energy that strains store, as if the body were not warm: half the integral of \f$ \varepsilon^T D\,\varepsilon \f$.
+///
+/// As a sum of squares of strains it is exact to rounding of the strains, where \f$ \tfrac12 u^T K u \f$ loses as much
+/// as large displacements cancel in K u.
+/// \param mesh           the body
+/// \param element        fits its cells
+/// \param matter         of its cells; its temperature is not looked at
+/// \param displacements  `n_nodes x 2` [length]
+/// \return not negative [force*length]
+/// \throws std::invalid_argument or ProblemError, as nodal_stress()
+[[nodiscard]] double strain_energy(const Mesh& mesh, const Element& element, const Matter& matter,
+                                   const NodeArray& displacements);
+
 /// Von Mises stress.
 /// \param stress  (xx, yy, xy, zz) [force/length^2]
 /// \return never negative [force/length^2]

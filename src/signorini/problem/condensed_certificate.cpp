@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
@@ -33,14 +34,19 @@ Recomputed recomputed(const ProblemBlocks& problem, const Claim& claim, const Ve
   const VectorXd& free = problem.free;
   const Index pairs = free.size() - static_cast<Index>(problem.law.pair.size());
   Recomputed now{VectorXd(free.size())};
+  std::vector<ExactSum> pushed(static_cast<std::size_t>(free.size()));
   double term = 0;
-  for (Index i = 0; i < free.size(); ++i) {
-    ExactSum moved;
-    ExactSum rigid;
-    for (Index j = 0; j < claim.force.size(); ++j) {
-      moved.add_product(problem.compliance(i, j), claim.force(j));
+  for (Index j = 0; j < claim.force.size(); ++j) {
+    if (claim.force(j) == 0) continue;
+    for (Index i = 0; i < free.size(); ++i) {
+      if (problem.compliance(i, j) == 0) continue;
+      pushed[static_cast<std::size_t>(i)].add_product(problem.compliance(i, j), claim.force(j));
       term = std::max(term, std::abs(problem.compliance(i, j) * claim.force(j)) / unit(i));
     }
+  }
+  for (Index i = 0; i < free.size(); ++i) {
+    ExactSum& moved = pushed[static_cast<std::size_t>(i)];
+    ExactSum rigid;
     for (Index j = 0; j < claim.amplitude.size(); ++j)
       rigid.add_product(problem.rigid(i, j), claim.amplitude(j));
     const double given = i < pairs ? -free(i) : std::abs(free(i));

@@ -50,19 +50,26 @@ void impose(const KnownSet& set, Forces& force) {
     if (!carries[static_cast<std::size_t>(row)]) force.high(row) = force.low(row) = 0;
 }
 
+/// Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
+/// sweeps mend it; what they move is so small that it may as well strain the bodies.
+constexpr Index rigid_sweeps = 2;
+
 /// One refinement from beginning to end.
 class Refining {
  public:
-  Refining(const RefinementData& data, PrimalDual start, const std::vector<Motion>& motions)
+  Refining(const RefinementData& data, PrimalDual start, const VectorXd& force,
+           const std::vector<Motion>& motions)
       : data_(data),
         set_(known_set(motions, data.condensed.law)),
         closing_(data.scaled, known_set(motions, data.scaled.law)) {
     PrimalDual& solution = result_.solution;
     solution = std::move(start);
     const Index n = solution.displacement.size();
+    // Nobody has refined a u in one double: all of it has the error of the factor.
+    if (solution.displacement_low.size() == 0) unrefined_ = largest(solution.displacement);
     if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
     if (floats() && solution.rigid.size() == 0) solution.rigid.setZero(n);
-    force_ = {solution.force, VectorXd::Zero(solution.force.size())};
+    force_ = {force, VectorXd::Zero(force.size())};
     impose(set_, force_);
     result_.amplitude.setZero(data.null_vectors.cols());
   }
@@ -74,33 +81,35 @@ class Refining {
   struct Change {
     double displacement = 0;
     double force = 0;
-    bool pending = false;  // whether forces have changed what displacements do not feel yet
     [[nodiscard]] double worst() const { return std::max(displacement, force); }
   };
 
   [[nodiscard]] VectorXd unbalanced();
   /// Changes of forces and amplitudes that end the movement of closed rows and what rigid motions feel.
   [[nodiscard]] std::pair<VectorXd, VectorXd> closed(const VectorXd& residual) const;
+  Change begin();
   Change sweep();
+  /// Moves u by what a change of forces moves. \return by how much
+  VectorXd push(const VectorXd& pushed);
   /// Moves bodies rigidly.
   void move(const VectorXd& amplitude);
-  /// Whether a change of forces moves more than rounding beside the displacements.
+
+  /// Whether a change of forces is more than rounding, or moves more than that beside the displacements.
   [[nodiscard]] bool felt(const VectorXd& pushed) const;
 
   [[nodiscard]] bool floats() const { return data_.null_vectors.cols() > 0; }
+  /// Whether this sweep may be the last: the rigid part is not rounded anew.
+  [[nodiscard]] bool steady() const { return !floats() || sweeps_ > rigid_sweeps; }
 
   const RefinementData& data_;
   KnownSet set_;
   Closing closing_;
   Forces force_;
   Refinement result_;
+  double unrefined_ = 0;  // of u, where it starts
   Index sweeps_ = 0;
   bool slow_ = false;  // whether a sweep leaves more than the root of rounding
 };
-
-/// Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
-/// sweeps mend it; what they move is so small that it may as well strain the bodies.
-constexpr Index rigid_sweeps = 2;
 
 VectorXd Refining::unbalanced() {
   result_.solution.force = force_.high;
@@ -121,8 +130,9 @@ std::pair<VectorXd, VectorXd> Refining::closed(const VectorXd& residual) const {
 }
 
 bool Refining::felt(const VectorXd& pushed) const {
-  return largest(data_.condensed.compliance * pushed) >
-         0.25 * epsilon * largest(result_.solution.displacement);
+  return relative(largest(pushed), largest(force_.high)) > 0.25 * epsilon ||
+         largest(data_.condensed.compliance * pushed) >
+             0.25 * epsilon * largest(result_.solution.displacement);
 }
 
 void Refining::move(const VectorXd& amplitude) {
@@ -134,6 +144,21 @@ void Refining::move(const VectorXd& amplitude) {
     add_displacement(result_.solution, moved);
 }
 
+VectorXd Refining::push(const VectorXd& pushed) {
+  VectorXd moved = data_.solve_stiffness(-(data_.programme.A.transpose() * pushed));
+  ++result_.solves;
+  add_displacement(result_.solution, moved);
+  return moved;
+}
+
+Refining::Change Refining::begin() {
+  const PrimalDual& solution = result_.solution;
+  const VectorXd pushed = force_.high - solution.force;
+  const double moved = largest(pushed) == 0 ? 0 : largest(push(pushed));
+  return {relative(std::max(moved, unrefined_), largest(solution.displacement)),
+          relative(largest(pushed), largest(force_.high))};
+}
+
 Refining::Change Refining::sweep() {
   ++sweeps_;
   PrimalDual& solution = result_.solution;
@@ -142,12 +167,6 @@ Refining::Change Refining::sweep() {
   ++result_.solves;
   add_displacement(solution, moved);
   result_.movement = gaps(data_.programme, solution);
-  Change change;
-  change.displacement = relative(largest(moved), largest(solution.displacement));
-  if (sweeps_ == 1 && !floats()) {  // u was a guess: what it misses would be taken for forces
-    change.pending = true;
-    return change;
-  }
   const auto [closes, amplitude] = closed(residual);
   const Forces last = force_;
   for (std::size_t k = 0; k < closing_.rows().size(); ++k) {
@@ -156,49 +175,40 @@ Refining::Change Refining::sweep() {
   }
   impose(set_, force_);
   const VectorXd pushed = (force_.high - last.high) + (force_.low - last.low);
-  change.pending = felt(pushed);
-  if (slow_ && change.pending) {
-    const VectorXd back = data_.solve_stiffness(-(data_.programme.A.transpose() * pushed));
-    ++result_.solves;
-    add_displacement(solution, back);
-    moved += back;
-    change.pending = false;
-  }
+  if (steady() && felt(pushed)) moved += push(pushed);
   if (floats()) {
     moved += data_.null_vectors * amplitude;
     move(amplitude);
   }
-  change.force = relative(largest(pushed), largest(force_.high));
-  change.displacement = relative(largest(moved), largest(solution.displacement));
-  return change;
+  return {relative(largest(moved), largest(solution.displacement)),
+          relative(largest(pushed), largest(force_.high))};
 }
 
 Refinement Refining::run() {
   const double infinity = std::numeric_limits<double>::infinity();
-  Change best{infinity, infinity, false};
-  Change last = best;
+  Change best{infinity, infinity};
+  Change last = begin();
   double rate = 1;
   for (int worse = 0; worse < 2;) {
     const Change now = sweep();
     if (!std::isfinite(now.worst())) break;
-    // A sweep shrinks the error of u by the error of the factor, which shows where no change of forces
-    // adds to it; so the next correction is known beforehand. Not by the first sweep, not while the
-    // rigid part is rounded anew, and not behind a sweep that moved u by more than u.
-    const bool steady = sweeps_ > (floats() ? rigid_sweeps : 1) && last.displacement < 1;
-    if (steady) rate = std::min(slow_ ? 1 : rate, ratio(now.displacement, last.displacement));
+    // A sweep shrinks the error of u by the error of the factor, so the next correction is known
+    // beforehand; not while the rigid part is rounded anew. What moved u by more than u tells less.
+    if (steady())
+      rate = std::min(slow_ ? 1 : rate, ratio(now.displacement, std::min(1.0, last.displacement)));
     const bool known = last.force > 0 && std::isfinite(last.force);
     const double force_rate = known ? std::min(1.0, now.force / last.force) : 1;
     const double next = std::max(now.displacement * rate, now.force * force_rate);
-    result_.settled = !now.pending && next <= 0.25 * epsilon;
+    result_.settled = steady() && next <= 0.25 * epsilon;
     if (result_.settled) break;
     const bool better = now.displacement < 0.5 * best.displacement || now.force < 0.5 * best.force;
     worse = better || !slow_ ? 0 : worse + 1;
-    slow_ = slow_ || !better || (steady && rate > std::sqrt(epsilon));
+    slow_ = slow_ || !better || (steady() && rate > std::sqrt(epsilon));
     best.displacement = std::min(best.displacement, now.displacement);
     best.force = std::min(best.force, now.force);
     last = now;
     result_.settled =
-        !now.pending && now.worst() <= epsilon * static_cast<double>(set_.closed.size() + 1);
+        steady() && now.worst() <= epsilon * static_cast<double>(set_.closed.size() + 1);
   }
   result_.solution.force = force_.high;
   result_.movement = gaps(data_.programme, result_.solution);
@@ -239,9 +249,9 @@ VectorXd resultant_left(const QuadraticProgramme& programme, const PrimalDual& s
   return (left.array().abs() > (rounding + row * epsilon) * size.array()).select(left, 0.0);
 }
 
-Refinement refine(const RefinementData& data, PrimalDual start,
+Refinement refine(const RefinementData& data, PrimalDual start, const VectorXd& force,
                   const std::vector<Motion>& motions) {
-  return Refining(data, std::move(start), motions).run();
+  return Refining(data, std::move(start), force, motions).run();
 }
 
 Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,

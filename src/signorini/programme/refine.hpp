@@ -50,22 +50,21 @@ struct Refinement {
 /// where M is the matrix of Closing. Residuals come from the original data in twice the working
 /// precision, so the factor and the compliance may carry relative errors up to about 1/cond. u and the
 /// forces are kept as sums of two doubles: on a slender body the last digit of a force moves the far end by
-/// many digits. Sweeps end when the next correction will be of rounding size, or when corrections
-/// shrink no more. What forces move in turn is left to the next sweep, whose residual feels it, as long as two
-/// sweeps are enough; only on badly conditioned problems does it get a solve of its own, which makes the
-/// corrections shrink by the error of the forces in place of that of the factor.
+/// many digits. What forces move, unless they are rounding, gets a solve of its own, so that corrections shrink by the
+/// errors of factor and compliance. Sweeps end when the next correction will be of rounding size, mostly behind the
+/// first, or when corrections shrink no more.
 ///
 /// With rigid modes K is singular, and `solve_stiffness` and `condensed` belong to the grounded K_g of
 /// add_rigid_modes(). Residuals are still those of K; the amplitudes take up what only a rigid
 /// motion feels of them, so that no spring takes part.
 /// \param data     the problem
-/// \param start    where to start: u may still be that without contact; forces that the motions
-///                 exclude are dropped
+/// \param start    u, and the forces that it belongs to: none, if u is still that without contact
+/// \param force    of all rows of A, to begin with; those that the motions exclude are dropped [force]
 /// \param motions  `n_c`
 /// \return the refined numbers; whether all signs are right is for judge() to say
 /// \throws std::invalid_argument if the sizes of K, p, A, g, `start` and N do not fit
 [[nodiscard]] Refinement refine(const RefinementData& data, PrimalDual start,
-                                const std::vector<Motion>& motions);
+                                const Eigen::VectorXd& force, const std::vector<Motion>& motions);
 
 /// What is out of balance along rigid modes.
 /// \param programme     K, p, A

@@ -28,11 +28,8 @@ class Road {
         problem_(condensed.problem),
         scaled_(equilibrate(problem_)),
         data_{programme, condensed.solve_stiffness, problem_, scaled_, modes},
-        base_{condensed.free_displacement, VectorXd::Zero(programme.load.size()),
-              VectorXd::Zero(programme.initial_gap.size())},
-        base_amplitude_(VectorXd::Zero(modes.cols())),
-        now_(base_),
-        amplitude_(base_amplitude_) {}
+        now_{condensed.free_displacement, {}, VectorXd::Zero(programme.initial_gap.size())},
+        amplitude_(VectorXd::Zero(modes.cols())) {}
 
   CertifiedEnd run(const Solver& solver, const SolverOptions& options);
 
@@ -41,22 +38,19 @@ class Road {
   [[nodiscard]] bool usable(const ContactState& claim) const;
   /// Refines a claim and changes pairs while fewer and fewer are wrong. \return whether all signs are right,
   /// or nothing new can be tried
-  bool settle(std::vector<Motion> motions);
+  bool settle(const ContactState& claim);
   /// Says what the pairs do by what they do: a set whose equations depend on each other, or contradict each
   /// other by as little as the certificate allows, need not be that of its numbers.
   void read_off();
   /// Puts the movements that displacements give in the place of those that the condensed data gave, and what
   /// K u, which should do no work along rigid motions, does there in the place of the load.
   void correct();
-  /// Forces as claimed; with rigid modes also what they and the amplitudes move: a motion that the closed pairs leave
-  /// open must begin where the claim has it.
-  void start_from(const ContactState& claim);
   /// Takes over what a solver says about its run.
   void take_over(const ContactState& claim, bool corrected);
   /// Fills the end.
   void conclude();
-  /// Refines one set and keeps it if no certificate was better.
-  Judgement look(const std::vector<Motion>& motions);
+  /// Refines one set, beginning with forces, and keeps it if no certificate was better.
+  Judgement look(const std::vector<Motion>& motions, const VectorXd& force);
 
   const QuadraticProgramme& programme_;
   const CondensedProgramme& condensed_;
@@ -65,9 +59,7 @@ class Road {
   ContactProblem problem_;  // condensed, corrected from pass to pass
   ScaledProblem scaled_;    // as it was condensed; of corrections refinement knows by itself
   RefinementData data_;
-  PrimalDual base_;  // what the free movements of problem_ belong to, with its forces
-  VectorXd base_amplitude_;
-  PrimalDual now_;
+  PrimalDual now_;  // before a claim, what the free movements of problem_ belong to
   VectorXd amplitude_;
   Refinement refined_;
   std::set<std::vector<Motion>> seen_;
@@ -84,8 +76,8 @@ bool Road::usable(const ContactState& claim) const {
          claim.force.size() == problem_.free_gap.size();
 }
 
-Judgement Road::look(const std::vector<Motion>& motions) {
-  refined_ = refine(data_, now_, motions);
+Judgement Road::look(const std::vector<Motion>& motions, const VectorXd& force) {
+  refined_ = refine(data_, now_, force, motions);
   ledger_.count("sets", 1);
   ledger_.count("solves", refined_.solves);
   now_ = refined_.solution;
@@ -108,15 +100,24 @@ void Road::read_off() {
   predict(scaled_, scaled_numbers(data_, end_.solution, movement_, 1e-12), 1, motions_);
 }
 
-bool Road::settle(std::vector<Motion> motions) {
+bool Road::settle(const ContactState& claim) {
   const Ledger::Phase phase(ledger_, "refinement");
+  std::vector<Motion> motions = all_motions(claim);
+  VectorXd force(claim.force.size() + claim.friction.size());
+  force << claim.force, claim.friction;
+  // A motion that the closed pairs leave open must begin where the claim has it.
+  if (modes_.cols() > 0 && claim.report.status == Status::Solved) {
+    add_rigid(now_, modes_ * (claim.amplitude - amplitude_));
+    amplitude_ = claim.amplitude;
+  }
   for (Index last = std::numeric_limits<Index>::max();;) {
     if (!seen_.insert(motions).second) return last == std::numeric_limits<Index>::max();
-    Judgement verdict = look(motions);
+    Judgement verdict = look(motions, force);
     if (verdict.confirmed || !now_.displacement.allFinite()) return true;
     if (!refined_.settled || verdict.wrong == 0 || verdict.wrong >= last) return false;
     last = verdict.wrong;
     motions = std::move(verdict.motions);
+    force = now_.force;
   }
 }
 
@@ -136,23 +137,6 @@ void Road::correct() {
   const Index pairs = problem_.free_gap.size();
   problem_.free_gap = free.head(pairs);
   problem_.free_slip = free.tail(free.size() - pairs);
-  base_ = now_;
-  base_amplitude_ = amplitude_;
-}
-
-void Road::start_from(const ContactState& claim) {
-  VectorXd force(claim.force.size() + claim.friction.size());
-  force << claim.force, claim.friction;
-  if (modes_.cols() > 0 && claim.report.status == Status::Solved) {
-    const Ledger::Phase phase(ledger_, "refinement");
-    now_ = base_;
-    const VectorXd pushed = programme_.A.transpose() * (force - base_.force);
-    add_displacement(now_, condensed_.solve_stiffness(-pushed));
-    add_rigid(now_, modes_ * (claim.amplitude - base_amplitude_));
-    amplitude_ = claim.amplitude;
-    ledger_.count("solves", 1);
-  }
-  now_.force = std::move(force);
 }
 
 void Road::take_over(const ContactState& claim, bool corrected) {
@@ -186,8 +170,7 @@ CertifiedEnd Road::run(const Solver& solver, const SolverOptions& options) {
     }
     take_over(claim, corrected);
     if (!usable(claim)) break;
-    start_from(claim);
-    if (settle(all_motions(claim))) break;
+    if (settle(claim)) break;
     if (!refined_.settled) break;  // nothing to correct the condensed problem with
     const double worst = end_.certificate.worst();
     idle = worst < 0.5 * best ? 0 : idle + 1;
@@ -205,10 +188,12 @@ void Road::conclude() {
     PrimalDual pressing = end_.solution;  // what is negative is of rounding size
     pressing.force.head(problem_.free_gap.size()) =
         pressing.force.head(problem_.free_gap.size()).cwiseMax(0.0);
-    const Certificate certificate = certify(programme_, pressing, problem_.law);
-    if (certificate.holds()) {
-      end_.solution = std::move(pressing);
-      end_.certificate = certificate;
+    if (pressing.force != end_.solution.force) {
+      const Certificate certificate = certify(programme_, pressing, problem_.law);
+      if (certificate.holds()) {
+        end_.solution = std::move(pressing);
+        end_.certificate = certificate;
+      }
     }
     state.report.status = Status::Solved;
     state.reason.clear();

@@ -89,6 +89,13 @@ Json& Json::value(const Eigen::VectorXd& values) {
   return put(list + "]");
 }
 
+Json& Json::value(const std::vector<std::string>& values) {
+  std::string list = "[";
+  for (std::size_t i = 0; i < values.size(); ++i)
+    list += (i > 0 ? ", " : "") + (values[i].empty() ? "null" : quoted(values[i]));
+  return put(list + "]");
+}
+
 std::string Json::text() const {
   require(open_.empty(), "Json::text: ", open_.size(), " levels are still open");
   return out_ + "\n";

@@ -35,6 +35,8 @@ class Json {
   Json& value(bool value);
   /// Adds an array of numbers on one line. \param values  any \return this
   Json& value(const Eigen::VectorXd& values);
+  /// Adds an array of texts on one line. \param values  as above; an empty one becomes null \return this
+  Json& value(const std::vector<std::string>& values);
 
   /// The document.
   /// \return its text, with a line end

@@ -4,61 +4,98 @@
 #include <iomanip>
 #include <sstream>
 
-#include "signorini/core/errors.hpp"
+#include "signorini/report/pair_columns.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 
-void check_solved(const Solution& solution) {
-  require(solution.contact.report.status == Status::Solved,
-          "pressure table: the problem was not solved (", to_string(solution.contact.report.status),
-          ')');
-}
-
-}  // namespace
-
-Resultants resultants(const Pairs& pairs, const Solution& solution) {
-  check_solved(solution);
-  Resultants sum{Eigen::Vector2d::Zero(), 0, 0, 0};
+/// Adds every pair to the sum that it belongs to. \param sum_of  gives that of a pair
+template <typename SumOf>
+void add_pairs(const Pairs& pairs, const Solution& solution, const PathState* state,
+               const SumOf& sum_of) {
+  check_solved(solution, state, "resultants");
   const ContactState& contact = solution.contact;
   const auto add = [&](Index pair, const Eigen::Vector2d& force) {
+    Resultants& sum = sum_of(pair);
     sum.force += force;
     sum.moment += pairs.position(pair, 0) * force.y() - pairs.position(pair, 1) * force.x();
   };
   for (Index pair = 0; pair < contact.force.size(); ++pair) {
     add(pair, contact.force(pair) * pairs.normal.row(pair).transpose());
+    Resultants& sum = sum_of(pair);
+    sum.normal_force += contact.force(pair);
     sum.peak_pressure = std::max(sum.peak_pressure, solution.pressure(pair));
+    ++sum.pairs;
   }
-  for (std::size_t k = 0; k < contact.rubbing.size(); ++k) {
-    const auto normal = pairs.normal.row(contact.rubbing[k]);
-    add(contact.rubbing[k],
-        contact.friction(static_cast<Index>(k)) * Eigen::Vector2d(normal.y(), -normal.x()));
+  const Eigen::VectorXd lost = dissipated(contact);
+  for (Index k = 0; k < lost.size(); ++k) {
+    const Index pair = contact.rubbing[static_cast<std::size_t>(k)];
+    const Motion motion = contact.motion[static_cast<std::size_t>(k)];
+    const auto normal = pairs.normal.row(pair);
+    add(pair, contact.friction(k) * Eigen::Vector2d(normal.y(), -normal.x()));
+    Resultants& sum = sum_of(pair);
+    sum.shear_force += contact.friction(k);
+    sum.dissipated += lost(k);
+    sum.dissipated_total += state == nullptr ? lost(k) : state->dissipation(k);
+    ++sum.rubbing;
+    sum.stick += motion == Motion::Stick ? 1 : 0;
+    sum.slide += friction_sign(motion) != 0 ? 1 : 0;
   }
-  for (const Index pair : solution.contact.active) sum.closed_weight += pairs.weight(pair);
+  for (const Index pair : contact.active) {
+    sum_of(pair).closed_weight += pairs.weight(pair);
+    ++sum_of(pair).closed;
+  }
+}
+
+void write_comment(std::ostream& out, const std::string& what, const Resultants& sum) {
+  out << "# " << what << " (" << sum.force.x() << ", " << sum.force.y()
+      << "), moment about the origin " << sum.moment << ", closed boundary " << sum.closed_weight
+      << ", peak pressure " << sum.peak_pressure;
+  if (sum.rubbing > 0)
+    out << ", normal force " << sum.normal_force << ", shear force " << sum.shear_force << ", open "
+        << sum.rubbing - sum.stick - sum.slide << ", stick " << sum.stick << ", slide " << sum.slide
+        << ", dissipated " << sum.dissipated;
+  if (sum.rubbing > 0 && sum.dissipated_total != sum.dissipated)
+    out << ", in total " << sum.dissipated_total;
+  out << '\n';
+}
+
+}  // namespace
+
+Resultants resultants(const Pairs& pairs, const Solution& solution, const PathState* state) {
+  Resultants sum{Eigen::Vector2d::Zero(), 0, 0, 0};
+  add_pairs(pairs, solution, state, [&](Index /*pair*/) -> Resultants& { return sum; });
   return sum;
 }
 
-std::string pressure_csv(const Pairs& pairs, const Solution& solution,
-                         const std::string& tolerance) {
-  check_solved(solution);
-  std::vector<const char*> status(static_cast<std::size_t>(solution.contact.force.size()), "open");
-  for (const Index pair : solution.contact.active)
-    status[static_cast<std::size_t>(pair)] = "closed";
+std::vector<Resultants> resultants_of_contacts(const Model& model, const Solution& solution,
+                                               const PathState* state) {
+  std::vector<Resultants> sums(model.contacts.size(), Resultants{Eigen::Vector2d::Zero(), 0, 0, 0});
+  add_pairs(model.pairs, solution, state, [&](Index pair) -> Resultants& {
+    return sums[model.contact_of[static_cast<std::size_t>(pair)]];
+  });
+  return sums;
+}
+
+std::string pressure_csv(const Model& model, const Solution& solution, const std::string& tolerance,
+                         const PathState* state) {
+  const std::vector<PairColumn> columns = pair_columns(model, solution, state);
+  const Resultants sum = resultants(model.pairs, solution, state);
   std::ostringstream out;
+  out << std::setprecision(10);
   if (!tolerance.empty()) out << "# tolerance " << tolerance << '\n';
   for (const std::string& note : solution.notes) out << "# note " << note << '\n';
-  const Resultants sum = resultants(pairs, solution);
-  out << std::setprecision(10) << "# force on the sources (" << sum.force.x() << ", "
-      << sum.force.y() << "), moment about the origin " << sum.moment << ", closed boundary "
-      << sum.closed_weight << ", peak pressure " << sum.peak_pressure
-      << "\nx,y,gap,pressure,force,status\n";
-  for (Index pair = 0; pair < solution.contact.force.size(); ++pair)
-    out << pairs.position(pair, 0) << ',' << pairs.position(pair, 1) << ','
-        << solution.contact.gap(pair) << ',' << solution.pressure(pair) << ','
-        << solution.contact.force(pair) << ',' << status[static_cast<std::size_t>(pair)] << '\n';
-  return out.str();
+  const bool several = model.contacts.size() > 1;
+  const bool named = several || sum.rubbing > 0;
+  if (several || !named) write_comment(out, "force on the sources", sum);
+  if (named) {
+    const std::vector<Resultants> each = resultants_of_contacts(model, solution, state);
+    for (std::size_t k = 0; k < each.size(); ++k)
+      write_comment(out, "contact " + model.contacts[k] + ": force on the source", each[k]);
+  }
+  return out.str() + csv_head(columns) + csv_lines(columns);
 }
 
 }  // namespace signorini

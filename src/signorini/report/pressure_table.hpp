@@ -2,36 +2,60 @@
 /// What contact did, pair by pair, and in sum.
 #pragma once
 #include <string>
+#include <vector>
 
-#include "signorini/scene/scene.hpp"
+#include "signorini/scene/steps.hpp"
 
 namespace signorini {
 
-/// Sums over all pairs.
+/// Sums over pairs: all of a model, or those of one contact.
 struct Resultants {
-  Eigen::Vector2d force;  ///< of the targets on the sources [force]
-  double moment;          ///< of these forces about the origin [force length], anticlockwise > 0
-  double closed_weight;   ///< share of the boundary that belongs to closed pairs [length^2]
-  double peak_pressure;   ///< largest of a pair [force/length^2], compression > 0
+  Eigen::Vector2d force;    ///< of the targets on the sources [force]
+  double moment;            ///< of these forces about the origin [force length], anticlockwise > 0
+  double closed_weight;     ///< share of the boundary that belongs to closed pairs [length^2]
+  double peak_pressure;     ///< largest of a pair [force/length^2], compression > 0
+  double normal_force = 0;  ///< sum of the contact forces of the pairs [force], compression > 0
+  double shear_force = 0;   ///< sum of their friction forces, each along its tangent [force]
+  double dissipated = 0;    ///< work that sliding lost in this step [force length], >= 0
+  double dissipated_total = 0;  ///< and in all steps so far; without steps the same
+  Eigen::Index pairs = 0;       ///< how many there are
+  Eigen::Index closed = 0;      ///< of them
+  Eigen::Index rubbing = 0;     ///< pairs that have friction, open or closed
+  Eigen::Index stick = 0;       ///< closed pairs that have friction and do not slide
+  Eigen::Index slide = 0;       ///< closed pairs that slide
 };
 
 /// Sums the contact forces of a solution, friction included, applied where the pairs are before loading.
 /// \param pairs     of the model, `n_c` pairs
 /// \param solution  of the model
+/// \param state     after this step of a path, see Step; null: the solution is no step
 /// \return the sums, all 0 without contact
-/// \throws std::invalid_argument if the problem is not solved
-[[nodiscard]] Resultants resultants(const Pairs& pairs, const Solution& solution);
+/// \throws std::invalid_argument if the problem is not solved, or the state has another number of slips
+[[nodiscard]] Resultants resultants(const Pairs& pairs, const Solution& solution,
+                                    const PathState* state = nullptr);
 
-/// The table as comma separated text: x, y, gap, pressure, force, status, one line per pair.
+/// The same for each contact.
+/// \param model     that was solved
+/// \param solution  of it
+/// \param state     as above
+/// \return one for each of Model::contacts, in their order
+/// \throws std::invalid_argument as resultants()
+[[nodiscard]] std::vector<Resultants> resultants_of_contacts(const Model& model,
+                                                             const Solution& solution,
+                                                             const PathState* state = nullptr);
+
+/// The table as comma separated text: the columns of pair_columns(), one line per pair.
 ///
-/// `status` is `closed` or `open`. Lines come in the order of the boundary, with 10 digits; the
-/// first line names the columns. Comments in front of it give the notes of the solution and the resultants.
-/// \param pairs      of the model, `n_c` pairs
-/// \param solution   of the model
+/// Lines come in the order of the boundary, with 10 digits; the first line names the columns. Comments in front of it
+/// give the notes of the solution and the resultants, of each contact if there is friction or there are several.
+/// \param model      that was solved
+/// \param solution   of it
 /// \param tolerance  if not empty, goes in front as the comment `# tolerance <tolerance>`
+/// \param state      after this step of a path, see Step; null: the solution is no step
 /// \return the text
-/// \throws std::invalid_argument if the problem is not solved
-[[nodiscard]] std::string pressure_csv(const Pairs& pairs, const Solution& solution,
-                                       const std::string& tolerance = "");
+/// \throws std::invalid_argument as pair_columns()
+[[nodiscard]] std::string pressure_csv(const Model& model, const Solution& solution,
+                                       const std::string& tolerance = "",
+                                       const PathState* state = nullptr);
 
 }  // namespace signorini

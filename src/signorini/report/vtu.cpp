@@ -1,11 +1,15 @@
 #include "signorini/report/vtu.hpp"
 
+#include <charconv>
+#include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
+#include <utility>
 
-#include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/elasticity/stress.hpp"
+#include "signorini/report/pair_columns.hpp"
 
 namespace signorini {
 namespace {
@@ -45,44 +49,82 @@ void write_cells(std::ostream& out, const Mesh& mesh) {
   out << "        </DataArray>\n      </Cells>\n";
 }
 
-/// What contact did at the nodes of all bodies.
-struct NodalContact {
-  Eigen::VectorXd pressure;
-  Eigen::VectorXd gap;
-  Eigen::VectorXd status;
-};
-
-NodalContact nodal_contact(const Model& model, const Solution& solution) {
-  const Index n_nodes = model.unknowns.number.rows();
-  NodalContact contact{Eigen::VectorXd::Zero(n_nodes), Eigen::VectorXd::Zero(n_nodes),
-                       Eigen::VectorXd::Constant(n_nodes, -1)};
-  for (Index pair = 0; pair < solution.pressure.size(); ++pair) {
+/// The pair that stands for each node of all bodies: of several at one node the first with the largest force; -1
+/// without one.
+std::vector<Index> pairs_at_nodes(const Model& model, const Solution& solution) {
+  std::vector<Index> found(static_cast<std::size_t>(model.unknowns.number.rows()), -1);
+  const Eigen::VectorXd& force = solution.contact.force;
+  for (Index pair = 0; pair < force.size(); ++pair) {
     const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
     if (node < 0) continue;
-    contact.pressure(node) = solution.pressure(pair);
-    contact.gap(node) = solution.contact.gap(pair);
-    contact.status(node) = 0;
+    Index& known = found[static_cast<std::size_t>(node)];
+    if (known < 0 || force(pair) > force(known)) known = pair;
   }
-  for (const Index pair : solution.contact.active)
-    if (const Index node = model.pairs.node[static_cast<std::size_t>(pair)]; node >= 0)
-      contact.status(node) = 1;
-  return contact;
+  return found;
 }
 
-/// Notes as field data: VTK wants the numbers of the characters of each, with a zero behind them.
-void write_notes(std::ostream& out, const std::vector<std::string>& notes) {
-  if (notes.empty()) return;
-  out << "    <FieldData>\n      <DataArray type=\"String\" Name=\"notes\" NumberOfTuples=\""
-      << notes.size() << "\" format=\"ascii\">\n";
-  for (const std::string& note : notes) {
-    for (const char c : note) out << static_cast<int>(static_cast<unsigned char>(c)) << ' ';
+/// What contact did at the nodes of all bodies.
+struct NodalField {
+  std::string name;
+  Rows values;
+};
+
+/// A field from values of the pairs; `other` where a node has no pair, or its pair no value.
+NodalField at_nodes(const std::string& name, const Rows& of_pairs, const std::vector<Index>& pairs,
+                    double other) {
+  NodalField field{name, Rows::Constant(static_cast<Index>(pairs.size()), of_pairs.cols(), other)};
+  for (std::size_t node = 0; node < pairs.size(); ++node)
+    if (pairs[node] >= 0 && !std::isnan(of_pairs(pairs[node], 0)))
+      field.values.row(static_cast<Index>(node)) = of_pairs.row(pairs[node]);
+  return field;
+}
+
+/// Pressure along the normals, shear traction along the tangents.
+Rows tractions(const Model& model, const Solution& solution) {
+  const Pairs& pairs = model.pairs;
+  Rows traction = solution.pressure.asDiagonal() * pairs.normal;
+  const Eigen::VectorXd shear = shear_tractions(model, solution);
+  traction.col(0) += shear.cwiseProduct(pairs.normal.col(1));
+  traction.col(1) -= shear.cwiseProduct(pairs.normal.col(0));
+  return traction;
+}
+
+std::vector<NodalField> nodal_fields(const Model& model, const Solution& solution,
+                                     const std::vector<PairColumn>& columns) {
+  const std::vector<Index> pairs = pairs_at_nodes(model, solution);
+  std::vector<NodalField> fields;
+  for (const PairColumn& column : columns)
+    if (!column.field.empty())
+      fields.push_back(at_nodes(column.field, column.values, pairs, column.words.empty() ? 0 : -1));
+  if (solution.pressure.size() > 0)
+    fields.push_back(at_nodes("contact_traction", tractions(model, solution), pairs, 0));
+  return fields;
+}
+
+/// Lines of text: VTK wants the numbers of the characters of each, with a zero behind them.
+void write_lines(std::ostream& out, const char* name, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  out << "      <DataArray type=\"String\" Name=\"" << name << "\" NumberOfTuples=\""
+      << lines.size() << "\" format=\"ascii\">\n";
+  for (const std::string& line : lines) {
+    for (const char c : line) out << static_cast<int>(static_cast<unsigned char>(c)) << ' ';
     out << "0\n";
   }
-  out << "      </DataArray>\n    </FieldData>\n";
+  out << "      </DataArray>\n";
+}
+
+/// Notes, and the names behind `contact_number`.
+void write_field_data(std::ostream& out, const Model& model, const Solution& solution) {
+  const bool several = model.contacts.size() > 1;
+  if (solution.notes.empty() && !several) return;
+  out << "    <FieldData>\n";
+  write_lines(out, "notes", solution.notes);
+  if (several) write_lines(out, "contacts", model.contacts);
+  out << "    </FieldData>\n";
 }
 
 void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displacements,
-                const NodalContact& contact) {
+                const std::vector<NodalField>& contact) {
   const Mesh& mesh = body.mesh;
   const Index n_nodes = mesh.n_nodes();
   const StressArray stress = nodal_stress(mesh, body.element, body.material, displacements);
@@ -94,9 +136,9 @@ void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displ
   write_array(out, "displacement", displacements, 3);
   write_array(out, "stress", stress, 4);
   write_array(out, "von_mises", mises, 1);
-  write_array(out, "contact_pressure", contact.pressure.segment(body.first_node, n_nodes), 1);
-  write_array(out, "contact_gap", contact.gap.segment(body.first_node, n_nodes), 1);
-  write_array(out, "contact_status", contact.status.segment(body.first_node, n_nodes), 1);
+  for (const NodalField& field : contact)
+    write_array(out, field.name.c_str(), field.values.middleRows(body.first_node, n_nodes),
+                field.values.cols() > 1 ? 3 : 1);
   out << "      </PointData>\n      <CellData>\n";
   write_array(out, "cell_stress", cell_stress(mesh, body.element, body.material, displacements), 4);
   out << "      </CellData>\n      <Points>\n";
@@ -106,22 +148,75 @@ void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displ
   out << "    </Piece>\n";
 }
 
+/// Characters that XML has for itself, and what stands for them.
+constexpr std::pair<char, const char*> entities[] = {
+    {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
+
+/// A text between quotation marks of XML.
+std::string in_xml(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    std::string word(1, c);
+    for (const auto& [letter, entity] : entities)
+      if (c == letter) word = entity;
+    result += word;
+  }
+  return result;
+}
+
+/// The value of an attribute of a tag, back from XML; empty without it.
+std::string attribute(const std::string& tag, const std::string& name) {
+  const std::size_t at = tag.find(' ' + name + "=\"");
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + name.size() + 3;
+  std::string value = tag.substr(begin, tag.find('"', begin) - begin);
+  for (std::size_t k = std::size(entities); k-- > 0;)
+    for (std::size_t from = 0; (from = value.find(entities[k].second, from)) != std::string::npos;
+         ++from)
+      value.replace(from, std::char_traits<char>::length(entities[k].second), 1, entities[k].first);
+  return value;
+}
+
 }  // namespace
 
-void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution) {
-  require(solution.contact.report.status == Status::Solved,
-          "write_vtu: the problem was not solved (", to_string(solution.contact.report.status),
-          ')');
-  const NodalContact contact = nodal_contact(model, solution);
+void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution,
+               const PathState* state) {
+  const std::vector<NodalField> contact =
+      nodal_fields(model, solution, pair_columns(model, solution, state));
   std::ostringstream out;
   out << std::setprecision(9);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
          "byte_order=\"LittleEndian\">\n  <UnstructuredGrid>\n";
-  write_notes(out, solution.notes);
+  write_field_data(out, model, solution);
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     write_body(out, model.bodies[b], solution.displacements[b], contact);
   out << "  </UnstructuredGrid>\n</VTKFile>\n";
   write_file(file, out.str());
+}
+
+void write_pvd(const std::filesystem::path& file, const std::vector<TimedFile>& files) {
+  std::ostringstream out;
+  out << std::setprecision(17)
+      << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+         "byte_order=\"LittleEndian\">\n  <Collection>\n";
+  for (const TimedFile& one : files)
+    out << "    <DataSet timestep=\"" << one.time << "\" part=\"0\" file=\"" << in_xml(one.file)
+        << "\"/>\n";
+  out << "  </Collection>\n</VTKFile>\n";
+  write_file(file, out.str());
+}
+
+std::vector<TimedFile> read_pvd(const std::string& content) {
+  std::vector<TimedFile> files;
+  std::istringstream lines(content);
+  for (std::string tag; std::getline(lines, tag);) {
+    const std::string time = attribute(tag, "timestep");
+    TimedFile file{0, attribute(tag, "file")};
+    const char* const end = time.data() + time.size();
+    const auto [rest, failed] = std::from_chars(time.data(), end, file.time);
+    if (failed == std::errc() && rest == end && !file.file.empty()) files.push_back(file);
+  }
+  return files;
 }
 
 }  // namespace signorini

@@ -2,8 +2,10 @@
 /// The solved field as a VTU file, for ParaView and other viewers.
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
-#include "signorini/scene/scene.hpp"
+#include "signorini/scene/steps.hpp"
 
 namespace signorini {
 
@@ -11,14 +13,38 @@ namespace signorini {
 /// with 9 digits.
 ///
 /// Point data: `displacement` [length], `stress` (xx, yy, xy, zz: across the plane, in axial symmetry the hoop
-/// stress) and `von_mises` [force/length^2, tension positive], `contact_pressure` [force/length^2, compression
-/// positive, 0 where there is no pair], `contact_gap` [length, 0 where there is no pair], `contact_status` (1 closed,
-/// 0 open, -1 no pair). Cell data: `cell_stress`. Field data: `notes` of the solution, if it has any.
+/// stress) and `von_mises` [force/length^2, tension positive]; at the nodes of the sources, and 0 everywhere else,
+/// `contact_pressure` [force/length^2, compression positive], `contact_gap` [length] and the vector `contact_traction`
+/// on the source [force/length^2], friction included; `contact_status` (1 closed, 0 open, -1 no pair). Cell data:
+/// `cell_stress`. Field data: `notes` of the solution, if it has any.
+///
+/// With friction also, as in pair_columns(): `contact_shear_traction` [force/length^2], `contact_slip` and, with a state,
+/// `contact_slip_total` [length], all 0 where no pair rubs, and `contact_motion` (0 open, 1 stick, 2 forward, 3 backward,
+/// -1 no pair that rubs). With several contacts: `contact_number`, from 0, -1 without a pair, and the field data
+/// `contacts`, their names in this order. A node with pairs of several contacts shows that with the largest force. Pairs at
+/// Gauss points belong to no node and are not shown; a table has them, see pressure_csv().
 /// \param file      to be written, in a folder that exists
 /// \param model     that was solved
 /// \param solution  of it
-/// \throws std::invalid_argument if the problem is not solved
+/// \param state     after this step of a path, see Step; null: the solution is no step
+/// \throws std::invalid_argument if the problem is not solved, or the state has another number of slips
 /// \throws ProblemError if the file cannot be written
-void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution);
+void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution,
+               const PathState* state = nullptr);
+
+/// A file of the fields at one time.
+struct TimedFile {
+  double time = 0;   ///< of the load step [time]
+  std::string file;  ///< its name, in the folder of the collection
+};
+
+/// Writes which files belong to which times: a PVD collection, which ParaView opens as one animation.
+/// \param file   to be written, in a folder that exists
+/// \param files  in the order of their times
+/// \throws ProblemError if the file cannot be written
+void write_pvd(const std::filesystem::path& file, const std::vector<TimedFile>& files);
+
+/// \param content  of a file that write_pvd() wrote \return its files; none of another content
+[[nodiscard]] std::vector<TimedFile> read_pvd(const std::string& content);
 
 }  // namespace signorini

@@ -1,5 +1,6 @@
 #include "signorini/scene/bodies.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "signorini/core/dense.hpp"
@@ -59,6 +60,25 @@ std::string describe(const std::vector<BodyModel>& bodies, const ContactSpec& co
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
     return text("contact of ", name(contact.source), " with a rigid ", obstacle->name);
   return text("contact of ", name(contact.source), " with ", name(std::get<Side>(contact.target)));
+}
+
+std::vector<std::string> contact_names(const std::vector<BodyModel>& bodies,
+                                       const std::vector<ContactSpec>& contacts) {
+  const auto name = [&bodies](const Side& side) {
+    return text(bodies[body_index(bodies, side)].mesh.name, '.', side.boundary);
+  };
+  std::vector<std::string> names;
+  for (const ContactSpec& contact : contacts) {
+    const Obstacle* const obstacle = std::get_if<Obstacle>(&contact.target);
+    const std::string plain =
+        text(name(contact.source), " on ",
+             obstacle != nullptr ? obstacle->name : name(std::get<Side>(contact.target)));
+    std::string own = plain;
+    for (int count = 2; std::find(names.begin(), names.end(), own) != names.end(); ++count)
+      own = text(plain, " (", count, ')');
+    names.push_back(std::move(own));
+  }
+  return names;
 }
 
 bool rubs(const ContactSpec& contact) {

@@ -44,6 +44,14 @@ void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::Vec
 [[nodiscard]] std::string describe(const std::vector<BodyModel>& bodies,
                                    const ContactSpec& contact);
 
+/// What tables call the contacts of a scene.
+/// \param bodies    of the scene
+/// \param contacts  of the scene
+/// \return of each such as "disc.rim on plate.top", the sides as a scene file has them, or "disc.rim on half plane"; where
+///   two would be called the same, the later ones get " (2)" and so on
+[[nodiscard]] std::vector<std::string> contact_names(const std::vector<BodyModel>& bodies,
+                                                     const std::vector<ContactSpec>& contacts);
+
 /// \param contact  any
 /// \return whether it has friction or cohesion: a law that allows no friction force is none
 [[nodiscard]] bool rubs(const ContactSpec& contact);

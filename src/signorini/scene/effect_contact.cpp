@@ -46,6 +46,7 @@ Pairs pair_up(const ContactSpec& contact, bool sliding, const Plan& draft) {
 void price_contact(const Scene& scene, Plan& draft) {
   for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
   check_listed_once(scene, draft.bodies);
+  draft.contacts = contact_names(draft.bodies, scene.contacts);
   const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), rubs);
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const ContactSpec& contact = scene.contacts[k];
@@ -100,6 +101,8 @@ Effect contact() {
             model.programme.A.swap(plan.gaps.A);
             model.programme.initial_gap = plan.gaps.pairs.initial_gap;
             model.pairs = std::move(plan.gaps.pairs);
+            model.contacts = std::move(plan.contacts);
+            model.contact_of = std::move(plan.contact_of);
           }};
 }
 

@@ -30,16 +30,20 @@ void check_path(const Path& path) {
   pose(path.halvings >= 0, "load steps: halvings must be >= 0, got ", path.halvings);
   std::map<std::string, int> seen;
   for (const History& history : path.histories) {
-    const std::string what = "history '" + history.name + "'";
     pose(!history.name.empty(), "a history of load steps needs a name that loads can refer to");
     pose(++seen[history.name] == 1, "two histories are called '", history.name, "'");
-    pose(!history.times.empty() && history.times.size() == history.values.size(), what,
-         ": expected as many values as times, at least one, got ", history.times.size(),
-         " times and ", history.values.size(), " values");
-    check_increasing(history.times, what);
-    for (const double value : history.values)
-      pose(std::isfinite(value), what, ": every value must be finite, got ", value);
+    check_history(history);
   }
+}
+
+/// The rows of a history, if they are few.
+std::string rows_in_words(const History& history) {
+  constexpr std::size_t few = 6;
+  if (history.times.size() > few) return text(history.times.size(), " rows");
+  std::string rows;
+  for (std::size_t k = 0; k < history.times.size(); ++k)
+    rows += text(k == 0 ? "" : ", ", history.values[k], " at time ", history.times[k]);
+  return rows;
 }
 
 /// The parts of a scene, and how many of its entries follow each.
@@ -125,7 +129,7 @@ void price_steps(const Scene& scene, Plan& draft) {
   draft.on.push_back(text("load steps: ", draft.path.times.size(), " up to time ",
                           draft.path.times.back(), ", one factor for all"));
   for (const History& history : draft.path.histories) {
-    draft.on.push_back(text("history '", history.name, "': ", history.times.size(), " rows, ",
+    draft.on.push_back(text("history '", history.name, "': ", rows_in_words(history), "; ",
                             sorting.entries(history.name), " loads follow it"));
     if (sorting.entries(history.name) == 0)
       draft.notes.push_back("history '" + history.name + "': nothing follows it");
@@ -177,6 +181,16 @@ void add_parts(Plan& plan, Model& model) {
 }
 
 }  // namespace
+
+void check_history(const History& history) {
+  const std::string what = "history '" + history.name + "'";
+  pose(!history.times.empty() && history.times.size() == history.values.size(), what,
+       ": expected as many values as times, at least one, got ", history.times.size(),
+       " times and ", history.values.size(), " values");
+  check_increasing(history.times, what);
+  for (const double value : history.values)
+    pose(std::isfinite(value), what, ": every value must be finite, got ", value);
+}
 
 double History::at(double time) const {
   const auto after = std::upper_bound(times.begin(), times.end(), time);

@@ -18,6 +18,10 @@ struct History {
   [[nodiscard]] double at(double time) const;
 };
 
+/// Refuses a history that is none. \param history  any
+/// \throws ProblemError unless its times are finite and increase and it has as many finite values
+void check_history(const History& history);
+
 /// \param name  of the history \return 0 at time 0, 1 at time 1, straight between
 [[nodiscard]] History proportional(const std::string& name);
 

@@ -142,14 +142,18 @@ class Figures {
         known_(known),
         rows_(static_cast<double>(known.rows.rows())),
         speed_(measure_speed(known.fronts, known.paths)),
-        sample_(sampled(plan, known.stiffness.nonZeros())) {}
+        sample_(sampled(plan, known.stiffness.nonZeros())),
+        steps_(std::max(1.0, static_cast<double>(plan.path.times.size()))) {}
 
   std::vector<PredictedFigure> all() {
     assembly();
     factor();
     condensation();
+    const double once = seconds_;
     contact();
     refinement();
+    if (steps_ > 1)
+      add(Built::PerStep, "a later step", "seconds", (seconds_ - once) / steps_, Trust::Estimate);
     add(Built::Once, "all phases", "seconds", seconds_, Trust::Estimate);
     return std::move(figures_);
   }
@@ -208,14 +212,16 @@ class Figures {
         known_.fronts.solve_operations() + known_.paths.operations, Trust::Exact);
     add(Built::Once, phase, "bytes", number * rows_ * rows_, Trust::Exact);
     add(Built::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()), Trust::Exact);
-    seconds(Built::Once, phase, solve() + over(known_.paths.operations, speed_.carrying));
+    const double all =
+        1 + static_cast<double>(plan_.parts.size());  // each part of a path has its u0
+    seconds(Built::Once, phase, all * solve() + over(known_.paths.operations, speed_.carrying));
   }
 
   void contact() {
     if (rows_ == 0) return;
     const char* const phase = "contact";
     const double size = rows_ + static_cast<double>(plan_.modes.size());
-    constexpr double iterations = 5;
+    const double iterations = 5 * steps_;
     add(Built::PerIteration, phase, "iterations", iterations, Trust::Estimate);
     const double closed = size / 2;
     seconds(Built::PerIteration, phase,
@@ -225,13 +231,15 @@ class Figures {
 
   void refinement() {
     const char* const phase = "refinement";
-    // u without contact takes two sweeps. With contact forces the first only moves u, and three close the rows.
-    const double solves = rows_ == 0 ? 2 : 4;
+    // A solve mends u without contact. Contact forces move it, a sweep mends both, and what it changes of the forces moves
+    // u again; rigid motions take two sweeps more.
+    const double solves = (rows_ == 0 ? 1 : plan_.modes.empty() ? 3 : 5) * steps_;
     add(Built::PerIteration, phase, "solves", solves, Trust::Estimate);
     add(Built::PerIteration, phase, "operations", solves * known_.fronts.solve_operations(),
         Trust::Estimate);
-    // A residual for every sweep, and one for each of two certificates.
-    seconds(Built::PerIteration, phase, solves * solve() + (solves + 2) * sample_.residual);
+    // A residual for every solve that mends, and one for the certificate.
+    const double residuals = rows_ == 0 ? 2 * steps_ : solves - steps_;
+    seconds(Built::PerIteration, phase, solves * solve() + residuals * sample_.residual);
   }
 
   /// Seconds of one solve: two walks through L.
@@ -245,6 +253,7 @@ class Figures {
   double rows_;
   FrontSpeed speed_;
   Sampled sample_;
+  double steps_;
   std::vector<PredictedFigure> figures_;
   double seconds_ = 0;
 };
@@ -266,20 +275,23 @@ Prediction predict(const Plan& plan) {
   return prediction;
 }
 
-std::vector<ConfrontedFigure> confront(const Prediction& prediction, const Ledger& ledger) {
+std::vector<ConfrontedFigure> confront(const Prediction& prediction,
+                                       const std::vector<Ledger>& ledgers) {
   std::vector<ConfrontedFigure> figures;
   for (const PredictedFigure& figure : prediction.figures) {
     figures.push_back({figure, {}});
     std::optional<double>& measured = figures.back().measured;
-    for (const LedgerEntry& entry : ledger.entries()) {
-      if (entry.path != figure.phase) continue;
-      if (figure.what == "seconds")
-        measured = entry.seconds;
-      else if (figure.what == "bytes")
-        measured = static_cast<double>(entry.bytes);
-      else if (entry.counts.count(figure.what) > 0)
-        measured = static_cast<double>(entry.counts.at(figure.what));
-    }
+    const auto add = [&](double amount) { measured = measured.value_or(0) + amount; };
+    for (const Ledger& ledger : ledgers)
+      for (const LedgerEntry& entry : ledger.entries()) {
+        if (entry.path != figure.phase) continue;
+        if (figure.what == "seconds")
+          add(entry.seconds);
+        else if (figure.what == "bytes")
+          add(static_cast<double>(entry.bytes));
+        else if (entry.counts.count(figure.what) > 0)
+          add(static_cast<double>(entry.counts.at(figure.what)));
+      }
   }
   return figures;
 }

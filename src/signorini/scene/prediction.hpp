@@ -58,7 +58,8 @@ struct Prediction {
 /// The pattern of K, the tree of separators and the fronts are made as condense() makes them, without numbers:
 /// entries, bytes and operations of K, of the factor, of the rows of A and of the compliance are exact. How often
 /// contact and refinement go round depends on the numbers, so what hangs on that is an estimate: five contact
-/// iterations if there are gaps, with half of the rows closed, and one refinement of the set that they end with.
+/// iterations if there are gaps, with half of the rows closed, and one refinement of the set that they end with, all
+/// that for every load step.
 /// Seconds come from the speed of this machine on fronts of these sizes, on a walk through the memory and on the
 /// first cells of every body, measured now in some milliseconds.
 /// \param plan  from plan()
@@ -74,10 +75,10 @@ struct ConfrontedFigure {
 
 /// Sets a prediction against the ledger of the run.
 /// \param prediction  of the plan
-/// \param ledger      of build(), condense() and solve()
+/// \param ledgers     of build(), condense() and solve(), or of all load steps: what they have in common adds up
 /// \return all its figures
 [[nodiscard]] std::vector<ConfrontedFigure> confront(const Prediction& prediction,
-                                                     const Ledger& ledger);
+                                                     const std::vector<Ledger>& ledgers);
 
 /// Prints bodies, method, and what is made how often. \param out where to \param prediction what \return `out`
 std::ostream& operator<<(std::ostream& out, const Prediction& prediction);

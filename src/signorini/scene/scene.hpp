@@ -74,6 +74,7 @@ struct Plan {
   Unknowns unknowns;                    ///< `n` of all bodies, one after another
   std::vector<FreeMotion> modes;        ///< `n_r` rigid motions that supports leave to the bodies
   Gaps gaps;                            ///< `n_c` candidate pairs of all contacts, none without
+  std::vector<std::string> contacts;    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of;  ///< `n_c` number of the contact of each pair
   FrictionLaw law;                      ///< of the pairs that can slide and whose own contact rubs
   std::string solver;                   ///< name of the one that the scene asks for

@@ -43,6 +43,8 @@ struct Model {
   std::vector<std::string> notes;    ///< of the plan
   Path path = {};                    ///< load steps, none without
   std::vector<LoadPart> parts = {};  ///< p and g are the sum of these times their histories
+  std::vector<std::string> contacts = {};    ///< names of the contacts, see contact_names()
+  std::vector<std::size_t> contact_of = {};  ///< `n_c` number of the contact of each pair
 };
 
 /// The model with all unknowns but the contact forces eliminated.

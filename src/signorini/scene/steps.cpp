@@ -67,18 +67,6 @@ void forget_slip(const VectorXd& slip, Model& model) {
   if (slip.size() > 0) model.programme.initial_gap.tail(slip.size()) -= slip;
 }
 
-/// Whether a state solves its own step of a model.
-void check_balance(const PathState& state, Model& model) {
-  check_sizes(state, model);
-  if (state.steps == 0) return;
-  set_time(state.time, model);
-  forget_slip(state.slip - state.increment, model);
-  const Certificate certificate = certify(model.programme, state.solution, model.law);
-  pose(certificate.holds(), "the state at time ", state.time,
-       " is of another scene: its displacements and forces do not solve this one then (",
-       certificate, "). Go on with the scene that it was saved from, or start anew");
-}
-
 /// What the loads of a time do along the rigid modes.
 VectorXd resultant_at(double time, const Model& model, const Eigen::MatrixXd& modes) {
   VectorXd load = VectorXd::Zero(model.unknowns.count);
@@ -158,9 +146,7 @@ PathState after(const PathState& past, double time, const Solution& solution) {
   state.time = time;
   state.motion = all_motions(contact);
   state.solution = solution.refined;
-  state.increment = contact.slip;
-  for (Index k = 0; k < state.increment.size(); ++k)
-    if (contact.motion[static_cast<std::size_t>(k)] == Motion::Stick) state.increment(k) = 0;
+  state.increment = increment(contact);
   const VectorXd lost = contact.friction.cwiseProduct(state.increment).cwiseAbs();
   if (past.steps == 0) {
     state.slip = state.increment;
@@ -173,6 +159,17 @@ PathState after(const PathState& past, double time, const Solution& solution) {
 }
 
 }  // namespace
+
+void check_state(const PathState& state, Model& model) {
+  check_sizes(state, model);
+  if (state.steps == 0) return;
+  set_time(state.time, model);
+  forget_slip(state.slip - state.increment, model);
+  const Certificate certificate = certify(model.programme, state.solution, model.law);
+  pose(certificate.holds(), "the state at time ", state.time,
+       " is of another scene: its displacements and forces do not solve this one then (",
+       certificate, "). Go on with the scene that it was saved from, or start anew");
+}
 
 CondensedPath condense_path(const Model& model, Ledger& ledger) {
   check_steps(model, "condense_path");
@@ -214,6 +211,13 @@ void set_time(double time, Model& model) {
   }
 }
 
+VectorXd increment(const ContactState& contact) {
+  VectorXd slip = contact.slip;
+  for (Index k = 0; k < slip.size(); ++k)
+    if (contact.motion[static_cast<std::size_t>(k)] == Motion::Stick) slip(k) = 0;
+  return slip;
+}
+
 Step step(const PathState& past, double time, Model& model, CondensedPath& path, Ledger ledger) {
   check_steps(model, "step");
   check_sizes(past, model);
@@ -242,8 +246,13 @@ PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathS
        "solve_steps: the scene has no load steps; give its `path` times, or use solve()");
   Ledger ledger;
   Model model = build(scene, ledger);
-  check_balance(from, model);
+  check_state(from, model);
   CondensedPath path = condense_path(model, ledger);
+  return solve_steps(model, path, std::move(ledger), observe, from);
+}
+
+PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const StepObserver& observe,
+                    const PathState& from) {
   PathEnd end{from};
   const auto goes = [&](double time) {
     const Step next = step(end.state, time, model, path, std::exchange(ledger, {}));

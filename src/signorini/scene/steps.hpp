@@ -74,6 +74,10 @@ struct PathEnd {
 ///   displacements of its bodies at that time
 void set_time(double time, Model& model);
 
+/// \param contact  of a solution
+/// \return `n_s` slips of the step [length]; exactly 0 of a pair that sticks, where rounding leaves the solution a rest
+[[nodiscard]] Eigen::VectorXd increment(const ContactState& contact);
+
 /// Goes one step. Slip counts from the step before, in the place of the slip of \PaperEq{LinEtAl, 8}.
 /// \param past    where the path is
 /// \param time    where the step ends, beyond `past.time` [time]
@@ -85,6 +89,12 @@ void set_time(double time, Model& model);
 ///   than the model
 [[nodiscard]] Step step(const PathState& past, double time, Model& model, CondensedPath& path,
                         Ledger ledger);
+
+/// Whether a state can be gone on from.
+/// \param state  of a path
+/// \param model  from build() of a scene with load steps; gets the loads of the time of the state
+/// \throws ProblemError unless the state solves its own step of this model
+void check_state(const PathState& state, Model& model);
 
 /// Goes along the path of a scene. A step that is not solved is tried half as long, and again, as often as the path
 /// allows; then the path ends there, with the last state that was good.
@@ -101,6 +111,17 @@ void set_time(double time, Model& model);
 /// \throws ProblemError as build() and condense(), if the scene has no load steps, or if `from` is not of this scene
 [[nodiscard]] PathEnd solve_steps(const Scene& scene, const StepObserver& observe = {},
                                   const PathState& from = {});
+
+/// The same with what a scene was made into.
+/// \param model    from build(); then has the loads of the step that was tried last
+/// \param path     from condense_path() of it
+/// \param ledger   of both, goes on in the first step; every later step has one of its own
+/// \param observe  as above
+/// \param from     as above, through check_state()
+/// \return the end; check its status
+/// \throws ProblemError as step()
+[[nodiscard]] PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger,
+                                  const StepObserver& observe, const PathState& from);
 
 /// Writes a state as text, every number with the digits that give back its bits.
 /// \param state  of a path

@@ -1,3 +1,4 @@
+#include "signorini/elasticity/stress.hpp"
 #include "signorini/elasticity/thermal.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/steps.hpp"
@@ -76,7 +77,9 @@ void WorkMeter::add(const Model& model, const Step& step) {
     const NodeArray change = now.displacement - last.displacement;
     work_.loads += mean_work(last.load, now.load, change);
     work_.supports += mean_work(last.support, now.support, change);
-    work_.strain += 0.5 * strains.cwiseProduct(now.displacement).sum();
+    work_.strain += strain_energy(body.mesh, body.element, body.material, now.displacement);
+    if (body.springs.rows() > 0)
+      work_.strain += 0.5 * flat(now.displacement).dot(body.springs * flat(now.displacement));
     moved.segment(2 * body.first_node, 2 * nodes) = flat(now.displacement);
     last = std::move(now);
   }

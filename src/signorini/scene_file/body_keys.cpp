@@ -68,19 +68,6 @@ VectorField constant(const Vector2d& vector) {
   return [vector](const Vector2d& /*at*/) { return vector; };
 }
 
-/// A key with the name of each boundary and a vector there.
-Key<BodyDraft> vectors(const char* name, const char* unit, const char* help, Bound bound,
-                       void (*put)(Body&, const std::string&, const Vector2d&)) {
-  return {{name, "table of boundary = " + type_name<Vector2d>(bound), unit, "", help},
-          [bound, put](const Value& value, BodyDraft& draft) {
-            each_boundary(value, draft.body.mesh, [&](const Value& item) {
-              Vector2d vector;
-              take(item, vector, bound);
-              put(draft.body, item.name, vector);
-            });
-          }};
-}
-
 /// The boundary that a node at a place lies on: the one with the nearest node.
 std::string boundary_at(const Value& value, const Mesh& mesh, const Vector2d& at) {
   double least = std::numeric_limits<double>::infinity();
@@ -101,12 +88,19 @@ void read_point(const Value& value, BodyDraft& draft) {
   Body& body = draft.body;
   if (!point.force && !point.spring && !point.x && !point.y)
     value.fail("nothing acts at this point: give force, spring, x or y");
-  if (point.force) body.loads.points.push_back({point.at, *point.force});
+  if (point.force) body.loads.points.push_back({point.at, *point.force, point.history});
+  if (const Value* const history = value.find("history");
+      history && !point.force && !point.x && !point.y)
+    history->fail("has no meaning for a spring: leave it out");
   if (!point.spring && !point.x && !point.y) return;
   const std::string boundary = boundary_at(value, body.mesh, point.at);
   if (point.spring) body.springs.push_back({boundary, *point.spring, point.at});
-  if (point.x) body.supports.push_back(prescribed_at(boundary, point.at, Axis::X, *point.x));
-  if (point.y) body.supports.push_back(prescribed_at(boundary, point.at, Axis::Y, *point.y));
+  const auto move = [&](Axis axis, double by) {
+    body.supports.push_back(prescribed_at(boundary, point.at, axis, by));
+    body.supports.back().history = point.history;
+  };
+  if (point.x) move(Axis::X, *point.x);
+  if (point.y) move(Axis::Y, *point.y);
 }
 
 /// Gives the cells of a box a name, and returns it.
@@ -141,18 +135,23 @@ void read_layer(const Value& value, BodyDraft& draft) {
 /// Displacements that are given along a boundary.
 struct Moved {
   std::optional<double> x, y;
+  std::string history;
 };
 
 void read_prescribed(const Value& value, BodyDraft& draft) {
   static const Keys<Moved> keys = {key("x", &Moved::x, "length", "displacement along x"),
-                                   key("y", &Moved::y, "length", "displacement along y")};
+                                   key("y", &Moved::y, "length", "displacement along y"),
+                                   history_key(&Moved::history)};
   each_boundary(value, draft.body.mesh, [&](const Value& item) {
     Moved moved;
     read_members(item, keys, moved);
     if (!moved.x && !moved.y) item.fail("expected { x = ... }, { y = ... } or both");
-    std::vector<Support>& supports = draft.body.supports;
-    if (moved.x) supports.push_back(prescribed(item.name, Axis::X, *moved.x));
-    if (moved.y) supports.push_back(prescribed(item.name, Axis::Y, *moved.y));
+    const auto move = [&](Axis axis, double by) {
+      draft.body.supports.push_back(prescribed(item.name, axis, by));
+      draft.body.supports.back().history = moved.history;
+    };
+    if (moved.x) move(Axis::X, *moved.x);
+    if (moved.y) move(Axis::Y, *moved.y);
   });
 }
 
@@ -211,14 +210,16 @@ const Keys<PointDraft>& point_keys() {
       key("spring", &PointDraft::spring, "force/length", "to the ground, in x and y",
           Bound::NotNegative),
       key("x", &PointDraft::x, "length", "given displacement along x"),
-      key("y", &PointDraft::y, "length", "given displacement along y")};
+      key("y", &PointDraft::y, "length", "given displacement along y"),
+      history_key(&PointDraft::history)};
   return keys;
 }
 
 const Keys<Temperature>& temperature_keys() {
   static const Keys<Temperature> keys = {
       key("uniform", &Temperature::uniform, "temperature", "at the origin"),
-      key("gradient", &Temperature::gradient, "temperature/length", "along x and y")};
+      key("gradient", &Temperature::gradient, "temperature/length", "along x and y"),
+      history_key(&Temperature::history)};
   return keys;
 }
 
@@ -248,31 +249,44 @@ const Keys<BodyDraft>& body_keys() {
       supported("fixed", "no displacement", fixed),
       supported("symmetric", "no displacement across straight boundaries, free along them",
                 symmetric),
-      {{"prescribed", "table of boundary = { x, y }", "length", "",
+      {{"prescribed", "table of boundary = { x, y, history }", "length", "",
         "given displacements, as { right = { x = 0.1 } }; the other component is free"},
        read_prescribed},
-      {{"pressure", "table of boundary = number", "force/length^2", "",
+      {{"pressure", "table of boundary = number, may grow", "force/length^2", "",
         "against the body, as { top = 3.6 }; < 0 pulls"},
        [](const Value& value, BodyDraft& draft) {
          each_boundary(value, draft.body.mesh, [&](const Value& item) {
-           double pressure = 0;
-           take(item, pressure);
-           draft.body.loads.edges.push_back({item.name, pressure, {}});
+           EdgeLoad load;
+           load.boundary = item.name;
+           take_growing(item, load.pressure, load.history);
+           draft.body.loads.edges.push_back(std::move(load));
          });
        }},
-      vectors("traction", "force/length^2", "as { right = [0, -1] }", Bound::Any,
-              [](Body& body, const std::string& boundary, const Vector2d& vector) {
-                body.loads.edges.push_back({boundary, 0, constant(vector)});
-              }),
-      vectors("spring", "force/length^3", "to the ground in x and y, as { bottom = [0, 50] }",
-              Bound::NotNegative,
-              [](Body& body, const std::string& boundary, const Vector2d& vector) {
-                body.springs.push_back({boundary, vector, {}});
-              }),
-      {{"body_force", "[x, y]", "force/length^3", "", "such as the weight"},
+      {{"traction", "table of boundary = [x, y], may grow", "force/length^2", "",
+        "as { right = [0, -1] }"},
+       [](const Value& value, BodyDraft& draft) {
+         each_boundary(value, draft.body.mesh, [&](const Value& item) {
+           EdgeLoad load;
+           load.boundary = item.name;
+           Vector2d traction;
+           take_growing(item, traction, load.history);
+           load.traction = constant(traction);
+           draft.body.loads.edges.push_back(std::move(load));
+         });
+       }},
+      {{"spring", "table of boundary = [x, y] >= 0", "force/length^3", "",
+        "to the ground in x and y, as { bottom = [0, 50] }"},
+       [](const Value& value, BodyDraft& draft) {
+         each_boundary(value, draft.body.mesh, [&](const Value& item) {
+           Vector2d stiffness;
+           take(item, stiffness, Bound::NotNegative);
+           draft.body.springs.push_back({item.name, stiffness, {}});
+         });
+       }},
+      {{"body_force", "[x, y], may grow", "force/length^3", "", "such as the weight"},
        [](const Value& value, BodyDraft& draft) {
          Vector2d force;
-         take(value, force);
+         take_growing(value, force, draft.body.loads.body_force_history);
          draft.body.loads.body_force = constant(force);
        }},
       {{"point", "table or list of them", "", "", "what acts at single points, see point"},

@@ -128,5 +128,6 @@ template struct Plain<std::string>;
 template struct Plain<Eigen::Vector2d>;
 template struct Plain<Eigen::VectorXd>;
 template struct Plain<std::vector<Index>>;
+template struct Plain<std::vector<double>>;
 
 }  // namespace signorini

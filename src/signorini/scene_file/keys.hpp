@@ -98,7 +98,7 @@ void read_members(const Value& table, const Keys<T>& keys, T& into) {
                                                 const std::string& what);
 
 /// What a member of one of the plain types is filled with: double, Index, int, bool, std::string, Vector2d,
-/// VectorXd, lists of Index. take(), type_name() and written() know optional ones and words as well.
+/// VectorXd, lists of Index and of double. take(), type_name() and written() know optional ones and words as well.
 template <typename M>
 struct Plain {
   /// \param value  of a key \param into  receives it \param bound  of numbers

@@ -29,7 +29,8 @@ std::size_t line_of(const SceneFile& file, const std::string& message) {
   const std::vector<Body>& bodies = file.scene.bodies;
   const std::vector<ContactSpec>& contacts = file.scene.contacts;
   const auto fails = [&](std::vector<Body> some, std::vector<ContactSpec> touching) {
-    return fails_with(message, {std::move(some), std::move(touching), file.scene.solver});
+    return fails_with(message,
+                      {std::move(some), std::move(touching), file.scene.solver, file.scene.path});
   };
   for (std::size_t k = 0; k < bodies.size(); ++k)
     if (message.rfind("body '" + bodies[k].mesh.name + "'", 0) == 0 || fails({bodies[k]}, {}))
@@ -91,6 +92,7 @@ SceneFile parse_scene(std::string_view content, const std::string& name,
   read_members(root, scene_keys(), draft);
   if (draft.material && !draft.material_used)
     root.find("material")->fail("is unused: every body has a material of its own");
+  check_histories(root, draft);
   return std::move(draft.file);
 }
 
@@ -115,6 +117,10 @@ std::string key_reference() {
   add_section(page, "Contact: `[[contact]]`", contact_keys());
   add_kinds(page, "Obstacles: `target = { kind = ..., ... }`", obstacle_kinds(), {});
   add_section(page, "Friction", friction_keys());
+  add_section(page, "Load steps: `[[steps]]`", steps_keys());
+  add_section(page, "Load steps: `[[history]]`", history_keys());
+  page += "\n### Load steps: what may grow, as `{ value = ..., history = ... }`\n\n";
+  add_table(page, growing_keys());
   add_section(page, "Output: `[output]`", output_keys());
   return page;
 }

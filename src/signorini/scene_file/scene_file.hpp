@@ -14,9 +14,10 @@ namespace signorini {
 
 /// What a scene file asks to be written; an empty name asks for nothing.
 struct Output {
-  std::string vtu;   ///< meshes and fields, for ParaView
-  std::string csv;   ///< the pressure table
-  std::string plot;  ///< a picture of pressure and deformed meshes
+  std::string vtu;    ///< meshes and fields, for ParaView
+  std::string csv;    ///< the pressure table
+  std::string plot;   ///< a picture of pressure and deformed meshes
+  std::string state;  ///< of the last load step
 };
 
 /// A scene as a file tells it.

@@ -87,14 +87,6 @@ void read_contacts(const Value& value, SceneDraft& draft) {
   }
 }
 
-Key<ContactDraft> distance(const char* name, std::optional<double> ContactSpec::*member,
-                           const char* help) {
-  return {{name, type_name<double>(Bound::NotNegative), "length", "", help},
-          [member](const Value& value, ContactDraft& draft) {
-            take(value, draft.contact.*member, Bound::NotNegative);
-          }};
-}
-
 }  // namespace
 
 const Keys<Friction>& friction_keys() {
@@ -135,10 +127,17 @@ const Keys<ContactDraft>& contact_keys() {
          else
            take(value, friction.coefficient, Bound::NotNegative);
        }},
-      distance("interference", &ContactSpec::interference,
-               "by how much more the sides overlap than the meshes say: a press fit"),
-      distance("adjust", &ContactSpec::adjust,
-               "gaps and overlaps of the meshes up to this count as none"),
+      {{"interference", type_name<double>(Bound::NotNegative) + ", may grow", "length", "",
+        "by how much more the sides overlap than the meshes say: a press fit"},
+       [](const Value& value, ContactDraft& draft) {
+         take_growing(value, draft.contact.interference.emplace(),
+                      draft.contact.interference_history, Bound::NotNegative);
+       }},
+      {{"adjust", type_name<double>(Bound::NotNegative), "length", "",
+        "gaps and overlaps of the meshes up to this count as none"},
+       [](const Value& value, ContactDraft& draft) {
+         take(value, draft.contact.adjust, Bound::NotNegative);
+       }},
       {{"operator", "text", "", written(usual.gap_operator),
         "between two bodies: " + names_of(gap_operators())},
        [](const Value& value, ContactDraft& draft) {
@@ -159,7 +158,8 @@ const Keys<Output>& output_keys() {
   static const Keys<Output> keys = {
       key("vtu", &Output::vtu, "", "file of meshes and fields, for ParaView"),
       key("csv", &Output::csv, "", "file of the pressure table"),
-      key("plot", &Output::plot, "", "picture of pressure and deformed meshes, .svg or .png")};
+      key("plot", &Output::plot, "", "picture of pressure and deformed meshes, .svg or .png"),
+      key("state", &Output::state, "", "of load steps: where they are, for --from")};
   return keys;
 }
 
@@ -182,6 +182,19 @@ const Keys<SceneDraft>& scene_keys() {
       {{"contact", "table or list of them", "", "",
         "what may touch, each a [[contact]], see contact"},
        read_contacts},
+      {{"history", "table or list of them", "", "",
+        "each a [[history]], what loads grow with if steps do not say it, see load steps"},
+       read_histories},
+      {{"steps", "table or list of them", "", "",
+        "each a [[steps]], one after another, see load steps; without it all loads come at once"},
+       read_steps},
+      {{"halvings", type_name<int>(Bound::NotNegative), "", written(Path().halvings),
+        "how often in a row a step that fails is tried half as long"},
+       [](const Value& value, SceneDraft& draft) {
+         std::optional<Path>& path = draft.file.scene.path;
+         if (!path) value.fail("has no meaning without [[steps]]: leave it out");
+         take(value, path->halvings, Bound::NotNegative);
+       }},
       {{"output", "table", "", "", "what is written, into the working folder, see output"},
        [](const Value& value, SceneDraft& draft) {
          read_members(value, output_keys(), draft.file.output);

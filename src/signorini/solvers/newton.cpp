@@ -141,7 +141,7 @@ Attempt first_attempt(const ScaledProblem& problem) {
   Closure& now = attempt.closure;
   now.force.setZero(problem.free.size());
   now.amplitude.setZero(U.cols());
-  double unit = reach(problem.compliance);
+  double unit = reach(problem);
   if (U.cols() > 0) {
     unit = ContactEquations(problem, nested_friction).reach();
     now.force = U * problem.resultant;

@@ -65,13 +65,14 @@ void exchange_motions(const ScaledProblem& problem, Eigen::Index limit, Attempt&
 /// Exchanges with friction if the caller sets no limit.
 inline constexpr Eigen::Index exchange_limit = 50;
 
-/// Finds out what pairs that rub do by sweeps: each pair in turn gets the forces that its law asks for while all
-/// others keep theirs [\ref AcaryEtAl2019]. The number of sweeps doubles, and as often as no fewer pairs changed
-/// in an earlier doubling, exchange_motions() may end it. All sweeps together cost no more than a factorisation of F,
-/// and they use its zeros. They are not counted as iterations.
-/// \param problem  scaled, without rigid modes
-/// \param[in,out] attempt  its report is continued
-void follow_sweeps(const ScaledProblem& problem, Attempt& attempt);
+/// Finds out what pairs that rub do by making them soft: each gets a compliance of its own in the way of every
+/// force, which counts from the forces of the solution before [\ref Rockafellar1976]. Soft pairs settle in a few
+/// exchanges, one that starts from their motions hardly has to change any, and with them the compliance becomes 0: it
+/// is halved where exchange_motions() settles, and four times as large where it does not. Where soft pairs no longer
+/// change, exchange_motions() may end it.
+/// \param problem  scaled
+/// \param[in,out] attempt  where to start; its report is continued, the rest is kept unless this is the end
+void follow_soft_pairs(const ScaledProblem& problem, Attempt& attempt);
 
 /// Follows Lemke's path through all kinds of contact, see lemke().
 /// \param problem  scaled

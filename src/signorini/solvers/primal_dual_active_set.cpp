@@ -74,7 +74,7 @@ Attempt attempt_from(const ScaledProblem& problem, const std::vector<Motion>& mo
 }  // namespace
 
 void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attempt) {
-  const double unit = reach(problem.compliance);
+  const double unit = reach(problem);
   const bool rubs = !problem.law.pair.empty();
   const bool plain = !rubs && problem.rigid.cols() == 0;
   std::set<std::vector<Motion>> seen;
@@ -140,12 +140,13 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
     attempt = std::move(again);
     exchange_motions(scaled, limit, attempt);
   }
-  if (rubs && !floats && asked == 0 && !attempt.confirmed) follow_sweeps(scaled, attempt);
   if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
     Attempt again = first_attempt(scaled);
     again.report = std::move(attempt.report);
     attempt = std::move(again);
-    follow_newton(scaled, nested_friction, attempt.report.iterations + newton_limit, attempt);
+    if (rubs) follow_soft_pairs(scaled, attempt);
+    const Index most = attempt.report.iterations + newton_limit;
+    if (!attempt.confirmed) follow_newton(scaled, nested_friction, most, attempt);
     if (!attempt.confirmed) follow_pivots(scaled, {}, attempt);
   }
   ContactState state = finished(problem, scaled, std::move(attempt));

@@ -26,9 +26,10 @@ namespace signorini {
 ///
 /// With friction a pair has four motions instead of two, see exchange_motions(): Newton's method for the
 /// conditions written with projections [\ref AlartCurnier1991], which arrives in five to ten steps for hundreds
-/// of pairs, or runs in circles. In that case sweeps over the pairs of held bodies find other motions to begin with,
-/// see follow_sweeps(); then Newton's method of fischer_burmeister() starts anew, and the pivots of lemke() end it. With rigid modes the resultant is kept, the first set are the pairs that would be nearer
-/// than the gap their share of the load makes, and the same two methods follow; then there is solve() with springs.
+/// of pairs, or runs in circles. In that case pairs that rub are made soft, see follow_soft_pairs(); then Newton's
+/// method of fischer_burmeister() starts anew, and the pivots of lemke() end it. With rigid modes the resultant is
+/// kept, the first set are the pairs that would be nearer than the gap their share of the load makes, and the same
+/// methods follow; then there is solve() with springs.
 ///
 /// Where `options.start` says what the pairs of a similar problem do, the exchange begins there; if it does not arrive,
 /// all is as without it.

@@ -66,13 +66,14 @@ ContactProblem pile(Index columns, Index layers, double mu) {
 
 }  // namespace
 
-TEST_CASE("a pile of discs: sweeps spare the pivots", "[friction][sweeps]") {
-  for (const double mu : {0.1, 0.3}) {
+TEST_CASE("a pile of discs: soft pairs spare the pivots", "[friction][soft]") {
+  for (const double mu : {0.1, 0.3, 0.6, 1.0}) {
     const ContactProblem problem = pile(10, 10, mu);
     const ContactState state = find_solver("primal_dual_active_set").solve(problem, {});
     CAPTURE(mu, state.reason, state.report.iterations);
     REQUIRE(state.report.status == Status::Solved);
     CHECK(certify(problem, state).worst() <= 1e-13);
-    CHECK(state.report.iterations <= problem.free_gap.size());  // pivots alone would be thousands
+    // Pivots alone would be a hundred thousand.
+    CHECK(state.report.iterations <= 2 * problem.free_gap.size());
   }
 }

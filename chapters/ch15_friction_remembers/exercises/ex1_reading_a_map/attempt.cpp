@@ -1,0 +1,18 @@
+#include "exercise.hpp"
+
+namespace ex15_1 {
+
+double stuck_half_width(const Map& map, std::size_t row) {
+  const std::vector<signorini::Motion>& motion = map.rows.at(row);
+  return motion.empty() ? 0 : map.x.maxCoeff();  // your code here: only what sticks
+}
+
+std::vector<std::size_t> turns(const Map& /*map*/) {
+  return {};  // your code here
+}
+
+std::vector<Eigen::Index> always_stuck(const Map& /*map*/) {
+  return {};  // your code here
+}
+
+}  // namespace ex15_1

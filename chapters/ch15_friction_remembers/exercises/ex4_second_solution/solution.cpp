@@ -1,0 +1,30 @@
+#include <Eigen/LU>
+#include <cmath>
+
+#include "exercise.hpp"
+
+namespace ex15_4 {
+
+using signorini::Motion;
+
+std::vector<Answer> all_answers(const Pair& pair) {
+  const Eigen::Matrix2d& F = pair.compliance;
+  const double mu = pair.coefficient, c = pair.cohesion;
+  std::vector<Answer> found;
+  if (pair.free_gap >= 0) found.push_back({Motion::Open, 0, 0});
+  const Eigen::Vector2d stuck = -F.inverse() * Eigen::Vector2d(pair.free_gap, pair.free_slip);
+  if (stuck(0) >= 0 && std::abs(stuck(1)) <= mu * stuck(0) + c)
+    found.push_back({Motion::Stick, stuck(0), stuck(1)});
+  for (const Motion motion : {Motion::Forward, Motion::Backward}) {
+    const double sign = signorini::friction_sign(motion);  // of the friction force
+    const double stiffness = F(0, 0) + sign * mu * F(0, 1);
+    if (stiffness == 0) continue;
+    const double force = -(pair.free_gap + sign * c * F(0, 1)) / stiffness;
+    const double friction = sign * (mu * force + c);
+    const double slip = pair.free_slip + F(1, 0) * force + F(1, 1) * friction;
+    if (force >= 0 && sign * slip < 0) found.push_back({motion, force, friction});
+  }
+  return found;
+}
+
+}  // namespace ex15_4

@@ -1,0 +1,90 @@
+/// \file
+/// What is known of partial slip in closed form, and by how much a computed one misses it.
+#pragma once
+#include <cmath>
+
+#include "cylinder.hpp"
+#include "signorini/closed_form/cattaneo.hpp"
+#include "signorini/closed_form/hertz.hpp"
+#include "signorini/closed_form/moduli.hpp"
+
+namespace ch15 {
+
+/// The cylinder pressed, without a push: P, and all of theory that follows from it.
+struct Pressed {
+  double P = 0;        ///< [N/mm]
+  PartialSlip slip{};  ///< half-width b, largest pressure q0, mu
+  double Q = 0;        ///< 0.6 mu P, where the push turns [N/mm]
+
+  /// \return the push: to Q at time 2, to -Q at 4, to Q again at 6
+  [[nodiscard]] History push() const { return {"push", {1, 2, 4, 6}, {0, Q, -Q, Q}}; }
+  /// Half-width of what has not slid since the push last turned. \param time  1 to 6 \return [mm]
+  [[nodiscard]] double stuck(double time) const {
+    const double now = push().at(time);
+    if (time <= 2) return stick_half_width(slip, now);
+    return slip.half_width * std::sqrt(1 - (time <= 4 ? Q - now : Q + now) / (2 * mu * P));
+  }
+  /// Shear on the plate. \param time  1 to 6 \param x  [mm] \return closed form [MPa]
+  [[nodiscard]] double shear(double time, double x) const {
+    const double now = push().at(time);
+    if (time <= 2) return slip_traction(slip, now, x);
+    return time <= 4 ? slip_traction_back(slip, Q, now, x) : -slip_traction_back(slip, Q, -now, x);
+  }
+};
+
+/// \return the cylinder pressed
+inline Pressed pressed_cylinder() {
+  Pressed known;
+  remember(by_force(cylinder({1}, pressing, {"push", {1}, {0}})),
+           [&](const Model&, const Step& step) { known.P = step.solution.contact.force.sum(); });
+  const double plane = plane_strain_modulus(resin.youngs_modulus, resin.poisson_ratio);
+  const LineContact contact{R, contact_modulus(plane, plane), known.P};
+  known.slip = {hertz_half_width(contact), hertz_peak_pressure(contact), mu};
+  known.Q = 0.6 * mu * known.P;
+  return known;
+}
+
+/// Misses of the shear within the contact. \param known  closed form \param time  of it \param model  of the
+/// cylinder \param step  to be judged \return root of their mean square over mu q0 [-]
+inline double miss(const Pressed& known, double time, const Model& model, const Step& step) {
+  const Eigen::VectorXd found = shear_of(model, step);
+  double sum = 0, length = 0;
+  for (Index i = 0; i < found.size(); ++i) {
+    const double x = model.pairs.position(i, 0), weight = model.pairs.weight(i);
+    if (std::abs(x) > known.slip.half_width) continue;
+    sum += weight * std::pow(found(i) - known.shear(time, x), 2);
+    length += weight;
+  }
+  return std::sqrt(sum / length) / (mu * known.slip.peak_pressure);
+}
+
+/// What slip in total would miss in closed form: it has the shear of a push that grew to where it is. \param known
+/// closed form \param time  1 to 6 \return as miss()
+inline double forgotten(const Pressed& known, double time) {
+  const int n = 1000;
+  double sum = 0;
+  for (int i = 0; i < n; ++i) {
+    const double x = known.slip.half_width * ((2 * i + 1.) / n - 1);
+    sum += std::pow(slip_traction(known.slip, known.push().at(time), x) - known.shear(time, x), 2);
+  }
+  return std::sqrt(sum / n) / (mu * known.slip.peak_pressure);
+}
+
+/// Half-width of what sticks, read from all of it: what friction has left there to its bound is, in closed form,
+/// mu q0 sqrt(c^2 - x^2) / b. \param known  closed form \param model  of the cylinder \param step  of a push
+/// that grows \return c [mm]
+inline double stuck_half_width(const Pressed& known, const Model& model, const Step& step) {
+  const ContactState& contact = step.solution.contact;
+  const PartialSlip& slip = known.slip;
+  double sum = 0, length = 0;
+  for (Index i = 0; i < contact.friction.size(); ++i) {
+    if (contact.motion[static_cast<std::size_t>(i)] != Motion::Stick) continue;
+    const double weight = model.pairs.weight(i), x = model.pairs.position(i, 0);
+    const double left = (mu * contact.force(i) - std::abs(contact.friction(i))) / weight;
+    sum += weight * (x * x + std::pow(slip.half_width * left / (mu * slip.peak_pressure), 2));
+    length += weight;
+  }
+  return std::sqrt(sum / length);
+}
+
+}  // namespace ch15

@@ -1,0 +1,32 @@
+// What contact did in a solution, for people and for programs.
+#pragma once
+#include <iosfwd>
+#include <string>
+
+#include "signorini/report/json.hpp"
+#include "signorini/scene/steps.hpp"
+
+namespace command_line {
+
+/// \param force  any
+/// \param axial  whether in axial symmetry
+/// \return the force as text; what pushes along the radius all round the axis has no sum
+std::string force_in_words(const Eigen::Vector2d& force, bool axial);
+
+/// Prints of each contact its sums, and its closed pairs if they are few.
+/// \param out       where to
+/// \param model     that was solved
+/// \param solution  of it
+/// \param state     after this step of a path; null: the solution is no step
+void print_contacts(std::ostream& out, const signorini::Model& model,
+                    const signorini::Solution& solution, const signorini::PathState* state);
+
+/// Writes the keys `resultants`, `contacts` and `pairs`: sums, those of each contact, and the columns of all pairs.
+/// \param json      an object
+/// \param model     that was solved
+/// \param solution  of it
+/// \param state     as above
+void write_contacts(signorini::Json& json, const signorini::Model& model,
+                    const signorini::Solution& solution, const signorini::PathState* state);
+
+}  // namespace command_line

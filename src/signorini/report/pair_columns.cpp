@@ -1,0 +1,135 @@
+#include "signorini/report/pair_columns.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/table.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// A number for each pair that rubs, and another for all others.
+VectorXd of_rubbing(const ContactState& contact, const VectorXd& values, double other) {
+  VectorXd all = VectorXd::Constant(contact.force.size(), other);
+  for (std::size_t k = 0; k < contact.rubbing.size(); ++k)
+    all(contact.rubbing[k]) = values(static_cast<Index>(k));
+  return all;
+}
+
+/// Words between commas: quoted if they have commas or quotes of their own.
+std::string csv_word(const std::string& word) {
+  if (word.find_first_of(",\"\n\r") == std::string::npos) return word;
+  std::string quoted = "\"";
+  for (const char c : word) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+void add_friction(const Model& model, const Solution& solution, const PathState* state,
+                  std::vector<PairColumn>& columns) {
+  const ContactState& contact = solution.contact;
+  VectorXd motion(contact.friction.size());
+  for (Index k = 0; k < motion.size(); ++k)
+    motion(k) = static_cast<double>(contact.motion[static_cast<std::size_t>(k)]);
+  std::vector<std::string> motions;
+  for (const Motion word : {Motion::Open, Motion::Stick, Motion::Forward, Motion::Backward})
+    motions.emplace_back(to_string(word));
+  columns.push_back({"shear_traction", "force/length^2", "contact_shear_traction",
+                     shear_tractions(model, solution)});
+  columns.push_back({"shear_force", "force", "", of_rubbing(contact, contact.friction, 0)});
+  columns.push_back(
+      {"slip", "length", "contact_slip", of_rubbing(contact, increment(contact), none)});
+  columns.push_back(
+      {"motion", "-", "contact_motion", of_rubbing(contact, motion, none), std::move(motions)});
+  columns.push_back(
+      {"dissipated", "force*length", "", of_rubbing(contact, dissipated(contact), 0)});
+  if (state == nullptr) return;
+  columns.push_back(
+      {"slip_total", "length", "contact_slip_total", of_rubbing(contact, state->slip, none)});
+  columns.push_back(
+      {"dissipated_total", "force*length", "", of_rubbing(contact, state->dissipation, 0)});
+}
+
+}  // namespace
+
+void check_solved(const Solution& solution, const PathState* state, const char* function) {
+  const ContactState& contact = solution.contact;
+  require(contact.report.status == Status::Solved, function, ": the problem was not solved (",
+          to_string(contact.report.status), ')');
+  const std::size_t n_slips = contact.rubbing.size();
+  require(contact.motion.size() == n_slips &&
+              contact.friction.size() == static_cast<Index>(n_slips) &&
+              contact.slip.size() == static_cast<Index>(n_slips),
+          function, ": expected friction, slip and motion of ", n_slips, " pairs, got ",
+          contact.friction.size(), ", ", contact.slip.size(), " and ", contact.motion.size());
+  require(state == nullptr || (state->slip.size() == contact.friction.size() &&
+                               state->dissipation.size() == contact.friction.size()),
+          function, ": the solution has ", contact.friction.size(),
+          " slips, but the state of its path ", state == nullptr ? 0 : state->slip.size());
+}
+
+VectorXd dissipated(const ContactState& contact) {
+  return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
+}
+
+VectorXd shear_tractions(const Model& model, const Solution& solution) {
+  const ContactState& contact = solution.contact;
+  return of_rubbing(contact, contact.friction, 0).cwiseQuotient(model.pairs.weight);
+}
+
+std::string PairColumn::cell(Index pair, const char* format) const {
+  const double value = values(pair);
+  if (std::isnan(value)) return "";
+  return words.empty() ? number(value, format) : words[static_cast<std::size_t>(value)];
+}
+
+std::vector<PairColumn> pair_columns(const Model& model, const Solution& solution,
+                                     const PathState* state) {
+  check_solved(solution, state, "pair_columns");
+  const ContactState& contact = solution.contact;
+  const Index n_pairs = contact.force.size();
+  VectorXd closed = VectorXd::Zero(n_pairs);
+  for (const Index pair : contact.active) closed(pair) = 1;
+  std::vector<PairColumn> columns;
+  if (state != nullptr)
+    columns.push_back({"time", "time", "", VectorXd::Constant(n_pairs, state->time)});
+  columns.push_back({"x", "length", "", model.pairs.position.col(0)});
+  columns.push_back({"y", "length", "", model.pairs.position.col(1)});
+  columns.push_back({"gap", "length", "contact_gap", contact.gap});
+  columns.push_back({"pressure", "force/length^2", "contact_pressure", solution.pressure});
+  columns.push_back({"force", "force", "", contact.force});
+  columns.push_back({"status", "-", "contact_status", closed, {"open", "closed"}});
+  const std::size_t smooth = columns.size();
+  if (!contact.rubbing.empty()) add_friction(model, solution, state, columns);
+  for (std::size_t k = smooth; k < columns.size(); ++k) columns[k].of_friction = true;
+  if (model.contacts.size() > 1) {
+    VectorXd number(n_pairs);
+    for (Index pair = 0; pair < n_pairs; ++pair)
+      number(pair) = static_cast<double>(model.contact_of[static_cast<std::size_t>(pair)]);
+    columns.push_back({"contact", "-", "contact_number", number, model.contacts});
+  }
+  return columns;
+}
+
+std::string csv_head(const std::vector<PairColumn>& columns) {
+  std::string line;
+  for (const PairColumn& column : columns) line += (line.empty() ? "" : ",") + column.name;
+  return line + '\n';
+}
+
+std::string csv_lines(const std::vector<PairColumn>& columns) {
+  std::string lines;
+  const Index n_pairs = columns.empty() ? 0 : columns.front().values.size();
+  for (Index pair = 0; pair < n_pairs; ++pair)
+    for (const PairColumn& column : columns)
+      lines += csv_word(column.cell(pair)) + (&column == &columns.back() ? '\n' : ',');
+  return lines;
+}
+
+}  // namespace signorini

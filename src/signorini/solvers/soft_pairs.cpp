@@ -1,0 +1,51 @@
+// Pairs that give way, where the exchange of all wrong pairs at once runs in circles.
+#include <algorithm>
+#include <utility>
+
+#include "signorini/core/rounding.hpp"
+#include "signorini/solvers/newton.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// Exchanges for one softness: those that settle need few.
+constexpr Index few = 10;
+
+/// Exchanges that try to end where soft pairs no longer change: it ends at once, or for other reasons.
+constexpr Index last_few = 3;
+
+/// Exchanges from where an attempt stands. \param report  gets them added
+Attempt exchanged(const ScaledProblem& problem, const Attempt& from, Index limit, Report& report) {
+  Attempt next{from.closure, from.motions, {}};
+  exchange_motions(problem, limit, next);
+  append(report, next.report);
+  return next;
+}
+
+}  // namespace
+
+void follow_soft_pairs(const ScaledProblem& problem, Attempt& attempt) {
+  const Index most = attempt.report.iterations + exchange_limit + 2 * problem.free.size();
+  ScaledProblem soft = problem;
+  Attempt at{attempt.closure, attempt.motions, {}};
+  for (double softness = 1; softness > epsilon && attempt.report.iterations < most;) {
+    soft.compliance.diagonal() = problem.compliance.diagonal().array() + softness;
+    for (Index i = 0; i < soft.sparse.cols(); ++i)
+      soft.sparse.coeffRef(i, i) = soft.compliance(i, i);
+    soft.free = problem.free - softness * at.closure.force;
+    Attempt next = exchanged(soft, at, few, attempt.report);
+    softness *= next.confirmed ? 0.5 : 4;
+    if (!next.confirmed) continue;
+    at = std::move(next);
+    if (at.report.iterations > 1) continue;
+    Attempt end = exchanged(problem, at, last_few, attempt.report);
+    if (!end.confirmed) continue;
+    end.report = std::move(attempt.report);
+    attempt = std::move(end);
+    return;
+  }
+}
+
+}  // namespace signorini

@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "catch_compat.hpp"
+#include "signorini/report/vtu.hpp"
+#include "signorini/scene/readings.hpp"
+#include "support/cantilever.hpp"
+#include "support/folder.hpp"
+#include "support/two_bodies.hpp"
+#include "support/vtu_file.hpp"
+
+using namespace signorini;
+using signorini_test::array_of;
+using signorini_test::content_of;
+using signorini_test::Folder;
+using signorini_test::is_balanced;
+using signorini_test::lines_in;
+
+TEST_CASE("a VTU file shows friction and tells contacts apart", "[vtu][friction]") {
+  Scene scene;
+  scene.bodies[0].mesh = signorini_test::named_block("block", {0, 0}, {4, 2}, 8, 4);
+  scene.bodies[0].material = {1000, 0.3, PlaneState::Strain, 1};
+  scene.bodies[0].loads.edges = {{"top", 5, {}}, {"right", 1, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})},
+                    {{"left"}, half_plane({0, 0}, {1, 0})}};
+  scene.contacts[0].friction = Friction{0.1, 0};
+  const SolvedScene run = solved(scene, "block");
+  const ContactState& contact = run.solution.contact;
+  const Folder folder;
+  write_vtu(folder.path() / "block.vtu", run.model, run.solution);
+  const std::string file = content_of(folder.path() / "block.vtu");
+  CHECK(is_balanced(file));
+  const auto points = static_cast<std::size_t>(run.model.bodies[0].mesh.n_nodes());
+  const std::vector<std::string> traction = array_of(file, "contact_traction");
+  const std::vector<std::string> shear = array_of(file, "contact_shear_traction");
+  const std::vector<std::string> slip = array_of(file, "contact_slip");
+  const std::vector<std::string> motion = array_of(file, "contact_motion");
+  const std::vector<std::string> number = array_of(file, "contact_number");
+  REQUIRE(traction.size() == 3 * points);
+  for (const auto* words : {&shear, &slip, &motion, &number}) REQUIRE(words->size() == points);
+  CHECK(array_of(file, "contact_slip_total").empty());
+  // 9 nodes on the floor and 5 at the wall have one in common, where the floor bears more.
+  CHECK(std::count(number.begin(), number.end(), "0") == 9);
+  CHECK(std::count(number.begin(), number.end(), "1") == 4);
+  CHECK(std::count(motion.begin(), motion.end(), "-1") == static_cast<long>(points) - 9);
+  CHECK(std::count(motion.begin(), motion.end(), "2") > 0);
+  for (std::size_t k = 1; k < contact.rubbing.size(); ++k) {  // without the corner
+    const auto row = static_cast<Eigen::Index>(k);
+    const Eigen::Index pair = contact.rubbing[k];
+    const auto node =
+        static_cast<std::size_t>(run.model.pairs.node[static_cast<std::size_t>(pair)]);
+    const double pressure = run.solution.pressure(pair);
+    CAPTURE(node);
+    CHECK(motion[node] == std::to_string(static_cast<int>(contact.motion[k])));
+    CHECK(std::stod(shear[node]) ==
+          Approx(contact.friction(row) / run.model.pairs.weight(pair)).epsilon(1e-8).margin(0));
+    CHECK(std::stod(slip[node]) == Approx(increment(contact)(row)).epsilon(1e-8).margin(0));
+    CHECK(std::stod(traction[3 * node]) == Approx(std::stod(shear[node])).epsilon(1e-8).margin(0));
+    CHECK(std::stod(traction[3 * node + 1]) == Approx(pressure).epsilon(1e-8).margin(0));
+  }
+  CHECK(lines_in(file, "contacts") == "block.bottom on half plane|block.left on half plane|");
+}
+
+TEST_CASE("a VTU file of a load step has the slip in total", "[vtu][steps]") {
+  SolvedScene run = solved(signorini_test::cantilever("q4", 10, 2), "beam");
+  const Eigen::Index pair = run.solution.contact.active.front();
+  const auto node = static_cast<std::size_t>(run.model.pairs.node[static_cast<std::size_t>(pair)]);
+  run.solution.contact.rubbing = {pair};
+  run.solution.contact.motion = {Motion::Backward};
+  run.solution.contact.friction = Eigen::VectorXd::Constant(1, 3);
+  run.solution.contact.slip = Eigen::VectorXd::Constant(1, -0.5);
+  PathState state;
+  state.slip = Eigen::VectorXd::Constant(1, -1.5);
+  state.dissipation = Eigen::VectorXd::Constant(1, 4.5);
+  const Folder folder;
+  write_vtu(folder.path() / "step.vtu", run.model, run.solution, &state);
+  const std::string file = content_of(folder.path() / "step.vtu");
+  CHECK(array_of(file, "contact_slip").at(node) == "-0.5");
+  CHECK(array_of(file, "contact_slip_total").at(node) == "-1.5");
+  CHECK(array_of(file, "contact_motion").at(node) == "3");
+  state.slip.setZero(2);
+  CHECK_THROWS_AS(write_vtu(folder.path() / "other.vtu", run.model, run.solution, &state),
+                  std::invalid_argument);
+}

@@ -1,0 +1,46 @@
+// What stands in a VTU file.
+#pragma once
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace signorini_test {
+
+/// The words between the array called `name` and its end tag; empty if there is none.
+inline std::vector<std::string> array_of(const std::string& file, const std::string& name) {
+  const std::size_t tag = file.find("Name=\"" + name + "\"");
+  if (tag == std::string::npos) return {};
+  const std::size_t begin = file.find('>', tag) + 1;
+  std::istringstream in(file.substr(begin, file.find("</DataArray>", begin) - begin));
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+/// Whether every tag that is opened is closed in the right order.
+inline bool is_balanced(const std::string& file) {
+  std::vector<std::string> open;
+  for (std::size_t at = file.find('<'); at != std::string::npos; at = file.find('<', at + 1)) {
+    const std::size_t end = file.find('>', at);
+    if (end == std::string::npos) return false;
+    const std::string tag = file.substr(at + 1, end - at - 1);
+    if (tag[0] == '?') continue;
+    if (tag[0] == '/') {
+      if (open.empty() || open.back() != tag.substr(1)) return false;
+      open.pop_back();
+    } else if (tag.back() != '/') {
+      open.push_back(tag.substr(0, tag.find(' ')));
+    }
+  }
+  return open.empty();
+}
+
+/// The lines of an array of texts, each with a bar behind it.
+inline std::string lines_in(const std::string& file, const std::string& name) {
+  std::string lines;
+  for (const std::string& word : array_of(file, name))
+    lines += word == "0" ? '|' : static_cast<char>(std::stoi(word));
+  return lines;
+}
+
+}  // namespace signorini_test
