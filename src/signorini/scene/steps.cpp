@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "signorini/closing/closing.hpp"
-#include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/programme/rigid_modes.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/steps_limit.hpp"
 
 namespace signorini {
 namespace {
@@ -67,32 +66,6 @@ void forget_slip(const VectorXd& slip, Model& model) {
   if (slip.size() > 0) model.programme.initial_gap.tail(slip.size()) -= slip;
 }
 
-/// What the loads of a time do along the rigid modes.
-VectorXd resultant_at(double time, const Model& model, const Eigen::MatrixXd& modes) {
-  VectorXd load = VectorXd::Zero(model.unknowns.count);
-  for (const LoadPart& part : model.parts) load += factor_of(model.path, part, time) * part.load;
-  return rigid_resultant(load, modes);
-}
-
-/// Until when contact and friction can balance the loads of a step, which are linear between the rows of histories.
-double balanced_until(double begin, double end, const Model& model, ContactProblem problem) {
-  std::vector<double> times = {end};
-  for (const History& history : model.path.histories)
-    for (const double row : history.times)
-      if (row > begin && row < end) times.push_back(row);
-  std::sort(times.begin(), times.end());
-  const Eigen::MatrixXd modes = mode_shapes(model.modes);
-  VectorXd before = resultant_at(begin, model, modes);
-  for (const double time : times) {
-    problem.resultant = resultant_at(time, model, modes);
-    const double share = balanced_share(problem, before);
-    if (share < 1) return begin + share * (time - begin);
-    before = problem.resultant;
-    begin = time;
-  }
-  return end;
-}
-
 /// Says why a step failed, and until when its loads can be balanced at all.
 void tell(const Solution& failed, double time, PathEnd& end) {
   const std::string& why = failed.contact.reason;
@@ -104,34 +77,6 @@ void tell(const Solution& failed, double time, PathEnd& end) {
     end.limit = end.state.time + *failed.limit * (time - end.state.time);
   if (end.limit)
     end.reason += text(". Contact and friction hold the loads until time ", *end.limit, " at most");
-}
-
-/// The share of a step that failed after which some pair can no longer do what it did last, with loads that grow in
-/// proportion: one that sticks would slide, or one that is closed be pulled. Nothing if that cannot be foreseen.
-std::optional<double> first_change(const PathState& past, const ContactProblem& problem) {
-  if (past.steps == 0) return std::nullopt;
-  const ScaledProblem scaled = equilibrate(problem);
-  const Closure end = close(scaled, past.motion);
-  if (!end.solvable) return std::nullopt;
-  const VectorXd& now = past.solution.force;
-  const VectorXd then = scaled.scale.cwiseProduct(end.force);
-  double share = 1;
-  const auto use_up = [&share](double room, double left) {
-    if (left < 0) share = std::min(share, std::max(0.0, room / (room - left)));
-  };
-  const Index pairs = scaled.pairs();
-  for (Index i = 0; i < pairs; ++i)
-    if (past.motion[static_cast<std::size_t>(i)] != Motion::Open) use_up(now(i), then(i));
-  const FrictionLaw& law = problem.law;
-  for (Index k = 0; k < law.coefficient.size(); ++k) {
-    const Index pair = law.pair[static_cast<std::size_t>(k)];
-    if (past.motion[static_cast<std::size_t>(pair)] != Motion::Stick) continue;
-    const auto room = [&](const VectorXd& force, double sign) {
-      return law.coefficient(k) * force(pair) + law.cohesion(k) - sign * force(pairs + k);
-    };
-    for (const double sign : {-1.0, 1.0}) use_up(room(now, sign), room(then, sign));
-  }
-  return share < 1 ? std::optional<double>(share) : std::nullopt;
 }
 
 PathEnd ended(PathEnd end) {
