@@ -159,6 +159,22 @@ TEST_CASE(
   CHECK(*solve_steps(scene).limit == Approx(*end.limit).epsilon(1e-9).margin(0));
 }
 
+TEST_CASE("a load beyond what is held, without a proof: the limit is found by growing it",
+          "[friction][limit]") {
+  const double angle = 0.7;
+  const Scene full =  // as much as statics could hold
+      loaded(resting(Friction{0, 0.2}, angle, 1), 0.2 / std::sin(angle));
+  const Solution slides = solve(full);
+  CHECK(slides.contact.report.status != Status::Solved);
+  CHECK(slides.escape.empty());
+  REQUIRE(slides.limit.has_value());
+  CHECK(*slides.limit < 0.99);
+  CHECK_THAT(why_unsolved(slides), ContainsSubstring(text(*slides.limit)) &&
+                                       ContainsSubstring("nothing is found beyond"));
+  CHECK(solve(loaded(full, (1 - 1e-9) * *slides.limit)).contact.report.status == Status::Solved);
+  CHECK(solve(loaded(full, (1 + 1e-9) * *slides.limit)).contact.report.status != Status::Solved);
+}
+
 TEST_CASE("a body that contact alone holds is followed to where it lifts off", "[limit][steps]") {
   Scene scene = resting(Friction{});
   scene.bodies[0].supports = {prescribed("left", Axis::X, 0)};

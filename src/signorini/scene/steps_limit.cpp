@@ -21,6 +21,20 @@ VectorXd resultant_at(double time, const Model& model, const Eigen::MatrixXd& mo
   return rigid_resultant(load, modes);
 }
 
+/// The scene in one step in which all that loads it grows from nothing.
+Scene grown(Scene scene) {
+  const History load = proportional("load");
+  for (Body& body : scene.bodies) {
+    body.loads.body_force_history = load.name;
+    for (EdgeLoad& edge : body.loads.edges) edge.history = load.name;
+    for (PointForce& point : body.loads.points) point.history = load.name;
+    for (Support& support : body.supports) support.history = load.name;
+    if (body.temperature) body.temperature->history = load.name;
+  }
+  scene.path = Path{{1}, {load}};
+  return scene;
+}
+
 }  // namespace
 
 double balanced_until(double begin, double end, const Model& model, ContactProblem problem) {
@@ -65,6 +79,12 @@ std::optional<double> first_change(const PathState& past, const ContactProblem& 
     for (const double sign : {-1.0, 1.0}) use_up(room(now, sign), room(then, sign));
   }
   return share < 1 ? std::optional<double>(share) : std::nullopt;
+}
+
+void follow_to_limit(const Scene& scene, Solution& solution) {
+  if (solution.contact.report.status == Status::Solved || solution.limit) return;
+  if (std::none_of(scene.contacts.begin(), scene.contacts.end(), rubs)) return;
+  solution.limit = solve_steps(grown(scene)).limit;
 }
 
 }  // namespace signorini

@@ -1,5 +1,5 @@
 /// \file
-/// How far the loads of a step that failed can go.
+/// How far loads can go that were not solved.
 #pragma once
 #include <optional>
 
@@ -24,5 +24,12 @@ namespace signorini {
 /// \return the share, from 0 to 1 [-]; nothing if no such change can be foreseen
 [[nodiscard]] std::optional<double> first_change(const PathState& past,
                                                  const ContactProblem& problem);
+
+/// Finds out how much of its loads a scene with friction holds, if it was not solved and no proof says why: with the
+/// loads, temperatures and given displacements grown from nothing in proportion, by solve_steps(). Gaps and interferences
+/// are there from the beginning. A scene that was solved costs nothing.
+/// \param scene  without load steps
+/// \param[in,out] solution  of it; gets its limit if there is one
+void follow_to_limit(const Scene& scene, Solution& solution);
 
 }  // namespace signorini
