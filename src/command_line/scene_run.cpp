@@ -16,6 +16,7 @@
 #include "signorini/problem_file/problem_file.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/vtu.hpp"
+#include "signorini/scene/steps_limit.hpp"
 
 namespace command_line {
 namespace {
@@ -143,6 +144,7 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
   const Condensed condensed = run.step([&] { return condense(*run.model, ledger); });
   progress.say(text(all, "solving"));
   run.solution = run.step([&] { return solve(*run.model, condensed, ledger); });
+  follow_to_limit(run.file.scene, *run.solution);
   run.ledgers = {run.solution->ledger};
 }
 

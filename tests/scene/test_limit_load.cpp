@@ -143,14 +143,36 @@ TEST_CASE(
   const PathEnd end =
       solve_steps(scene, [&](const Model&, const Step& step) { times.push_back(step.state.time); });
   CHECK(end.status != Status::Solved);
-  CHECK_FALSE(end.limit.has_value());
+  REQUIRE(end.limit.has_value());
   REQUIRE_FALSE(times.empty());
+  CHECK(end.state.time >= *end.limit - 1e-10);
+  CHECK(end.state.time <= *end.limit);
   CHECK(end.state.time == times.back());
   CHECK(end.state.time > 0.9);
   CHECK(end.state.time < 0.99);
   CHECK(end.halvings > 3);
-  CHECK_THAT(end.reason,
-             ContainsSubstring("last good state") && ContainsSubstring("halved 3 times"));
+  CHECK_THAT(end.reason, ContainsSubstring("last good state") &&
+                             ContainsSubstring("halved 3 times") &&
+                             ContainsSubstring("nothing is found beyond"));
+  // Every other number of halvings leads to the same limit.
+  scene.path->halvings = 5;
+  CHECK(*solve_steps(scene).limit == Approx(*end.limit).epsilon(1e-9).margin(0));
+}
+
+TEST_CASE("a load beyond what is held, without a proof: the limit is found by growing it",
+          "[friction][limit]") {
+  const double angle = 0.7;
+  const Scene full =  // as much as statics could hold
+      loaded(resting(Friction{0, 0.2}, angle, 1), 0.2 / std::sin(angle));
+  const Solution slides = solve(full);
+  CHECK(slides.contact.report.status != Status::Solved);
+  CHECK(slides.escape.empty());
+  REQUIRE(slides.limit.has_value());
+  CHECK(*slides.limit < 0.99);
+  CHECK_THAT(why_unsolved(slides), ContainsSubstring(text(*slides.limit)) &&
+                                       ContainsSubstring("nothing is found beyond"));
+  CHECK(solve(loaded(full, (1 - 1e-9) * *slides.limit)).contact.report.status == Status::Solved);
+  CHECK(solve(loaded(full, (1 + 1e-9) * *slides.limit)).contact.report.status != Status::Solved);
 }
 
 TEST_CASE("a body that contact alone holds is followed to where it lifts off", "[limit][steps]") {
@@ -166,4 +188,31 @@ TEST_CASE("a body that contact alone holds is followed to where it lifts off", "
   CHECK(*end.limit == Approx(0.5).epsilon(1e-13).margin(0));
   CHECK(end.state.time > 0.5 - 1e-9);
   CHECK(end.state.steps == 2);
+}
+
+// Pressed by given displacements, so that no statics bounds the pressure: what holds the block is what its walls press.
+TEST_CASE("a block wedged between walls is pulled out when all of it slides",
+          "[friction][limit][steps]") {
+  const double mu = 0.2;
+  Scene scene = resting(Friction{mu, 0}, 0, 1);
+  Body& body = scene.bodies[0];
+  body.loads = {};
+  scene.contacts.push_back({{"top"}, half_plane({0, 1}, {0, -1})});
+  for (ContactSpec& contact : scene.contacts) {
+    contact.friction = Friction{mu, 0};
+    contact.interference = 0.001;
+  }
+  body.loads.edges = {
+      {"right", 0, [](const Eigen::Vector2d&) { return Eigen::Vector2d(10, 0); }, "pull"}};
+  scene.path = Path{{0.01, 1}, {proportional("pull")}};
+  const PathEnd end = solve_steps(scene);
+  CAPTURE(end.reason);
+  CHECK(end.status != Status::Solved);
+  REQUIRE(end.limit.has_value());
+  CHECK(end.state.time >= *end.limit - 1e-10);
+  const Eigen::VectorXd& force = end.state.solution.force;
+  const Eigen::Index pairs = force.size() / 2;
+  CHECK(force.tail(pairs).cwiseAbs().sum() == Approx(10 * end.state.time).epsilon(1e-11).margin(0));
+  CHECK(force.tail(pairs).cwiseAbs().sum() ==
+        Approx(mu * force.head(pairs).sum()).epsilon(1e-8).margin(0));
 }

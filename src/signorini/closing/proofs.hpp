@@ -5,8 +5,12 @@
 #include <vector>
 
 #include "signorini/closing/closing.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
+
+/// What rounding may have done to numbers that a proof rests on.
+inline constexpr double proof_rounding = 1e3 * epsilon;
 
 /// Whether y proves that nothing solves a problem, checked on the original data in twice the working precision.
 ///

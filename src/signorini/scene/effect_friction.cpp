@@ -33,6 +33,19 @@ bool can_slide(const Gaps& gaps, Index pair) {
   return gaps.initial_slip(pair) != 0 || gaps.T.row(pair).norm() > 0;
 }
 
+/// Notes contacts that rub in vain.
+void note_idle_friction(const Scene& scene, Plan& draft) {
+  std::vector<bool> has_pairs(scene.contacts.size()), slides(scene.contacts.size());
+  for (const std::size_t contact : draft.contact_of) has_pairs[contact] = true;
+  for (const Index pair : draft.law.pair)
+    slides[draft.contact_of[static_cast<std::size_t>(pair)]] = true;
+  for (std::size_t k = 0; k < scene.contacts.size(); ++k)
+    if (rubs(scene.contacts[k]) && has_pairs[k] && !slides[k])
+      draft.notes.push_back(describe(draft.bodies, scene.contacts[k]) +
+                            ": friction does nothing, because supports hold every pair along the "
+                            "tangent");
+}
+
 /// Slips that friction and cohesion share: of the pairs that can slide and whose own contact rubs.
 void take_slips(const Scene& scene, Plan& draft) {
   FrictionLaw& law = draft.law;
@@ -96,6 +109,7 @@ Effect friction() {
           [](const Scene& scene, Plan& draft) {
             draft.law.coefficient = price(scene, draft, &Friction::coefficient,
                                           "friction coefficient", &FrictionBound::slope);
+            note_idle_friction(scene, draft);
           },
           add_slips};
 }
@@ -107,6 +121,7 @@ Effect cohesion() {
       [](const Scene& scene, Plan& draft) {
         draft.law.cohesion =
             price(scene, draft, &Friction::cohesion, "cohesion", &FrictionBound::offset);
+        if (!any_has(scene, &Friction::coefficient)) note_idle_friction(scene, draft);
       },
       add_slips};
 }

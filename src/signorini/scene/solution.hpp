@@ -65,8 +65,8 @@ struct Solution {
   /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
   std::string escape;  ///< if the load pulls a body away: how it moves off
-  /// If it is proved that contact and friction cannot balance the load: the share of it that they can balance at most,
-  /// in a load step of what the step adds [-], see balanced_share(). Without friction and steps it is left out: it is 0
+  /// What contact and friction can hold at most of the load, in a load step of what the step adds [-]: with `escape` it
+  /// is proved by balanced_share(), else found by follow_to_limit(); or nothing, as without friction and steps
   std::optional<double> limit = {};
   /// What a user should know: the notes of the plan, then such as that others may exist or that strains are large.
   std::vector<std::string> notes;

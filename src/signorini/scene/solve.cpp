@@ -10,6 +10,7 @@
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/scene.hpp"
+#include "signorini/scene/steps_limit.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
@@ -121,8 +122,12 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
 }
 
 /// How much of the load would be held.
-std::string limit_in_words(const std::optional<double>& limit) {
+std::string limit_in_words(const Solution& solution) {
+  const std::optional<double>& limit = solution.limit;
   if (!limit) return {};
+  if (solution.escape.empty())
+    return text("Grown from nothing in proportion, ", *limit,
+                " of this load is held, and nothing is found beyond");
   if (*limit == 0)
     return "Friction holds no part of this load, however small, because it grows with the load. ";
   return text("Friction holds at most ", *limit, " of this load. ");
@@ -193,9 +198,11 @@ Solution solve(const Model& model, const Condensed& condensed, Ledger ledger) {
 
 std::string why_unsolved(const Solution& solution) {
   const std::string& reason = solution.contact.reason;
-  if (solution.escape.empty()) return reason;
+  if (solution.escape.empty() && !solution.limit) return reason;
+  if (solution.escape.empty())
+    return text(reason, reason.empty() ? "" : ". ", limit_in_words(solution));
   return text(reason.empty() ? "the load pulls a body away from all it could rest on" : reason,
-              ": ", solution.escape, ". ", limit_in_words(solution.limit),
+              ": ", solution.escape, ". ", limit_in_words(solution),
               "Turn the load round or add a support");
 }
 
@@ -218,7 +225,9 @@ Solution solve(const Scene& scene) {
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);
-  return solve(model, condensed, std::move(ledger));
+  Solution solution = solve(model, condensed, std::move(ledger));
+  follow_to_limit(scene, solution);
+  return solution;
 }
 
 }  // namespace signorini

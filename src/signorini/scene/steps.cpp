@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "signorini/closing/closing.hpp"
-#include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/programme/rigid_modes.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/steps_limit.hpp"
 
 namespace signorini {
 namespace {
@@ -65,32 +64,6 @@ void check_sizes(const PathState& state, const Model& model) {
 /// Lets the slips of a model count from where they were.
 void forget_slip(const VectorXd& slip, Model& model) {
   if (slip.size() > 0) model.programme.initial_gap.tail(slip.size()) -= slip;
-}
-
-/// What the loads of a time do along the rigid modes.
-VectorXd resultant_at(double time, const Model& model, const Eigen::MatrixXd& modes) {
-  VectorXd load = VectorXd::Zero(model.unknowns.count);
-  for (const LoadPart& part : model.parts) load += factor_of(model.path, part, time) * part.load;
-  return rigid_resultant(load, modes);
-}
-
-/// Until when contact and friction can balance the loads of a step, which are linear between the rows of histories.
-double balanced_until(double begin, double end, const Model& model, ContactProblem problem) {
-  std::vector<double> times = {end};
-  for (const History& history : model.path.histories)
-    for (const double row : history.times)
-      if (row > begin && row < end) times.push_back(row);
-  std::sort(times.begin(), times.end());
-  const Eigen::MatrixXd modes = mode_shapes(model.modes);
-  VectorXd before = resultant_at(begin, model, modes);
-  for (const double time : times) {
-    problem.resultant = resultant_at(time, model, modes);
-    const double share = balanced_share(problem, before);
-    if (share < 1) return begin + share * (time - begin);
-    before = problem.resultant;
-    begin = time;
-  }
-  return end;
 }
 
 /// Says why a step failed, and until when its loads can be balanced at all.
@@ -226,38 +199,57 @@ PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathS
 PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const StepObserver& observe,
                     const PathState& from) {
   PathEnd end{from};
+  const auto goes = [&](double time) {
+    const Step next = step(end.state, time, model, path, std::exchange(ledger, {}));
+    const bool solved = next.solution.contact.report.status == Status::Solved;
+    if (solved) {
+      end.state = next.state;
+      if (observe) observe(model, next);
+    } else {
+      tell(next.solution, time, end);
+    }
+    return solved;
+  };
   double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
+  Index foreseen = 0;                                     // changes of pairs
   for (const double target : model.path.times) {
+    const double margin = limit_margin * (target - end.state.time);
     double reach = target;
     for (int halved = 0; end.state.time < target;) {
-      const Step next = step(end.state, reach, model, path, std::exchange(ledger, {}));
-      if (next.solution.contact.report.status == Status::Solved) {
-        end.state = next.state;
-        if (observe) observe(model, next);
-        if (end.state.time >= held) return ended(std::move(end));
-        if (!end.limit) {
-          end.status = Status::Solved;
-          end.reason.clear();
-        }
+      const double begin = end.state.time;
+      const bool known = end.limit.has_value();
+      if (goes(reach)) {
+        if (reach >= held) return ended(std::move(end));
         reach = std::min(target, held);
         halved = 0;
-        continue;
+      } else if (end.limit && !known) {
+        if (*end.limit - begin <= margin) return ended(std::move(end));
+        reach = held = *end.limit - margin;
+      } else if (++halved <= model.path.halvings) {
+        ++end.halvings;
+        reach = begin + 0.5 * (reach - begin);
+      } else {
+        std::optional<double> share;
+        if (foreseen++ < model.programme.A.rows())
+          share = first_change(end.state, path.condensed.problem);
+        const double change = begin + share.value_or(0) * (reach - begin);
+        const bool until = share && (change - margin <= begin || goes(change - margin));
+        if (!until || !goes(change + margin)) {
+          if (until) end.limit = change;
+          end.reason +=
+              text(". The step to ", target, " was halved ", model.path.halvings, " times",
+                   until ? text(", and nothing is found beyond time ", change,
+                                ", where pairs begin to slide or to open")
+                         : "");
+          return ended(std::move(end));
+        }
+        reach = target;
+        halved = 0;
       }
-      const bool known = end.limit.has_value();
-      tell(next.solution, reach, end);
-      if (end.limit && !known) {
-        const double left = *end.limit - end.state.time;
-        if (left <= limit_margin * (reach - end.state.time)) return ended(std::move(end));
-        held = end.state.time + (1 - limit_margin) * left;
-        reach = held;
-        continue;
-      }
-      if (++halved > model.path.halvings) {
-        end.reason += text(". The step to ", target, " was halved ", model.path.halvings, " times");
-        return ended(std::move(end));
-      }
-      ++end.halvings;
-      reach = end.state.time + 0.5 * (reach - end.state.time);
+    }
+    if (!end.limit) {
+      end.status = Status::Solved;
+      end.reason.clear();
     }
   }
   return end;

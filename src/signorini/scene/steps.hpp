@@ -56,8 +56,8 @@ struct PathEnd {
   std::string reason =
       {};  ///< in words, if it was not reached: where, why, and where to go on from
   Eigen::Index halvings = 0;  ///< how many steps failed and were tried half as long
-  /// If it is proved that contact and friction cannot balance the loads of the step that failed: the time from which on
-  /// they cannot [time], see Solution::limit
+  /// From which time on the loads are more than contact and friction can hold [time], if that was found: `Infeasible`
+  /// proves that nothing balances them beyond, see Solution::limit; else nothing was found 1e-10 of the step beyond
   std::optional<double> limit = {};
 };
 
@@ -97,9 +97,12 @@ void set_time(double time, Model& model);
 void check_state(const PathState& state, Model& model);
 
 /// Goes along the path of a scene. A step that is not solved is tried half as long, and again, as often as the path
-/// allows; then the path ends there, with the last state that was good. If it is proved that nothing balances the loads
-/// of a step, the next one goes as far as they can be balanced, less 1e-10 of the step, and if it is solved the path
-/// ends there: with friction at its limit, which no load beyond it can pass.
+/// allows; then the path ends there, with the last state that was good.
+///
+/// Loads beyond what friction can hold are followed to their limit. If it is proved that nothing balances the loads of a
+/// step, the next one goes as far as they can be balanced, less 1e-10 of the step. Without a proof, after the halvings,
+/// the change of a pair that ends what was solved last is foreseen, as forces are linear in the loads until then; one
+/// step goes so far, and one 1e-10 of the step further. If that fails, this is the limit, else the path goes on.
 /// \param scene    with load steps
 /// \param observe  called after every step that was solved, halves too; may be empty
 /// \param from     where to go on, as an observer or read_state() got it: every number is then that of the path that was
