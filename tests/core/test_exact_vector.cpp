@@ -41,3 +41,17 @@ TEST_CASE("a cancelled sum keeps its last product", "[exact_vector]") {
   sum.add_small(VectorXd::Constant(1, 0x1p-54));
   CHECK(sum.value()(0) == 1);
 }
+
+TEST_CASE("a sparse column adds what the same column adds with its zeros", "[exact_vector]") {
+  const VectorXd start = (VectorXd(4) << 1, 0.1, -3, 1e16).finished();
+  const VectorXd column = (VectorXd(4) << 0, 0.1, 0, 1 / 3.0).finished();
+  const Eigen::SparseMatrix<double> matrix = Eigen::MatrixXd(column).sparseView();
+  ExactVector full(start);
+  ExactVector few(start);
+  for (const double factor : {0.7, -1e15, 1e-17}) {
+    full.add_product(column, factor);
+    few.add_product(matrix, 0, factor);
+    CHECK(few.value() == full.value());
+  }
+  CHECK_FALSE(few.value() == start);
+}

@@ -18,7 +18,8 @@ TEST_CASE("matrices with entries in the same places are factored one after the o
   for (int sample = 0; sample < 5; ++sample) {
     std::vector<Eigen::Triplet<double>> entries;
     for (Index i = 0; i < n; ++i) {
-      entries.emplace_back(i, i, random.uniform(4, 5));
+      const double sign = i < sample ? -1 : 1;
+      entries.emplace_back(i, i, sign * random.uniform(4, 5));
       entries.emplace_back(i, (5 * i + 1) % n, random.uniform(-2, 2));
       entries.emplace_back((3 * i + 2) % n, i, random.uniform(-1, 1));
     }
@@ -30,7 +31,11 @@ TEST_CASE("matrices with entries in the same places are factored one after the o
     const VectorXd x = factor.solve(b);
     CAPTURE(sample);
     CHECK((A * x - b).norm() < 1e-14 * static_cast<double>(n) * b.norm());
-    CHECK((x - LuFactor(MatrixXd(A)).solve(b)).norm() < 1e-13 * x.norm());
+    const LuFactor dense{MatrixXd(A)};
+    CHECK((x - dense.solve(b)).norm() < 1e-13 * x.norm());
+    const bool odd = (dense.pivots().array() < 0).count() % 2 == 1;
+    CHECK(factor.sign() == (odd ? -1 : 1) * dense.permutation_sign());
+    CHECK(factor.sign() == (sample % 2 == 1 ? -1 : 1));  // discs of Gershgorin: as many negative
   }
 }
 

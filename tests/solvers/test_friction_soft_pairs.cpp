@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/closing/closing.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/solvers/solvers.hpp"
 #include "support/random.hpp"
@@ -75,5 +76,63 @@ TEST_CASE("a pile of discs: soft pairs spare the pivots", "[friction][soft]") {
     CHECK(certify(problem, state).worst() <= 1e-13);
     // Pivots alone would be a hundred thousand.
     CHECK(state.report.iterations <= 2 * problem.free_gap.size());
+  }
+}
+
+TEST_CASE("a large pile of discs is closed by its few entries", "[friction][soft]") {
+  const ContactProblem problem = pile(15, 15, 0.1);
+  REQUIRE(equilibrate_any(problem).sparse.size() > 0);
+  const ContactState state = find_solver("primal_dual_active_set").solve(problem, {});
+  CAPTURE(state.reason, state.report.iterations);
+  REQUIRE(state.report.status == Status::Solved);
+  CHECK(certify(problem, state).worst() <= 1e-13);
+}
+
+TEST_CASE("few entries or all of them: the same closure", "[friction][soft]") {
+  ScaledProblem dense = equilibrate_any(pile(6, 6, 0.5));
+  REQUIRE(dense.sparse.size() == 0);
+  const Index rows = dense.free.size();
+  const auto sparse = [&] {
+    ScaledProblem problem = dense;
+    problem.sparse = dense.compliance.sparseView(0, 0);
+    return problem;
+  };
+  CHECK(reach(sparse()) == Approx(reach(dense)).epsilon(1e-15));
+
+  SECTION("more forces than unknowns: the gaps and slips are the same") {
+    const std::vector<Motion> stuck(static_cast<std::size_t>(dense.pairs()), Motion::Stick);
+    const Closure all = close(dense, stuck);
+    const Closure few = close(sparse(), stuck);
+    REQUIRE(all.solvable);
+    REQUIRE(few.solvable);
+    CHECK((dense.compliance * (few.force - all.force)).norm() <= 1e-13 * all.force.norm());
+  }
+  SECTION("one answer: forces and the sign of the determinant are the same") {
+    dense.compliance.diagonal().array() += 0.1;
+    const bool floating = GENERATE(false, true);
+    if (floating) {
+      dense.rigid = VectorXd::Constant(rows, 1 / std::sqrt(static_cast<double>(rows)));
+      dense.resultant = VectorXd::Ones(1);
+    }
+    signorini_test::Random random(2);
+    int reversed = 0;
+    for (int sample = 0; sample < 40; ++sample) {
+      dense.law.coefficient.setConstant(sample < 20 ? 0.5 : 8);
+      std::vector<Motion> motions;
+      for (Index i = 0; i < dense.pairs(); ++i)
+        motions.push_back(static_cast<Motion>(random.uniform(0, 4)));
+      const Closure all = close(dense, motions);
+      const Closure few = close(sparse(), motions);
+      CAPTURE(floating, sample);
+      REQUIRE(all.solvable);
+      REQUIRE(few.solvable);
+      CHECK((few.force - all.force).norm() <= 1e-11 * all.force.norm());
+      CHECK((few.movement - all.movement).norm() <= 1e-11 * all.force.norm());
+      CHECK((few.amplitude - all.amplitude).norm() <= 1e-11 * all.force.norm());
+      CHECK(few.reversed == all.reversed);
+      reversed += all.reversed ? 1 : 0;
+    }
+    CHECK(reversed > 0);
+    CHECK(reversed < 40);
   }
 }

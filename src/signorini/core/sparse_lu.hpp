@@ -20,7 +20,7 @@ class SparseLuFactor {
   /// \param b  `n`
   /// \return A^-1 b `n` of the last matrix; rounding can make it useless if A is nearly singular
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-  /// \return -1, 0 or 1: the sign of the determinant of the last matrix
+  /// \return -1 or 1: the sign of the determinant of the last matrix, if no pivot is zero
   [[nodiscard]] int sign() const;
 
  private:
