@@ -66,7 +66,7 @@ void exchange_motions(const ScaledProblem& problem, Eigen::Index limit, Attempt&
 inline constexpr Eigen::Index exchange_limit = 50;
 
 /// Finds out what pairs that rub do by making them soft: each gets a compliance of its own in the way of every
-/// force, which counts from the forces of the solution before [\ref Rockafellar1976]. Soft pairs settle in a few
+/// force, which counts from the forces of the solution before [\ref Rockafellar1976b]. Soft pairs settle in a few
 /// exchanges, one that starts from their motions hardly has to change any, and with them the compliance becomes 0: it
 /// is halved where exchange_motions() settles, and four times as large where it does not. Where soft pairs no longer
 /// change, exchange_motions() may end it.
