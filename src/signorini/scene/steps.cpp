@@ -73,7 +73,9 @@ void check_balance(const PathState& state, Model& model) {
        certificate, "). Go on with the scene that it was saved from, or start anew");
 }
 
-PathState after(const PathState& past, double time, const Solution& solution) {
+/// \param given  slips in total if no unknown moves
+PathState after(const PathState& past, double time, const Model& model, const VectorXd& given,
+                const Solution& solution) {
   const ContactState& contact = solution.contact;
   PathState state = past;
   ++state.steps;
@@ -91,6 +93,10 @@ PathState after(const PathState& past, double time, const Solution& solution) {
     state.slip += state.increment;
     state.dissipation += lost;
   }
+  // What supports give is known: a sum of rounded increments would seem to move where they stand still.
+  const Index pairs = model.pairs.weight.size();
+  for (Index k = 0; k < given.size(); ++k)
+    if (model.programme.A.row(pairs + k).norm() == 0) state.slip(k) = given(k);
   return state;
 }
 
@@ -142,6 +148,8 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
   pose(time > past.time, "load step: it must end after time ", past.time,
        ", where the last one ended, got ", time);
   set_time(time, model);
+  const VectorXd given =
+      model.programme.initial_gap.tail(static_cast<Index>(model.law.pair.size()));
   forget_slip(past.slip, model);
   VectorXd free = VectorXd::Zero(model.unknowns.count);
   for (std::size_t k = 0; k < model.parts.size(); ++k)
@@ -151,7 +159,7 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
   options.start = past.motion;
   Step result{solve(model, path.condensed, model.solver, std::move(ledger), options), past};
   if (result.solution.contact.report.status == Status::Solved)
-    result.state = after(past, time, result.solution);
+    result.state = after(past, time, model, given, result.solution);
   return result;
 }
 
