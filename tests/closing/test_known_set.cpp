@@ -66,3 +66,22 @@ TEST_CASE("an open pair closes, and a closed one opens, where rounding cannot ha
   CHECK(next(Motion::Stick, {-0.9 * r, 0}, {0, 0}, r) == Motion::Stick);
   CHECK(next(Motion::Stick, {-1.1 * r, 0}, {0, 0}, r) == Motion::Open);
 }
+
+TEST_CASE("a sliding pair is named by its friction force, and by its slip only where it has none",
+          "[closing][friction]") {
+  const FrictionLaw rough = law_of_all(Vector2d(0.5, 0), Vector2d(0, 2));
+  ContactState state;
+  state.slip = Vector2d(1e-17, -1e-17);
+  state.friction = Vector2d(0.5, -2);
+  state.force = Vector2d(1, 0);
+  state.motion = {Motion::Backward, Motion::Forward};
+  const std::vector<Motion> named = state.motion;
+  name_slides(rough, state);
+  CHECK(state.motion == named);
+  state.force(0) = -1e-17;  // presses by rounding
+  name_slides(rough, state);
+  CHECK(state.motion == std::vector<Motion>{Motion::Forward, Motion::Forward});
+  state.motion = {Motion::Backward, Motion::Stick};
+  name_slides(law_of_all(Vector2d(0, 0), Vector2d(0, 0)), state);
+  CHECK(state.motion == std::vector<Motion>{Motion::Forward, Motion::Stick});
+}
