@@ -183,19 +183,21 @@ PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathS
         halved = 0;
         continue;
       }
-      if (++halved > model.path.halvings) {
+      const double half = end.state.time + 0.5 * (reach - end.state.time);
+      const bool shorter = end.state.time < half && half < reach;  // or times have no digit for it
+      if (++halved > model.path.halvings || !shorter) {
         const std::string& why = next.solution.contact.reason;
         const std::string& escape = next.solution.escape;
         end.status = report.status;
-        end.reason = text("the step from time ", end.state.time, " to ", reach,
-                          " was not solved: ", to_string(report.status), why.empty() ? "" : ": ",
-                          why, escape.empty() ? "" : ": ", escape, ". The step to ", target,
-                          " was halved ", model.path.halvings,
-                          " times; the last good state is that of time ", end.state.time);
+        end.reason =
+            text("the step from time ", end.state.time, " to ", reach,
+                 " was not solved: ", to_string(report.status), why.empty() ? "" : ": ", why,
+                 escape.empty() ? "" : ": ", escape, ". The step to ", target, " was halved ",
+                 halved - 1, " times; the last good state is that of time ", end.state.time);
         return end;
       }
       ++end.halvings;
-      reach = end.state.time + 0.5 * (reach - end.state.time);
+      reach = half;
     }
   }
   return end;
