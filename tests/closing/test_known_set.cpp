@@ -67,12 +67,21 @@ TEST_CASE("an open pair closes, and a closed one opens, where rounding cannot ha
   CHECK(next(Motion::Stick, {-1.1 * r, 0}, {0, 0}, r) == Motion::Open);
 }
 
-TEST_CASE("a pair slides against its friction force, and along its slip if there is none",
-          "[known_set][friction]") {
+TEST_CASE("a sliding pair is named by its friction force, and by its slip only where it has none",
+          "[closing][friction]") {
+  const FrictionLaw rough = law_of_all(Vector2d(0.5, 0), Vector2d(0, 2));
   ContactState state;
-  state.friction = Eigen::Vector3d(-1, 0, 0);
-  state.slip = Eigen::Vector3d(-1e-20, -1, 2);
-  state.motion = {Motion::Forward, Motion::Forward, Motion::Stick};
-  name_slides(state);
-  CHECK(state.motion == std::vector<Motion>{Motion::Forward, Motion::Backward, Motion::Stick});
+  state.slip = Vector2d(1e-17, -1e-17);
+  state.friction = Vector2d(0.5, -2);
+  state.force = Vector2d(1, 0);
+  state.motion = {Motion::Backward, Motion::Forward};
+  const std::vector<Motion> named = state.motion;
+  name_slides(rough, state);
+  CHECK(state.motion == named);
+  state.force(0) = -1e-17;  // presses by rounding
+  name_slides(rough, state);
+  CHECK(state.motion == std::vector<Motion>{Motion::Forward, Motion::Forward});
+  state.motion = {Motion::Backward, Motion::Stick};
+  name_slides(law_of_all(Vector2d(0, 0), Vector2d(0, 0)), state);
+  CHECK(state.motion == std::vector<Motion>{Motion::Forward, Motion::Stick});
 }

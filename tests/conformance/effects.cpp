@@ -128,12 +128,13 @@ TEST_CASE(
   if (chosen(effects()).empty()) return;
   std::map<std::string, int> seen;
   int refused = 0;
-  for (const RandomScenes kind : {RandomScenes::Frictionless, RandomScenes::Frictional,
-                                  RandomScenes::Varied, RandomScenes::Revolved})
+  for (const RandomScenes kind :
+       {RandomScenes::Frictionless, RandomScenes::Frictional, RandomScenes::Varied,
+        RandomScenes::Revolved, RandomScenes::Paths})
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       CAPTURE(seed);
       Scene scene = random_scene(seed, kind).scene;
-      if (seed % 4 == 0) scene.path = Path{{1}, {}};
+      if (seed % 4 == 0 && !scene.path) scene.path = Path{{1}, {}};
       try {
         const Plan planned = plan(scene);
         std::vector<std::string> on;

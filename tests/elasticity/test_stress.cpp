@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/elasticity/stress.hpp"
 #include "support/meshes.hpp"
@@ -86,9 +87,48 @@ TEST_CASE("von Mises stress of uniaxial, shear and equal biaxial states", "[stre
   CHECK(von_mises(Vector4d(5, 5, 0, 5)) == 0);
 }
 
+TEST_CASE(
+    "strain energy: of an even strain by hand, half of u K u on every element, and blind to "
+    "turning",
+    "[stress][closed-form]") {
+  const Vector3d even(0.02, -0.01, 0.03);
+  for (const Element& element : elements()) {
+    CAPTURE(element.name);
+    const Mesh mesh = block_for(element, {3, 2}, 3, 2);
+    Matter matter(Material{10, 0.3, PlaneState::Stress, 0.5, 1});
+    matter.temperature.uniform = 7;  // not looked at
+    const NodeArray stretched = sampled(mesh, [&](const Vector2d& x) {
+      return Vector2d(even(0) * x.x() + even(2) * x.y(), even(1) * x.y());
+    });
+    const double volume = 3 * 2 * 0.5;
+    const double exact = 0.5 * volume * even.dot(elasticity_matrix(matter.bulk) * even);
+    CHECK(strain_energy(mesh, element, matter, stretched) == Approx(exact).epsilon(1e-13));
+    matter.temperature = {};
+    for (const PlaneState state : {PlaneState::Strain, PlaneState::Axial}) {
+      matter.bulk.state = state;
+      matter.bulk.thickness = 1;
+      const NodeArray bent = sampled(mesh, [](const Vector2d& x) {
+        return Vector2d(x.x() * x.y() * x.y(), std::sin(x.x()) - x.y());
+      });
+      const double work =
+          0.5 * internal_forces(mesh, element, matter, bent).cwiseProduct(bent).sum();
+      CHECK(strain_energy(mesh, element, matter, bent) == Approx(work).epsilon(1e-12));
+    }
+    // Turned a million times as far as it is stretched, in numbers that add up exactly.
+    matter.bulk.state = PlaneState::Strain;
+    const auto energy = [&](double turned) {
+      return strain_energy(mesh, element, matter, sampled(mesh, [&](const Vector2d& x) {
+                             return Vector2d(0x1p-20 * x.x() - turned * x.y(), turned * x.x());
+                           }));
+    };
+    CHECK(energy(1) == Approx(energy(0)).epsilon(1e-8));
+  }
+}
+
 TEST_CASE("displacements of the wrong size are refused", "[stress]") {
   const Mesh mesh = block_for(q4(), {1, 1}, 1, 1);
   const NodeArray u = NodeArray::Zero(3, 2);
   CHECK_THROWS_AS(nodal_stress(mesh, q4(), {}, u), std::invalid_argument);
   CHECK_THROWS_AS(cell_stress(mesh, q4(), {}, u), std::invalid_argument);
+  CHECK_THROWS_AS(strain_energy(mesh, q4(), {}, u), std::invalid_argument);
 }

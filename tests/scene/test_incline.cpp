@@ -5,6 +5,7 @@
 #include "catch_compat.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/scene/readings.hpp"
+#include "signorini/scene/steps.hpp"
 
 using namespace signorini;
 using Eigen::Index;
@@ -144,4 +145,34 @@ TEST_CASE("an infinite slope: an even base stress, and it slides all at once",
     const auto at = [&](double angle) { return slope(angle, law); };
     CHECK(limit(0.9 * exact, 1.1 * exact, at) == Approx(exact).epsilon(1e-10).margin(0));
   }
+}
+
+TEST_CASE("a block that friction alone holds: pushed to and fro, and on until it slides off",
+          "[friction][steps][floating]") {
+  Scene scene = block({0, -100}, {0.3, 0});
+  scene.bodies[0].loads.edges = {
+      {"top", 0, [](const Vector2d&) { return Vector2d(30 / length, 0); }, "push"}};
+  scene.path = Path{equal_steps(15, 5), {{"push", {0, 1, 3, 5}, {0, 0.9, -0.9, 0.9}}}};
+  const History& push = scene.path->histories[0];
+  WorkMeter meter;
+  const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {
+    const ContactState& contact = step.solution.contact;
+    CHECK(contact.force.sum() == Approx(100).epsilon(1e-12));
+    CHECK(contact.friction.sum() ==
+          Approx(-30 * push.at(step.state.time)).epsilon(1e-11).margin(1e-11));
+    meter.add(model, step);
+    const Work& work = meter.work();
+    CHECK(std::abs(work.put_in() - work.strain - work.dissipation - work.between) <=
+          1e-10 * work.strain);
+  });
+  CHECK(end.status == Status::Solved);
+  CHECK(end.halvings == 0);
+  CHECK(meter.work().dissipation > 0);
+
+  scene.path = Path{{1, 2}, {{"push", {0, 2}, {0, 1.9}}}, 20};
+  const PathEnd off = solve_steps(scene);
+  CHECK(off.status != Status::Solved);
+  const double slides = 2 / 1.9;
+  CHECK(off.state.time <= slides * (1 + 1e-12));
+  CHECK(off.state.time >= slides - 0x1p-20);
 }

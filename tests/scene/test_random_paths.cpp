@@ -137,9 +137,11 @@ TEST_CASE("a step in which nothing changes is solved, and nothing moves",
       past.time = state.time;
       const Step again = step(past, time, model, path, {});
       REQUIRE(again.solution.contact.report.status == Status::Solved);
-      const Eigen::VectorXd& force = moved.state.solution.force;
+      const auto pushed = [&](const Step& now) {
+        return Eigen::VectorXd(model.programme.A.transpose() * now.state.solution.force);
+      };
       const Eigen::VectorXd& slip = moved.state.slip;
-      CHECK((again.state.solution.force - force).norm() <= 1e-9 * force.norm());
+      CHECK((pushed(again) - pushed(moved)).norm() <= 1e-9 * pushed(moved).norm());
       CHECK((again.state.slip - slip).norm() <= 1e-9 * slip.norm());
       state = moved.state;
     }

@@ -2,6 +2,7 @@
 #include "catch_compat.hpp"
 #include "signorini/scene/steps.hpp"
 #include "support/cantilever.hpp"
+#include "support/checked_path.hpp"
 #include "support/hertz.hpp"
 #include "support/paths.hpp"
 
@@ -39,36 +40,26 @@ TEST_CASE("a disc that contact alone holds: twice the load and back again", "[st
 
 TEST_CASE("every kind of load follows its history: a step is the scene with scaled loads",
           "[steps]") {
-  const auto scene_with = [](double f, double h, bool path) {
-    const std::string one = path ? "one" : "";
-    const std::string two = path ? "two" : "";
-    Scene scene = slab(1, {});
-    scene.path.reset();
-    Body& body = scene.bodies[0];
-    body.material.expansion = 1e-3;
-    body.supports = {prescribed("left", Axis::X, -0.01), prescribed("right", Axis::X, f * 0.02),
-                     prescribed_at("bottom", {4, 0}, Axis::Y, h * 0.003)};
-    body.supports[1].history = one;
-    body.supports[2].history = two;
-    body.springs = {{"left", {0, 3}}};
-    body.temperature = Temperature{f * 2, {f * 1, f * -0.5}, one};
-    body.loads.edges = {{"top", h * 5, [h](const Eigen::Vector2d& x) {
-                           return Eigen::Vector2d(0.3 * h * x.x(), 0);
-                         }}};
-    body.loads.edges[0].history = two;
-    body.loads.edges.push_back({"top", 1, {}});
-    body.loads.points = {{{0, 1}, {f * 0.5, f * -1}, one}};
-    body.loads.body_force = [f](const Eigen::Vector2d& x) {
-      return Eigen::Vector2d(0, -f * x.x());
-    };
-    body.loads.body_force_history = one;
-    scene.contacts[0].interference = f * 0.002;
-    scene.contacts[0].interference_history = one;
-    return scene;
-  };
-  Scene stepped = scene_with(1, 1, true);
+  Scene stepped = slab(1, {});
+  Body& body = stepped.bodies[0];
+  body.material.expansion = 1e-3;
+  body.supports = {prescribed("left", Axis::X, -0.01), prescribed("right", Axis::X, 0.02),
+                   prescribed_at("bottom", {4, 0}, Axis::Y, 0.003)};
+  body.supports[1].history = "one";
+  body.supports[2].history = "two";
+  body.springs = {{"left", {0, 3}}};
+  body.temperature = Temperature{2, {1, -0.5}, "one"};
+  body.loads.edges = {
+      {"top", 5, [](const Eigen::Vector2d& x) { return Eigen::Vector2d(0.3 * x.x(), 0); }}};
+  body.loads.edges[0].history = "two";
+  body.loads.edges.push_back({"top", 1, {}});
+  body.loads.points = {{{0, 1}, {0.5, -1}, "one"}};
+  body.loads.body_force = [](const Eigen::Vector2d& x) { return Eigen::Vector2d(0, -x.x()); };
+  body.loads.body_force_history = "one";
+  stepped.contacts[0].interference = 0.002;
+  stepped.contacts[0].interference_history = "one";
   stepped.path = Path{{1}, {{"one", {1, 2}, {0.3, -0.7}}, {"two", {1, 2}, {0.9, 1.6}}}};
-  const Scene now = scene_with(0.3, 0.9, false);
+  const Scene now = at_time(stepped, 1);
   const Solution expected = solve(now);
   require_solved(expected, "the slab");
   Ledger ledger;

@@ -63,51 +63,6 @@ TEST_CASE("a path goes on from a state that was written and read, to the same bi
   }
 }
 
-// One pair with cohesion c. While it slides forward its friction pulls it off the wall, which it would overlap without:
-// unless it is pressed hard, neither is a solution. Pressed hard on its way, it slides, and then sticks at the end.
-TEST_CASE("a step without a solution may have one in two halves: the observer sees both",
-          "[steps][friction][closed-form]") {
-  Scene scene = slider({"along", {1}, {0}}, {1, 2});
-  Body& body = scene.bodies[0];
-  body.mesh.nodes.row(2) << 1, 1;  // what pulls the tip up presses it on the wall
-  scene.contacts[0].friction = Friction{0, 1};
-  Ledger ledger;
-  const Model model = build(scene, ledger);
-  const double c = model.law.cohesion(0);
-  const double k = model.programme.stiffness.coeff(1, 1);
-  const double rho = -model.programme.stiffness.coeff(0, 1) / k;
-  REQUIRE(rho > 0);
-  body.loads.points[0].history = "onto";
-  scene.path->histories = {
-      {"along", {1, 1.5, 2}, {0, 5.5 * c, 5 * c}},
-      {"onto", {1, 1.5, 2}, {2 * rho * c, (10 - 5.5) * rho * c, (0.8 - 5) * rho * c}}};
-  std::vector<Step> steps;
-  const auto keep = [&](const Model&, const Step& step) { steps.push_back(step); };
-  const PathEnd end = solve_steps(scene, keep);
-  REQUIRE(end.status == Status::Solved);
-  CHECK(end.halvings == 1);
-  REQUIRE(steps.size() == 3);
-  const double time[] = {1, 1.5, 2};
-  const double pressed[] = {2, 9, 0.3};
-  const double rubs[] = {0, -1, -0.5};
-  const double slip[] = {0, 4.5, 4.5};
-  const Motion motion[] = {Motion::Stick, Motion::Forward, Motion::Stick};
-  for (std::size_t n = 0; n < 3; ++n) {
-    CAPTURE(n);
-    CHECK(steps[n].state.time == time[n]);
-    CHECK(steps[n].state.motion[0] == motion[n]);
-    CHECK(steps[n].state.solution.force(0) == Approx(pressed[n] * rho * c).epsilon(1e-12));
-    CHECK(steps[n].state.solution.force(1) == Approx(rubs[n] * c).epsilon(1e-12).margin(1e-15));
-    CHECK(steps[n].state.slip(0) == Approx(slip[n] * c / k).epsilon(1e-12).margin(1e-15));
-  }
-  scene.path->halvings = 0;
-  steps.clear();
-  const PathEnd stopped = solve_steps(scene, keep);
-  CHECK(stopped.status != Status::Solved);
-  CHECK(stopped.state.time == 1);
-  CHECK(steps.size() == 1);
-}
-
 TEST_CASE("steps that cannot be meant are refused", "[steps]") {
   const Scene good = slab(2, {1});
   const auto message = [&](const auto& change) {

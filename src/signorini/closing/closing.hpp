@@ -188,9 +188,10 @@ using Confirmed = std::optional<std::pair<Closure, std::vector<Motion>>>;
                                   const Closure* start = nullptr);
 
 /// Names the direction of pairs that slide without a friction force after their slip: a method need not know it. Where
-/// there is a friction force it has the direction, and a slip against it is rounding.
+/// there is a friction force it tells the direction, also of a slip that is nothing but rounding.
+/// \param law            of the pairs that rub
 /// \param[in,out] state  whose motions may change from forward to backward and back
-void name_slides(ContactState& state);
+void name_slides(const FrictionLaw& law, ContactState& state);
 
 /// One entry of a history, in the units of the problem as it was posed.
 /// \param problem  scaled

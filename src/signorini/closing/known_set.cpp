@@ -115,11 +115,13 @@ Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& cand
   return std::make_pair(std::move(closure), std::move(motions));
 }
 
-void name_slides(ContactState& state) {
+void name_slides(const FrictionLaw& law, ContactState& state) {
   for (std::size_t k = 0; k < state.motion.size(); ++k) {
     const Index row = static_cast<Index>(k);
     const double slip = state.slip(row);
-    if (friction_sign(state.motion[k]) != 0 && state.friction(row) == 0 && slip != 0)
+    const double pressed = std::max(state.force(law.pair[k]), 0.0);
+    const bool rubs = law.coefficient(row) * pressed + law.cohesion(row) > 0;
+    if (friction_sign(state.motion[k]) != 0 && slip != 0 && !rubs)
       state.motion[k] = slip > 0 ? Motion::Forward : Motion::Backward;
   }
 }
@@ -176,7 +178,7 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   state.active = closed_pairs(motions);
   state.rubbing = scaled.law.pair;
   for (const Index pair : scaled.law.pair) state.motion.push_back(motions[at(pair)]);
-  name_slides(state);
+  name_slides(scaled.law, state);
   if (problem.resultant.size() > 0)
     state.amplitude = closure.amplitude.size() > 0 ? VectorXd(scaled.inverse * closure.amplitude)
                                                    : VectorXd::Zero(problem.resultant.size());

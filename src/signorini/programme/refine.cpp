@@ -54,13 +54,20 @@ void impose(const KnownSet& set, Forces& force) {
 /// sweeps mend it; what they move is so small that it may as well strain the bodies.
 constexpr Index rigid_sweeps = 2;
 
+/// The set without closed rows that nothing can push on: slips that supports give, where they give none.
+KnownSet felt_rows(KnownSet set, const Eigen::SparseMatrix<double, Eigen::RowMajor>& A) {
+  const auto empty = [&](Index row) { return A.row(row).norm() == 0; };
+  set.closed.erase(std::remove_if(set.closed.begin(), set.closed.end(), empty), set.closed.end());
+  return set;
+}
+
 /// One refinement from beginning to end.
 class Refining {
  public:
   Refining(const RefinementData& data, PrimalDual start, const VectorXd& force,
            const std::vector<Motion>& motions)
       : data_(data),
-        set_(known_set(motions, data.condensed.law)),
+        set_(felt_rows(known_set(motions, data.condensed.law), data.programme.A)),
         closing_(data.scaled, known_set(motions, data.scaled.law)) {
     PrimalDual& solution = result_.solution;
     solution = std::move(start);

@@ -218,7 +218,7 @@ void Road::conclude() {
   state.rubbing = problem_.law.pair;
   for (const Index pair : problem_.law.pair)
     state.motion.push_back(motions_[static_cast<std::size_t>(pair)]);
-  name_slides(state);
+  name_slides(problem_.law, state);
 }
 
 }  // namespace

@@ -84,7 +84,9 @@ PathEnd ended(PathEnd end) {
   return end;
 }
 
-PathState after(const PathState& past, double time, const Solution& solution) {
+/// \param given  slips in total if no unknown moves
+PathState after(const PathState& past, double time, const Model& model, const VectorXd& given,
+                const Solution& solution) {
   const ContactState& contact = solution.contact;
   PathState state = past;
   ++state.steps;
@@ -100,6 +102,10 @@ PathState after(const PathState& past, double time, const Solution& solution) {
     state.slip += state.increment;
     state.dissipation += lost;
   }
+  // What supports give is known: a sum of rounded increments would seem to move where they stand still.
+  const Index pairs = model.pairs.weight.size();
+  for (Index k = 0; k < given.size(); ++k)
+    if (model.programme.A.row(pairs + k).norm() == 0) state.slip(k) = given(k);
   return state;
 }
 
@@ -169,6 +175,8 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
   pose(time > past.time, "load step: it must end after time ", past.time,
        ", where the last one ended, got ", time);
   set_time(time, model);
+  const VectorXd given =
+      model.programme.initial_gap.tail(static_cast<Index>(model.law.pair.size()));
   forget_slip(past.slip, model);
   VectorXd free = VectorXd::Zero(model.unknowns.count);
   for (std::size_t k = 0; k < model.parts.size(); ++k)
@@ -179,7 +187,7 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
   Step result{solve(model, path.condensed, model.solver, std::move(ledger), options), past};
   Solution& solution = result.solution;
   if (solution.contact.report.status == Status::Solved)
-    result.state = after(past, time, solution);
+    result.state = after(past, time, model, given, solution);
   else if (solution.contact.escape.size() > 0)
     solution.limit = (balanced_until(past.time, time, model, path.condensed.problem) - past.time) /
                      (time - past.time);
@@ -225,9 +233,11 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
       } else if (end.limit && !known) {
         if (*end.limit - begin <= margin) return ended(std::move(end));
         reach = held = *end.limit - margin;
-      } else if (++halved <= model.path.halvings) {
+      } else if (const double half =
+                     begin + 0.5 * (reach - begin);  // times may have no digit for it
+                 begin < half && half < reach && ++halved <= model.path.halvings) {
         ++end.halvings;
-        reach = begin + 0.5 * (reach - begin);
+        reach = half;
       } else {
         std::optional<double> share;
         if (foreseen++ < model.programme.A.rows())

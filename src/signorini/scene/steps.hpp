@@ -6,7 +6,9 @@
 /// of its refinement and dense algebra on the boundary, and begins from what the pairs did last.
 ///
 /// The law of friction holds for the slip since the last step: \f$ s_k = s(t_k) + T u_k - s_{k-1} \f$, where
-/// \f$ s_{k-1} \f$ is the slip in total before. A pair that sticks keeps its total to the last bit.
+/// \f$ s_{k-1} \f$ is the slip in total before. A pair that sticks keeps its total to the last bit. Friction of a node
+/// that supports drag along acts on them alone: at its bound while they move, none while they stand, where it could be
+/// anything up to the bound.
 #pragma once
 #include <functional>
 #include <iosfwd>
