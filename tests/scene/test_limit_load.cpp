@@ -111,6 +111,11 @@ TEST_CASE("a path ends at the load from which on friction holds nothing",
     const Eigen::Index pairs = end.state.solution.force.size() / 2;
     const double friction = end.state.solution.force.tail(pairs).cwiseAbs().sum();
     CHECK(friction == Approx(mu * weight).epsilon(1e-9).margin(0));
+    Scene whole = scene;  // without halves no step but those that are given
+    whole.path->halvings = 0;
+    const PathEnd stopped = solve_steps(whole);
+    CHECK(*stopped.limit == Approx(0.5).epsilon(1e-13).margin(0));
+    CHECK(stopped.state.steps == (times.size() == 4 ? 2 : 0));
     CHECK_THAT(end.reason,
                ContainsSubstring("until time 0.5 at most") && ContainsSubstring("last good state"));
   }

@@ -218,6 +218,7 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
     }
     return solved;
   };
+  const bool divides = model.path.halvings > 0;
   double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
   Index foreseen = 0;                                     // changes of pairs
   for (const double target : model.path.times) {
@@ -231,7 +232,7 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
         reach = std::min(target, held);
         halved = 0;
       } else if (end.limit && !known) {
-        if (*end.limit - begin <= margin) return ended(std::move(end));
+        if (!divides || *end.limit - begin <= margin) return ended(std::move(end));
         reach = held = *end.limit - margin;
       } else if (const double half =
                      begin + 0.5 * (reach - begin);  // times may have no digit for it
@@ -240,7 +241,7 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
         reach = half;
       } else {
         std::optional<double> share;
-        if (foreseen++ < model.programme.A.rows())
+        if (divides && foreseen++ < model.programme.A.rows())
           share = first_change(end.state, path.condensed.problem);
         const double change = begin + share.value_or(0) * (reach - begin);
         const bool until = share && (change - margin <= begin || goes(change - margin));

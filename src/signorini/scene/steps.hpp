@@ -104,7 +104,8 @@ void check_state(const PathState& state, Model& model);
 /// Loads beyond what friction can hold are followed to their limit. If it is proved that nothing balances the loads of a
 /// step, the next one goes as far as they can be balanced, less 1e-10 of the step. Without a proof, after the halvings,
 /// the change of a pair that ends what was solved last is foreseen, as forces are linear in the loads until then; one
-/// step goes so far, and one 1e-10 of the step further. If that fails, this is the limit, else the path goes on.
+/// step goes so far, and one 1e-10 of the step further. If that fails, this is the limit, else the path goes on. A path
+/// that allows no halvings takes no steps but its own.
 /// \param scene    with load steps
 /// \param observe  called after every step that was solved, halves too; may be empty
 /// \param from     where to go on, as an observer or read_state() got it: every number is then that of the path that was
