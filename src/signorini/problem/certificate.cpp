@@ -106,7 +106,6 @@ Eigen::VectorXd row_norms(const RowMatrix& A) {
 /// may be large without meaning anything: the gap of a far obstacle, or contact forces that cancel.
 Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution,
                  const Eigen::VectorXd& norm) {
-  const Eigen::VectorXd diagonal = programme.stiffness.diagonal();
   const Eigen::VectorXd contact = programme.A.transpose() * solution.force;
   Eigen::VectorXd u = solution.displacement;
   if (has_low(solution)) u += solution.displacement_low;
@@ -118,17 +117,19 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
     for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry) {
       const Index j = entry.col();
       length += std::abs(entry.value() * u(j));
-      if (diagonal(j) > 0)
+      const double diagonal = programme.stiffness.coeff(j, j);
+      if (diagonal > 0)
         length += std::abs(entry.value()) * (std::abs(programme.load(j)) + std::abs(contact(j))) /
-                  diagonal(j);
+                  diagonal;
     }
     scale.length = std::max(scale.length, length / norm(pair));
   }
   // Without a load, contact forces that u in two doubles cannot resolve are measured by those that the
   // displacements could make.
-  const double inside = largest(diagonal.cwiseProduct(u));
-  if (largest(programme.load) == 0 && scale.force <= epsilon * epsilon * inside)
-    scale.force = inside;
+  if (largest(programme.load) == 0) {
+    const double inside = largest(Eigen::VectorXd(programme.stiffness.diagonal()).cwiseProduct(u));
+    if (scale.force <= epsilon * epsilon * inside) scale.force = inside;
+  }
   return scale;
 }
 

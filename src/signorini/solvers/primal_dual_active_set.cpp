@@ -123,12 +123,11 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
 
 ContactState primal_dual_active_set(const ContactProblem& problem, const SolverOptions& options) {
   const bool rubs = !problem.law.pair.empty();
-  if (!rubs || problem.resultant.size() > 0) check_problem(problem);
-  const ScaledProblem scaled = equilibrate_any(problem);
+  const bool floats = problem.resultant.size() > 0;
+  const ScaledProblem scaled = !rubs || floats ? equilibrate(problem) : equilibrate_any(problem);
   if (auto away = pulled_away(problem, scaled)) return *away;
   const Index asked = options.iteration_limit;
   const Index own_limit = rubs ? exchange_limit : most_exchanges(scaled);
-  const bool floats = problem.resultant.size() > 0;
   const Index limit = asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit;
   const auto cold = [&] { return rubs || floats ? first_attempt(scaled) : coarse_attempt(scaled); };
   const bool warm = static_cast<Index>(options.start.size()) == scaled.pairs();
