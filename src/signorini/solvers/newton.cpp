@@ -146,7 +146,7 @@ Attempt first_attempt(const ScaledProblem& problem) {
     unit = ContactEquations(problem, nested_friction).reach();
     now.force = U * problem.resultant;
     now.amplitude = -U.transpose() * (problem.free + problem.compliance * now.force);
-  } else if (!problem.law.pair.empty() && problem.symmetric) {
+  } else if (!problem.law.pair.empty() && problem.symmetric && problem.sparse.size() == 0) {
     const ContactState normal =
         goldfarb_idnani({problem.compliance.topLeftCorner(pairs, pairs), problem.free.head(pairs)});
     if (normal.report.status == Status::Solved) now.force.head(pairs) = normal.force;

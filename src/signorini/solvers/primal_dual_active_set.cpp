@@ -1,6 +1,7 @@
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -129,7 +130,11 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   const Index asked = options.iteration_limit;
   const Index own_limit = rubs ? exchange_limit : most_exchanges(scaled);
   const Index limit = asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit;
-  const auto cold = [&] { return rubs || floats ? first_attempt(scaled) : coarse_attempt(scaled); };
+  std::optional<Attempt> first;
+  const auto cold = [&] {
+    if (!first) first = rubs || floats ? first_attempt(scaled) : coarse_attempt(scaled);
+    return *first;
+  };
   const bool warm = static_cast<Index>(options.start.size()) == scaled.pairs();
   Attempt attempt = warm ? attempt_from(scaled, options.start) : cold();
   exchange_motions(scaled, limit, attempt);
@@ -140,7 +145,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
     exchange_motions(scaled, limit, attempt);
   }
   if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
-    Attempt again = first_attempt(scaled);
+    Attempt again = cold();
     again.report = std::move(attempt.report);
     attempt = std::move(again);
     if (rubs) follow_soft_pairs(scaled, attempt);
