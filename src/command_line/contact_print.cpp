@@ -28,11 +28,11 @@ void print_sums(std::ostream& out, const std::string& what, const Resultants& su
   out << '\n';
 }
 
-/// The columns that are worth their place where all pairs are closed and of one contact and time.
+/// The columns that are worth their place where all pairs are closed and of one contact.
 std::vector<PairColumn> printed(std::vector<PairColumn> columns, const Resultants& sum) {
   const auto idle = [&](const PairColumn& column) {
     const std::string& name = column.name;
-    return name == "time" || name == "gap" || name == "status" || name == "contact" ||
+    return name == "gap" || name == "status" || name == "contact" ||
            (column.of_friction && sum.rubbing == 0);
   };
   columns.erase(std::remove_if(columns.begin(), columns.end(), idle), columns.end());

@@ -41,10 +41,9 @@ TEST_CASE("a pair that cannot rub bears no shear and has neither slip nor motion
   CHECK(lines[4] == "4,-1,0.25,0,0,open,0,0,,,0");
 }
 
-TEST_CASE("on a path the table has the time, and slip and work so far", "[pressure_table][steps]") {
+TEST_CASE("on a path the table has slip and work so far", "[pressure_table][steps]") {
   PathState state;
   state.steps = 2;
-  state.time = 0.75;
   state.slip = Eigen::Vector3d(1.5, 0.25, -0.5);
   state.dissipation = Eigen::Vector3d(12.5, 1, 0);
   const Solution solution = three_forces_with_friction();
@@ -52,9 +51,9 @@ TEST_CASE("on a path the table has the time, and slip and work so far", "[pressu
       lines_of(pressure_csv(three_gaps(), solution, "rel 1e-6", &state));
   CHECK_THAT(lines[1], ContainsSubstring("dissipated 2.5, in total 13.5"));
   CHECK(lines[2] ==
-        "time,x,y,gap,pressure,force,status,shear_traction,shear_force,slip,motion,dissipated,"
+        "x,y,gap,pressure,force,status,shear_traction,shear_force,slip,motion,dissipated,"
         "slip_total,dissipated_total");
-  CHECK(lines[3] == "0.75,0,1,0,20,10,closed,-10,-5,0.5,forward,2.5,1.5,12.5");
+  CHECK(lines[3] == "0,1,0,20,10,closed,-10,-5,0.5,forward,2.5,1.5,12.5");
   CHECK(resultants(three_pairs(), solution, &state).dissipated_total == 13.5);
   const std::vector<PairColumn> columns = pair_columns(three_gaps(), solution, &state);
   CHECK(lines_of(csv_head(columns) + csv_lines(columns)) ==

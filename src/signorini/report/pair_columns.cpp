@@ -97,8 +97,6 @@ std::vector<PairColumn> pair_columns(const Model& model, const Solution& solutio
   VectorXd closed = VectorXd::Zero(n_pairs);
   for (const Index pair : contact.active) closed(pair) = 1;
   std::vector<PairColumn> columns;
-  if (state != nullptr)
-    columns.push_back({"time", "time", "", VectorXd::Constant(n_pairs, state->time)});
   columns.push_back({"x", "length", "", model.pairs.position.col(0)});
   columns.push_back({"y", "length", "", model.pairs.position.col(1)});
   columns.push_back({"gap", "length", "contact_gap", contact.gap});

@@ -50,7 +50,7 @@ void check_solved(const Solution& solution, const PathState* state, const char* 
 ///
 /// With friction and a state of load steps: `slip_total` and `dissipated_total` from the first step on.
 ///
-/// With several contacts: `contact`, its name as in Model::contacts. With a state: in front of all `time`.
+/// With several contacts: `contact`, its name as in Model::contacts.
 /// \param model     that was solved
 /// \param solution  of it
 /// \param state     after this step of a path, see Step; null: the solution is no step
