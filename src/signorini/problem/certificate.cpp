@@ -128,7 +128,8 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
   // displacements could make.
   if (largest(programme.load) == 0) {
     const double inside = largest(Eigen::VectorXd(programme.stiffness.diagonal()).cwiseProduct(u));
-    if (scale.force <= epsilon * epsilon * inside) scale.force = inside;
+    const double half = 0.5 * epsilon;  // what rounding takes of a number
+    if (scale.force <= half * half * inside) scale.force = inside;
   }
   return scale;
 }

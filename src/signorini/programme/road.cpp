@@ -22,7 +22,6 @@ class Road {
   Road(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
        const MatrixXd& modes, Ledger& ledger)
       : programme_(programme),
-        condensed_(condensed),
         modes_(modes),
         ledger_(ledger),
         problem_(condensed.problem),
@@ -53,7 +52,6 @@ class Road {
   Judgement look(const std::vector<Motion>& motions, const VectorXd& force);
 
   const QuadraticProgramme& programme_;
-  const CondensedProgramme& condensed_;
   const MatrixXd& modes_;
   Ledger& ledger_;
   ContactProblem problem_;  // condensed, corrected from pass to pass
