@@ -57,7 +57,7 @@ double limit(double in, double out, const std::function<Scene(double)>& scene) {
 }  // namespace
 
 TEST_CASE("a block slides off when W sin t > c A + mu W cos t", "[friction][closed-form]") {
-  for (const Friction law : {Friction{0.3, 0}, Friction{0.3, 4}, Friction{0, 6}}) {
+  for (const Friction& law : {Friction{0.3, 0}, Friction{0.3, 4}, Friction{0, 6}}) {
     CAPTURE(law.coefficient, law.cohesion);
     const double phi = std::atan(law.coefficient);
     const double exact = phi + std::asin(law.cohesion * length * std::cos(phi) / 100);
@@ -131,7 +131,7 @@ TEST_CASE("an infinite slope: an even base stress, and it slides all at once",
     }
     return scene;
   };
-  for (const Friction law : {Friction{0.5, 0}, Friction{0.3, 5}}) {
+  for (const Friction& law : {Friction{0.5, 0}, Friction{0.3, 5}}) {
     const double phi = std::atan(law.coefficient);
     const double exact = phi + std::asin(law.cohesion * std::cos(phi) / (weight * height));
     const SolvedScene run = solved(slope(0.9 * exact, law), "the slope");
