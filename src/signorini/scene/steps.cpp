@@ -73,8 +73,6 @@ void tell(const Solution& failed, double time, PathEnd& end) {
   end.reason = text("the step from time ", end.state.time, " to ", time,
                     " was not solved: ", to_string(end.status), why.empty() ? "" : ": ", why,
                     failed.escape.empty() ? "" : ": ", failed.escape);
-  if (failed.limit && !end.limit)
-    end.limit = end.state.time + *failed.limit * (time - end.state.time);
   if (end.limit)
     end.reason += text(". Contact and friction hold the loads until time ", *end.limit, " at most");
 }
@@ -207,6 +205,10 @@ PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathS
 PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const StepObserver& observe,
                     const PathState& from) {
   PathEnd end{from};
+  // All that is decided here follows from the state and from the times that are given, or a path that goes on from the
+  // state would take other steps.
+  double before = 0;
+  double target = 0;
   const auto goes = [&](double time) {
     const Step next = step(end.state, time, model, path, std::exchange(ledger, {}));
     const bool solved = next.solution.contact.report.status == Status::Solved;
@@ -214,6 +216,8 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
       end.state = next.state;
       if (observe) observe(model, next);
     } else {
+      if (next.solution.limit && !end.limit)
+        end.limit = balanced_until(before, target, model, path.condensed.problem);
       tell(next.solution, time, end);
     }
     return solved;
@@ -221,11 +225,13 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
   const bool divides = model.path.halvings > 0;
   double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
   Index foreseen = 0;                                     // changes of pairs
-  for (const double target : model.path.times) {
-    const double margin = limit_margin * (target - end.state.time);
+  for (const double time : model.path.times) {
+    before = std::exchange(target, time);
+    const double margin = limit_margin * (target - before);
     double reach = target;
     for (int halved = 0; end.state.time < target;) {
       const double begin = end.state.time;
+      const double half = begin + 0.5 * (reach - begin);  // times may have no digit for it
       const bool known = end.limit.has_value();
       if (goes(reach)) {
         if (reach >= held) return ended(std::move(end));
@@ -234,22 +240,20 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
       } else if (end.limit && !known) {
         if (!divides || *end.limit - begin <= margin) return ended(std::move(end));
         reach = held = *end.limit - margin;
-      } else if (const double half =
-                     begin + 0.5 * (reach - begin);  // times may have no digit for it
-                 begin < half && half < reach && ++halved <= model.path.halvings) {
+      } else if (begin < half && half < reach && ++halved <= model.path.halvings) {
         ++end.halvings;
         reach = half;
       } else {
-        std::optional<double> share;
-        if (divides && foreseen++ < model.programme.A.rows())
-          share = first_change(end.state, path.condensed.problem);
+        const std::optional<double> share = divides && foreseen++ < model.programme.A.rows()
+                                                ? first_change(end.state, path.condensed.problem)
+                                                : std::nullopt;
         const double change = begin + share.value_or(0) * (reach - begin);
-        const bool until = share && (change - margin <= begin || goes(change - margin));
-        if (!until || !goes(change + margin)) {
-          if (until) end.limit = change;
+        const bool there = share && change - margin <= begin;
+        if (!share || !goes(there ? change + margin : change - margin)) {
+          if (there) end.limit = change;
           end.reason +=
               text(". The step to ", target, " was halved ", model.path.halvings, " times",
-                   until ? text(", and nothing is found beyond time ", change,
+                   there ? text(", and nothing is found beyond time ", change,
                                 ", where pairs begin to slide or to open")
                          : "");
           return ended(std::move(end));
