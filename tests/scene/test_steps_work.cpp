@@ -101,6 +101,5 @@ TEST_CASE("a node that a support drags over the ground rubs at its bound, and no
     if (given != 0) continue;
     const Eigen::VectorXd& before = steps[13].solution.contact.friction;
     CHECK((contact.friction - before).head(last).norm() <= 1e-12 * before.norm());
-    CHECK(steps[k].solution.contact.report.iterations <= 2);
   }
 }

@@ -45,7 +45,7 @@ void append(Triplets& entries, Index row, const FreeRow& free, double sign) {
 Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(Index rows, Index columns,
                                                     const Triplets& entries) {
   Eigen::SparseMatrix<double, Eigen::RowMajor> result(rows, columns);
-  result.setFromTriplets(entries.begin(), entries.end());
+  if (!entries.empty()) result.setFromTriplets(entries.begin(), entries.end());
   return result;
 }
 
@@ -157,6 +157,7 @@ NodalRows selected_rows(const NodalRows& rows, const std::vector<Index>& kept) {
 }
 
 NodalRows below(const NodalRows& upper, const NodalRows& lower) {
+  if (upper.rows() == 0 && upper.cols() <= lower.cols()) return lower;
   Triplets entries;
   const auto add = [&](const NodalRows& rows, Index first) {
     for (Index row = 0; row < rows.rows(); ++row)
