@@ -16,6 +16,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Smaller ones check_problem() refuses.
+constexpr double smallest_number = 0x1p-340;
+
 /// The road, one pass of the solver after another.
 class Road {
  public:
@@ -94,8 +97,16 @@ Judgement Road::look(const std::vector<Motion>& motions, const VectorXd& force) 
 }
 
 void Road::read_off() {
+  const std::vector<Motion> taken = motions_;
   // What a certificate lets pass.
   predict(scaled_, scaled_numbers(data_, end_.solution, movement_, 1e-12), 1, motions_);
+  // With cohesion a pair that nothing presses carries shear all the same: it is closed.
+  const FrictionLaw& law = problem_.law;
+  const VectorXd friction = end_.solution.force.tail(law.coefficient.size());
+  for (Index k = 0; k < friction.size(); ++k) {
+    const auto pair = static_cast<std::size_t>(law.pair[static_cast<std::size_t>(k)]);
+    if (motions_[pair] == Motion::Open && friction(k) != 0) motions_[pair] = taken[pair];
+  }
 }
 
 bool Road::settle(const ContactState& claim) {
@@ -130,8 +141,8 @@ void Road::correct() {
     strained.force.setZero();
     problem_.resultant = -resultant_left(programme_, strained, modes_, 0);
   }
-  free =
-      (free.array().abs() > epsilon * terms.array()).select(free, 0.0);  // the others are rounding
+  // The others are rounding, or of no size that a problem may have.
+  free = (free.array().abs() > (epsilon * terms.array()).max(smallest_number)).select(free, 0.0);
   const Index pairs = problem_.free_gap.size();
   problem_.free_gap = free.head(pairs);
   problem_.free_slip = free.tail(free.size() - pairs);
