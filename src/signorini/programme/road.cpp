@@ -16,8 +16,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Smaller ones check_problem() refuses.
-constexpr double smallest_number = 0x1p-340;
+/// Smaller movements and resultants check_problem() refuses.
+constexpr double smallest_movement = 0x1p-340;
+constexpr double smallest_resultant = 0x1p-170;
 
 /// The road, one pass of the solver after another.
 class Road {
@@ -139,10 +140,11 @@ void Road::correct() {
     terms += problem_.rigid.cwiseAbs() * amplitude_.cwiseAbs();
     PrimalDual strained = now_;
     strained.force.setZero();
-    problem_.resultant = -resultant_left(programme_, strained, modes_, 0);
+    const VectorXd left = -resultant_left(programme_, strained, modes_, 0);
+    problem_.resultant = (left.array().abs() >= smallest_resultant).select(left, 0.0);
   }
   // The others are rounding, or of no size that a problem may have.
-  free = (free.array().abs() > (epsilon * terms.array()).max(smallest_number)).select(free, 0.0);
+  free = (free.array().abs() > (epsilon * terms.array()).max(smallest_movement)).select(free, 0.0);
   const Index pairs = problem_.free_gap.size();
   problem_.free_gap = free.head(pairs);
   problem_.free_slip = free.tail(free.size() - pairs);
