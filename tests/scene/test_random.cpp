@@ -148,3 +148,13 @@ TEST_CASE("no step of a random path with friction is solved and wrong",
   CHECK(of(counts, Outcome::Infeasible) == 0);
   CHECK(given_up(counts) <= 3);
 }
+
+// Each had a step whose pair carried the shear that cohesion allows, with nothing that presses it, and was told open.
+TEST_CASE("a pair of a random path that carries shear is closed", "[random][friction][steps]") {
+  for (const std::uint64_t seed : {50791, 60753, 62886}) {
+    const Trial trial = try_scene(seed, RandomScenes::Paths);
+    CAPTURE(seed, trial.text);
+    CHECK(trial.outcome != Outcome::Wrong);
+    CHECK(trial.errors.worst() <= 1e-12);
+  }
+}
