@@ -14,7 +14,8 @@ set arrow 3 from 5.6,0.7 to 6.9,0.7 head filled size 0.16,20 lw 1.3 lc rgb BLACK
 set label 1 '10 N' at 2.25,1.6 textcolor rgb BLACK
 set label 2 'hand, {/:Italic u}' at 7.0,0.7 textcolor rgb BLACK
 set label 3 '{/:Italic k} = 20 N/mm' at 4.15,1.3 center textcolor rgb BLACK
-set label 4 '{/:Italic c} = 5 N' at 0.25,0.75 textcolor rgb BLACK
+set label 4 '{/:Italic B} = 5 N' at 0.25,0.75 textcolor rgb BLACK
+set label 5 'wall' at 6.8,0.18 textcolor rgb BLACK
 $spring << EOD
 2.7,0.7
 3.1,0.7
@@ -38,6 +39,10 @@ set xrange [-1.25:1.25]; set yrange [-6.2:6.2]
 set xlabel 'hand {/:Italic u} [mm]'
 set ylabel 'pull of the hand [N]' offset 2,0
 unset key
+set arrow 1 from 0.85,2.0 to 0.79,0.8 front head filled size 0.05,20 lw 2 lc rgb BLUE
+set arrow 2 from -0.85,-2.0 to -0.79,-0.8 front head filled size 0.05,20 lw 2 lc rgb BLUE
+set arrow 3 from 0.1,2.0 to 0.16,3.2 front head filled size 0.05,20 lw 2 lc rgb BLUE
+set label 14 'from rest' at 0.02,-0.9 left front textcolor rgb BLUE
 set label 11 'remembers' at 0.78,-1.2 left front textcolor rgb BLUE
 set label 12 'forgets' at 0.12,1.0 left front textcolor rgb RED
 set label 13 'circles: by hand' at 0.13,-4.1 center front textcolor rgb BLACK
@@ -48,7 +53,7 @@ $area << EOD
 -1,-5
 -0.5,5
 EOD
-set label 10 "lost in a round:\n4{/:Italic c}({/:Italic U} − {/:Italic c}/{/:Italic k})\n= 15 N mm" at -0.43,3.9 left front textcolor rgb BLACK
+set label 10 "lost in a round:\n4{/:Italic B}({/:Italic U} − {/:Italic B}/{/:Italic k})\n= 15 N mm" at -0.43,3.9 left front textcolor rgb BLACK
 plot $area using 1:2 with filledcurves closed fc rgb LIGHT notitle, \
      file using 'hand':'pull' with linespoints ls 1 notitle, \
      file using 'hand':'by_hand' with points pt 6 ps 1.2 lc rgb BLACK notitle, \

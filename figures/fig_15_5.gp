@@ -16,10 +16,16 @@ do for [m=1:3:2] {
   set title sprintf('{/:Italic μ} = %d', m) offset 0,-0.5
   unset label
   if (m == 1) { set label 'slip [µm]' at screen 0.03,0.53 center rotate textcolor rgb BLACK }
+  unset arrow
+  set label 'open' at 0.5,0.68 right textcolor rgb BLACK
+  if (m == 1) {
+    set label 'sticks' at 0.22,0.0 textcolor rgb BLACK
+    set label 'slides' at 0.3,0.17 textcolor rgb BLACK
+  }
   if (m == 3) {
-    set label 'sticks' at 0.28,0.07 textcolor rgb BLACK
-    set label 'slides' at 0.49,0.2 textcolor rgb BLACK
-    set label 'open' at 0.5,0.68 right textcolor rgb BLACK
+    set label 'sticks' at 0.04,0.08 textcolor rgb BLACK
+    set label 'slides' at 0.42,0.15 right textcolor rgb BLACK
+    set arrow from 0.6,0.03 to 0.6,0.72 head filled size 0.025,20 lw 1.3 lc rgb BLACK
   }
   plot file using 'push':(is(m, 'stick')) with lines ls 1 lw 3, \
        file using 'push':(is(m, 'forward')) with lines ls 2 lw 3, \

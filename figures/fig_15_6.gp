@@ -1,9 +1,9 @@
 # Figure 15.6 - the square: how far its lower side has moved, and what it does there.   In: fig_15_6.csv   Out: fig_15_6.svg
 width = 640; height = 360
 load 'style.gp'
-set xrange [-1:41]; set yrange [0:3.2]
+set xrange [-1:41]; set yrange [-0.1:3.2]
 set xlabel 'distance from the free side [mm]'
-set ylabel 'moved along the plane [10^{-2} mm]'
+set ylabel 'moved towards the middle [10^{-2} mm]'
 set key top right
 file = data.'/fig_15_6.csv'
 is(name) = strcol('motion') eq name ? column('moved') : NaN

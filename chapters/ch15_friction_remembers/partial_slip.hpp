@@ -71,8 +71,8 @@ inline double forgotten(const Pressed& known, double time) {
 }
 
 /// Half-width of what sticks, read from all of it: what friction has left there to its bound is, in closed form,
-/// mu q0 sqrt(c^2 - x^2) / b. \param known  closed form \param model  of the cylinder \param step  of a push
-/// that grows \return c [mm]
+/// mu q0 sqrt(a^2 - x^2) / b. \param known  closed form \param model  of the cylinder \param step  of a push
+/// that grows \return a [mm]
 inline double stuck_half_width(const Pressed& known, const Model& model, const Step& step) {
   const ContactState& contact = step.solution.contact;
   const PartialSlip& slip = known.slip;

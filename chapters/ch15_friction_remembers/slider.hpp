@@ -14,7 +14,7 @@ using namespace signorini;
 
 constexpr double k = 20;             // stiffness of the spring [N/mm]
 constexpr double pressed = 10;       // force that presses the tip on the wall [N]
-constexpr double c = 0.5 * pressed;  // largest friction force, mu = 0.5 [N]
+constexpr double B = 0.5 * pressed;  // bound of the friction force, mu = 0.5 [N]
 constexpr double U = 1;              // the hand goes to and fro by so much [mm]
 
 /// What a spring with a sliding tip remembers. \param place  slip in total [mm] \param lost  [N mm]
@@ -26,7 +26,7 @@ struct Tip {
 
 inline double drag(double hand, Tip& tip) {
   const double stuck = k * (hand - tip.place);   // pull of the spring if the tip stays [N]
-  const double pull = std::clamp(stuck, -c, c);  // friction bears no more than c
+  const double pull = std::clamp(stuck, -B, B);  // friction bears no more than B
   const double slip = (stuck - pull) / k;        // so the tip moves until it does
   tip.place += slip;                             // and stays where it has come to
   tip.lost += std::abs(pull * slip);
@@ -54,7 +54,7 @@ inline Scene triangle(const std::vector<double>& times) {
   spring.supports[1].history = "hand";
   spring.loads.points = {{{2, 0}, {pressed, 0}}};
   scene.contacts = {{{"tip"}, half_plane(/*point*/ {2, 0}, /*normal out of it*/ {-1, 0})}};
-  scene.contacts[0].friction = Friction{c / pressed, 0};
+  scene.contacts[0].friction = Friction{B / pressed, 0};
   scene.path = Path{times, {to_and_fro()}};
   return scene;
 }

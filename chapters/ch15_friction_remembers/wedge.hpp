@@ -45,7 +45,7 @@ inline Scene wedge(double coefficient) {
   wedge.mesh.nodes << 1, 0, 1.5, 1.5, 0, 1;
   wedge.mesh.cells.resize(1, 3);
   wedge.mesh.cells << 0, 1, 2;
-  wedge.mesh.boundaries = {{"tip", {{0, 1}}}, {"root", {{0, 2}}}};
+  wedge.mesh.boundaries = {{"tip", {{0, 0}}}, {"root", {{0, 2}}}};
   wedge.material = {32000. / 15, 1. / 3, PlaneState::Strain, 1};
   wedge.supports = {fixed("root")};
   wedge.loads.points = {{{1.5, 1.5}, {0.2, 0}, "press"}, {{1.5, 1.5}, {0, 1}, "push"}};

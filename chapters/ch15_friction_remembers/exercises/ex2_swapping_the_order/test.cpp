@@ -7,7 +7,7 @@
 using ex15_2::in_order;
 using namespace signorini;
 
-// The triangle of the chapter, pressed and pulled together, by 4 c / k = 1 mm in the end.
+// The triangle of the chapter, pressed and pulled together, by `way` in the end [mm].
 static Scene straight(double way) {
   Scene scene = ch15::triangle(equal_steps(4));
   scene.bodies[0].loads.points[0].history = "press";
@@ -27,7 +27,7 @@ TEST_CASE("ex15.2 pressed first, friction bears the pull; pulled first, it bears
           "[ex15.2]") {
   for (const double way : {0.2, 1.0, -0.1}) {
     CAPTURE(way);
-    const double expected = std::clamp(ch15::k * way, -ch15::c, ch15::c);
+    const double expected = std::clamp(ch15::k * way, -ch15::B, ch15::B);
     CHECK(pull_in_the_end(in_order(straight(way), "press")) == Approx(expected).epsilon(1e-12));
     CHECK(pull_in_the_end(in_order(straight(way), "hand")) == Approx(0).margin(1e-12));
   }

@@ -8,7 +8,7 @@ namespace ex15_3 {
 /// Sliders side by side that one hand moves.
 struct Sliders {
   Eigen::VectorXd stiffness;  ///< k `n` > 0 of their springs [force/length]
-  Eigen::VectorXd bound;      ///< c `n` >= 0, largest friction forces [force]
+  Eigen::VectorXd bound;      ///< B `n` >= 0, largest friction forces [force]
 };
 
 /// What they remember.
@@ -18,7 +18,7 @@ struct State {
 };
 
 /// Moves the hand. A tip moves only if friction would have to bear more than its bound, and no further than it must.
-/// \param sliders  `n`, with k > 0 and c >= 0
+/// \param sliders  `n`, with k > 0 and B >= 0
 /// \param hand     where it is now [length]
 /// \param state    of before, with `n` places; gets that of now
 /// \return what the hand pulls [force], positive towards positive places

@@ -18,7 +18,7 @@ TEST_CASE("ex15.3 a load that only grows", "[ex15.3]") {
   CHECK(state.lost == Approx(5 * 0.75).epsilon(1e-13));
 }
 
-TEST_CASE("ex15.3 the loop of one slider, 4 c (U - c / k)", "[ex15.3]") {
+TEST_CASE("ex15.3 the loop of one slider, 4 B (U - B / k)", "[ex15.3]") {
   const Sliders sliders{one(20), one(5)};
   State state{one(0)};
   (void)step(sliders, 1, state);
@@ -31,7 +31,7 @@ TEST_CASE("ex15.3 the loop of one slider, 4 c (U - c / k)", "[ex15.3]") {
 }
 
 TEST_CASE("ex15.3 step by step as the library", "[ex15.3]") {
-  const Sliders sliders{one(ch15::k), one(ch15::c)};
+  const Sliders sliders{one(ch15::k), one(ch15::B)};
   State state{one(0)};
   using namespace signorini;
   ch15::remember(ch15::triangle(equal_steps(23, 5)), [&](const Model&, const Step& now) {
