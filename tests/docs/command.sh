@@ -162,8 +162,10 @@ fi
 # Load steps: a line, a file and a state for each.  A path goes on from its state to the same bits.
 path=$examples/to_and_fro.toml
 expect 0 'load steps: 51 up to time 4, one factor for all' plan "$path"
-expect 0 "history 'drag': 0 at time 0, 0 at time 1, 1 at time 2, -1 at time 3, 1 at time 4; 1 loads follow it" plan "$path"
+expect 0 "history 'drag': 0 at time 0, 0 at time 1, 1 at time 2, -1 at time 3, 1 at time 4; 1 load follows it" plan "$path"
 expect 0 'later step +seconds about' plan "$path"
+expect 0 'later step +seconds +[0-9.e-]+ s +[0-9.e-]+ s +about' solve "$path"
+expect 0 '^friction_split$' --list
 expect 0 '^ +11 +2 +[0-9]+ +4 +40 +0 +40 +-60 +200 +3\.3251 ' solve "$path" --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
 expect 0 'solved: 51 steps up to time 4' solve "$path"
 holds 'rows of all steps' test "$(cut -d, -f1 outputs/a.csv | grep -vc '[a-z]') $(grep -c '^time,.*,pressure,' outputs/a.csv)" = '2091 1'
@@ -269,6 +271,9 @@ two.csv
 two.vtu'
 if command -v gnuplot > /dev/null 2>&1; then
     expect 0 solved solve two_contacts.toml --plot outputs/two.svg
+    expect 0 solved solve "$path" --plot outputs/path.svg
+    holds 'the time of a picture' grep -Eq 'displacements times [0-9.]+; time 4<' outputs/path.svg
+    rm outputs/path.svg
     for word in 'block.bottom on half plane' 'block.left on half plane' 'bound of the shear'; do
         holds "no $word in the picture" grep -Fq "$word" outputs/two.svg
     done
