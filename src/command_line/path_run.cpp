@@ -333,7 +333,8 @@ void PathTeller::print_notes() {
   bool any = false;
   for (const TimedNote& note : notes_) {
     if (note.in_head) continue;
-    out_ << (std::exchange(any, true) ? "" : "\n") << "  note  at time " << shortest(note.first);
+    out_ << (std::exchange(any, true) ? "" : "\n") << "  note  "
+         << (note.steps > 1 && !note.gone ? "from" : "at") << " time " << shortest(note.first);
     if (note.steps > 1)
       out_ << (note.gone ? text(" and in ", note.steps - 1, " of the steps until ") : " to ")
            << shortest(note.last);

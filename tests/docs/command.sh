@@ -181,15 +181,25 @@ holds 'the same collection' cmp outputs/a.pvd collection
 for file in outputs/a_*.vtu; do
     holds 'the same step' cmp "$file" "outputs/b_${file#outputs/a_}"
 done
-# All but the last rows are there if a run is killed: what is after the state, and half a line, is not kept.
-rows=$(($(grep -n '^2.1,' outputs/a.csv | tail -n 1 | cut -d: -f1) + 5))
-head -n "$rows" outputs/a.csv > outputs/b.csv
-printf '1.9' >> outputs/b.csv
+# A run that is killed leaves the rows of its state; of what is behind them, also half a line, nothing is kept.
+head -n "$(grep -n '^2,' outputs/a.csv | tail -n 1 | cut -d: -f1)" outputs/a.csv > outputs/b.csv
 cp outputs/a.pvd outputs/c.pvd
 expect 0 'solved: 11 steps up to time 2' solve part.toml --state outputs/c
 expect 0 'outputs/d.csv is new: it begins with step 12' solve "$path" --from outputs/c --csv outputs/d.csv
-expect 0 'goes on from time 2, after 11 steps' solve "$path" --from outputs/c --csv outputs/b.csv
-holds 'the same table after half a line' cmp outputs/a.csv outputs/b.csv
+cp outputs/b.csv kept
+for more in 2 '2.05,0,0
+2.1' '# time 2'; do
+    { cat kept; printf '%s' "$more"; } > outputs/b.csv
+    expect 0 'goes on from time 2, after 11 steps' solve "$path" --from outputs/c --csv outputs/b.csv
+    holds "the same table after '$more'" cmp outputs/a.csv outputs/b.csv
+done
+# Killed: the file of the first step is there while the second is solved.
+sed 's/cells = .40, 10./cells = [200, 50]/; s/count = .*/count = 1000/' "$path" > long.toml
+"$program" solve long.toml --csv outputs/k.csv --state outputs/k > /dev/null &
+killed=$!
+until [ -e outputs/k ] || ! kill -0 "$killed"; do sleep 0.1; done
+kill -9 "$killed" && wait "$killed" 2> /dev/null
+holds 'rows of a run that was killed' test "$(grep -c "^$(sed -n 's/^time //p' outputs/k)," outputs/k.csv)" = 201
 for begun in 'tail -n +2000 outputs/a.csv' 'sed /^1.5,/d outputs/a.csv' 'sed s/^2,/2.05,/ outputs/a.csv' 'echo x,y'; do
     $begun > outputs/d.csv
     cp outputs/d.csv kept
@@ -226,6 +236,41 @@ a_0001.vtu
 a_0002.vtu'
 sed 's/youngs_modulus = 1,/youngs_modulus = 20,/; s/value = 1,/value = 0.5,/; s/^count.*/until = 1.5/; s/press = -1/press = 6/' pulled.toml > soft.toml
 expect 0 'note  at time 1\.5: linear elasticity takes deformations for small' solve soft.toml
+# A note has its times, and those of two bodies are two.
+cat > noted.toml << 'END'
+material = { youngs_modulus = 10, poisson_ratio = 0.3 }
+[[body]]
+name = "part1"
+mesh = { kind = "block", size = [1, 1], cells = [2, 2] }
+prescribed = { top = { x = 0, y = -0.001, history = "press" } }
+[[body]]
+name = "part2"
+mesh = { kind = "block", size = [1, 1], cells = [2, 2], corner = [2, 0] }
+fixed = "bottom"
+pressure = { top = { value = 1, history = "load" } }
+[[contact]]
+source = "part1.bottom"
+target = { kind = "half_plane", point = [0, 0], normal = [0, 1] }
+[[steps]]
+values = { press = 1 }
+[[steps]]
+values = { press = -1 }
+[[steps]]
+values = { press = 1 }
+[[steps]]
+values = { press = -1 }
+[[steps]]
+values = { press = -2 }
+[[steps]]
+values = { press = 300 }
+[[steps]]
+values = { press = 1, load = 20 }
+END
+expect 0 'note  at time 2 and in 2 of the steps until 5: no pair carries' solve noted.toml
+expect 0 "note  at time 6: linear .* of 'part1'" solve noted.toml
+expect 0 "note  at time 7: linear .* of 'part2'" solve noted.toml
+sed '19s/1/-2/' noted.toml > lifted_longer.toml
+expect 0 'note  from time 2 to 5: no pair carries' solve lifted_longer.toml
 expect 1 'time 1\.5\. With --state FILE the next run can go on' solve pulled.toml
 sed 's/press = 1 /press = -1 /' pulled.toml > never.toml
 expect 1 'not solved: the step from time 0 to ' solve never.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
