@@ -71,9 +71,9 @@ void declare(CLI::App& app, Request& request) {
            "picture .svg or "
            ".png, by gnuplot; of load steps the last");
   add_file("--state", request.output.state, "where load steps are, kept up to date");
-  add_file(
-      "--from", request.from,
-      "goes on from what --state wrote, to the same numbers; files keep the steps up to there");
+  add_file("--from", request.from,
+           "goes on from what --state wrote, to the same numbers; files keep the steps up to "
+           "there, and are refused if they have others");
   add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
   add_problem(
       app, "friction",

@@ -1,11 +1,16 @@
 #include "command_line/path_run.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <cstring>
+#include <fstream>
 #include <iomanip>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +19,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/core/text_reader.hpp"
 #include "signorini/report/pressure_table.hpp"
 
 namespace command_line {
@@ -36,42 +42,60 @@ std::string numbered(const std::string& vtu, Index step) {
   return fs::path(vtu).replace_filename(name.str()).string();
 }
 
-/// The rows of a table with the time in front, and the names of its columns if they are not there yet.
-void add_rows(const std::string& rows, double time, std::string& table) {
-  const std::string at = shortest(time);
-  bool named = false;
-  std::istringstream lines(rows);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.front() == '#') {
-      table += text("# time ", at, ": ", line.substr(2), '\n');
-    } else if (named) {
-      table += text(at, ',', line, '\n');
-    } else {
-      named = true;
-      if (table.find("\ntime,") == std::string::npos) table += "time," + line + '\n';
-    }
-  }
-}
+/// What a table of steps has until some time.
+struct TableUntil {
+  std::string lines;  // a last one that is not whole is left out
+  std::string head;   // names of the columns
+  Index steps = 0;
+  Index rows = 0;
+  double time = 0;  // of the last step
+};
 
-/// The rows of such a table up to a time.
-std::string rows_until(double time, const std::string& table) {
-  std::string rows;
-  std::istringstream lines(table);
-  for (std::string line; std::getline(lines, line);) {
-    const std::string comment = "# time ";
-    const std::size_t begin = line.rfind(comment, 0) == 0 ? comment.size() : 0;
-    double at = 0;
-    const auto read = std::from_chars(line.data() + begin, line.data() + line.size(), at);
-    if (read.ec == std::errc() && at > time) break;
-    rows += line + '\n';
+TableUntil table_until(double time, const std::string& table) {
+  constexpr std::string_view comment = "# time ";
+  TableUntil found;
+  for (std::size_t at = 0, end = 0; (end = table.find('\n', at)) != std::string::npos;
+       at = end + 1) {
+    const std::string_view line(table.data() + at, end - at);
+    const bool told = line.substr(0, comment.size()) == comment;
+    double now = 0;
+    const auto read =
+        std::from_chars(line.data() + (told ? comment.size() : 0), line.data() + line.size(), now);
+    if (read.ec == std::errc()) {
+      if (now > time) break;
+      if (found.steps == 0 || now != found.time) ++found.steps;
+      found.time = now;
+      if (!told) ++found.rows;
+    } else if (found.head.empty() && line.substr(0, 1) != "#") {
+      found.head = line;
+    }
+    found.lines.append(line).append(1, '\n');
   }
-  return rows;
+  return found;
 }
 
 /// What a file holds, nothing if there is none.
 std::string content_if_any(const std::string& file) {
   std::error_code unseen;
-  return fs::is_regular_file(file, unseen) ? content_of(file) : "";
+  return fs::is_regular_file(file, unseen)
+             ? file_content(file, std::numeric_limits<std::size_t>::max())
+             : "";
+}
+
+/// Refuses to go on in a file of other steps. \param right  whether it is that of the state
+void check_begun(bool right, const std::string& file, const PathState& from) {
+  pose(right, file, ": this file has not the ", from.steps, " steps until time ",
+       shortest(from.time),
+       " after which --from goes on; give the one that they were written to, "
+       "or a name that is new");
+}
+
+void append(const std::string& file, const std::string& lines) {
+  std::ofstream out(file, std::ios::binary | std::ios::app);
+  out << lines;
+  out.close();
+  pose(static_cast<bool>(out), "cannot write '", file,
+       "': give a folder that has room and may be written to");
 }
 
 Index solves_of(const Ledger& ledger) {
@@ -109,20 +133,60 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
     if (run.plan.bodies[0].material.bulk.state != PlaneState::Axial)
       add("force x", "%.5g", [&] { return sum->force.x(); });
     add("force y", "%.5g", [&] { return sum->force.y(); });
-    if (rubs) add("dissipated", "%.5g", [&] { return sum->dissipated_total; });
+    if (rubs) add("dissipated_total", "%.5g", [&] { return sum->dissipated_total; });
   }
   add("certificate", "%.1e", [&] { return step->solution.certificate.worst(); });
   return all;
 }
 
+/// How wide a column is. \param column  of print_step()
+int width(const Column& column) {
+  return static_cast<int>(std::max<std::size_t>(13, std::strlen(column.name) + 2));
+}
+
+/// A note without its numbers, but for those in names between quotes.
+std::string without_numbers(const std::string& note) {
+  const char* const end = note.data() + note.size();
+  const auto at = [&](std::size_t k) {
+    return k < note.size() ? static_cast<unsigned char>(note[k]) : 0;
+  };
+  std::string kind;
+  bool quoted = false;
+  for (std::size_t k = 0; k < note.size(); ++k) {
+    // No quote is what stands behind a word, as in "Mises' stress", or within one.
+    const std::size_t beside = quoted ? k + 1 : k - 1;
+    if (at(k) == '\'' && std::isalnum(at(beside)) == 0) quoted = !quoted;
+    double skipped = 0;
+    if (!quoted && std::isdigit(at(k)) != 0)
+      k = static_cast<std::size_t>(std::from_chars(note.data() + k, end, skipped).ptr -
+                                   note.data()) -
+          1;
+    else if (quoted || at(k) != '-')
+      kind += note[k];
+  }
+  return kind;
+}
+
 /// How the command goes on after a path that ended too early.
 std::string way_on(const SceneRun& run) {
-  const std::string& state = run.file.output.state;
-  if (run.end->state.steps == 0) return "";
-  if (state.empty()) return ". With --state FILE the next run can go on from there, by --from FILE";
-  const std::string& name = run.file.name;
-  return text(". To go on from there: signorini solve ", name == standard_input ? "-" : name,
-              " --from ", state);
+  const PathState& state = run.end->state;
+  if (state.steps == 0) return "";
+  const Output& output = run.file.output;
+  if (output.state.empty())
+    return ". With --state FILE the next run can go on from there, by --from FILE";
+  const std::string time = shortest(state.time);
+  std::string values;
+  for (const History& history : run.file.scene.path->histories)
+    values += text(values.empty() ? ", where " : ", ", history.name, " = ",
+                   shortest(history.at(state.time)));
+  std::string command =
+      text("signorini solve ", run.file.name == standard_input ? "-" : run.file.name, " --from ",
+           output.state, " --state ", output.state);
+  if (!output.vtu.empty()) command += " --vtu " + output.vtu;
+  if (!output.csv.empty()) command += " --csv " + output.csv;
+  if (!output.plot.empty()) command += " --plot " + output.plot;
+  return text(". To go on from there: change what comes after time ", time, values,
+              run.end->limit ? "" : ", or halvings", "; then: ", command);
 }
 
 }  // namespace
@@ -141,15 +205,57 @@ PathFiles::PathFiles(const SceneRun& run, std::string read)
   if (!all.vtu.empty()) all.vtu = collection(all.vtu);
   static_cast<void>(Drafts(files_of(all), read_));
   if (run.from.steps == 0) return;
-  if (!all.csv.empty()) table_ = rows_until(run.from.time, content_if_any(all.csv));
-  if (!all.vtu.empty()) fields_ = read_pvd(content_if_any(all.vtu));
-  const auto later = [&](const TimedFile& file) { return file.time > run.from.time; };
+  if (!all.csv.empty()) keep_table(run.from);
+  if (!all.vtu.empty()) keep_fields(run.from, all.vtu);
+}
+
+void PathFiles::keep_table(const PathState& from) {
+  const std::string content = content_if_any(wanted_.csv);
+  if (content.empty()) return late_.push_back(wanted_.csv);
+  TableUntil kept = table_until(from.time, content);
+  const Index rows = from.steps * static_cast<Index>(from.motion.size());
+  check_begun(kept.steps == from.steps && kept.rows == rows && kept.time == from.time, wanted_.csv,
+              from);
+  from_ = from;
+  head_ = std::move(kept.head);
+  table_ = std::move(kept.lines);
+}
+
+void PathFiles::keep_fields(const PathState& from, const std::string& all) {
+  const std::string content = content_if_any(all);
+  if (content.empty()) return late_.push_back(all);
+  fields_ = read_pvd(content);
+  const auto later = [&](const TimedFile& file) { return file.time > from.time; };
   fields_.erase(std::remove_if(fields_.begin(), fields_.end(), later), fields_.end());
+  bool right = static_cast<Index>(fields_.size()) == from.steps && fields_.back().time == from.time;
+  for (std::size_t k = 0; right && k < fields_.size(); ++k)
+    right = fields_[k].file ==
+            fs::path(numbered(wanted_.vtu, static_cast<Index>(k) + 1)).filename().string();
+  check_begun(right, all, from);
+}
+
+std::string PathFiles::rows_of(const Model& model, const Step& step) {
+  const std::string at = shortest(step.state.time);
+  std::string table;
+  bool named = false;
+  std::istringstream lines(pressure_csv(model, step.solution, "", &step.state));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.front() == '#') {
+      table += text("# time ", at, ": ", line.substr(2), '\n');
+    } else if (named) {
+      table += text(at, ',', line, '\n');
+    } else {
+      named = true;
+      line = "time," + line;
+      if (head_.empty()) table += line + '\n';
+      check_begun(head_.empty() || head_ == line, wanted_.csv, from_);
+      head_ = line;
+    }
+  }
+  return table;
 }
 
 void PathFiles::add(const Model& model, const Step& step) {
-  if (!wanted_.csv.empty())
-    add_rows(pressure_csv(model, step.solution, "", &step.state), step.state.time, table_);
   std::vector<std::string> files;
   std::string fields, all;
   if (!wanted_.vtu.empty()) {
@@ -158,26 +264,32 @@ void PathFiles::add(const Model& model, const Step& step) {
     files = {fields, all};
     fields_.push_back({step.state.time, fs::path(fields).filename().string()});
   }
+  const bool begins = !wanted_.csv.empty() && !begun_;
+  if (!wanted_.csv.empty()) table_ += rows_of(model, step);
+  if (begins) files.push_back(wanted_.csv);
   if (!wanted_.state.empty()) files.push_back(wanted_.state);
+  // The rows come before the state: if all ends between the two, they are of a step that will be done again.
+  if (begun_) append(wanted_.csv, table_);
   Drafts drafts(files, read_);
   drafts.publish([&] {
     if (!wanted_.vtu.empty()) {
       write_vtu(drafts.begin(fields), model, step.solution, &step.state);
       write_pvd(drafts.begin(all), fields_);
     }
+    if (begins) write_file(drafts.begin(wanted_.csv), table_);
     if (wanted_.state.empty()) return;
     std::ostringstream state;
     write_state(step.state, state);
     write_file(drafts.begin(wanted_.state), state.str());
   });
+  begun_ = begun_ || begins;
+  table_.clear();
 }
 
 void PathFiles::finish(const SceneRun& run) const {
-  Drafts drafts(files_of({{}, wanted_.csv, wanted_.plot, {}}), read_);
-  drafts.publish([&] {
-    if (!wanted_.csv.empty()) write_file(drafts.begin(wanted_.csv), table_);
-    if (!wanted_.plot.empty()) draw(drafts.begin(wanted_.plot), picture_kind(wanted_.plot), run);
-  });
+  if (wanted_.plot.empty()) return;
+  Drafts drafts({wanted_.plot}, read_);
+  drafts.publish([&] { draw(drafts.begin(wanted_.plot), picture_kind(wanted_.plot), run); });
 }
 
 void PathTeller::begin(const SceneRun& run) {
@@ -189,19 +301,44 @@ void PathTeller::begin(const SceneRun& run) {
   }
   print_head(out_, run);
   if (run.from.steps > 0)
-    out_ << "\ngoes on from time " << run.from.time << ", after " << run.from.steps << " steps\n";
+    out_ << "\ngoes on from time " << shortest(run.from.time) << ", after " << run.from.steps
+         << " steps\n";
+  for (const std::string& file : late_files_)
+    out_ << file << " is new: it begins with step " << run.from.steps + 1 << '\n';
   out_ << '\n';
-  for (const Column& column : columns(run, nullptr, nullptr)) out_ << std::setw(13) << column.name;
+  for (const Column& column : columns(run, nullptr, nullptr))
+    out_ << std::setw(width(column)) << column.name;
   out_ << '\n';
 }
 
 void PathTeller::keep_notes(const Step& step) {
   const bool first = !std::exchange(noted_, true);
+  const double now = step.state.time;
   for (const std::string& note : step.solution.notes) {
-    // Notes that differ in a number only are one.
-    const std::string kind = note.substr(0, note.find_first_of("0123456789"));
-    if (!told_.insert(kind).second || first) continue;  // the head has those of the first step
-    late_notes_ += text("  note  from time ", step.state.time, " on: ", note, '\n');
+    const std::string kind = without_numbers(note);
+    const auto known = std::find_if(notes_.begin(), notes_.end(),
+                                    [&](const TimedNote& one) { return one.kind == kind; });
+    if (known == notes_.end()) {
+      notes_.push_back({kind, note, first, now, now, step.state.steps, 1});
+    } else {
+      known->last = now;
+      ++known->steps;
+      known->gone = known->gone || step.state.steps != known->last_step + 1;
+      known->last_step = step.state.steps;
+    }
+  }
+}
+
+void PathTeller::print_notes() {
+  bool any = false;
+  for (const TimedNote& note : notes_) {
+    if (note.in_head) continue;
+    out_ << (std::exchange(any, true) ? "" : "\n") << "  note  "
+         << (note.steps > 1 && !note.gone ? "from" : "at") << " time " << shortest(note.first);
+    if (note.steps > 1)
+      out_ << (note.gone ? text(" and in ", note.steps - 1, " of the steps until ") : " to ")
+           << shortest(note.last);
+    out_ << ": " << note.note << '\n';
   }
 }
 
@@ -209,14 +346,15 @@ void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step)
   begin(run);
   if (as_json_) {
     json_.object().key("step").value(step.state.steps).key("time").value(step.state.time);
-    if (!run.plan.law.pair.empty()) json_.key("dissipated").value(step.state.dissipation.sum());
+    if (!run.plan.law.pair.empty())
+      json_.key("dissipated_total").value(step.state.dissipation.sum());
     write_result(json_, run.plan.solver, model, step.solution, &step.state);
     json_.end();
     return;
   }
   keep_notes(step);
   for (const Column& column : columns(run, &model, &step))
-    out_ << std::setw(13) << number(column.value, column.format);
+    out_ << std::setw(width(column)) << number(column.value, column.format);
   out_ << std::endl;  // now: the next step may take long
 }
 
@@ -237,7 +375,8 @@ void PathTeller::end(const SceneRun& run) {
   else
     out_ << "\nnot solved: " << reason;
   if (end.halvings > 0) out_ << "\nsteps that failed and were halved: " << end.halvings;
-  out_ << '\n' << (late_notes_.empty() ? "" : "\n") << late_notes_;
+  out_ << '\n';
+  print_notes();
   if (!run.solution) return;
   out_ << "\nat time " << end.state.time << "\ncertificate: " << run.solution->certificate << '\n';
   print_result(out_, run);

@@ -1,8 +1,8 @@
 // Load steps of a scene file: what is said and written after each.
 #pragma once
 #include <iosfwd>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "command_line/scene_run.hpp"
@@ -23,23 +23,33 @@ class PathFiles {
  public:
   /// \param run   that will be solved
   /// \param read  what it was read from
-  /// \throws signorini::ProblemError as Drafts
+  /// \throws signorini::ProblemError as Drafts, or if the path goes on and a table or a collection has other steps before
   PathFiles(const SceneRun& run, std::string read);
-  /// Writes fields, collection and state, and keeps the rows of the table.
+  /// Writes fields, collection, the rows of the table and the state.
   /// \param model  as loaded in the step
   /// \param step   the next one
-  /// \throws signorini::ProblemError if a file cannot be written
+  /// \throws signorini::ProblemError if a file cannot be written, or the table has other columns before
   void add(const signorini::Model& model, const signorini::Step& step);
-  /// Writes the table of all steps, and the picture of the last good one.
+  /// Draws the picture of the last good step.
   /// \param run  after solve_scene(), with one good step or more
   /// \throws signorini::ProblemError if a file cannot be written or drawn
   void finish(const SceneRun& run) const;
+  /// \return files of a path that goes on which are new, so that the steps before are missing
+  [[nodiscard]] const std::vector<std::string>& late() const { return late_; }
 
  private:
+  void keep_table(const signorini::PathState& from);
+  void keep_fields(const signorini::PathState& from, const std::string& all);
+  std::string rows_of(const signorini::Model& model, const signorini::Step& step);
+
   signorini::Output wanted_;
   std::string read_;
-  std::string table_;
+  signorini::PathState from_;
+  std::string head_;   // of the table; empty until it has one
+  std::string table_;  // what is not yet written of it
+  bool begun_ = false;
   std::vector<signorini::TimedFile> fields_;
+  std::vector<std::string> late_;
 };
 
 /// Tells of a path: a line for each step as soon as it is solved, or one JSON document at the end.
@@ -47,7 +57,9 @@ class PathTeller {
  public:
   /// \param out   where to
   /// \param json  a document in the place of lines
-  PathTeller(std::ostream& out, bool json) : out_(out), as_json_(json) {}
+  /// \param late  files in which the steps before are missing
+  PathTeller(std::ostream& out, bool json, std::vector<std::string> late)
+      : out_(out), late_files_(std::move(late)), as_json_(json) {}
   /// \param run    what is being solved
   /// \param model  as loaded in the step
   /// \param step   that was solved
@@ -59,14 +71,27 @@ class PathTeller {
  private:
   void begin(const SceneRun& run);
   void keep_notes(const signorini::Step& step);
+  void print_notes();
+
+  /// What was noted in some steps. Notes that differ in numbers only are one.
+  struct TimedNote {
+    std::string kind;      // the note without numbers
+    std::string note;      // as it was first
+    bool in_head = false;  // whether the first step has it
+    double first = 0;      // time
+    double last = 0;       // time
+    Eigen::Index last_step = 0;
+    Eigen::Index steps = 0;  // in how many
+    bool gone = false;       // in a step between
+  };
 
   std::ostream& out_;
+  std::vector<std::string> late_files_;
   signorini::Json json_;
   bool as_json_;
   bool begun_ = false;
   bool noted_ = false;
-  std::set<std::string> told_;  // notes up to their first number
-  std::string late_notes_;      // that no earlier step had
+  std::vector<TimedNote> notes_;
 };
 
 }  // namespace command_line

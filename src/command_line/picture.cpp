@@ -117,7 +117,7 @@ Layout layout_of(const Box& box, double panels) {
 }
 
 void draw_meshes(std::ostream& gp, const Box& box, const Layout& layout, double scale,
-                 const Cells& stress, Index n_cells) {
+                 const std::string& time, const Cells& stress, Index n_cells) {
   const double tics = round_down(box.sizes().maxCoeff() / 4);
   constexpr Index most_outlined = 6000;  // beyond that, outlines are all there is to see
   gp << "set lmargin at screen " << left / width << "\nset rmargin at screen " << right / width
@@ -129,7 +129,7 @@ void draw_meshes(std::ostream& gp, const Box& box, const Layout& layout, double 
      << "\nset colorbox horizontal user origin screen " << left / width << ", screen "
      << (layout.top + 34) / layout.height << " size screen " << (right - left) / width
      << ", screen " << 10 / layout.height
-     << "\nset label 1 'von Mises'' stress; displacements times " << scale << "' at screen "
+     << "\nset label 1 'von Mises'' stress; displacements times " << scale << time << "' at screen "
      << left / width << ", screen " << (layout.top + 66) / layout.height << "\n";
   gp << "plot $cells using 1:2:3 with polygons fc palette lw 0.3";
   if (n_cells <= most_outlined) gp << ", '' using 1:2 with lines lw 0.4 lc rgb '#a0ffffff'";
@@ -186,7 +186,9 @@ std::string script(const std::filesystem::path& file, PictureKind kind, const Sc
   for (std::size_t k = 0; k < curves.size(); ++k)
     gp << block(k) << " << EOD\n" << curves[k].csv << "EOD\n";
   if (!curves.empty()) gp << "set multiplot\n";
-  draw_meshes(gp, box, layout, scale, stress, n_cells);
+  const PathState* const state = run.state();
+  const std::string time = state == nullptr ? "" : text("; time ", shortest(state->time));
+  draw_meshes(gp, box, layout, scale, time, stress, n_cells);
   for (std::size_t k = 0; k < curves.size(); ++k)
     draw_tractions(gp, curves[k], named, 60 + panel * static_cast<double>(curves.size() - 1 - k),
                    layout, block(k));

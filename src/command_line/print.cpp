@@ -137,9 +137,12 @@ void write(Json& json, const Certificate& certificate) {
 }
 
 void print_family(std::ostream& out) {
-  for (const Solver& solver : solvers()) {
+  for (const Solver& solver : all_solvers()) {
     out << solver.name << "\n    " << solver.summary << '\n';
     if (solver.largest > 0) out << "    at most " << solver.largest << " pairs\n";
+    if (solver.friction != Takes::No)
+      out << (solver.friction == Takes::Only ? "    only problems with friction\n"
+                                             : "    also problems with friction\n");
     std::string traits;
     for (const Trait trait : solver.may_fail)
       traits += (traits.empty() ? "" : ", ") + std::string(signorini::to_string(trait));

@@ -41,6 +41,7 @@ struct BodyFigures {
   Eigen::Vector2d supports = Eigen::Vector2d::Zero();     // sum of their forces on the body
   Eigen::Vector2d springs = Eigen::Vector2d::Zero();      // and of the springs'
   bool axial = false;
+  bool supported = false;
   bool on_springs = false;
 };
 
@@ -61,6 +62,7 @@ std::vector<BodyFigures> figures_of(const Model& model, const Solution& solution
         figures.stressed_at = body.mesh.nodes.row(body.mesh.cells(cell, 0));
       }
     figures.supports = support_forces(model, solution, b).colwise().sum();
+    figures.supported = (body.unknowns.number.array() < 0).any();
     figures.on_springs = body.springs.rows() > 0;
     if (figures.on_springs) figures.springs = spring_forces(model, solution, b).colwise().sum();
     figures.axial = body.material.bulk.state == PlaneState::Axial;
@@ -73,9 +75,11 @@ void print_bodies(std::ostream& out, const Model& model, const Solution& solutio
   for (const BodyFigures& body : figures_of(model, solution)) {
     out << "body '" << body.name << "': moves by up to " << body.moves << ", at (" << body.at.x()
         << ", " << body.at.y() << "); von Mises' stress up to " << body.stress
-        << ", in the cell at (" << body.stressed_at.x() << ", " << body.stressed_at.y()
-        << "); supports bear " << force_in_words(body.supports, body.axial);
-    if (body.on_springs) out << ", springs " << force_in_words(body.springs, body.axial);
+        << ", in the cell at (" << body.stressed_at.x() << ", " << body.stressed_at.y() << ')';
+    if (body.supported) out << "; supports bear " << force_in_words(body.supports, body.axial);
+    if (body.on_springs)
+      out << (body.supported ? ", springs " : "; springs bear ")
+          << force_in_words(body.springs, body.axial);
     out << '\n';
   }
 }

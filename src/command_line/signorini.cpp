@@ -131,7 +131,7 @@ int plan_scene(const Request& request) {
 int solve_path(const Request& request, command_line::SceneRun& run) {
   if (!request.from.empty()) command_line::go_on(run, request.from);
   command_line::PathFiles files(run, request.file);
-  command_line::PathTeller teller(std::cout, request.json);
+  command_line::PathTeller teller(std::cout, request.json, files.late());
   command_line::solve_scene(run, [&](const Model& model, const Step& step) {
     files.add(model, step);
     teller.tell(run, model, step);

@@ -162,8 +162,10 @@ fi
 # Load steps: a line, a file and a state for each.  A path goes on from its state to the same bits.
 path=$examples/to_and_fro.toml
 expect 0 'load steps: 51 up to time 4, one factor for all' plan "$path"
-expect 0 "history 'drag': 0 at time 0, 0 at time 1, 1 at time 2, -1 at time 3, 1 at time 4; 1 loads follow it" plan "$path"
+expect 0 "history 'drag': 0 at time 0, 0 at time 1, 1 at time 2, -1 at time 3, 1 at time 4; 1 load follows it" plan "$path"
 expect 0 'later step +seconds about' plan "$path"
+expect 0 'later step +seconds +[0-9.e-]+ s +[0-9.e-]+ s +about' solve "$path"
+expect 0 '^friction_split$' --list
 expect 0 '^ +11 +2 +[0-9]+ +4 +40 +0 +40 +-60 +200 +3\.3251 ' solve "$path" --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
 expect 0 'solved: 51 steps up to time 4' solve "$path"
 holds 'rows of all steps' test "$(cut -d, -f1 outputs/a.csv | grep -vc '[a-z]') $(grep -c '^time,.*,pressure,' outputs/a.csv)" = '2091 1'
@@ -179,6 +181,34 @@ holds 'the same collection' cmp outputs/a.pvd collection
 for file in outputs/a_*.vtu; do
     holds 'the same step' cmp "$file" "outputs/b_${file#outputs/a_}"
 done
+# A run that is killed leaves the rows of its state; of what is behind them, also half a line, nothing is kept.
+head -n "$(grep -n '^2,' outputs/a.csv | tail -n 1 | cut -d: -f1)" outputs/a.csv > outputs/b.csv
+cp outputs/a.pvd outputs/c.pvd
+expect 0 'solved: 11 steps up to time 2' solve part.toml --state outputs/c
+expect 0 'outputs/d.csv is new: it begins with step 12' solve "$path" --from outputs/c --csv outputs/d.csv
+cp outputs/b.csv kept
+for more in 2 '2.05,0,0
+2.1' '# time 2'; do
+    { cat kept; printf '%s' "$more"; } > outputs/b.csv
+    expect 0 'goes on from time 2, after 11 steps' solve "$path" --from outputs/c --csv outputs/b.csv
+    holds "the same table after '$more'" cmp outputs/a.csv outputs/b.csv
+done
+# Killed: the file of the first step is there while the second is solved.
+sed 's/cells = .40, 10./cells = [200, 50]/; s/count = .*/count = 1000/' "$path" > long.toml
+"$program" solve long.toml --csv outputs/k.csv --state outputs/k > /dev/null &
+killed=$!
+until [ -e outputs/k ] || ! kill -0 "$killed"; do sleep 0.1; done
+kill -9 "$killed" && wait "$killed" 2> /dev/null
+holds 'rows of a run that was killed' test "$(grep -c "^$(sed -n 's/^time //p' outputs/k)," outputs/k.csv)" = 201
+for begun in 'tail -n +2000 outputs/a.csv' 'sed /^1.5,/d outputs/a.csv' 'sed s/^2,/2.05,/ outputs/a.csv' 'echo x,y'; do
+    $begun > outputs/d.csv
+    cp outputs/d.csv kept
+    expect 2 'outputs/d.csv: this file has not the 11 steps until time 2 after which --from goes on' solve "$path" --from outputs/c --csv outputs/d.csv
+    holds 'a file of other steps stays' cmp kept outputs/d.csv
+done
+sed 's/pressure,force/force,pressure/' outputs/a.csv > outputs/d.csv
+expect 2 'outputs/d.csv: this file has not the 11 steps' solve "$path" --from outputs/c --csv outputs/d.csv
+expect 2 'outputs/c.pvd: this file has not the 11 steps' solve "$path" --from outputs/c --vtu outputs/c.vtu
 expect 2 'outputs/b: this state is that of time 4, .*end at 4: nothing is left' solve "$path" --from outputs/b
 expect 2 'a.csv:[0-9]+: expected .*signorini-state' solve "$path" --from outputs/a.csv
 expect 2 "cannot write 'outputs/b' twice" solve "$path" --csv outputs/b --state outputs/b
@@ -187,7 +217,7 @@ expect 2 '^signorini: --from: .*punch.toml has no load steps' solve "$examples/p
 rm outputs/*
 expect 0 'solved: 11 steps' solve part.toml --state outputs/a
 sed 's/^friction = .*/friction = 0.2/' "$path" > other.toml
-expect 2 '--from: the state at time 2 is of another scene: its displacements' solve other.toml --from outputs/a
+expect 2 '--from: the state at time 2 is of another scene, or what comes before time 2 was changed, .* its displacements' solve other.toml --from outputs/a
 sed 's/cells = .40, 10./cells = [20, 10]/' "$path" > other.toml
 expect 2 '--from: the state at time 2 is of another scene: it has 861 unknowns' solve other.toml --from outputs/a
 rm outputs/*
@@ -196,7 +226,7 @@ rm outputs/*
     sed 's/^pressure.*/pressure = { top = { value = 1, history = "press" } }/' lifted.toml
     printf '[[steps]]\nvalues = { press = 1 }\n[[steps]]\ncount = 2\nvalues = { press = -1 }\n'
 } > pulled.toml
-expect 1 'not solved: the step from time 1\.5 to .*last good state is that of time 1\.5\. To go on from there: signorini solve pulled.toml --from outputs/a$' solve pulled.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
+expect 1 'not solved: the step from time 1\.5 to .*last good state is that of time 1\.5\. To go on from there: change what comes after time 1\.5, where press = 0; then: signorini solve pulled.toml --from outputs/a --state outputs/a --vtu outputs/a.vtu --csv outputs/a.csv$' solve pulled.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
 holds 'steps of a path that failed' grep -q '^1\.5,' outputs/a.csv
 holds 'a state of a path that failed' grep -qx 'time 1.5' outputs/a
 written 'a
@@ -205,7 +235,42 @@ a.pvd
 a_0001.vtu
 a_0002.vtu'
 sed 's/youngs_modulus = 1,/youngs_modulus = 20,/; s/value = 1,/value = 0.5,/; s/^count.*/until = 1.5/; s/press = -1/press = 6/' pulled.toml > soft.toml
-expect 0 'note  from time 1\.5 on: linear elasticity takes deformations for small' solve soft.toml
+expect 0 'note  at time 1\.5: linear elasticity takes deformations for small' solve soft.toml
+# A note has its times, and those of two bodies are two.
+cat > noted.toml << 'END'
+material = { youngs_modulus = 10, poisson_ratio = 0.3 }
+[[body]]
+name = "part1"
+mesh = { kind = "block", size = [1, 1], cells = [2, 2] }
+prescribed = { top = { x = 0, y = -0.001, history = "press" } }
+[[body]]
+name = "part2"
+mesh = { kind = "block", size = [1, 1], cells = [2, 2], corner = [2, 0] }
+fixed = "bottom"
+pressure = { top = { value = 1, history = "load" } }
+[[contact]]
+source = "part1.bottom"
+target = { kind = "half_plane", point = [0, 0], normal = [0, 1] }
+[[steps]]
+values = { press = 1 }
+[[steps]]
+values = { press = -1 }
+[[steps]]
+values = { press = 1 }
+[[steps]]
+values = { press = -1 }
+[[steps]]
+values = { press = -2 }
+[[steps]]
+values = { press = 300 }
+[[steps]]
+values = { press = 1, load = 20 }
+END
+expect 0 'note  at time 2 and in 2 of the steps until 5: no pair carries' solve noted.toml
+expect 0 "note  at time 6: linear .* of 'part1'" solve noted.toml
+expect 0 "note  at time 7: linear .* of 'part2'" solve noted.toml
+sed '19s/1/-2/' noted.toml > lifted_longer.toml
+expect 0 'note  from time 2 to 5: no pair carries' solve lifted_longer.toml
 expect 1 'time 1\.5\. With --state FILE the next run can go on' solve pulled.toml
 sed 's/press = 1 /press = -1 /' pulled.toml > never.toml
 expect 1 'not solved: the step from time 0 to ' solve never.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
@@ -251,6 +316,9 @@ two.csv
 two.vtu'
 if command -v gnuplot > /dev/null 2>&1; then
     expect 0 solved solve two_contacts.toml --plot outputs/two.svg
+    expect 0 solved solve "$path" --plot outputs/path.svg
+    holds 'the time of a picture' grep -Eq 'displacements times [0-9.]+; time 4<' outputs/path.svg
+    rm outputs/path.svg
     for word in 'block.bottom on half plane' 'block.left on half plane' 'bound of the shear'; do
         holds "no $word in the picture" grep -Fq "$word" outputs/two.svg
     done

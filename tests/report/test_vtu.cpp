@@ -59,7 +59,7 @@ TEST_CASE("a VTU file is well formed and its arrays have the sizes it names", "[
     CHECK(array_of(file, "contact_gap").size() == points);
     CHECK(array_of(file, "contact_traction").size() == 3 * points);
     for (const char* absent :
-         {"contact_shear_traction", "contact_slip", "contact_motion", "contact_number"})
+         {"contact_shear_traction", "contact_slip", "contact_motion", "contact_number", "body"})
       CHECK(array_of(file, absent).empty());
     CHECK(array_of(file, "cell_stress").size() == 4 * cells);
     CHECK(array_of(file, "points").size() == 3 * points);
@@ -140,6 +140,10 @@ TEST_CASE("a VTU file of a body of revolution has its hoop stress", "[vtu][axial
   write_vtu(folder.path() / "cylinders.vtu", run.model, run.solution);
   const std::vector<std::string> stress =
       array_of(content_of(folder.path() / "cylinders.vtu"), "cell_stress");
+  const std::string file = content_of(folder.path() / "cylinders.vtu");
+  CHECK(array_of(file, "body") == std::vector<std::string>{"0", "0"});
+  CHECK(array_of(file.substr(file.rfind("<Piece")), "body") == std::vector<std::string>{"1", "1"});
+  CHECK_THAT(file, ContainsSubstring("Name=\"bodies\" NumberOfTuples=\"2\""));
   REQUIRE(stress.size() == 4 * 2);
   const double exact[] = {-2, -5, 0, -2};
   for (std::size_t k = 0; k < stress.size(); ++k)

@@ -14,6 +14,8 @@ FrictionBound tresca(const Friction& friction, double weight) {
        friction.coefficient,
        ": its bound is the cohesion, whatever presses; leave the coefficient "
        "out, or take the law 'coulomb', which has both");
+  pose(friction.cohesion > 0, "Tresca's law needs a cohesion, got ", friction.cohesion,
+       ": give the largest shear traction of sides that touch");
   return {0, friction.cohesion * weight};
 }
 

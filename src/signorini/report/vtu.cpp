@@ -113,18 +113,23 @@ void write_lines(std::ostream& out, const char* name, const std::vector<std::str
   out << "      </DataArray>\n";
 }
 
-/// Notes, and the names behind `contact_number`.
+/// Notes, and the names behind `contact_number` and `body`.
 void write_field_data(std::ostream& out, const Model& model, const Solution& solution) {
   const bool several = model.contacts.size() > 1;
-  if (solution.notes.empty() && !several) return;
+  std::vector<std::string> bodies;
+  if (model.bodies.size() > 1)
+    for (const BodyModel& body : model.bodies) bodies.push_back(body.mesh.name);
+  if (solution.notes.empty() && !several && bodies.empty()) return;
   out << "    <FieldData>\n";
   write_lines(out, "notes", solution.notes);
   if (several) write_lines(out, "contacts", model.contacts);
+  write_lines(out, "bodies", bodies);
   out << "    </FieldData>\n";
 }
 
-void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displacements,
-                const std::vector<NodalField>& contact) {
+/// \param number  of the body; < 0 where there is only one
+void write_body(std::ostream& out, const BodyModel& body, Index number,
+                const NodeArray& displacements, const std::vector<NodalField>& contact) {
   const Mesh& mesh = body.mesh;
   const Index n_nodes = mesh.n_nodes();
   const StressArray stress = nodal_stress(mesh, body.element, body.material, displacements);
@@ -141,6 +146,8 @@ void write_body(std::ostream& out, const BodyModel& body, const NodeArray& displ
                 field.values.cols() > 1 ? 3 : 1);
   out << "      </PointData>\n      <CellData>\n";
   write_array(out, "cell_stress", cell_stress(mesh, body.element, body.material, displacements), 4);
+  if (number >= 0)
+    write_array(out, "body", Rows::Constant(mesh.n_cells(), 1, static_cast<double>(number)), 1);
   out << "      </CellData>\n      <Points>\n";
   write_array(out, "points", mesh.nodes, 3);
   out << "      </Points>\n";
@@ -189,7 +196,8 @@ void write_vtu(const std::filesystem::path& file, const Model& model, const Solu
          "byte_order=\"LittleEndian\">\n  <UnstructuredGrid>\n";
   write_field_data(out, model, solution);
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    write_body(out, model.bodies[b], solution.displacements[b], contact);
+    write_body(out, model.bodies[b], model.bodies.size() > 1 ? static_cast<Index>(b) : -1,
+               solution.displacements[b], contact);
   out << "  </UnstructuredGrid>\n</VTKFile>\n";
   write_file(file, out.str());
 }

@@ -71,6 +71,12 @@ FrictionBound bound(const Plan& draft, const ContactSpec& contact, double weight
   }
 }
 
+/// What is said of a law that is not the usual one.
+std::string law_in_words(const Friction& friction) {
+  if (friction.law == Friction().law) return "";
+  return text(", law '", friction.law, "': ", find_friction_law(friction.law).summary);
+}
+
 /// Says what a constant is in every contact. \return what the laws make of it for the pairs that rub
 VectorXd price(const Scene& scene, Plan& draft, Constant constant, const std::string& name,
                double FrictionBound::*part) {
@@ -78,7 +84,7 @@ VectorXd price(const Scene& scene, Plan& draft, Constant constant, const std::st
     const double given = value(contact, constant);
     const std::string what = text(name, " of the ", describe(draft.bodies, contact));
     pose(std::isfinite(given) && given >= 0, what, " must be a number >= 0, got ", given);
-    if (given > 0) draft.on.push_back(text(what, ": ", given));
+    if (given > 0) draft.on.push_back(text(what, ": ", given, law_in_words(*contact.friction)));
   }
   take_slips(scene, draft);
   VectorXd values(draft.law.coefficient.size());

@@ -129,10 +129,10 @@ void price_steps(const Scene& scene, Plan& draft) {
   draft.on.push_back(text("load steps: ", draft.path.times.size(), " up to time ",
                           draft.path.times.back(), ", one factor for all"));
   for (const History& history : draft.path.histories) {
-    draft.on.push_back(text("history '", history.name, "': ", rows_in_words(history), "; ",
-                            sorting.entries(history.name), " loads follow it"));
-    if (sorting.entries(history.name) == 0)
-      draft.notes.push_back("history '" + history.name + "': nothing follows it");
+    const int entries = sorting.entries(history.name);
+    draft.on.push_back(text("history '", history.name, "': ", rows_in_words(history), "; ", entries,
+                            entries == 1 ? " load follows it" : " loads follow it"));
+    if (entries == 0) draft.notes.push_back("history '" + history.name + "': nothing follows it");
   }
   draft.parts = std::move(sorting.parts());
 }

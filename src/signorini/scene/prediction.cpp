@@ -119,6 +119,18 @@ struct Symbolic {
   double analysis = 0;  // [s]
 };
 
+constexpr const char* all_phases = "all phases";
+constexpr const char* later_step = "a later step";
+
+/// Seconds of all phases that no other one contains. \param first  of the ledgers that count
+double seconds_in(const std::vector<Ledger>& ledgers, std::size_t first) {
+  double sum = 0;
+  for (std::size_t k = first; k < ledgers.size(); ++k)
+    for (const LedgerEntry& entry : ledgers[k].entries())
+      if (entry.path.find('/') == std::string::npos) sum += entry.seconds;
+  return sum;
+}
+
 Symbolic symbolic(const Plan& plan) {
   Symbolic known;
   std::vector<Eigen::SparseMatrix<double>> blocks;
@@ -153,8 +165,8 @@ class Figures {
     contact();
     refinement();
     if (steps_ > 1)
-      add(Built::PerStep, "a later step", "seconds", (seconds_ - once) / steps_, Trust::Estimate);
-    add(Built::Once, "all phases", "seconds", seconds_, Trust::Estimate);
+      add(Built::PerStep, later_step, "seconds", (seconds_ - once) / steps_, Trust::Estimate);
+    add(Built::Once, all_phases, "seconds", seconds_, Trust::Estimate);
     return std::move(figures_);
   }
 
@@ -278,9 +290,13 @@ Prediction predict(const Plan& plan) {
 std::vector<ConfrontedFigure> confront(const Prediction& prediction,
                                        const std::vector<Ledger>& ledgers) {
   std::vector<ConfrontedFigure> figures;
+  const std::size_t later = ledgers.size() - std::min<std::size_t>(ledgers.size(), 1);
   for (const PredictedFigure& figure : prediction.figures) {
     figures.push_back({figure, {}});
     std::optional<double>& measured = figures.back().measured;
+    if (figure.phase == all_phases && !ledgers.empty()) measured = seconds_in(ledgers, 0);
+    if (figure.phase == later_step && later > 0)
+      measured = seconds_in(ledgers, 1) / static_cast<double>(later);
     const auto add = [&](double amount) { measured = measured.value_or(0) + amount; };
     for (const Ledger& ledger : ledgers)
       for (const LedgerEntry& entry : ledger.entries()) {

@@ -75,7 +75,8 @@ struct ConfrontedFigure {
 
 /// Sets a prediction against the ledger of the run.
 /// \param prediction  of the plan
-/// \param ledgers     of build(), condense() and solve(), or of all load steps: what they have in common adds up
+/// \param ledgers     of build(), condense() and solve(), or of all load steps: what they have in common adds up; the seconds of
+///   a later step are those of all but the first, on average
 /// \return all its figures
 [[nodiscard]] std::vector<ConfrontedFigure> confront(const Prediction& prediction,
                                                      const std::vector<Ledger>& ledgers);

@@ -7,6 +7,7 @@
 
 #include "signorini/closing/closing.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/table.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/steps_limit.hpp"
 
@@ -70,7 +71,7 @@ void forget_slip(const VectorXd& slip, Model& model) {
 void tell(const Solution& failed, double time, PathEnd& end) {
   const std::string& why = failed.contact.reason;
   end.status = failed.contact.report.status;
-  end.reason = text("the step from time ", end.state.time, " to ", time,
+  end.reason = text("the step from time ", shortest(end.state.time), " to ", shortest(time),
                     " was not solved: ", to_string(end.status), why.empty() ? "" : ": ", why,
                     failed.escape.empty() ? "" : ": ", failed.escape);
   if (end.limit)
@@ -78,7 +79,7 @@ void tell(const Solution& failed, double time, PathEnd& end) {
 }
 
 PathEnd ended(PathEnd end) {
-  end.reason += text("; the last good state is that of time ", end.state.time);
+  end.reason += text("; the last good state is that of time ", shortest(end.state.time));
   return end;
 }
 
@@ -116,7 +117,9 @@ void check_state(const PathState& state, Model& model) {
   forget_slip(state.slip - state.increment, model);
   const Certificate certificate = certify(model.programme, state.solution, model.law);
   pose(certificate.holds(), "the state at time ", state.time,
-       " is of another scene: its displacements and forces do not solve this one then (",
+       " is of another scene, or what comes before time ", shortest(state.time),
+       " was changed, but only what comes later may: its displacements and forces do not solve "
+       "this one then (",
        certificate, "). Go on with the scene that it was saved from, or start anew");
 }
 

@@ -89,10 +89,11 @@ SceneFile parse_scene(std::string_view content, const std::string& name,
   const Value root = parse_toml(content, {name, folder});
   SceneDraft draft;
   draft.file.name = name;
+  draft.root = &root;
   read_members(root, scene_keys(), draft);
   if (draft.material && !draft.material_used)
     root.find("material")->fail("is unused: every body has a material of its own");
-  check_histories(root, draft);
+  check_histories(draft);
   return std::move(draft.file);
 }
 

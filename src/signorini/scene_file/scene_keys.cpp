@@ -126,6 +126,14 @@ const Keys<ContactDraft>& contact_keys() {
            read_members(value, friction_keys(), friction);
          else
            take(value, friction.coefficient, Bound::NotNegative);
+         if (value.kind != Value::Kind::Table) return;
+         // So that what a law refuses is told where it stands.
+         value.explain(
+             [&] { static_cast<void>(find_friction_law(friction.law).bound(friction, 1)); });
+         if (value.find("coefficient") == nullptr && value.find("cohesion") == nullptr)
+           value.fail(
+               "expected a coefficient or a cohesion, got neither: give one, or leave friction "
+               "out");
        }},
       {{"interference", type_name<double>(Bound::NotNegative) + ", may grow", "length", "",
         "by how much more the sides overlap than the meshes say: a press fit"},
@@ -170,7 +178,7 @@ const Keys<SceneDraft>& scene_keys() {
       {{"solver", "text", "", written(Scene().solver),
         "of the contact problem, see signorini --list"},
        [](const Value& value, SceneDraft& draft) {
-         take_member(value, solvers(), "solver", draft.file.scene.solver);
+         take_member(value, all_solvers(), "solver", draft.file.scene.solver);
        }},
       {{"material", "table", "", "", "of the bodies that have none of their own, see material"},
        [](const Value& value, SceneDraft& draft) {

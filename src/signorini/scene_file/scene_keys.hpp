@@ -13,6 +13,7 @@ namespace signorini {
 /// A scene while it is read.
 struct SceneDraft {
   SceneFile file;                         ///< what was read so far
+  const Value* root = nullptr;            ///< the whole text
   std::optional<Material> material = {};  ///< of the bodies that have none of their own
   bool material_used = false;             ///< whether there is such a body
   std::vector<History> histories = {};    ///< of load steps
@@ -87,9 +88,9 @@ void read_histories(const Value& value, SceneDraft& draft);
 /// \throws ProblemError for a step of size zero or a value of a history that has a table
 void read_steps(const Value& value, SceneDraft& draft);
 /// Checks that every history that is named exists, and that every one is named, when all has been read.
-/// \param root  of the text \param draft  of it
+/// \param draft  of the text
 /// \throws ProblemError otherwise, or if there are histories but no steps
-void check_histories(const Value& root, const SceneDraft& draft);
+void check_histories(const SceneDraft& draft);
 
 /// A value that may grow with a history: by itself, or as `{ value = ..., history = ... }`.
 /// \param value    of a key

@@ -77,6 +77,13 @@ void each_name(const Value& value, const Each& each) {
   }
 }
 
+/// \param value  that needs load steps
+[[noreturn]] void fail_without_steps(const Value& value) {
+  value.fail(
+      "has no meaning without [[steps]]: give the scene some, such as [[steps]] with until = 1 and "
+      "count = 10, or leave it out");
+}
+
 }  // namespace
 
 const Keys<History>& history_keys() {
@@ -139,9 +146,15 @@ void read_steps(const Value& value, SceneDraft& draft) {
   Path& path = draft.file.scene.path.emplace();
   const std::size_t tables = draft.histories.size();
   double begin = 0;
+  std::set<std::string> known;
+  for (const History& history : draft.histories) known.insert(history.name);
+  each_name(*draft.root, [&](const Value& name) { known.insert(name.text); });
   for (const Value* item : value.one_or_several()) {
     StepsDraft steps;
-    read_members(*item, steps_keys(), steps);
+    check_members(*item, infos(steps_keys()), [&](const std::string& name) {
+      return known.count(name) == 0 ? "" : text("it is a history: values = { ", name, " = ... }");
+    });
+    fill(*item, steps_keys(), steps);
     if (!steps.until) steps.until = begin + 1;
     add_times(*item, steps, begin, path.times);
     add_values(steps, begin, tables, draft);
@@ -151,19 +164,18 @@ void read_steps(const Value& value, SceneDraft& draft) {
   path.histories = draft.histories;
 }
 
-void check_histories(const Value& root, const SceneDraft& draft) {
+void check_histories(const SceneDraft& draft) {
   std::vector<std::string> known;
   for (const History& history : draft.histories) known.push_back(history.name);
   std::set<std::string> used;
-  each_name(root, [&](const Value& name) {
-    if (!draft.file.scene.path) name.fail("has no meaning without [[steps]]: leave it out");
+  each_name(*draft.root, [&](const Value& name) {
+    if (!draft.file.scene.path) fail_without_steps(name);
     if (std::find(known.begin(), known.end(), name.text) == known.end())
       name.fail("no history is called ", in_quotes(name.text), suggestion(name.text, known));
     used.insert(name.text);
   });
   for (std::size_t k = 0; k < known.size(); ++k) {
-    if (!draft.file.scene.path)
-      draft.places[k]->fail("has no meaning without [[steps]]: leave it out");
+    if (!draft.file.scene.path) fail_without_steps(*draft.places[k]);
     if (used.count(known[k]) == 0)
       draft.places[k]->fail("nothing follows the history ", in_quotes(known[k]),
                             ": give a load history = \"", clipped(known[k]), "\", or leave it out",
