@@ -96,8 +96,21 @@ void print_doubt(std::ostream& out, const Outcome& outcome) {
   if (outcome.doubt.pair < 0)
     out << "the pairs that slide";
   else
-    out << "pair " << outcome.doubt.pair;
+    out << "pair " << outcome.doubt.pair + 1;  // as the table counts
   out << ", 1 without friction, is " << number(outcome.doubt.determinant, "%.6g") << '\n';
+}
+
+/// Whether there may be other solutions, and what speaks for them: the pair counts from 1 as in the table, 0 being all
+/// pairs that slide.
+void write_uniqueness(Json& json, const Outcome& outcome) {
+  const bool doubtful = outcome.uniqueness == Uniqueness::Doubtful;
+  json.key("uniqueness")
+      .value(doubtful                                   ? "doubtful"
+             : outcome.uniqueness == Uniqueness::Proved ? "proved"
+                                                        : "unknown");
+  if (!doubtful) return;
+  json.key("doubt").object().key("pair").value(outcome.doubt.pair + 1);
+  json.key("determinant").value(outcome.doubt.determinant).end();
 }
 
 /// The solvers and the verdict. \param solution  adds what an accepted solution consists of
@@ -196,6 +209,7 @@ void write(Json& json, const FiledProblem& filed, Matrix kind, const std::vector
     json.key("motion").array();
     for (const Motion motion : outcome.motion) json.value(signorini::to_string(motion));
     json.end();
+    write_uniqueness(json, outcome);
   });
   json.end();
 }

@@ -143,8 +143,8 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
   if (run.file.scene.path) return follow(run, std::move(ledger), observe, progress);
   const Condensed condensed = run.step([&] { return condense(*run.model, ledger); });
   progress.say(text(all, "solving"));
-  run.solution = run.step([&] { return solve(*run.model, condensed, ledger); });
-  follow_to_limit(run.file.scene, *run.solution);
+  run.solution =
+      run.step([&] { return solve_to_limit(run.file.scene, *run.model, condensed, ledger); });
   run.ledgers = {run.solution->ledger};
 }
 

@@ -47,6 +47,33 @@ TEST_CASE("every law is a line over the force that presses a pair", "[friction][
   CHECK_THROWS_WITH(find_friction_law("treska"), ContainsSubstring("did you mean 'tresca'"));
 }
 
+// A scene has both parts of the bound that a law gives, whichever of the two numbers is there.
+TEST_CASE("a plan takes from every law the bound that the law has", "[friction][laws]") {
+  for (const FrictionLawMember& law : friction_laws())
+    for (const Friction& friction :
+         {Friction{0.3, 0, law.name}, Friction{0, 2, law.name}, Friction{0.3, 2, law.name}}) {
+      CAPTURE(law.name, friction.coefficient, friction.cohesion);
+      const Scene scene = dragged(friction);
+      const std::string refused =
+          problem_message([&] { static_cast<void>(law.bound(friction, 1)); });
+      CHECK_THAT(complaint(scene), ContainsSubstring(refused));
+      if (!refused.empty()) continue;
+      const Plan made = plan(scene);
+      REQUIRE(made.law.pair.size() == 9);
+      for (Eigen::Index k = 0; k < 9; ++k) {
+        const double weight = made.gaps.pairs.weight(made.law.pair[static_cast<std::size_t>(k)]);
+        const FrictionBound bound = law.bound(friction, weight);
+        CHECK(made.law.coefficient(k) == bound.slope);
+        CHECK(made.law.cohesion(k) == bound.offset);
+      }
+    }
+  for (const FrictionLawMember& law : friction_laws()) {
+    Scene bare = dragged({0, 0, law.name});
+    bare.bodies[0].supports = {prescribed("left", Axis::X, 0)};
+    CHECK(plan(bare).law.pair.empty());
+  }
+}
+
 // Half of what Coulomb's law would hold: the shear bound is the same under all of the base, whatever presses.
 TEST_CASE("Tresca's law in a scene: no coefficient, and the bound is the cohesion",
           "[friction][laws]") {

@@ -155,5 +155,6 @@ TEST_CASE("Cattaneo and Mindlin along a path: growth, return, and what forgettin
   CHECK(path.growing <= 0.012);
   for (const double error : path.back) CHECK(error <= 0.05);
   for (int k = 0; k < 2; ++k) CHECK(path.without_memory[k] >= 0.1);
+  CHECK(path.without_memory[2] <= 0.05);  // at -0.6 mu P all that the way there did is slid over
   CHECK(path.most_solves <= 4);
 }

@@ -1,4 +1,6 @@
 // Steps that are not solved at once: halves, and where a path ends.
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "catch_compat.hpp"
@@ -24,6 +26,15 @@ TEST_CASE("a path whose body is pulled away ends where it last touches", "[steps
   CHECK(end.state.time <= *end.limit);
   CHECK(*end.limit - end.state.time < 1e-9);
   CHECK(end.halvings == 0);
+  CHECK_THAT(end.reason, ContainsSubstring("Contact holds the loads"));  // there is no friction
+  // Of a single step nothing is said that means the whole load.
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  CondensedPath path = condense_path(model, ledger);
+  const Step failed = step({}, 2, model, path, {});
+  CHECK_FALSE(failed.solution.escape.empty());
+  CHECK_FALSE(failed.solution.limit.has_value());
+  CHECK_THAT(why_unsolved(failed.solution), !ContainsSubstring("of this load"));
 }
 
 // One pair with cohesion c. While it slides forward its friction pulls it off the wall, which it would overlap without:
@@ -69,4 +80,19 @@ TEST_CASE("a step without a solution may have one in two halves: the observer se
   CHECK(stopped.status != Status::Solved);
   CHECK(stopped.state.time == 1);
   CHECK(steps.size() == 1);
+  // The same within four neighbouring doubles: it has no more than two halves, however many are allowed.
+  const double end_time = 1 + 4 * std::numeric_limits<double>::epsilon();
+  scene.path = Path{{1, end_time}, scene.path->histories, 80};
+  for (History& history : scene.path->histories) {
+    history.times = {1, end_time};
+    history.values = {history.values.front(), history.values.back()};
+  }
+  for (History& history : scene.path->histories) {  // the jump comes with the last double
+    history.times.insert(history.times.begin() + 1, std::nextafter(end_time, 0));
+    history.values.insert(history.values.begin() + 1, history.values.front());
+  }
+  const PathEnd closest = solve_steps(scene);
+  CHECK(closest.status != Status::Solved);
+  CHECK(closest.state.time == std::nextafter(end_time, 0));
+  CHECK(closest.halvings <= 4);
 }

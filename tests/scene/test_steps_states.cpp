@@ -98,9 +98,14 @@ TEST_CASE("steps that cannot be meant are refused", "[steps]") {
              ContainsSubstring("solve_steps()"));
   Scene bare = good;
   bare.path.reset();
-  for (EdgeLoad& load : bare.bodies[0].loads.edges) load.history.clear();
+  CHECK_THAT(problem_message([&] { static_cast<void>(solve(bare)); }),
+             ContainsSubstring("'press'") && ContainsSubstring("no load steps"));
   CHECK_THAT(problem_message([&] { static_cast<void>(solve_steps(bare)); }),
              ContainsSubstring("no load steps"));
+  Ledger ledger;
+  Model model = build(good, ledger);
+  model.path.histories[0].name = "pres";
+  CHECK_THAT(problem_message([&] { set_time(1, model); }), ContainsSubstring("'press'"));
 }
 
 TEST_CASE("a state of another scene, and a step of no size, are refused", "[steps]") {
@@ -114,9 +119,20 @@ TEST_CASE("a state of another scene, and a step of no size, are refused", "[step
   CHECK_THAT(message(softer, state),
              ContainsSubstring("another scene") && ContainsSubstring("do not solve"));
   CHECK_THAT(message(slider(proportional("pull"), {1}), state), ContainsSubstring("another scene"));
+  PathState unbegun = state;
+  unbegun.steps = 0;
+  CHECK_THAT(message(scene, unbegun), ContainsSubstring("before the first step is empty"));
+  PathState late;
+  late.time = 0.5;
+  CHECK_THAT(message(scene, late), ContainsSubstring("of time 0.5 and has 0 numbers"));
+  PathState lost = state;
+  lost.dissipation(0) = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THAT(message(scene, lost), ContainsSubstring("not finite"));
   Ledger ledger;
   Model model = build(scene, ledger);
   CondensedPath path = condense_path(model, ledger);
+  CHECK_THAT(problem_message([&] { static_cast<void>(step(unbegun, 1, model, path, {})); }),
+             ContainsSubstring("before the first step is empty"));
   for (const double time : {state.time, 0.5 * state.time})
     CHECK_THAT(problem_message([&] { static_cast<void>(step(state, time, model, path, {})); }),
                ContainsSubstring("after time"));
@@ -128,6 +144,16 @@ TEST_CASE("a state of another scene, and a step of no size, are refused", "[step
   CHECK_THAT(read(text.substr(0, text.size() / 2)), ContainsSubstring("s:"));
   CHECK_THAT(read("time 1\n"), ContainsSubstring("signorini-state-1"));
   CHECK_THAT(read(text + "1\n"), ContainsSubstring("end of the file"));
+  const auto with = [&](const std::string& key, const std::string& value) {
+    const std::size_t at = text.find(key) + key.size();
+    return text.substr(0, at) + value + text.substr(text.find('\n', at));
+  };
+  CHECK_THAT(read(with("\nsteps ", "0")), ContainsSubstring("s:2:") && ContainsSubstring("steps"));
+  for (const char* const time : {"0", "-5"})
+    CHECK_THAT(read(with("\ntime ", time)),
+               ContainsSubstring("s:3: time: expected a number > 0, got " + std::string(time)));
+  for (const char* const time : {"nan", "inf"})
+    CHECK_THAT(read(with("\ntime ", time)), ContainsSubstring("finite"));
   std::string wrong = text;
   wrong[wrong.find("\ns\n") + 1] = 'x';
   CHECK_THAT(read(wrong), ContainsSubstring("o, s, f or b"));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "support/message.hpp"
 #include "support/paths.hpp"
 
 using namespace signorini;
@@ -82,6 +83,19 @@ TEST_CASE("work put in = strain energy + dissipation + what steps do not resolve
   }
   CHECK(between[0] > 1e-6);
   CHECK(between[1] < 0.5 * between[0]);
+}
+
+TEST_CASE("the work of a path is not added up from its middle on", "[steps]") {
+  const Scene scene = slab(2, {1});
+  const std::vector<Step> all = steps_of(scene);
+  WorkMeter meter;
+  const auto restarted = [&] {
+    static_cast<void>(solve_steps(
+        scene, [&](const Model& model, const Step& step) { meter.add(model, step); },
+        all[1].state));
+  };
+  CHECK_THAT(problem_message(restarted),
+             ContainsSubstring("step 1") && ContainsSubstring("got step 3"));
 }
 
 // The node that the support drags has no unknown along the ground: its slip is given, its friction acts on the support.

@@ -52,6 +52,19 @@ void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::Vec
 [[nodiscard]] std::vector<std::string> contact_names(const std::vector<BodyModel>& bodies,
                                                      const std::vector<ContactSpec>& contacts);
 
+/// Calls a function with the name of every history that loads, supports and temperature of a body follow, empty ones
+/// too.
+/// \param body   of a scene, constant or not
+/// \param visit  what to call
+template <typename SomeBody, typename Visit>
+void each_history(SomeBody& body, Visit&& visit) {
+  visit(body.loads.body_force_history);
+  for (auto& load : body.loads.edges) visit(load.history);
+  for (auto& load : body.loads.points) visit(load.history);
+  for (auto& support : body.supports) visit(support.history);
+  if (body.temperature) visit(body.temperature->history);
+}
+
 /// \param contact  any
 /// \return whether it has friction or cohesion: a law that allows no friction force is none
 [[nodiscard]] bool rubs(const ContactSpec& contact);

@@ -46,6 +46,29 @@ void note_idle_friction(const Scene& scene, Plan& draft) {
                             "tangent");
 }
 
+/// What the laws of the contacts make of their two numbers, for every pair that rubs.
+void take_bounds(const Scene& scene, Plan& draft) {
+  FrictionLaw& law = draft.law;
+  law.coefficient = law.cohesion = VectorXd::Zero(static_cast<Index>(law.pair.size()));
+  for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
+    const ContactSpec& contact = scene.contacts[c];
+    if (!rubs(contact)) continue;
+    try {
+      const FrictionLawMember& member = find_friction_law(contact.friction->law);
+      for (Index k = 0; k < law.coefficient.size(); ++k) {
+        const Index pair = law.pair[static_cast<std::size_t>(k)];
+        if (draft.contact_of[static_cast<std::size_t>(pair)] != c) continue;
+        const FrictionBound bound = member.bound(*contact.friction, draft.gaps.pairs.weight(pair));
+        law.coefficient(k) = bound.slope;
+        law.cohesion(k) = bound.offset;
+      }
+    } catch (const ProblemError& error) {
+      throw ProblemError(
+          text("friction of the ", describe(draft.bodies, contact), ": ", error.what()));
+    }
+  }
+}
+
 /// Slips that friction and cohesion share: of the pairs that can slide and whose own contact rubs.
 void take_slips(const Scene& scene, Plan& draft) {
   FrictionLaw& law = draft.law;
@@ -55,20 +78,10 @@ void take_slips(const Scene& scene, Plan& draft) {
         can_slide(draft.gaps, static_cast<Index>(pair)))
       law.pair.push_back(static_cast<Index>(pair));
   if (law.pair.empty()) return;
-  law.coefficient = law.cohesion = VectorXd::Zero(static_cast<Index>(law.pair.size()));
   pose(find_solver(scene.solver).friction != Takes::No, "solver '", scene.solver,
        "' takes no friction; those that do: ", names_of(friction_solvers()));
+  take_bounds(scene, draft);
   draft.on.push_back(text("slips of ", law.pair.size(), " pairs"));
-}
-
-/// The bound of a pair as the law of its contact has it.
-FrictionBound bound(const Plan& draft, const ContactSpec& contact, double weight) {
-  try {
-    return find_friction_law(contact.friction->law).bound(*contact.friction, weight);
-  } catch (const ProblemError& error) {
-    throw ProblemError(
-        text("friction of the ", describe(draft.bodies, contact), ": ", error.what()));
-  }
 }
 
 /// What is said of a law that is not the usual one.
@@ -77,9 +90,8 @@ std::string law_in_words(const Friction& friction) {
   return text(", law '", friction.law, "': ", find_friction_law(friction.law).summary);
 }
 
-/// Says what a constant is in every contact. \return what the laws make of it for the pairs that rub
-VectorXd price(const Scene& scene, Plan& draft, Constant constant, const std::string& name,
-               double FrictionBound::*part) {
+/// Says what a constant is in every contact.
+void price(const Scene& scene, Plan& draft, Constant constant, const std::string& name) {
   for (const ContactSpec& contact : scene.contacts) {
     const double given = value(contact, constant);
     const std::string what = text(name, " of the ", describe(draft.bodies, contact));
@@ -87,13 +99,6 @@ VectorXd price(const Scene& scene, Plan& draft, Constant constant, const std::st
     if (given > 0) draft.on.push_back(text(what, ": ", given, law_in_words(*contact.friction)));
   }
   take_slips(scene, draft);
-  VectorXd values(draft.law.coefficient.size());
-  for (Index k = 0; k < values.size(); ++k) {
-    const Index pair = draft.law.pair[static_cast<std::size_t>(k)];
-    const ContactSpec& contact = scene.contacts[draft.contact_of[static_cast<std::size_t>(pair)]];
-    values(k) = bound(draft, contact, draft.gaps.pairs.weight(pair)).*part;
-  }
-  return values;
 }
 
 void add_slips(Plan& plan, Model& model) {
@@ -113,8 +118,7 @@ Effect friction() {
             return any_has(scene, &Friction::coefficient);
           },
           [](const Scene& scene, Plan& draft) {
-            draft.law.coefficient = price(scene, draft, &Friction::coefficient,
-                                          "friction coefficient", &FrictionBound::slope);
+            price(scene, draft, &Friction::coefficient, "friction coefficient");
             note_idle_friction(scene, draft);
           },
           add_slips};
@@ -125,8 +129,7 @@ Effect cohesion() {
       "cohesion",
       [](const Scene& scene, const Plan& /*draft*/) { return any_has(scene, &Friction::cohesion); },
       [](const Scene& scene, Plan& draft) {
-        draft.law.cohesion =
-            price(scene, draft, &Friction::cohesion, "cohesion", &FrictionBound::offset);
+        price(scene, draft, &Friction::cohesion, "cohesion");
         if (!any_has(scene, &Friction::coefficient)) note_idle_friction(scene, draft);
       },
       add_slips};

@@ -52,6 +52,9 @@ class Sorting {
   Sorting(const Scene& scene, const Plan& draft) : scene_(scene), draft_(draft) {
     part("");
     for (const History& history : scene.path->histories) part(history.name);
+    for (const Body& body : scene.bodies)
+      each_history(body, [&](const std::string& history) { find(history); });
+    for (const ContactSpec& contact : scene.contacts) find(contact.interference_history);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) sort_body(b);
     for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair) {
       const ContactSpec& contact = scene.contacts[draft.contact_of[pair]];
@@ -203,6 +206,8 @@ double History::at(double time) const {
 double factor_of(const Path& path, const LoadPart& part, double time) {
   for (const History& history : path.histories)
     if (history.name == part.history) return history.at(time);
+  pose(part.history.empty(), "no history of the path is called '", part.history,
+       "', which a part of the loads follows");
   return 1;  // it is always there
 }
 

@@ -51,6 +51,7 @@ struct LoadPart {
 
 /// \param path  with all histories \param part  of its loads \param time  any [time]
 /// \return what the part is multiplied by then [-]
+/// \throws ProblemError if the path has no such history
 [[nodiscard]] double factor_of(const Path& path, const LoadPart& part, double time);
 
 }  // namespace signorini

@@ -23,6 +23,21 @@ void check_names(const Scene& scene) {
   static_cast<void>(find_solver(scene.solver));  // needed or not
 }
 
+/// Refuses loads that would follow a history that is not there.
+void check_histories(const Scene& scene) {
+  if (scene.path) return;
+  const auto none = [](const std::string& what, const std::string& history) {
+    pose(history.empty(), what, " follows the history '", history,
+         "', but the scene has no load steps: give it a `path`, or leave the history out");
+  };
+  for (const Body& body : scene.bodies)
+    each_history(body, [&](const std::string& history) {
+      none("something of the body '" + body.mesh.name + "'", history);
+    });
+  for (const ContactSpec& contact : scene.contacts)
+    none("the interference of a contact", contact.interference_history);
+}
+
 /// How many of the cells are triangles.
 Index count_triangles(const Mesh& mesh) {
   Index count = 0;
@@ -142,6 +157,7 @@ void check_pairs(const Plan& plan) {
 Plan plan(const Scene& scene) {
   Plan plan;
   check_names(scene);
+  check_histories(scene);
   for (const Body& body : scene.bodies) plan_body(body, plan);
   plan_unknowns(scene, plan);
   plan.gaps.A.resize(0, plan.unknowns.count);

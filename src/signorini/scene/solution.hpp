@@ -65,8 +65,9 @@ struct Solution {
   /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
   std::string escape;  ///< if the load pulls a body away: how it moves off
-  /// What contact and friction can hold at most of the load, in a load step of what the step adds [-]: with `escape` it
-  /// is proved by balanced_share(), else found by follow_to_limit(); or nothing, as without friction and steps
+  /// How much of the whole load contact and friction can hold at most [-]: with `escape` it is proved by
+  /// balanced_share(), else found by solve_to_limit(). Nothing without friction, and in load steps, which have
+  /// PathEnd::limit
   std::optional<double> limit = {};
   /// What a user should know: the notes of the plan, then such as that others may exist or that strains are large.
   std::vector<std::string> notes;

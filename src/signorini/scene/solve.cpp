@@ -182,7 +182,7 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   if (contact.uniqueness == Uniqueness::Doubtful && contact.report.status == Status::Solved)
     solution.notes.push_back(doubt_in_words(model, contact.doubt));
   solution.escape = escape_in_words(model, contact.escape);
-  if (contact.escape.size() > 0 && !model.law.pair.empty())
+  if (contact.escape.size() > 0 && !model.law.pair.empty() && model.parts.empty())
     solution.limit = balanced_share(condensed.problem, VectorXd::Zero(contact.escape.size()));
   if (end.solution.displacement.size() > 0) {
     const Ledger::Phase phase(ledger, "recovery");
@@ -225,9 +225,7 @@ Solution solve(const Scene& scene) {
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);
-  Solution solution = solve(model, condensed, std::move(ledger));
-  follow_to_limit(scene, solution);
-  return solution;
+  return solve_to_limit(scene, model, condensed, std::move(ledger));
 }
 
 }  // namespace signorini

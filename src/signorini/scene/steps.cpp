@@ -20,16 +20,16 @@ using Eigen::VectorXd;
 /// How far a step that ends at the limit stays away from it, where pairs that all slide would hold nothing.
 constexpr double limit_margin = 1e-10;
 
-VectorField times(double factor, const VectorField& field) {
+VectorField scaled(double factor, const VectorField& field) {
   if (!field) return {};
   return [factor, field](const Eigen::Vector2d& x) { return Eigen::Vector2d(factor * field(x)); };
 }
 
-void add_times(double factor, const Loads& loads, Loads& sum) {
-  if (loads.body_force) sum.body_force = times(factor, loads.body_force);
+void add_scaled(double factor, const Loads& loads, Loads& sum) {
+  if (loads.body_force) sum.body_force = scaled(factor, loads.body_force);
   for (EdgeLoad load : loads.edges) {
     load.pressure *= factor;
-    load.traction = times(factor, load.traction);
+    load.traction = scaled(factor, load.traction);
     sum.edges.push_back(std::move(load));
   }
   for (PointForce load : loads.points) {
@@ -47,8 +47,19 @@ void check_steps(const Model& model, const char* function) {
 void check_sizes(const PathState& state, const Model& model) {
   const Index pairs = model.pairs.weight.size();
   const Index slips = static_cast<Index>(model.law.pair.size());
-  if (state.steps == 0) return;
   const PrimalDual& solution = state.solution;
+  if (state.steps == 0) {
+    const Index sizes = static_cast<Index>(state.motion.size()) + state.slip.size() +
+                        state.increment.size() + state.dissipation.size() +
+                        solution.displacement.size() + solution.displacement_low.size() +
+                        solution.rigid.size() + solution.force.size();
+    pose(state.time == 0 && sizes == 0,
+         "a state before the first step is empty and of time 0, but "
+         "this one is of time ",
+         state.time, " and has ", sizes,
+         " numbers: go on from one that an observer or read_state() got, or from PathState()");
+    return;
+  }
   const Index n = model.unknowns.count;
   const bool fits =
       static_cast<Index>(state.motion.size()) == pairs && state.slip.size() == slips &&
@@ -60,6 +71,10 @@ void check_sizes(const PathState& state, const Model& model) {
   pose(fits, "the state at time ", state.time, " is of another scene: it has ",
        solution.displacement.size(), " unknowns, ", state.motion.size(), " pairs and ",
        state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ", slips);
+  pose(state.steps > 0 && std::isfinite(state.time) && state.slip.allFinite() &&
+           state.increment.allFinite() && state.dissipation.allFinite(),
+       "the state after step ", state.steps, " at time ", state.time,
+       " has numbers that are not finite or steps below 0: go on from one that was solved");
 }
 
 /// Lets the slips of a model count from where they were.
@@ -68,14 +83,15 @@ void forget_slip(const VectorXd& slip, Model& model) {
 }
 
 /// Says why a step failed, and until when its loads can be balanced at all.
-void tell(const Solution& failed, double time, PathEnd& end) {
+void tell(const Model& model, const Solution& failed, double time, PathEnd& end) {
   const std::string& why = failed.contact.reason;
   end.status = failed.contact.report.status;
   end.reason = text("the step from time ", shortest(end.state.time), " to ", shortest(time),
                     " was not solved: ", to_string(end.status), why.empty() ? "" : ": ", why,
                     failed.escape.empty() ? "" : ": ", failed.escape);
   if (end.limit)
-    end.reason += text(". Contact and friction hold the loads until time ", *end.limit, " at most");
+    end.reason += text(". Contact", model.law.pair.empty() ? " holds" : " and friction hold",
+                       " the loads until time ", *end.limit, " at most");
 }
 
 PathEnd ended(PathEnd end) {
@@ -154,7 +170,7 @@ void set_time(double time, Model& model) {
     body.unknowns.held.setZero();
     for (const LoadPart& part : model.parts) {
       const double f = factor_of(model.path, part, time);
-      add_times(f, part.loads[b], body.loads);
+      add_scaled(f, part.loads[b], body.loads);
       body.material.temperature.uniform += f * part.temperature[b].uniform;
       body.material.temperature.gradient += f * part.temperature[b].gradient;
       body.unknowns.held += f * part.held[b];
@@ -189,9 +205,6 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
   Solution& solution = result.solution;
   if (solution.contact.report.status == Status::Solved)
     result.state = after(past, time, model, given, solution);
-  else if (solution.contact.escape.size() > 0)
-    solution.limit = (balanced_until(past.time, time, model, path.condensed.problem) - past.time) /
-                     (time - past.time);
   return result;
 }
 
@@ -219,19 +232,19 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
       end.state = next.state;
       if (observe) observe(model, next);
     } else {
-      if (next.solution.limit && !end.limit)
+      if (next.solution.contact.escape.size() > 0 && !end.limit)
         end.limit = balanced_until(before, target, model, path.condensed.problem);
-      tell(next.solution, time, end);
+      tell(model, next.solution, time, end);
     }
     return solved;
   };
   const bool divides = model.path.halvings > 0;
   double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
-  Index foreseen = 0;                                     // changes of pairs
   for (const double time : model.path.times) {
     before = std::exchange(target, time);
     const double margin = limit_margin * (target - before);
     double reach = target;
+    int foreseen = 0;  // changes of pairs
     for (int halved = 0; end.state.time < target;) {
       const double begin = end.state.time;
       const double half = begin + 0.5 * (reach - begin);  // times may have no digit for it
@@ -241,18 +254,20 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
         reach = std::min(target, held);
         halved = 0;
       } else if (end.limit && !known) {
-        if (!divides || *end.limit - begin <= margin) return ended(std::move(end));
-        reach = held = *end.limit - margin;
+        held = *end.limit - margin;
+        if (!divides || held <= begin) return ended(std::move(end));
+        reach = held;
       } else if (begin < half && half < reach && ++halved <= model.path.halvings) {
         ++end.halvings;
         reach = half;
       } else {
-        const std::optional<double> share = divides && foreseen++ < model.programme.A.rows()
+        const std::optional<double> share = foreseen++ < model.path.halvings
                                                 ? first_change(end.state, path.condensed.problem)
                                                 : std::nullopt;
         const double change = begin + share.value_or(0) * (reach - begin);
         const bool there = share && change - margin <= begin;
-        if (!share || !goes(there ? change + margin : change - margin)) {
+        const double next = there ? change + margin : change - margin;
+        if (!share || !(next > begin) || !goes(next)) {
           if (there) end.limit = change;
           end.reason +=
               text(". The step to ", target, " was halved ", model.path.halvings, " times",

@@ -161,7 +161,8 @@ struct Work {
 class WorkMeter {
  public:
   /// \param model  as loaded at the time of the step
-  /// \param step   the next one
+  /// \param step   the next one, the first time step 1 of the path
+  /// \throws ProblemError if the steps before the first one that is added are missing, as after a restart
   void add(const Model& model, const Step& step);
   /// \return the sums so far, from rest without loads
   [[nodiscard]] const Work& work() const { return work_; }

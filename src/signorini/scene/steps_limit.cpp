@@ -24,20 +24,16 @@ VectorXd resultant_at(double time, const Model& model, const Eigen::MatrixXd& mo
 /// The scene in one step in which all that loads it grows from nothing.
 Scene grown(Scene scene) {
   const History load = proportional("load");
-  for (Body& body : scene.bodies) {
-    body.loads.body_force_history = load.name;
-    for (EdgeLoad& edge : body.loads.edges) edge.history = load.name;
-    for (PointForce& point : body.loads.points) point.history = load.name;
-    for (Support& support : body.supports) support.history = load.name;
-    if (body.temperature) body.temperature->history = load.name;
-  }
+  for (Body& body : scene.bodies)
+    each_history(body, [&](std::string& history) { history = load.name; });
   scene.path = Path{{1}, {load}};
   return scene;
 }
 
 }  // namespace
 
-double balanced_until(double begin, double end, const Model& model, ContactProblem problem) {
+std::optional<double> balanced_until(double begin, double end, const Model& model,
+                                     ContactProblem problem) {
   std::vector<double> times = {end};
   for (const History& history : model.path.histories)
     for (const double row : history.times)
@@ -48,11 +44,13 @@ double balanced_until(double begin, double end, const Model& model, ContactProbl
   for (const double time : times) {
     problem.resultant = resultant_at(time, model, modes);
     const double share = balanced_share(problem, before);
+    // What not even the first loads leave in balance has no limit, unless these are none.
+    if (share <= 0 && !before.isZero(0)) return std::nullopt;
     if (share < 1) return begin + share * (time - begin);
     before = problem.resultant;
     begin = time;
   }
-  return end;
+  return std::nullopt;
 }
 
 std::optional<double> first_change(const PathState& past, const ContactProblem& problem) {
@@ -81,10 +79,18 @@ std::optional<double> first_change(const PathState& past, const ContactProblem& 
   return share < 1 ? std::optional<double>(share) : std::nullopt;
 }
 
-void follow_to_limit(const Scene& scene, Solution& solution) {
-  if (solution.contact.report.status == Status::Solved || solution.limit) return;
-  if (std::none_of(scene.contacts.begin(), scene.contacts.end(), rubs)) return;
-  solution.limit = solve_steps(grown(scene)).limit;
+Solution solve_to_limit(const Scene& scene, const Model& model, const Condensed& condensed,
+                        Ledger ledger) {
+  Solution solution = solve(model, condensed, std::move(ledger));
+  if (solution.contact.report.status == Status::Solved || solution.limit) return solution;
+  if (std::none_of(scene.contacts.begin(), scene.contacts.end(), rubs)) return solution;
+  const PathEnd end = solve_steps(grown(scene));
+  solution.limit = end.limit;
+  if (end.status == Status::Solved)
+    solution.notes.emplace_back(
+        "not solved at once, but load steps solve it: grown from nothing in proportion, all of the "
+        "load is held");
+  return solution;
 }
 
 }  // namespace signorini

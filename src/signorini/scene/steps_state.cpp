@@ -34,11 +34,11 @@ void visit_vectors(State& state, Visit&& visit) {
   visit("rigid", state.solution.rigid);
 }
 
-Index next_size(TextReader& reader, const std::string& name) {
+Index next_size(TextReader& reader, const std::string& name, Index least = 0) {
   if (!reader.next_line()) reader.fail(name, "");
   const std::string_view word = reader.word();
   if (word != name) reader.fail(name, word);
-  const Index size = reader.size(reader.word(), "size of " + name, 0);
+  const Index size = reader.size(reader.word(), "size of " + name, least);
   reader.expect_end_of_line("the size of " + name);
   return size;
 }
@@ -69,8 +69,9 @@ PathState read_state(const std::string& content, const std::string& name) {
   TextReader reader(content, name);
   PathState state;
   reader.expect_line(first_line);
-  state.steps = next_size(reader, "steps");
+  state.steps = next_size(reader, "steps", 1);
   state.time = next_number(reader, "time");
+  if (!(state.time > 0)) reader.fail("time: expected a number > 0, got " + exact(state.time));
   const Index pairs = next_size(reader, "motion");
   reader.check_room(pairs, 1, "motion");
   for (Index k = 0; k < pairs; ++k) {

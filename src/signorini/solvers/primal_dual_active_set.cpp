@@ -138,16 +138,17 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   const bool warm = static_cast<Index>(options.start.size()) == scaled.pairs();
   Attempt attempt = warm ? attempt_from(scaled, options.start) : cold();
   exchange_motions(scaled, limit, attempt);
-  if (warm && asked == 0 && !attempt.confirmed) {
+  const auto begin_again = [&] {
     Attempt again = cold();
     again.report = std::move(attempt.report);
     attempt = std::move(again);
+  };
+  if (warm && asked == 0 && !attempt.confirmed) {
+    begin_again();
     exchange_motions(scaled, limit, attempt);
   }
   if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
-    Attempt again = cold();
-    again.report = std::move(attempt.report);
-    attempt = std::move(again);
+    begin_again();
     if (rubs) follow_soft_pairs(scaled, attempt);
     const Index most = attempt.report.iterations + newton_limit;
     if (!attempt.confirmed) follow_newton(scaled, nested_friction, most, attempt);
