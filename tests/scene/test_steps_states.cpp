@@ -1,10 +1,12 @@
 // States of a path: turned back, saved, refused.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "catch_compat.hpp"
 #include "support/message.hpp"
 #include "support/paths.hpp"
+#include "support/random.hpp"
 
 using namespace signorini;
 using namespace signorini_test;
@@ -154,6 +156,17 @@ TEST_CASE("a state of another scene, and a step of no size, are refused", "[step
                ContainsSubstring("s:3: time: expected a number > 0, got " + std::string(time)));
   for (const char* const time : {"nan", "inf"})
     CHECK_THAT(read(with("\ntime ", time)), ContainsSubstring("finite"));
+  // Whatever a byte is changed to: refused, or a state that can be gone on from.
+  Random random(15);
+  int refused = 0;
+  for (int sample = 0; sample < 400; ++sample) {
+    std::string odd = text;
+    const int at = random.whole(0, static_cast<int>(std::min<std::size_t>(odd.size(), 400)) - 1);
+    odd[static_cast<std::size_t>(at)] = "0159-.e\n sfbo"[random.whole(0, 13)];
+    CAPTURE(odd);
+    refused += !problem_message([&] { check_state(read_state(odd, "s"), model); }).empty();
+  }
+  CHECK(refused > 100);
   std::string wrong = text;
   wrong[wrong.find("\ns\n") + 1] = 'x';
   CHECK_THAT(read(wrong), ContainsSubstring("o, s, f or b"));

@@ -15,6 +15,12 @@ using Eigen::VectorXd;
 using Rows = std::vector<Index>;
 using Entry = Eigen::SparseMatrix<double>::InnerIterator;
 
+/// Sweeps of refinement at most: they end by themselves when nothing changes, so more would cost time where none
+/// helps. A factor of few entries had sqrt(epsilon) added to its diagonal, so that each sweep leaves sqrt(epsilon)
+/// over an eigenvalue and more are needed. What comes out is confirmed on exact sums, so no answer depends on either.
+constexpr int most_sweeps = 4;
+constexpr int most_sparse_sweeps = 16;
+
 bool has_slopes(const KnownSet& set) {
   for (const SlidingPair& pair : set.sliding)
     if (pair.slope != 0) return true;
@@ -258,8 +264,7 @@ Closure close(const ScaledProblem& problem, const KnownSet& set, const Closure* 
       sum.add_product(sparse ? problem.rigid.col(j) : rigid.col(j), now.amplitude(j));
     return sparse ? VectorXd(sum.value()(rows)) : sum.value();
   };
-  const int most =
-      sparse ? 16 : 4;  // each leaves sqrt(epsilon) over an eigenvalue where that was added
+  const int most = sparse ? most_sparse_sweeps : most_sweeps;
   for (int step = 0; step < most && !(rows.empty() && modes == 0); ++step) {
     ExactVector balance(modes > 0 ? VectorXd(-problem.resultant) : VectorXd());
     if (modes > 0) balance.add_products(problem.rigid, now.force);

@@ -12,6 +12,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// F is kept by its entries, too, if at most one number in so many is not 0: that trades the speed of dense products
+/// for their number. Solutions do not depend on it, as all are confirmed exactly on either.
+constexpr Eigen::Index sparse_below = 64;
+
 void scale_law(const FrictionLaw& law, ScaledProblem& scaled) {
   const Index slips = static_cast<Index>(law.pair.size());
   scaled.law = law;
@@ -63,7 +67,7 @@ ScaledProblem scaled_by_pairs(const ContactProblem& problem) {
   scale_law(problem.law, scaled);
   scale_modes(problem, scaled);
   if (!problem.law.pair.empty() &&
-      64 * (scaled.compliance.array() != 0).count() <= scaled.compliance.size())
+      sparse_below * (scaled.compliance.array() != 0).count() <= scaled.compliance.size())
     scaled.sparse = scaled.compliance.sparseView(0, 0);
   return scaled;
 }

@@ -43,10 +43,10 @@ void check_solved(const Solution& solution, const PathState* state, const char* 
 /// Always, in this order: `x`, `y`, `gap`, `pressure`, `force`, `status` (open, closed).
 ///
 /// With friction: `shear_traction` and `shear_force`, on the source along the tangent, which points to the right if
-/// one looks out of the target; `slip` of the source along the tangent, since the step before, see increment(); `motion` (open, stick,
-/// forward, backward), forward being slip > 0, against which the shear force is < 0; `dissipated`, the work
-/// |shear force| |slip| >= 0 that sliding lost in the step. A pair that cannot rub has shear force 0, dissipates nothing,
-/// and has neither slip nor motion.
+/// one looks out of the target; `slip` of the source along the tangent, since the step before, see increment();
+/// `motion` (open, stick, forward, backward), forward being slip > 0, against which the shear force is < 0;
+/// `dissipated`, the work |shear force| |slip| >= 0 that sliding lost in the step. A pair that cannot rub has shear
+/// force 0, dissipates nothing, and has neither slip nor motion.
 ///
 /// With friction and a state of load steps: `slip_total` and `dissipated_total` from the first step on.
 ///

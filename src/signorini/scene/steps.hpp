@@ -34,10 +34,10 @@ struct PathState {
   /// `n_c` what all pairs do; empty before the first step
   std::vector<Motion> motion = {};
   Eigen::VectorXd slip = {};  ///< `n_s` in total, of the source along the tangent [length]
-  Eigen::VectorXd increment =
-      {};  ///< `n_s` since the step before [length]; exactly 0 of a pair that sticks
-  Eigen::VectorXd dissipation =
-      {};                    ///< `n_s` sum over the steps of |tau| |increment| [force*length], >= 0
+  /// `n_s` since the step before [length]; exactly 0 of a pair that sticks
+  Eigen::VectorXd increment = {};
+  /// `n_s` sum over the steps of |tau| |increment| [force*length], >= 0
+  Eigen::VectorXd dissipation = {};
   PrimalDual solution = {};  ///< u in two parts and forces of all rows of A, of the last step
 };
 
@@ -53,10 +53,10 @@ using StepObserver = std::function<void(const Model& model, const Step& step)>;
 /// How a path ended.
 struct PathEnd {
   PathState state;  ///< after the last step that was solved
-  Status status =
-      Status::Solved;  ///< `Solved` if the last time was reached, else that of the step that failed
-  std::string reason =
-      {};  ///< in words, if it was not reached: where, why, and where to go on from
+  /// `Solved` if the last time was reached, else that of the step that failed
+  Status status = Status::Solved;
+  /// in words, if it was not reached: where, why, and where to go on from
+  std::string reason = {};
   Eigen::Index halvings = 0;  ///< how many steps failed and were tried half as long
   /// From which time on the loads are more than contact and friction can hold [time], if that was found: `Infeasible`
   /// proves that nothing balances them beyond, see Solution::limit; else nothing was found 1e-10 of the step beyond

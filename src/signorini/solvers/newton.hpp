@@ -19,7 +19,8 @@ struct Attempt {
 };
 
 /// The point from which all methods start, and what it says of the pairs: no forces; with friction forces
-/// without friction, unless F has few entries, where these cost more than they are good for; for bodies with rigid modes the least forces that balance r, and the amplitudes of least gaps.
+/// without friction, unless F has few entries, where these cost more than they are good for; for bodies with rigid
+/// modes the least forces that balance r, and the amplitudes of least gaps.
 /// \param problem  scaled
 /// \return the point
 [[nodiscard]] Attempt first_attempt(const ScaledProblem& problem);

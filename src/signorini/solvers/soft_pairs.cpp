@@ -10,11 +10,18 @@ namespace {
 
 using Eigen::Index;
 
+// These numbers trade exchanges that lead nowhere for steps of softness that are too small. Whether an end is a
+// solution does not depend on them: each is confirmed exactly on the pairs as they are.
+
 /// Exchanges for one softness: those that settle need few.
 constexpr Index few = 10;
 
 /// Exchanges that try to end where soft pairs no longer change: it ends at once, or for other reasons.
 constexpr Index last_few = 3;
+
+/// What softness is multiplied by where the pairs settle, and where they do not.
+constexpr double harder = 0.5;
+constexpr double softer = 4;
 
 /// Exchanges from where an attempt stands. \param report  gets them added
 Attempt exchanged(const ScaledProblem& problem, const Attempt& from, Index limit, Report& report) {
@@ -36,7 +43,7 @@ void follow_soft_pairs(const ScaledProblem& problem, Attempt& attempt) {
       soft.sparse.coeffRef(i, i) = soft.compliance(i, i);
     soft.free = problem.free - softness * at.closure.force;
     Attempt next = exchanged(soft, at, few, attempt.report);
-    softness *= next.confirmed ? 0.5 : 4;
+    softness *= next.confirmed ? harder : softer;
     if (!next.confirmed) continue;
     at = std::move(next);
     if (at.report.iterations > 1) continue;
