@@ -121,7 +121,7 @@ TEST_CASE("a path ends at the load from which on friction holds nothing",
   }
 }
 
-TEST_CASE("a limit between rows of a history, and loads that nothing held to begin with",
+TEST_CASE("a limit between rows of a history, and none of loads that nothing held to begin with",
           "[friction][limit][steps]") {
   // To and fro within one step: it is the way there that fails, not the end.
   Scene scene = pulled(resting(Friction{0.3, 0}), 0.6 * 0.25 * width, {1});
@@ -131,8 +131,8 @@ TEST_CASE("a limit between rows of a history, and loads that nothing held to beg
   CHECK(*end.limit == Approx(0.2).epsilon(1e-13).margin(0));
   scene.path->histories[0] = {"pull", {0}, {1}};
   end = solve_steps(scene);
-  REQUIRE(end.limit.has_value());
-  CHECK(*end.limit == 0);
+  CHECK(end.status != Status::Solved);
+  CHECK_FALSE(end.limit.has_value());
   CHECK(end.state.steps == 0);
 }
 
