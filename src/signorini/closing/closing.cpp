@@ -81,8 +81,9 @@ void settle(const ScaledProblem& problem, const Rows& support, Closure& now) {
     if (problem.sparse.size() == 0) {
       now.movement += force * problem.compliance.col(j);
       size += std::abs(force) * problem.compliance.col(j).cwiseAbs();
+      continue;
     }
-    for (Entry entry(problem.sparse, j); problem.sparse.size() > 0 && entry; ++entry) {
+    for (Entry entry(problem.sparse, j); entry; ++entry) {
       now.movement(entry.row()) += force * entry.value();
       size(entry.row()) += std::abs(force * entry.value());
     }
