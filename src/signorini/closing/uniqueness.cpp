@@ -15,8 +15,9 @@ using Eigen::VectorXd;
 /// 1 - mu |C_ii| / G_ii of pair k of the law; 1 of a body that floats: there G and C depend on what grounds it.
 double own_determinant(const ScaledProblem& problem, Index k) {
   const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
-  if (!problem.rigid.row(pair).isZero(0) || !problem.rigid.row(problem.pairs() + k).isZero(0))
-    return 1;
+  const MatrixXd& rigid = problem.rigid;
+  const bool floats = rigid.cols() > 0;
+  if (floats && !(rigid.row(pair).isZero(0) && rigid.row(problem.pairs() + k).isZero(0))) return 1;
   return 1 - problem.law.coefficient(k) * std::abs(problem.compliance(pair, problem.pairs() + k)) /
                  problem.compliance(pair, pair);
 }

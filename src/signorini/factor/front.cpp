@@ -36,6 +36,7 @@ void subtract_edge(const double* x, const double* y, Index stride, Index depth, 
 
 /// C -= X X^T where C is as high as X and has its first columns only; nothing above the tiles on the diagonal.
 void subtract_square(const Constant& X, Block C) {
+  if (X.cols() == 0) return;
   const Index height = C.rows();
   for (Index j = 0; j < C.cols(); j += tile) {
     const Index columns = std::min(tile, C.cols() - j);
