@@ -74,10 +74,6 @@ void check_solved(const Solution& solution, const PathState* state, const char* 
           " slips, but the state of its path ", state == nullptr ? 0 : state->slip.size());
 }
 
-VectorXd dissipated(const ContactState& contact) {
-  return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
-}
-
 VectorXd shear_tractions(const Model& model, const Solution& solution) {
   const ContactState& contact = solution.contact;
   return of_rubbing(contact, contact.friction, 0).cwiseQuotient(model.pairs.weight);

@@ -29,10 +29,6 @@ struct PairColumn {
 /// \throws std::invalid_argument if the problem is not solved, or the state has another number of slips
 void check_solved(const Solution& solution, const PathState* state, const char* function);
 
-/// \param contact  of a solution
-/// \return `n_s` work |tau| |slip| that each pair that rubs lost by sliding [force length], see increment()
-[[nodiscard]] Eigen::VectorXd dissipated(const ContactState& contact);
-
 /// \param model     that was solved
 /// \param solution  of it
 /// \return `n_c` friction force / weight [force/length^2], on the source along the tangent; 0 where a pair cannot rub

@@ -109,7 +109,7 @@ PathState after(const PathState& past, double time, const Model& model, const Ve
   state.motion = all_motions(contact);
   state.solution = solution.refined;
   state.increment = increment(contact);
-  const VectorXd lost = contact.friction.cwiseProduct(state.increment).cwiseAbs();
+  const VectorXd lost = dissipated(contact);
   if (past.steps == 0) {
     state.slip = state.increment;
     state.dissipation = lost;
@@ -184,6 +184,10 @@ VectorXd increment(const ContactState& contact) {
   for (Index k = 0; k < slip.size(); ++k)
     if (contact.motion[static_cast<std::size_t>(k)] == Motion::Stick) slip(k) = 0;
   return slip;
+}
+
+VectorXd dissipated(const ContactState& contact) {
+  return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
 }
 
 Step step(const PathState& past, double time, Model& model, CondensedPath& path, Ledger ledger) {

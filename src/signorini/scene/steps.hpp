@@ -80,6 +80,10 @@ void set_time(double time, Model& model);
 /// \return `n_s` slips of the step [length]; exactly 0 of a pair that sticks, where rounding leaves the solution a rest
 [[nodiscard]] Eigen::VectorXd increment(const ContactState& contact);
 
+/// \param contact  of a solution
+/// \return `n_s` work |tau| |slip| that each pair that rubs lost by sliding [force length], see increment()
+[[nodiscard]] Eigen::VectorXd dissipated(const ContactState& contact);
+
 /// Goes one step. Slip counts from the step before, in the place of the slip of \PaperEq{LinEtAl, 8}.
 /// \param past    where the path is
 /// \param time    where the step ends, beyond `past.time` [time]
