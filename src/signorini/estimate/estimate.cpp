@@ -6,7 +6,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/estimate/contact_edges.hpp"
 #include "signorini/estimate/dual.hpp"
-#include "signorini/estimate/recovery.hpp"
+#include "signorini/estimate/error_products.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
