@@ -5,6 +5,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/estimate/contact_edges.hpp"
+#include "signorini/estimate/directions.hpp"
 #include "signorini/estimate/dual.hpp"
 #include "signorini/estimate/recovery.hpp"
 #include "signorini/problem/certificate.hpp"
@@ -90,7 +91,7 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
   std::vector<Estimate> all;
   std::vector<DualSolution> duals;
   for (const Goal& goal : goals) {
-    Estimate one{goal.name, value(model, solution, goal), {}, 0, true, 0, {}};
+    Estimate one{goal.name, value(model, solution, goal), {}, 0, true, 0, {}, {}};
     one.is_signed = std::holds_alternative<ContactForce>(goal.quantity) ||
                     std::holds_alternative<Displacement>(goal.quantity);
     const GoalGradient change = gradient(model, solution, goal);
@@ -111,9 +112,12 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
     fields.displacements[0] += body.unknowns.held;
     for (const DualSolution& z : duals)
       fields.displacements.push_back(of_body(body, z.displacement));
-    const Eigen::MatrixXd products = error_products(fields, recovered(fields));
+    const SmoothStress smooth = recovered(fields);
+    const Eigen::MatrixXd products = error_products(fields, smooth);
+    const Eigen::MatrixXd first = share_of_first_direction(fields, smooth);
     for (std::size_t k = 0; k < all.size(); ++k) {
       all[k].share.emplace_back(products.col(static_cast<Index>(k)));
+      all[k].first_direction.emplace_back(first.col(static_cast<Index>(k)));
       all[k].parts.interior += all[k].share.back().sum();
     }
   }

@@ -158,7 +158,10 @@ double value(const Model& model, const Solution& solution, const Goal& goal) {
   if (const auto* moved = std::get_if<Displacement>(&goal.quantity)) {
     const NodeSum sum = nodes_of(model, *moved, goal.name);
     const NodeArray& u = solution.displacements[sum.body];
-    return u(sum.nodes, static_cast<int>(moved->axis)).dot(sum.share);
+    double mean = 0;
+    for (std::size_t k = 0; k < sum.nodes.size(); ++k)
+      mean += sum.share(static_cast<Index>(k)) * u(sum.nodes[k], static_cast<int>(moved->axis));
+    return mean;
   }
   return readable(goal, [&] {
     if (const auto* peak = std::get_if<PeakPressure>(&goal.quantity)) {
