@@ -78,6 +78,19 @@ TEST_CASE("corners and single sides between two lines stay as they are", "[refin
   CHECK((middle(chamfer, 2) - half).norm() == Approx(0).margin(1e-15));
 }
 
+TEST_CASE("where two arcs meet at an angle, each keeps its own circle", "[refine]") {
+  std::vector<Vector2d> tops;
+  for (int k = 0; k <= 6; ++k)  // of radius 2 about (-1.5, 0), from 90 to 50 degrees
+    tops.emplace_back(-1.5 + 2 * std::cos(1.6 - 0.12 * k), 2 * std::sin(1.6 - 0.12 * k));
+  const Vector2d meet = tops.back();
+  const Vector2d centre = meet + 3 * Vector2d(std::cos(-0.9), std::sin(-0.9)) * -1;
+  for (int k = 1; k <= 5; ++k)
+    tops.emplace_back(centre + 3 * Vector2d(std::cos(-0.9 - 0.1 * k), std::sin(-0.9 - 0.1 * k)));
+  const Mesh mesh = under(tops);
+  CHECK((middle(mesh, 5) - Vector2d(-1.5, 0)).norm() == Approx(2).epsilon(1e-14).margin(0));
+  CHECK((middle(mesh, 6) - centre).norm() == Approx(3).epsilon(1e-14).margin(0));
+}
+
 TEST_CASE("on a circle of unequal sides every middle lies on the circle", "[refine]") {
   std::vector<Vector2d> tops;
   double angle = 0.9;
