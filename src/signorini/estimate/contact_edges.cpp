@@ -17,6 +17,22 @@ const BodyModel& source_of(const Model& model, Index pair) {
   return *body;
 }
 
+namespace {
+
+/// Whether a pair presses on no node of its source but its own.
+bool presses_one_node(const Model& model, const BodyModel& source, Index pair) {
+  const Index own = model.pairs.node[static_cast<std::size_t>(pair)];
+  for (NodalRows::InnerIterator entry(model.pairs.opening, pair); entry; ++entry) {
+    const Index node = entry.col() / 2;
+    const bool of_source =
+        node >= source.first_node && node < source.first_node + source.mesh.n_nodes();
+    if (of_source && node != own && entry.value() != 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 std::vector<ContactEdge> contact_edges(const Model& model) {
   std::vector<ContactEdge> edges;
   for (Index pair = 0; pair + 1 < model.pairs.weight.size(); ++pair) {
@@ -25,8 +41,10 @@ std::vector<ContactEdge> contact_edges(const Model& model) {
     const BodyModel& body = source_of(model, pair);
     const Eigen::RowVector2d from = model.pairs.position.row(pair);
     const Eigen::RowVector2d to = model.pairs.position.row(pair + 1);
-    edges.push_back({pair, pair + 1, (to - from).norm(),
-                     depth_of(body.material).at((from.x() + to.x()) / 2), body.mesh.order()});
+    edges.push_back(
+        {pair, pair + 1, (to - from).norm(), depth_of(body.material).at((from.x() + to.x()) / 2),
+         body.mesh.order(),
+         body.mesh.order() == MeshOrder::Linear || !presses_one_node(model, body, pair)});
   }
   return edges;
 }

@@ -14,6 +14,9 @@ struct ContactEdge {
   double length;      ///< between their nodes, straight [length]
   double depth;       ///< across the plane, in the middle [length]
   MeshOrder order;    ///< of the source: of three nodes per side, two edges make one
+  /// Whether pressures and shares between the nodes are taken as straight. Only where forces act on nodes of sides of three
+  /// are they parabolas; a mortar pair there spreads its force over more nodes than its own.
+  bool straight;
 };
 
 /// \param model  from build(), all of whose pairs have nodes

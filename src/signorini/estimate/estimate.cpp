@@ -112,7 +112,11 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
     fields.displacements[0] += body.unknowns.held;
     for (const DualSolution& z : duals)
       fields.displacements.push_back(of_body(body, z.displacement));
-    const SmoothStress smooth = recovered(fields);
+    const SmoothStress smooth = [&] {
+      const Ledger::Phase recovery(ledger, "recovery");
+      return recovered(fields);
+    }();
+    const Ledger::Phase weighing(ledger, "weighing");
     const Eigen::MatrixXd products = error_products(fields, smooth);
     const Eigen::MatrixXd first = share_of_first_direction(fields, smooth);
     for (std::size_t k = 0; k < all.size(); ++k) {

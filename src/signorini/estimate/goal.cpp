@@ -1,7 +1,7 @@
 #include "signorini/estimate/goal.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 #include <utility>
 
 #include "signorini/closed_form/hertz_fit.hpp"
@@ -55,19 +55,17 @@ struct Profile {
   VectorXd weight;  // of the nodes: what a uniform pressure does to them
   std::vector<double> force, pressure;
   Trace trace;
-  std::size_t middle;  // of the line: the pair nearest to x = 0
 };
 
 Profile profile(const Model& model, const Solution& solution, const std::string& contact,
                 const Vector2d& middle) {
-  Profile read{line_of(model, contact, middle), {}, {}, {}, {}, Trace::Linear, 0};
+  Profile read{line_of(model, contact, middle), {}, {}, {}, {}, Trace::Linear};
   const std::vector<Index>& pair = read.line.pair;
   const Index n = static_cast<Index>(pair.size());
   const auto nearest =
       std::min_element(read.line.x.begin(), read.line.x.end(),
                        [](double a, double b) { return std::abs(a) < std::abs(b); });
-  read.middle = at(nearest - read.line.x.begin());
-  const Index there = pair[read.middle];
+  const Index there = pair[at(nearest - read.line.x.begin())];
   const Vector2d across = model.pairs.normal.row(there).transpose();
   if (source_of(model, there).mesh.order() == MeshOrder::Quadratic) read.trace = Trace::Quadratic;
   std::vector<Index> column(at(model.pairs.opening.cols() / 2), -1);
@@ -84,6 +82,26 @@ Profile profile(const Model& model, const Solution& solution, const std::string&
     read.pressure.push_back(force(k) / read.weight(k));
   }
   return read;
+}
+
+double pressure_at(const HertzFit& fit, double x) {
+  return fit.peak_pressure * std::sqrt(std::max(0.0, 1 - std::pow(x / fit.half_width, 2)));
+}
+
+/// The mean of an ellipse of pressure that the force on a node of straight sides tells.
+double mean_around(const std::vector<double>& x, std::size_t node, const HertzFit& fit) {
+  double sum = 0, weight = 0;
+  const auto side = [&](std::size_t other) {
+    const double way = x[other] - x[node];
+    for (const GaussPoint& gauss : gauss_line(16)) {
+      const double t = (1 + gauss.xi) / 2, part = gauss.weight * std::abs(way) * (1 - t);
+      sum += part * pressure_at(fit, x[node] + t * way);
+      weight += part;
+    }
+  };
+  if (node > 0) side(node - 1);
+  if (node + 1 < x.size()) side(node + 1);
+  return sum / weight;
 }
 
 /// Runs a reading of Hertz's contact, whose own errors blame its caller.
@@ -222,7 +240,7 @@ double overlooked(const Model& model, const Solution& solution, const Goal& goal
     if (!force->share) return 0;
     const std::vector<Index> pairs = pairs_of(model, force->contact);
     for (const ContactEdge& edge : contact_edges(model)) {
-      if (!std::binary_search(pairs.begin(), pairs.end(), edge.from)) continue;
+      if (!edge.straight || !std::binary_search(pairs.begin(), pairs.end(), edge.from)) continue;
       const double first = share_at(*force, model, edge.from);
       const double last = share_at(*force, model, edge.to);
       const Vector2d from = model.pairs.position.row(edge.from).transpose();
@@ -238,14 +256,14 @@ double overlooked(const Model& model, const Solution& solution, const Goal& goal
   } else if (const auto* peak = std::get_if<PeakPressure>(&goal.quantity)) {
     const Profile read = profile(model, solution, peak->contact, peak->middle);
     if (read.trace == Trace::Quadratic) return 0;
-    const HertzFit fit = readable(goal, [&] { return fit_hertz(read.line.x, read.pressure); });
-    const std::vector<double>& x = read.line.x;
-    const std::size_t middle = read.middle;
-    double square = 0;
-    int steps = 0;
-    for (std::size_t k = middle == 0 ? 1 : middle; k <= middle + 1 && k < x.size(); ++k, ++steps)
-      square += (x[k] - x[k - 1]) * (x[k] - x[k - 1]);
-    sum = fit.peak_pressure * square / steps / (12 * fit.half_width * fit.half_width);
+    return readable(goal, [&] {
+      const std::vector<double>& x = read.line.x;
+      const HertzFit fit = fit_hertz(x, read.pressure);
+      const std::vector<double> change = peak_pressure_gradient(x, read.pressure);
+      for (std::size_t k = 0; k < x.size(); ++k)
+        if (change[k] != 0) sum -= change[k] * (mean_around(x, k, fit) - pressure_at(fit, x[k]));
+      return sum;
+    });
   }
   return sum;
 }

@@ -69,8 +69,8 @@ struct GoalGradient {
 [[nodiscard]] GoalGradient gradient(const Model& model, const Solution& solution, const Goal& goal);
 
 /// What a goal overlooks between the nodes: of a ContactForce the pressure there that counts more, or less, than the
-/// straight lines of `share` between nodes say; of a PeakPressure on sides of two nodes, where a nodal pressure is a mean,
-/// \f$ q_0 h^2 / (12 b^2) \f$.
+/// straight lines of `share` between nodes say; of a PeakPressure on sides of two nodes, where a nodal pressure is a mean, what
+/// such means of the ellipse change its fit by.
 /// \param model     from build()
 /// \param solution  of it
 /// \param goal      any
