@@ -143,17 +143,25 @@ class Loop {
                          [](const AccuracyRound& round) { return round.error.has_value(); });
   }
 
-  /// Whether the last three refinements together have not halved the error.
+  /// Whether the last four refinements have not halved the largest error among them, or a dozen have not closed more
+  /// pairs.
   [[nodiscard]] bool stagnates() const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
-    const std::size_t n = rounds.size();
-    const std::size_t back = rounds.back().error ? 4 : 12;
-    if (n < back) return false;
-    if (!rounds.back().error) return true;
-    return rounds[n - back].error && *rounds.back().error > *rounds[n - back].error / 2;
+    if (!rounds.back().error) return rounds.size() >= 12;
+    if (estimated() < 5) return false;
+    double largest = 0;
+    for (std::size_t k = rounds.size() - 5; k < rounds.size(); ++k)
+      largest = std::max(largest, rounds[k].error.value_or(0));
+    return *rounds.back().error > largest / 2;
   }
 
   bool refine() {
+    const auto none = [](const MarkedEdges& marks) {
+      return std::count(marks.halved.begin(), marks.halved.end(), 0) ==
+             static_cast<std::ptrdiff_t>(marks.halved.size());
+    };
+    if (std::all_of(marks_.begin(), marks_.end(), none))
+      return stop("no cell has a share of the error; " + largest_part(run_));
     mark_facing(run_.scene.contacts, run_.model.bodies, marks_);
     Index unknowns = 0;
     std::vector<Mesh> finer;

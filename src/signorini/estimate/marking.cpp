@@ -64,10 +64,14 @@ using EdgeShares = std::vector<std::vector<double>>;
 
 void add_cells(const Model& model, const std::vector<MarkedEdges>& marks, const Estimate& estimate,
                EdgeShares& shares) {
+  double sum = 0;
+  for (const Eigen::VectorXd& share : estimate.share) sum += share.lpNorm<1>();
+  if (sum == 0) return;
+  const double scale = std::abs(estimate.parts.interior) / sum;
   for (std::size_t b = 0; b < marks.size(); ++b) {
     const Mesh& mesh = model.bodies[b].mesh;
     for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-      const double share = std::abs(estimate.share[b](cell));
+      const double share = scale * std::abs(estimate.share[b](cell));
       const double first = estimate.first_direction[b](cell);
       const auto add = [&](int side, double part) {
         shares[b][at(marks[b].edges.at({cell, side}))] += part;
