@@ -4,51 +4,17 @@
 
 #include "catch_compat.hpp"
 #include "signorini/closed_form/hertz.hpp"
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/closed_form/rings.hpp"
 #include "signorini/estimate/accuracy.hpp"
 #include "signorini/estimate/goal_words.hpp"
-#include "signorini/mesh/ring.hpp"
 #include "support/cantilever.hpp"
 #include "support/hertz.hpp"
+#include "support/lining_rings.hpp"
 #include "support/message.hpp"
 
-using Eigen::Index;
 using namespace signorini;
 using namespace signorini_test;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-/// The lining of chapter 14 in its rock: two rings in closed form.
-Scene lining(Index cells_angle, Index cells_radius) {
-  Scene scene;
-  scene.bodies.resize(2);
-  for (std::size_t b = 0; b < 2; ++b) {
-    AnnulusSpec spec;
-    spec.name = b == 0 ? "lining" : "rock";
-    spec.inner_radius = b == 0 ? 60 : 68.15;
-    spec.outer_radius = b == 0 ? 68 : 76.15;
-    spec.cells_angle = cells_angle;
-    spec.cells_radius = cells_radius;
-    spec.sector = Sector::Quarter;
-    scene.bodies[b].mesh = make_annulus(spec);
-    scene.bodies[b].material = {210e3, 0.3, PlaneState::Strain, 1};
-    scene.bodies[b].supports = {symmetric("symmetry"), symmetric("symmetry_y")};
-  }
-  scene.bodies[0].loads.edges = {{"inner", 180, {}}};
-  scene.contacts = {{{"outer", "lining"}, Side{"inner", "rock"}}};
-  return scene;
-}
-
-/// Sum of the contact forces of a quarter of it.
-double lining_force() {
-  const double modulus = plane_strain_modulus(210e3, 0.3);
-  const double ratio = plane_strain_ratio(0.3);
-  const NestedRings rings{{60, 68, modulus, ratio}, {68.15, 76.15, modulus, ratio}, 180, 0};
-  return nested_pressure(rings).inner.outside * 68 * pi / 2;
-}
 
 /// Two bodies whose contact the first mesh hardly resolves.
 HertzProblem coarse_hertz() {
@@ -89,7 +55,7 @@ TEST_CASE("Hertz's contact becomes as accurate as asked for from a mesh that har
 TEST_CASE("one ring in another becomes as accurate as asked for", "[accuracy][closed-form]") {
   const double target = GENERATE(0.01, 0.003, 0.001);
   CAPTURE(target);
-  const AccurateSolution result = accurate(lining(9, 5), "force", target);
+  const AccurateSolution result = accurate(lining_rings(9, 5), "force", target);
   REQUIRE(result.met);
   CHECK(result.rounds.size() >= 2);  // a second mesh confirms
   CHECK(result.rounds.back().value == Approx(lining_force()).epsilon(target).margin(0));
