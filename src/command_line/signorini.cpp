@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line/accuracy_run.hpp"
 #include "command_line/man.hpp"
 #include "command_line/options.hpp"
 #include "command_line/outcome.hpp"
@@ -141,6 +142,29 @@ int solve_path(const Request& request, command_line::SceneRun& run) {
   return run.solved() ? solved : not_solved;
 }
 
+/// Solves a scene to an accuracy, and says so before the rest.
+int solve_accurately(const Request& request, command_line::SceneRun& run) {
+  command_line::AccuracyRun accuracy = command_line::understood(request.accuracy, run);
+  command_line::Drafts drafts(command_line::files_of(run.file.output), request.file);
+  if (!request.json) command_line::print_wish(std::cout, accuracy);
+  command_line::solve_to_accuracy(run, accuracy, [&](const command_line::AccuracyRun& so_far) {
+    if (!request.json) command_line::print_round(std::cout, so_far);
+  });
+  if (request.json) {
+    Json json;
+    json.object();
+    command_line::write(json, accuracy);
+    command_line::write_keys(json, run);
+    json.end();
+    std::cout << json.text();
+  } else {
+    command_line::print_verdict(std::cout, accuracy);
+    command_line::print_solution(std::cout, run);
+  }
+  if (run.solved()) command_line::write_outputs(run, drafts);
+  return run.solved() && accuracy.met ? solved : not_solved;
+}
+
 int solve_scene(const Request& request) {
   command_line::SceneRun run = command_line::plan_scene(request.file, request.solver, "solve");
   Output& output = run.file.output;
@@ -149,9 +173,13 @@ int solve_scene(const Request& request) {
   if (!request.output.plot.empty()) output.plot = request.output.plot;
   if (!request.output.state.empty()) output.state = request.output.state;
   if (!output.plot.empty()) static_cast<void>(command_line::picture_kind(output.plot));
-  if (run.file.scene.path) return solve_path(request, run);
-  pose(output.state.empty() && request.from.empty(), output.state.empty() ? "--from" : "--state",
-       ": ", run.file.name, " has no load steps: leave it out, or give the scene [[steps]]");
+  pose(!request.accuracy.target.empty() || request.accuracy.goal.empty(),
+       "--goal: say how accurate it is to be, as in --accuracy 0.5%");
+  if (run.file.scene.path && request.accuracy.target.empty()) return solve_path(request, run);
+  pose(run.file.scene.path || (output.state.empty() && request.from.empty()),
+       output.state.empty() ? "--from" : "--state", ": ", run.file.name,
+       " has no load steps: leave it out, or give the scene [[steps]]");
+  if (!request.accuracy.target.empty()) return solve_accurately(request, run);
   command_line::Drafts drafts(command_line::files_of(output), request.file);
   command_line::solve_scene(run);
   const int code = tell(request, run, command_line::print_solution);
