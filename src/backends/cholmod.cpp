@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <memory>
+#include <new>
 
 #include "signorini/factor/backend.hpp"
 #include "signorini/factor/frontal_factor.hpp"

@@ -2,7 +2,9 @@
 // of [K A^T; A 0], with the rows of A, the contact forces, as the variables of its Schur complement -A K^-1 A^T.
 #include <dmumps_c.h>
 #include <mpi.h>
+#include <sys/mman.h>
 #include <time.h>
+#include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -12,7 +14,9 @@
 #include <cmath>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <numeric>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/factor/backend.hpp"
@@ -59,6 +63,46 @@ struct Entries {
       for (Matrix::InnerIterator entry(K, k); entry; ++entry)
         if (entry.row() >= k) add(entry.row(), k, scale * entry.value());
   }
+};
+
+/// A number that MUMPS gives in millions, and negative, if it is large.
+double many(int count) { return count < 0 ? -1e6 * count : count; }
+
+/// Where MUMPS works: its part of the factor from the beginning on, and while it factors a stack from the end down.
+class Room {
+ public:
+  Room() = default;
+  ~Room() { take(0); }
+  Room(const Room&) = delete;
+  Room& operator=(const Room&) = delete;
+  Room(Room&&) = delete;
+  Room& operator=(Room&&) = delete;
+
+  /// Gets room for new numbers, whole millions of them, and gives the old one back.
+  void take(double numbers) {
+    if (bytes_ > 0) munmap(begin_, bytes_);
+    bytes_ = static_cast<std::size_t>(std::ceil(numbers / 1e6)) * million;
+    begin_ = nullptr;
+    if (bytes_ == 0) return;
+    begin_ = mmap(nullptr, bytes_, PROT_READ | PROT_WRITE,
+                  MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (begin_ != MAP_FAILED) return;
+    bytes_ = 0;
+    throw std::bad_alloc();
+  }
+  /// Lets the system use again what lies behind the first numbers.
+  void keep(double numbers) {
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    const std::size_t kept = (static_cast<std::size_t>(numbers) * sizeof(double) / page + 1) * page;
+    if (kept < bytes_) madvise(static_cast<char*>(begin_) + kept, bytes_ - kept, MADV_DONTNEED);
+  }
+  [[nodiscard]] double* begin() const { return static_cast<double*>(begin_); }
+  [[nodiscard]] int millions() const { return static_cast<int>(bytes_ / million); }
+
+ private:
+  static constexpr std::size_t million = 1000000 * sizeof(double);
+  void* begin_ = nullptr;
+  std::size_t bytes_ = 0;
 };
 
 /// The processes of one run, and what this one has of the factor.
@@ -178,10 +222,7 @@ class Session {
   [[nodiscard]] int error() const { return mumps_->infog[0]; }
   [[nodiscard]] int negative_pivots() const { return mumps_->infog[11]; }
   [[nodiscard]] double operations() const { return mumps_->rinfog[2]; }
-  [[nodiscard]] double nonzeros() const {
-    const double count = mumps_->infog[28];
-    return count < 0 ? -1e6 * count : count;  // in millions if it is negative
-  }
+  [[nodiscard]] double nonzeros() const { return many(mumps_->infog[28]); }
 
  private:
   Session() {
@@ -263,7 +304,7 @@ class Session {
     release();
     mumps_ = std::make_unique<DMUMPS_STRUC_C>();
     mumps_->par = 1;
-    mumps_->sym = 2;  // symmetric; how many pivots are negative is told
+    mumps_->sym = 1;  // no pivoting; how many pivots are negative is told
     mumps_->comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_WORLD));
     call(-1);
     for (const int stream : {1, 2, 3}) control(stream) = -1;
@@ -286,7 +327,15 @@ class Session {
     mumps_->a_loc = own.value.data();
     mumps_->perm_in = place;
     call(1);
-    if (mumps_->infog[0] >= 0) call(2);
+    if (mumps_->infog[0] >= 0) {
+      room_.take(
+          2 *
+          many(mumps_->info[7]));  // twice what MUMPS expects: room costs nothing until it is used
+      mumps_->wk_user = room_.begin();
+      mumps_->lwk_user = -room_.millions();
+      call(2);
+      room_.keep(many(mumps_->info[8]));
+    }
     operations_ = mumps_->rinfo[2];
     // Of solving, MUMPS wants none of these again.
     mumps_->irn_loc = mumps_->jcn_loc = mumps_->listvar_schur = mumps_->perm_in = nullptr;
@@ -296,6 +345,7 @@ class Session {
   void release() {
     if (mumps_) call(-2);
     mumps_.reset();
+    room_.take(0);
   }
 
   void call(int job) {
@@ -321,6 +371,7 @@ class Session {
 
   int rank_ = 0;
   int size_ = 1;
+  Room room_;
   std::unique_ptr<DMUMPS_STRUC_C> mumps_;
   long long stiffness_entries_ = 0;
   double operations_ = 0;
@@ -363,9 +414,10 @@ class MumpsFactor {
     return scale_ * Session::the().solve(load);
   }
 
-  /// That of the rows that were factored is there; of others it takes a solve per row.
-  [[nodiscard]] MatrixXd compliance(const Factor::Rows& A) const {
-    if (A.rows() == rows_.rows() && Factor::Rows(A - rows_).norm() == 0) return G_;
+  /// That of the rows that were factored is there, once; of others it takes a solve per row.
+  [[nodiscard]] MatrixXd compliance(const Factor::Rows& A) {
+    if (A.rows() == G_.rows() && Factor::Rows(A - rows_).norm() == 0)
+      return std::exchange(G_, MatrixXd());
     MatrixXd G(A.rows(), A.rows());
     for (Index k = 0; k < A.rows(); ++k) G.col(k) = A * solve(VectorXd(A.row(k).transpose()));
     return 0.5 * (G + MatrixXd(G.transpose()));
@@ -386,8 +438,10 @@ Factor factored(const Stiffness& K, Ledger& ledger) {
   Session& session = Session::the();
   require(session.rank() == 0, "back end mumps: process 0 factors, this is process ",
           session.rank(), ", which helps: see Team::help");
+  if (K.matrix.cols() == 0)
+    return backends().front().factor(K, ledger);  // MUMPS takes no empty matrix
   if (!K.matrix.coeffs().allFinite()) refuse(K, "mumps");
-  const auto factor = std::make_shared<const MumpsFactor>(K, ledger);
+  const auto factor = std::make_shared<MumpsFactor>(K, ledger);
   if (session.error() < 0 || session.negative_pivots() > 0) refuse(K, "mumps");
   const auto solve = [factor](const Eigen::Ref<const VectorXd>& load) {
     return factor->solve(load);

@@ -40,6 +40,16 @@ class Progress {
   bool shown_ = isatty(STDERR_FILENO) == 1;
 };
 
+/// The plan as build() wants it. What is large, and nobody looks at any more, leaves the other one.
+Plan taken_out(Plan& plan) {
+  std::vector<BodyModel> bodies = std::exchange(plan.bodies, {});
+  Unknowns unknowns = std::exchange(plan.unknowns, {});
+  Plan taken = plan;
+  taken.bodies = std::move(bodies);
+  taken.unknowns = std::move(unknowns);
+  return taken;
+}
+
 /// Goes along the load steps of a scene.
 void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Progress& progress) {
   Model& model = *run.model;
@@ -139,7 +149,7 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
   const std::string all = text("about ", figure("all phases", "seconds"), " s: ");
   Ledger ledger;
   progress.say(text(all, "assembling ", figure("assembly", "unknowns"), " unknowns"));
-  run.model = run.step([&] { return build(run.plan, ledger); });
+  run.model = run.step([&] { return build(taken_out(run.plan), ledger); });
   progress.say(text(all, "factoring, ", figure("factor/numeric", "operations"), " operations, and ",
                     figure("assembly", "rows"), " contact rows"));
   if (run.file.scene.path) return follow(run, std::move(ledger), observe, progress);

@@ -60,8 +60,9 @@ auto read_or_hint(const std::string& file, const std::string& content, const cha
 
 /// What was made of a scene file, as far as it came.
 struct SceneRun {
-  signorini::SceneFile file;              ///< as it was read, with what the command line changes
-  signorini::Plan plan;                   ///< of its scene
+  signorini::SceneFile file;  ///< as it was read, with what the command line changes
+  signorini::Plan
+      plan;  ///< of its scene; after solve_scene() without bodies, which are in the model
   signorini::Prediction prediction;       ///< of the plan
   signorini::PathState from = {};         ///< where load steps go on
   std::optional<signorini::Model> model;  ///< after solve_scene()

@@ -9,7 +9,7 @@
 #include "support/chosen.hpp"
 #include "support/effect_examples.hpp"
 #include "support/factors.hpp"
-#include "support/messages.hpp"
+#include "support/message.hpp"
 
 using namespace signorini;
 using namespace signorini_test;
