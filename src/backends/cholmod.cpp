@@ -82,6 +82,7 @@ class CholmodFactor {
 
   /// H^T H with H = L^-1 P A^T, one solve with L per row: it has no walk along the paths of the rows.
   [[nodiscard]] MatrixXd compliance(const Factor::Rows& A) {
+    if (A.rows() == 0) return {};  // CHOLMOD has no solution of nothing
     const Matrix columns = A.transpose();
     cholmod_sparse seen = view(columns, 0);
     cholmod_sparse* ordered = cholmod_spsolve(CHOLMOD_P, L_, &seen, &common_);
@@ -106,6 +107,7 @@ class CholmodFactor {
 };
 
 Factor factored(const Stiffness& K, Ledger& ledger) {
+  if (K.matrix.cols() == 0) return backends().front().factor(K, ledger);  // CHOLMOD minds
   if (!K.matrix.coeffs().allFinite()) refuse(K, "cholmod");
   const Ledger::Phase phase(ledger, "numeric");
   const auto factor = std::make_shared<CholmodFactor>(K);
