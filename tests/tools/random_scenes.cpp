@@ -1,7 +1,7 @@
 // Solves random scenes and counts what became of them.
 // Run:  random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]
-// KIND is frictionless, frictional, varied, revolved, triangles or paths, SOLVER a name or `default`; seeds that end in a named OUTCOME are
-// listed with their scenes.
+// KIND is frictionless, frictional, varied, revolved, triangles, paths or any, SOLVER a name or `default`; seeds that end in
+// a named OUTCOME are listed with their scenes. Ends with 1 if a scene ended as none may.
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -21,7 +21,8 @@ int main(int argc, char** argv) try {
                                                      {"varied", RandomScenes::Varied},
                                                      {"revolved", RandomScenes::Revolved},
                                                      {"triangles", RandomScenes::Triangles},
-                                                     {"paths", RandomScenes::Paths}};
+                                                     {"paths", RandomScenes::Paths},
+                                                     {"any", RandomScenes::Any}};
   const RandomScenes kind = kinds.at(word);
   const std::string solver = argv[2] == std::string("default") ? "" : argv[2];
   const std::uint64_t first = std::stoull(argv[3]);
@@ -34,10 +35,12 @@ int main(int argc, char** argv) try {
   int uneven = 0;
   Eigen::Index halvings = 0;
   std::uint64_t slowest = first;
+  bool good = true;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const Trial trial = try_scene(seed, kind, solver);
     const auto outcome = static_cast<std::size_t>(trial.outcome);
     ++counts[outcome];
+    good = good && !is_fault(trial.outcome);
     seconds += trial.seconds;
     if (trial.seconds > longest) slowest = seed;
     longest = std::max(longest, trial.seconds);
@@ -59,6 +62,7 @@ int main(int argc, char** argv) try {
   std::cout << "; largest error " << worst << ", imbalance " << imbalance << " (" << uneven
             << " beyond " << most_imbalance << "); halvings " << halvings << "; " << seconds
             << " s, of them " << longest << " for " << slowest << '\n';
+  return good ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << "random_scenes: " << error.what() << '\n';
   return 1;
