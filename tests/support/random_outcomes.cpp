@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <initializer_list>
 #include <utility>
 
+#include "signorini/closing/closing.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini_test {
@@ -44,6 +46,22 @@ void say_end(const Solution& solution, Trial& trial) {
   trial.text += text("\n  ", to_string(contact.report.status), " after ", contact.report.iterations,
                      " of ", contact.gap.size(), " pairs, ", solution.certificate, ' ',
                      solution.escape, contact.reason);
+}
+
+void fold(const Eigen::VectorXd& values, std::uint64_t& bits) {
+  for (const double value : values) {
+    std::uint64_t own = 0;
+    std::memcpy(&own, &value, sizeof own);
+    bits = (bits ^ own) * 0x100000001b3;  // FNV-1a, by whole numbers
+  }
+}
+
+void remember(const Solution& solution, Trial& trial) {
+  for (const Motion motion : all_motions(solution.contact))
+    trial.motions += "osfb"[static_cast<std::size_t>(motion)];
+  trial.motions += '.';
+  fold(solution.refined.force, trial.bits);
+  fold(solution.refined.displacement, trial.bits);
 }
 
 /// Keeps the worst of what is called solved.
@@ -88,6 +106,7 @@ void try_once(const Scene& scene, bool twice, void (*change)(Solution& solution)
   trial.outcome = ending(solution);
   say_end(solution, trial);
   if (trial.outcome != Outcome::Solved) return;
+  remember(solution, trial);
   if (change != nullptr) change(solution);
   judge(check_scene(model, solution), solution, trial);
   if (twice && trial.outcome == Outcome::Solved && differs(model, solution, trial))
@@ -110,6 +129,7 @@ void try_path(const Scene& scene, void (*change)(Solution& solution), Trial& tri
   CheckedPath check(scene);
   trial.outcome = Outcome::Solved;
   const PathEnd end = solve_steps(scene, [&](const Model& model, Step step) {
+    remember(step.solution, trial);
     if (change != nullptr) {
       change(step.solution);
       step.state.solution = step.solution.refined;

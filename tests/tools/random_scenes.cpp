@@ -2,6 +2,7 @@
 // Run:  random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]
 // KIND is frictionless, frictional, varied, revolved, triangles, paths or any, SOLVER a name or `default`; seeds that end in
 // a named OUTCOME are listed with their scenes. Ends with 1 if a scene ended as none may.
+// With the OUTCOME `motions` there is one line per seed: how it ended, the bits of its numbers, the motions of its pairs.
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -36,6 +37,7 @@ int main(int argc, char** argv) try {
   Eigen::Index halvings = 0;
   std::uint64_t slowest = first;
   bool good = true;
+  const bool lines = argc > 5 && argv[5] == std::string("motions");
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const Trial trial = try_scene(seed, kind, solver);
     const auto outcome = static_cast<std::size_t>(trial.outcome);
@@ -48,6 +50,9 @@ int main(int argc, char** argv) try {
     if (trial.imbalance > most_imbalance) ++uneven;
     halvings += trial.halvings;
     if (trial.outcome != Outcome::Wrong) worst = std::max(worst, trial.errors.worst());
+    if (lines)
+      std::cout << word << ' ' << seed << ' ' << outcome_names[outcome] << ' ' << std::hex
+                << trial.bits << std::dec << ' ' << trial.motions << '\n';
     const SceneErrors& e = trial.errors;
     if (std::find(argv + 5, argv + argc, std::string(outcome_names[outcome])) != argv + argc)
       std::cout << outcome_names[outcome] << ' ' << seed << ": " << trial.text << "\n  equilibrium "
@@ -56,6 +61,7 @@ int main(int argc, char** argv) try {
                 << ", cone " << e.cone << ", stick " << e.stick << ", sliding " << e.sliding
                 << ", reading " << e.reading << ", imbalance " << trial.imbalance << std::endl;
   }
+  if (lines) return 0;
   std::cout << argv[1] << ' ' << argv[2] << ' ' << first << " + " << count << ':';
   for (std::size_t k = 0; k < n_outcomes; ++k)
     std::cout << ' ' << outcome_names[k] << ' ' << counts[k];
