@@ -76,11 +76,11 @@ peers:                    ## the same problems by other people's solvers, as far
 	@$(ONE_THREAD) $B/bin/peers --full
 faults:                   ## put deliberate faults into a copy, one at a time: which test notices each, in an hour or two
 	@tests/faults/run.pl
-compilers:                ## compare what pairs do by g++, clang, -O0, -O3 and -march=native, in an hour of compiling
+sets:                     ## compare what pairs do by g++, clang, -O0, -O3 and -march=native, in an hour of compiling
 	@JOBS=$(JOBS) tests/tools/same_sets.sh
 handout:                  ## build/signorini-handout.tar.gz, without solutions and held-out tests
 	@mkdir -p $B && git archive --format=tar.gz --prefix=signorini/ -o $B/signorini-handout.tar.gz HEAD
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers faults compilers handout clean
+.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers faults sets handout clean
