@@ -159,7 +159,7 @@ bool is_clear(const std::string& message) {
   const bool names =
       message.find('\'') != std::string::npos || has({"scene", "load", "gauss_points", "mortar"});
   const bool says = has({"must", "need", "expect", "can", "unknown", "neither", "refers", "gets",
-                         " is ", " are ", " no ", " not ", " has ", " have ", " lies "});
+                         "folds", " is ", " are ", " no ", " not ", " has ", " have ", " lies "});
   const bool helps = has({"must", "ive ", "se ", "ake ", "dd ", "eave ", "ove ", "hange ", "ook ",
                           "old ", "urn ", "expected", "here are", "the scene has", "needs",
                           "it has", "those that", "nearest", "but the "});
