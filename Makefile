@@ -74,6 +74,8 @@ peers:                    ## the same problems by other people's solvers, as far
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target peers
 	@$(ONE_THREAD) $B/bin/peers --full
+fuzz:                     ## invent texts for the readers of scenes, problems and meshes, ten minutes each, with clang
+	@JOBS=$(JOBS) tests/fuzz/run.sh
 faults:                   ## put deliberate faults into a copy, one at a time: which test notices each, in an hour or two
 	@tests/faults/run.pl
 sets:                     ## compare what pairs do by g++, clang, -O0, -O3 and -march=native, in an hour of compiling
@@ -83,4 +85,4 @@ handout:                  ## build/signorini-handout.tar.gz, without solutions a
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers faults sets handout clean
+.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers fuzz faults sets handout clean

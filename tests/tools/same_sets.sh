@@ -22,10 +22,12 @@ options() { # of cmake, for a variant COMPILER-LEVEL
 }
 build() { # variant
     # shellcheck disable=SC2046 # several options
-    cmake -S . -B "$out/$1" --log-level=NOTICE -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="${1%-*}" $(options "$1") \
+    if ! { cmake -S . -B "$out/$1" --log-level=NOTICE -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="${1%-*}" $(options "$1") \
         > "$out/$1.log" 2>&1 &&
-        nice cmake --build "$out/$1" -j "$jobs" --target random_scenes signorini_command >> "$out/$1.log" 2>&1 ||
-        { echo "same_sets: $1 was not built, see $out/$1.log" >&2; exit 2; }
+        nice cmake --build "$out/$1" -j "$jobs" --target random_scenes signorini_command >> "$out/$1.log" 2>&1; }; then
+        echo "same_sets: $1 was not built, see $out/$1.log" >&2
+        exit 2
+    fi
 }
 run() { # variant, file
     for kind in $kinds; do "$out/$1/bin/random_scenes" "$kind" default 0 "$count" motions; done > "$2"
