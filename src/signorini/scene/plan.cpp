@@ -4,6 +4,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
+#include "signorini/mesh/regions.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
@@ -83,7 +84,12 @@ void plan_body(const Body& body, Plan& plan) {
   const std::string& name = body.mesh.name;
   plan.quality.push_back(check_mesh(body.mesh));
   const Element& element = element_for(body.mesh, body.element);
-  check_material(body.material);
+  try {
+    check_material(body.material);
+  } catch (const ProblemError& error) {
+    throw ProblemError(text("body '", name, "': ", error.what()));
+  }
+  for (const Layer& layer : body.layers) static_cast<void>(region(body.mesh, layer.region));
   Unknowns unknowns = number_unknowns(body.mesh, body.supports, body.material.state);
   const Index count = unknowns.count;
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",

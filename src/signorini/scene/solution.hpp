@@ -98,7 +98,7 @@ void move_freely(const Model& model, Eigen::VectorXd free_displacement, Condense
 /// \param ledger     goes on in the solution, with the phases `contact`, `refinement`, `recovery`
 /// \param options    handed to the solver
 /// \return the solution; check its `contact.report.status` first, or call require_solved()
-/// \throws ProblemError for an unknown name; std::invalid_argument for more pairs than it accepts
+/// \throws ProblemError for an unknown name or numbers beyond all units; std::invalid_argument for more pairs than it takes
 [[nodiscard]] Solution solve(const Model& model, const Condensed& condensed,
                              const std::string& solver, Ledger ledger,
                              const SolverOptions& options = {});

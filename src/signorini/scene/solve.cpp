@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "signorini/closing/proofs.hpp"
@@ -130,6 +131,17 @@ std::string limit_in_words(const Solution& solution) {
   return text("Friction holds at most ", *limit, " of this load. ");
 }
 
+/// Refuses numbers for which solvers blame their caller: here they are those of the scene.
+void check_numbers(const ContactProblem& problem) {
+  try {
+    check_finite(problem);
+  } catch (const std::invalid_argument& error) {
+    throw ProblemError(text("the scene cannot be solved in these units: ", error.what(),
+                            "; look for a modulus, thickness, load, friction or length that is far "
+                            "larger or smaller than the others"));
+  }
+}
+
 long long one_solve(const Condensed& condensed) {
   return static_cast<long long>(condensed.factor.solve_operations());
 }
@@ -169,8 +181,15 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
                                    ledger.count("operations", operations);
                                    return condensed.factor.solve(load);
                                  }};
-  CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),
-                                   find_solver(solver), options, ledger);
+  CertifiedEnd end = [&] {
+    try {
+      return certified_end(model.programme, small, mode_shapes(model.modes), find_solver(solver),
+                           options, ledger);
+    } catch (const std::invalid_argument&) {
+      check_numbers(condensed.problem);
+      throw;
+    }
+  }();
   Solution solution;
   solution.notes = model.notes;
   solution.contact = std::move(end.state);
