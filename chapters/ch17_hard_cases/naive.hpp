@@ -289,10 +289,17 @@ inline Answer naive_answer(const std::string& name, const Case& given) {
   for (ContactSpec& contact : scene.contacts)
     for (const GapOperator& member : gap_operators())
       if (name == member.name) contact.gap_operator = name;
-  Ledger ledger;
-  const Model model = build(scene, ledger);
-  const Condensed condensed = condense(model, ledger);
-  return answer_of(solve_to_limit(scene, model, condensed, ledger));
+  try {
+    Ledger ledger;
+    const Model model = build(scene, ledger);
+    const Condensed condensed = condense(model, ledger);
+    return answer_of(solve_to_limit(scene, model, condensed, ledger));
+  } catch (const ProblemError& error) {
+    Answer refused;
+    refused.said = "refused";
+    refused.message = error.what();
+    return refused;
+  }
 }
 
 }  // namespace museum
