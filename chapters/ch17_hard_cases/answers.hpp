@@ -143,6 +143,7 @@ inline Answer answer(const Posed& posed, const std::string& solver = "") {
       answer.contact.force = solution.refined.force;
       answer.contact.gap = solution.gap;
       answer.contact.active = solution.active;
+      answer.contact.infeasibility = solution.infeasibility;
       answer.refined = solution.refined;
       answer.unknowns = solution.refined.displacement;
       answer.objective = objective(posed.rows, solution.refined);

@@ -64,7 +64,9 @@ inline Tour tour(const std::vector<Case>& all) {
       const Verdict verdict = judge(given.exhibit, said);
       if (column == 0) {
         if (said.said != given.exhibit.status)
-          throw signorini::NotSolved(given.exhibit.file.string());
+          throw signorini::NotSolved(signorini::text(given.exhibit.file.string(), ": ends as '",
+                                                     said.said, "', but the exhibit states '",
+                                                     given.exhibit.status, "'"));
         (verdict == Verdict::Solved ? tally.solved : tally.honest) = 1;
       } else if (verdict == Verdict::Solved || verdict == Verdict::Refuted) {
         ++tally.claims;
