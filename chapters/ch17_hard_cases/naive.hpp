@@ -7,7 +7,6 @@
 #include "naive_methods.hpp"
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/elasticity/elements.hpp"
-#include "signorini/factor/separator_tree.hpp"
 #include "verdicts.hpp"
 
 namespace museum {
@@ -25,17 +24,14 @@ inline Answer claimed(const Posed& posed, const ContactState& state) {
   return answer;
 }
 
-// [double]
 /// The forces of a sound method, and displacements once forwards and backwards through a factor, in plain doubles.
 /// \param posed      a scene
-/// \param factor     of K, or of something near it
-/// \param condensed  with the compliance of that factor
+/// \param condensed  from K, or from something near it
 /// \return the answer, certified from K, p, A and g
-inline Answer unrefined(const Posed& posed, const signorini::FrontalFactor& factor,
-                        const ContactProblem& condensed) {
+inline Answer unrefined(const Posed& posed, const signorini::Condensed& condensed) {
   const signorini::Model& model = *posed.model;
   const std::string& name = posed.scene.solver;
-  ContactState state = signorini::find_solver(name).solve(condensed, {});
+  ContactState state = signorini::find_solver(name).solve(condensed.problem, {});
   Answer answer;
   answer.said = to_string(state.report.status);
   if (!answer.solved()) return answer;
@@ -43,8 +39,8 @@ inline Answer unrefined(const Posed& posed, const signorini::FrontalFactor& fact
   all << state.force, state.friction;
   answer.refined.force = all;
   answer.refined.displacement =
-      factor.solve(model.programme.load - model.programme.A.transpose() * all);
-  if (condensed.rigid.cols() > 0) {
+      condensed.factor.solve(model.programme.load - model.programme.A.transpose() * all);
+  if (condensed.problem.rigid.cols() > 0) {
     answer.refined.rigid = mode_shapes(model.modes) * state.amplitude;
     answer.refined.displacement += answer.refined.rigid;
   }
@@ -55,7 +51,6 @@ inline Answer unrefined(const Posed& posed, const signorini::FrontalFactor& fact
   answer.contact = std::move(state);
   return answer;
 }
-// [double]
 
 /// The same of a quadratic programme without equations. \param posed  the programme
 /// \return the answer, certified from P, q and the rows
@@ -76,16 +71,12 @@ inline Answer unrefined(const Posed& posed) {
 /// Bodies that only contact holds, made fast by soft springs everywhere: 1e-9 of the largest stiffness.
 /// \param posed  a scene that has such bodies \return its answer
 inline Answer soft_springs(const Posed& posed) {
-  Eigen::SparseMatrix<double> stiffness = posed.model->programme.stiffness;
+  signorini::Model held = *posed.model;
+  Eigen::SparseMatrix<double>& stiffness = held.programme.stiffness;
   stiffness.diagonal().array() += 1e-9 * stiffness.diagonal().maxCoeff();
+  held.modes.clear();
   signorini::Ledger ledger;
-  const signorini::FrontalFactor factor(stiffness, signorini::separator_tree(stiffness), ledger);
-  const auto& [K, p, A, g] = posed.model->programme;
-  const VectorXd free = g - A * factor.solve(p);
-  const Index pairs = posed.small.free_gap.size();
-  return unrefined(
-      posed, factor,
-      {factor.compliance(A), free.head(pairs), free.tail(free.size() - pairs), posed.model->law});
+  return unrefined(posed, condense(held, ledger));
 }
 
 /// A reader that goes on without the lines it cannot use. \param exhibit  a file that is refused
@@ -138,8 +129,7 @@ inline Answer naive_answer(const std::string& name, const Case& given) {
     return rubs && posed.small.rigid.cols() == 0 ? claimed(posed, sweeps(posed.small)) : not_asked;
   if (name == "double_only" && posed.form && posed.form->programme.equations == 0)
     return unrefined(posed);
-  if (name == "double_only")
-    return posed.model ? unrefined(posed, posed.condensed->factor, posed.small) : not_asked;
+  if (name == "double_only") return posed.model ? unrefined(posed, *posed.condensed) : not_asked;
   if (name == "soft_springs")
     return posed.model && posed.small.rigid.cols() > 0 ? soft_springs(posed) : not_asked;
   for (const Solver& solver : all_solvers())
