@@ -1,0 +1,30 @@
+#include "catch_compat.hpp"
+#include "exercise.hpp"
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+using ex17_3::find_proof;
+using ex17_3::proves;
+using signorini::ContactProblem;
+
+// A body in a slot: what opens one gap closes the other.
+static ContactProblem slot(double play) {
+  return {(Matrix2d() << 1, -1, -1, 1).finished(), Vector2d(-1, 1 + play)};
+}
+
+TEST_CASE("ex17.3 a slot that is too narrow", "[ex17.3]") {
+  CHECK(proves(slot(-0.5), Vector2d(1, 1)));
+  CHECK_FALSE(proves(slot(-0.5), Vector2d(1, 0)));  // moves the body
+  CHECK_FALSE(proves(slot(-0.5), Vector2d(-1, -1)));
+  CHECK_FALSE(proves(slot(0.5), Vector2d(1, 1)));  // there is room
+  CHECK_FALSE(proves(slot(0), Vector2d(1, 1)));    // it just fits
+}
+
+TEST_CASE("ex17.3 the proof is found", "[ex17.3]") {
+  const VectorXd y = find_proof(slot(-0.5));
+  REQUIRE(y.size() == 2);
+  CHECK(y(0) == y(1));
+  CHECK(proves(slot(-0.5), y));
+  CHECK(find_proof(slot(0.5)).size() == 0);
+}
