@@ -8,7 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/estimate/facing_marks.hpp"
 #include "signorini/estimate/marking.hpp"
-#include "signorini/mesh/refine.hpp"
+#include "signorini/refinement/refine.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/steps_limit.hpp"
 
