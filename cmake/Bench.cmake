@@ -16,10 +16,7 @@ target_link_libraries(peers PRIVATE ${CMAKE_DL_LIBS})
 target_compile_definitions(peers PRIVATE SIGNORINI_PEERS_SCRIPT="${PROJECT_SOURCE_DIR}/bench/peers/peers.py")
 
 # One of the yardsticks of `price`; without it the others remain.
-find_path(CHOLMOD_HEADERS cholmod.h PATH_SUFFIXES suitesparse)
-find_library(CHOLMOD_LIBRARY cholmod)
-mark_as_advanced(CHOLMOD_HEADERS CHOLMOD_LIBRARY)
-if(CHOLMOD_HEADERS AND CHOLMOD_LIBRARY)
+if(found_CHOLMOD)
   target_include_directories(price SYSTEM PRIVATE ${CHOLMOD_HEADERS})
   target_link_libraries(price PRIVATE ${CHOLMOD_LIBRARY})
   target_compile_definitions(price PRIVATE SIGNORINI_CHOLMOD)

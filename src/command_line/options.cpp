@@ -47,7 +47,7 @@ void declare(CLI::App& app, Request& request) {
       "file is written, but of load steps what was good before, or if --accuracy is not met; 2 if "
       "the input is wrong, or what "
       "was found could not be printed or written.");
-  app.add_flag("--list", "the solvers, and on which problems each may fail");
+  app.add_flag("--list", "the solvers, on which problems each may fail, and the back ends");
   app.add_flag("--keys", "the keys of scene files, in Markdown");
   app.add_flag("--man", "this help as a manual page");
   app.add_flag("--version", "the version of the program");
@@ -56,6 +56,12 @@ void declare(CLI::App& app, Request& request) {
             request);
   CLI::App* const solve =
       add_scene(app, "solve", "solves a scene and certifies the result", request);
+  solve
+      ->add_option("--backend", request.backend,
+                   "a name of --list: who factors the stiffness matrix; mpirun -np N gives mumps N "
+                   "processes")
+      ->type_name("NAME")
+      ->capture_default_str();
   const auto add_file = [&](const char* option, std::string& file, const char* what) {
     solve->add_option(option, file, what)->type_name("FILE");
   };

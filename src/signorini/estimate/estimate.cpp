@@ -7,7 +7,7 @@
 #include "signorini/estimate/contact_edges.hpp"
 #include "signorini/estimate/directions.hpp"
 #include "signorini/estimate/dual.hpp"
-#include "signorini/estimate/recovery.hpp"
+#include "signorini/estimate/error_products.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -78,6 +78,10 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
                                 const Solution& solution, const std::vector<Goal>& goals,
                                 Ledger& ledger) {
   const Ledger::Phase phase(ledger, "estimate");
+  pose(model.path.times.empty(),
+       "estimate: the model has load steps, whose errors add up along the path; only that of a "
+       "scene solved in one step is "
+       "estimated: leave the path out, or compare with a finer mesh");
   const Dual dual(model, condensed, solution);
   for (const Index node : model.pairs.node)
     pose(node >= 0,
@@ -87,7 +91,7 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
   const QuadraticProgramme& programme = model.programme;
   const Residuals residuals(programme, solution.refined);
   const std::vector<ContactEdge> edges = contact_edges(model);
-  const std::vector<End> ends = ends_of(edges, solution, dual);
+  const std::vector<End> ends = dual.slides() ? std::vector<End>() : ends_of(edges, solution, dual);
   std::vector<Estimate> all;
   std::vector<DualSolution> duals;
   for (const Goal& goal : goals) {
