@@ -11,7 +11,7 @@ check() ( # the library in $1/src/signorini; a line per fault
         BEGIN { # what a room may include besides itself
             below["core"] = ""
             below["mesh"] = below["closed_form"] = below["problem"] = below["factor"] = "core"
-            below["gmsh"] = "core mesh"
+            below["gmsh"] = below["refinement"] = "core mesh"
             below["closing"] = below["problem_file"] = "core problem"
             below["solvers"] = "core problem closing"
             below["programme"] = "core problem closing solvers"
@@ -19,7 +19,7 @@ check() ( # the library in $1/src/signorini; a line per fault
             below["elasticity"] = "core mesh"
             below["contact"] = "core mesh elasticity"
             below["scene"] = "core mesh problem factor closing solvers programme elasticity contact"
-            below["estimate"] = below["scene"] " closed_form scene"
+            below["estimate"] = below["scene"] " closed_form refinement scene"
             below["scene_file"] = below["scene"] " gmsh scene"
             below["report"] = "core mesh closed_form problem factor closing solvers programme as_printed problem_file elasticity contact scene estimate"
         }

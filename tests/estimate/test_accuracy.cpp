@@ -6,6 +6,7 @@
 #include "signorini/closed_form/hertz.hpp"
 #include "signorini/estimate/accuracy.hpp"
 #include "signorini/estimate/goal_words.hpp"
+#include "signorini/mesh/split.hpp"
 #include "support/cantilever.hpp"
 #include "support/hertz.hpp"
 #include "support/lining_rings.hpp"
@@ -97,6 +98,18 @@ TEST_CASE("what stands in the way is named", "[accuracy]") {
   const AccurateSolution exact = solve_to_accuracy(scene, wanted);
   CHECK_FALSE(exact.met);
   CHECK_THAT(exact.verdict, ContainsSubstring("algebraic"));
+}
+
+TEST_CASE("triangles that the arc of a curved side would leave are named", "[accuracy]") {
+  Scene scene =
+      lining_rings(3, 1);  // sides of 30 degrees, whose arcs soon rise by more than a cell
+  for (Body& body : scene.bodies) body.mesh = split(body.mesh);
+  scene.contacts.clear();
+  scene.bodies.resize(1);
+  const AccurateSolution result = accurate(scene, "displacement:inner.x", 1e-3);
+  CHECK_FALSE(result.met);
+  INFO(result.verdict);
+  CHECK_THAT(result.verdict, ContainsSubstring("geometry"));
 }
 
 TEST_CASE("what cannot be meant is refused by name", "[accuracy]") {

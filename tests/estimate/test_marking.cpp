@@ -4,8 +4,8 @@
 #include "catch_compat.hpp"
 #include "signorini/estimate/facing_marks.hpp"
 #include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/refine.hpp"
 #include "signorini/mesh/ring.hpp"
+#include "signorini/refinement/refine.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 

@@ -8,7 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/estimate/facing_marks.hpp"
 #include "signorini/estimate/marking.hpp"
-#include "signorini/mesh/refine.hpp"
+#include "signorini/refinement/refine.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/steps_limit.hpp"
 
@@ -143,16 +143,18 @@ class Loop {
                          [](const AccuracyRound& round) { return round.error.has_value(); });
   }
 
-  /// Whether the last four refinements have not halved the largest error among them, or a dozen have not closed more
-  /// pairs.
+  /// Whether sixteen times the unknowns, which should leave a quarter of the error even at a corner, have not halved
+  /// the largest error since then; or a dozen meshes have not closed enough pairs.
   [[nodiscard]] bool stagnates() const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
     if (!rounds.back().error) return rounds.size() >= 12;
-    if (estimated() < 5) return false;
     double largest = 0;
-    for (std::size_t k = rounds.size() - 5; k < rounds.size(); ++k)
-      largest = std::max(largest, rounds[k].error.value_or(0));
-    return *rounds.back().error > largest / 2;
+    for (auto round = rounds.rbegin(); round != rounds.rend(); ++round) {
+      largest = std::max(largest, round->error.value_or(0));
+      if (round->error && 16 * round->unknowns <= rounds.back().unknowns)
+        return *rounds.back().error > largest / 2;
+    }
+    return false;
   }
 
   bool refine() {
@@ -167,7 +169,14 @@ class Loop {
     std::vector<Mesh> finer;
     for (std::size_t b = 0; b < run_.scene.bodies.size(); ++b) {
       finer.push_back(refined(run_.scene.bodies[b].mesh, marks_[b].edges, marks_[b].halved));
-      check_mesh(finer.back());
+      try {
+        check_mesh(finer.back());
+      } catch (const ProblemError& error) {
+        return stop(
+            text("geometry: the sides are too long for the curve they follow, a finer mesh "
+                 "would have bad cells: ",
+                 error.what()));
+      }
       unknowns += 2 * finer.back().n_nodes();
     }
     if (unknowns > wanted_.most_unknowns)

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "signorini/contact/target_search.hpp"
-#include "signorini/mesh/outline_shape.hpp"
+#include "signorini/refinement/outline_shape.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {

@@ -10,7 +10,7 @@ namespace signorini {
 
 /// The goal that is meant if none is named, and why.
 struct DefaultGoal {
-  Goal goal;
+  Goal goal;        ///< what is meant
   std::string why;  ///< in words; empty if there is nothing to say
 };
 

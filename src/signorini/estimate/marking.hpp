@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "signorini/estimate/estimate.hpp"
-#include "signorini/mesh/edges.hpp"
+#include "signorini/refinement/edges.hpp"
 
 namespace signorini {
 

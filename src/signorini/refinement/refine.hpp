@@ -3,14 +3,14 @@
 #pragma once
 #include <vector>
 
-#include "signorini/mesh/edges.hpp"
 #include "signorini/mesh/mesh.hpp"
+#include "signorini/refinement/edges.hpp"
 
 namespace signorini {
 
 /// Halves edges of a mesh and cuts the cells there: quadrilaterals into two or four, across; triangles by the
-/// bisection of their longest side, and of the halves if their other sides are halved too (M.-C. Rivara, Int. J.
-/// Numer. Methods Eng. 20 (1984) 745), which never leaves an angle below half the smallest of the first mesh.
+/// bisection of their longest side, and of the halves if their other sides are halved too [\ref Rivara1984], which never
+/// leaves an angle below half the smallest of the first mesh.
 ///
 /// Old nodes stay where they are, with their numbers. New ones on the outline lie on the line that the outline
 /// follows there, see OutlineShape; those along a chord between quadrilaterals follow its two ends, the more the

@@ -1,9 +1,9 @@
-#include "signorini/mesh/halved_edges.hpp"
+#include "signorini/refinement/halved_edges.hpp"
 
 #include <utility>
 
-#include "signorini/mesh/outline_shape.hpp"
 #include "signorini/mesh/side_curve.hpp"
+#include "signorini/refinement/outline_shape.hpp"
 
 namespace signorini {
 namespace {

@@ -10,11 +10,11 @@
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/disc.hpp"
 #include "signorini/mesh/joints.hpp"
-#include "signorini/mesh/refine.hpp"
 #include "signorini/mesh/regions.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/mesh/ring.hpp"
 #include "signorini/mesh/split.hpp"
+#include "signorini/refinement/refine.hpp"
 #include "support/mesh_measures.hpp"
 
 using Eigen::Index;

@@ -1,4 +1,4 @@
-#include "signorini/mesh/outline_shape.hpp"
+#include "signorini/refinement/outline_shape.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "catch_compat.hpp"
 #include "signorini/mesh/block.hpp"
-#include "signorini/mesh/outline_shape.hpp"
 #include "signorini/mesh/reshape.hpp"
+#include "signorini/refinement/outline_shape.hpp"
 
 using Eigen::Index;
 using Eigen::Vector2d;

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "signorini/mesh/edges.hpp"
 #include "signorini/mesh/mesh.hpp"
+#include "signorini/refinement/edges.hpp"
 
 namespace signorini {
 

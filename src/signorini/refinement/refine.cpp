@@ -1,4 +1,4 @@
-#include "signorini/mesh/refine.hpp"
+#include "signorini/refinement/refine.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/halved_edges.hpp"
+#include "signorini/refinement/halved_edges.hpp"
 
 namespace signorini {
 namespace {

@@ -1,4 +1,4 @@
-#include "signorini/mesh/edges.hpp"
+#include "signorini/refinement/edges.hpp"
 
 #include <algorithm>
 #include <tuple>
