@@ -78,9 +78,20 @@ effectivity:              ## what the error estimates are worth, on meshes of al
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target effectivity
 	@$(ONE_THREAD) $B/bin/effectivity --full
+accuracy:                 ## what an accuracy costs that is asked for, beside meshes picked by hand
+	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
+	@cmake --build $B -j $(JOBS) --target accuracy
+	@$(ONE_THREAD) $B/bin/accuracy --full
+fuzz:                     ## invent texts for the readers of scenes, problems and meshes, ten minutes each, with clang
+	@JOBS=$(JOBS) tests/fuzz/run.sh
+faults:                   ## put deliberate faults into a copy, one at a time: which test notices each, in an hour or two
+	@tests/faults/run.pl
+sets:                     ## compare what pairs do by g++, clang, -O0, -O3 and -march=native, in an hour of compiling
+	@JOBS=$(JOBS) tests/tools/same_sets.sh
 handout:                  ## build/signorini-handout.tar.gz, without solutions and held-out tests
 	@mkdir -p $B && git archive --format=tar.gz --prefix=signorini/ -o $B/signorini-handout.tar.gz HEAD
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers effectivity handout clean
+.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers effectivity accuracy \
+        fuzz faults sets handout clean

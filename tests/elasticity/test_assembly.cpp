@@ -178,5 +178,5 @@ TEST_CASE("what cannot be assembled is named", "[assembly]") {
   CHECK_THAT(complaint(q4(), sheet(1), {{}, {{"top", nan, {}}}}),
              ContainsSubstring("load on 'top'") && ContainsSubstring("not finite"));
   CHECK_THAT(complaint(q4(), sheet(1), {[&](const Vector2d&) { return Vector2d(0, nan); }, {}}),
-             ContainsSubstring("body force: not finite at ("));
+             ContainsSubstring("body force on 'block': not finite at ("));
 }

@@ -68,11 +68,13 @@ TEST_CASE("without a name a mesh gets the usual element, a name that does not fi
   const auto complaint = [](const Mesh& mesh, const char* name) {
     return problem_message([&] { static_cast<void>(element_for(mesh, name)); });
   };
-  CHECK(complaint(mixed, "t3") == "mesh 'block' has cells of 4 nodes, but the element t3 needs 3");
+  CHECK(complaint(mixed, "t3") ==
+        "mesh 'block' has cells of 4 nodes, but the element t3 needs 3; take "
+        "q4_incompatible or another mesh");
   CHECK(complaint(split(mixed), "q4") ==
-        "mesh 'block' has cells of 3 nodes, but the element q4 needs 4");
+        "mesh 'block' has cells of 3 nodes, but the element q4 needs 4; take t3 or another mesh");
   CHECK(complaint(half_cut(q8()), "q4") ==
-        "mesh 'block' has cells of 8 nodes, but the element q4 needs 4");
+        "mesh 'block' has cells of 8 nodes, but the element q4 needs 4; take q8 or another mesh");
   CHECK_THAT(complaint(mixed, "q5"), ContainsSubstring("unknown element 'q5'"));
 }
 

@@ -257,7 +257,7 @@ TEST_CASE("what no estimate is promised for is refused by name", "[estimate]") {
 }
 
 TEST_CASE("an error budget keeps apart what can be estimated and what cannot", "[estimate]") {
-  Estimate one{"force", 10, {0.3, 0.02, 0.01, -0.1}, 0.23, true, 1e-14, {}};
+  Estimate one{"force", 10, {0.3, 0.02, 0.01, -0.1}, 0.23, true, 1e-14, {}, {}};
   const std::vector<BudgetLine> budget = error_budget(one, {10.5, {}});
   REQUIRE(budget.size() == 5);
   CHECK(budget[0].amount.value() == 1e-14);

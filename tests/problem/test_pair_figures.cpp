@@ -53,6 +53,9 @@ TEST_CASE("cohesion holds a closed pair, not an open one", "[certificate][fricti
   CHECK(figures(Vector4d(4, 6, 5, 0), Vector4d(0, 0, 0, 0), 3).worst() == 0);
   CHECK(figures(Vector4d(0, 6, 3, 0), Vector4d(1, 0, 0, 0), 3).cone == Approx(0.25));    // its gap
   CHECK(figures(Vector4d(0, 6, 0.5, 0), Vector4d(1, 0, 0, 0), 3).cone == Approx(0.05));  // open
+  // What presses is closed: it may not slide as if it were open, by the smaller of its force and what friction lacks.
+  CHECK(figures(Vector4d(0.5, 6, 0, 0), Vector4d(0, 0, 4, 0), 3).cone == Approx(0.05));
+  CHECK(figures(Vector4d(4, 6, 0, 0), Vector4d(0, 0, 0.4, 0), 3).sliding == Approx(0.1));
 }
 
 TEST_CASE("units of rows do not count", "[certificate][units]") {

@@ -87,6 +87,13 @@ TEST_CASE("what is proved of a corrected problem is not proved of the one that w
                   {claim(Status::Solved, Eigen::Vector2d(1, 0), {0}), proved});
   CHECK(second.state.report.status == Status::Breakdown);
   CHECK(second.state.infeasibility.size() == 0);
+  ContactState escaped = claim(Status::Infeasible, Eigen::Vector2d(0, 0), {});
+  escaped.escape = VectorXd::Ones(1);
+  const CertifiedEnd third =
+      end_of_road(pull, step, Eigen::Vector2d::Zero(),
+                  {claim(Status::Solved, Eigen::Vector2d(1, 0), {0}), escaped});
+  CHECK(third.state.report.status == Status::Breakdown);
+  CHECK(third.state.escape.size() == 0);
 }
 
 TEST_CASE("pairs whose set was never confirmed are named by their numbers", "[road]") {

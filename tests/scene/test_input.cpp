@@ -57,7 +57,24 @@ TEST_CASE("bad input: Poisson's ratio one half in plane strain", "[input]") {
 
 TEST_CASE("bad input: a negative Young's modulus", "[input]") {
   CHECK_THAT(complaint([](Scene& s) { s.bodies[0].material.youngs_modulus = -21000; }),
-             ContainsSubstring("Young's modulus must be positive, got -21000"));
+             ContainsSubstring("body 'beam'") &&
+                 ContainsSubstring("Young's modulus must be positive, got -21000"));
+}
+
+TEST_CASE("bad input: a layer without its region, even one of the same material", "[input]") {
+  CHECK_THAT(complaint([](Scene& s) {
+               s.bodies[0].layers = {{"coat", s.bodies[0].material}};
+             }),
+             ContainsSubstring("mesh 'beam' has no region 'coat'"));
+}
+
+TEST_CASE("bad input: numbers of scales that no solver takes are the fault of the scene",
+          "[input]") {
+  Scene scene = signorini_test::cantilever("q4", 10, 2);
+  scene.bodies[0].material.youngs_modulus = 1e200;
+  CHECK_THAT(signorini_test::problem_message([&] { static_cast<void>(solve(scene)); }),
+             ContainsSubstring("in these units: contact problem: pair 1") &&
+                 ContainsSubstring("look for a modulus"));
 }
 
 TEST_CASE("bad input: a free body, with its direction", "[input]") {

@@ -169,6 +169,25 @@ TEST_CASE("Lemke's method finds the solution of every size of Table 1", "[lemke]
   solves_table_1(find_solver("lemke"));
 }
 
+// Three unknowns and four pairs: one row depends on the others, and the path ends with a pair in its basis whose force
+// and gap are both rounding.
+TEST_CASE("a pair that touches without force at the end of the path is not called closed",
+          "[lemke][hard]") {
+  const MatrixXd thirds =
+      (MatrixXd(3, 4) << 2, -1, 1, -2, 1, 2, 0, -1, -1, -2, -2, -1).finished() / 3;
+  const MatrixXd whole = (MatrixXd(3, 4) << 2, 2, 2, 0, 2, -1, 1, -2, 0, -2, -1, -2).finished();
+  const auto end = [](const MatrixXd& H, const VectorXd& force, const VectorXd& gap) {
+    const MatrixXd G = H.transpose() * H;
+    return find_solver("lemke").solve({G, gap - G * force}, {});
+  };
+  const ContactState first = end(thirds, vector({0.3, 0, 0, 0.1}), vector({0, 0.2, 0, 0}));
+  CHECK(first.report.status == Status::Solved);
+  CHECK(first.active == std::vector<Index>{0, 3});
+  const ContactState second = end(whole, vector({0, 0, 0.2, 0.1}), VectorXd::Zero(4));
+  CHECK(second.report.status == Status::Solved);
+  CHECK(second.active == std::vector<Index>{2, 3});
+}
+
 TEST_CASE("a limit on pivots is kept, and a bad covering vector refused", "[lemke]") {
   const ContactState state = lemke(murty(6), {7});
   CHECK(state.report.status == Status::IterationLimit);

@@ -102,7 +102,8 @@ void Checked::sum_up() {
       whole[at(it.row())] += size(entry * u_[at(k)]);
       strains[at(it.row())] += entry * rigid_[at(k)];
       // Not |K_jk|: on right-angled triangles many are zero but for rounding.
-      terms[at(it.row())] += std::sqrt(stiff(it.row()) * stiff(k)) * size(rigid_[at(k)]);
+      terms[at(it.row())] +=
+          Wide(std::sqrt(stiff(it.row()))) * std::sqrt(stiff(k)) * size(rigid_[at(k)]);
     }
   for (std::size_t j = 0; j < n; ++j) {
     residual_[j] += given_.load(static_cast<Index>(j)) - contact_[j];
@@ -125,7 +126,7 @@ void Checked::measure() {
     length_ = std::max(length_, length / norm_[at(row)]);
   }
   // Without a load, contact forces that u in two doubles cannot resolve are measured by those that it could make.
-  if (given_.load.cwiseAbs().maxCoeff() == 0 && force_ <= resolved_) force_ = inside_;
+  if ((given_.load.array() == 0).all() && force_ <= resolved_) force_ = inside_;
 }
 
 void Checked::look_at_forces() {

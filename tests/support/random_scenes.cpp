@@ -9,6 +9,7 @@
 #include "signorini/mesh/split.hpp"
 #include "support/far.hpp"
 #include "support/random_paths.hpp"
+#include "support/random_wrongs.hpp"
 
 namespace signorini_test {
 namespace {
@@ -359,6 +360,16 @@ RandomScene revolved(RandomScene plane, double off) {
 }  // namespace
 
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
+  if (kind == RandomScenes::Any) {
+    Draws draw(~seed);
+    const auto plain =
+        draw.pick({RandomScenes::Frictionless, RandomScenes::Frictional, RandomScenes::Varied,
+                   RandomScenes::Revolved, RandomScenes::Triangles, RandomScenes::Paths});
+    RandomScene drawn = random_scene(seed, plain);
+    drawn.wrong = spoil(draw, drawn.scene);
+    drawn.text += draw.text;
+    return drawn;
+  }
   const bool path = kind == RandomScenes::Paths;
   RandomScene plane =
       Drawing(seed, kind == RandomScenes::Revolved ? RandomScenes::Frictionless : kind).drawn();

@@ -14,13 +14,15 @@ enum class RandomScenes {
   Varied,  ///< as Frictional, and often with point forces, springs, layers, heat, interference, adjusted gaps
   Revolved,   ///< the cross-sections are of bodies of revolution
   Triangles,  ///< as Frictionless, on triangles and meshes of both
-  Paths       ///< load steps of Varied, some on triangles, some revolved
+  Paths,      ///< load steps of Varied, some on triangles, some revolved
+  Any         ///< any of these, then made odd or wrong, see spoil()
 };
 
 /// A scene and what it is, in words.
 struct RandomScene {
   signorini::Scene scene;
-  std::string text;  ///< bodies, supports, loads, contacts, units
+  std::string text;    ///< bodies, supports, loads, contacts, units
+  bool wrong = false;  ///< whether it has something that no scene may have
 };
 
 /// The scene of a seed: 3 to 120 cells.
@@ -37,7 +39,8 @@ struct RandomScene {
 /// \param kind  Frictional, Varied and Paths: at least one contact rubs. Revolved: the frictionless scene of the same seed as the
 ///   cross-section of bodies of revolution, which reach the axis or keep off it by up to three sizes.
 ///   Triangles: the scene of Frictionless with the cells of its first body cut into triangles, and every second one
-///   of the others. Paths: five steps, see add_path(); a quarter in triangles, a fifth revolved
+///   of the others. Paths: five steps, see add_path(); a quarter in triangles, a fifth revolved. Any: what else the
+///   seed says, with up to three changes of spoil()
 /// \return the scene, with the default solvers
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind);
 

@@ -1,7 +1,8 @@
 // Solves random scenes and counts what became of them.
 // Run:  random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]
-// KIND is frictionless, frictional, varied, revolved, triangles or paths, SOLVER a name or `default`; seeds that end in a named OUTCOME are
-// listed with their scenes.
+// KIND is frictionless, frictional, varied, revolved, triangles, paths or any, SOLVER a name or `default`; seeds that end in
+// a named OUTCOME are listed with their scenes. Ends with 1 if a scene ended as none may.
+// With the OUTCOME `motions` there is one line per seed: how it ended, the bits of its numbers, the motions of its pairs.
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -21,7 +22,8 @@ int main(int argc, char** argv) try {
                                                      {"varied", RandomScenes::Varied},
                                                      {"revolved", RandomScenes::Revolved},
                                                      {"triangles", RandomScenes::Triangles},
-                                                     {"paths", RandomScenes::Paths}};
+                                                     {"paths", RandomScenes::Paths},
+                                                     {"any", RandomScenes::Any}};
   const RandomScenes kind = kinds.at(word);
   const std::string solver = argv[2] == std::string("default") ? "" : argv[2];
   const std::uint64_t first = std::stoull(argv[3]);
@@ -34,10 +36,13 @@ int main(int argc, char** argv) try {
   int uneven = 0;
   Eigen::Index halvings = 0;
   std::uint64_t slowest = first;
+  bool good = true;
+  const bool lines = argc > 5 && argv[5] == std::string("motions");
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const Trial trial = try_scene(seed, kind, solver);
     const auto outcome = static_cast<std::size_t>(trial.outcome);
     ++counts[outcome];
+    good = good && !is_fault(trial.outcome);
     seconds += trial.seconds;
     if (trial.seconds > longest) slowest = seed;
     longest = std::max(longest, trial.seconds);
@@ -45,6 +50,9 @@ int main(int argc, char** argv) try {
     if (trial.imbalance > most_imbalance) ++uneven;
     halvings += trial.halvings;
     if (trial.outcome != Outcome::Wrong) worst = std::max(worst, trial.errors.worst());
+    if (lines)
+      std::cout << word << ' ' << seed << ' ' << outcome_names[outcome] << ' ' << std::hex
+                << trial.bits << std::dec << ' ' << trial.motions << '\n';
     const SceneErrors& e = trial.errors;
     if (std::find(argv + 5, argv + argc, std::string(outcome_names[outcome])) != argv + argc)
       std::cout << outcome_names[outcome] << ' ' << seed << ": " << trial.text << "\n  equilibrium "
@@ -53,12 +61,14 @@ int main(int argc, char** argv) try {
                 << ", cone " << e.cone << ", stick " << e.stick << ", sliding " << e.sliding
                 << ", reading " << e.reading << ", imbalance " << trial.imbalance << std::endl;
   }
+  if (lines) return 0;
   std::cout << argv[1] << ' ' << argv[2] << ' ' << first << " + " << count << ':';
   for (std::size_t k = 0; k < n_outcomes; ++k)
     std::cout << ' ' << outcome_names[k] << ' ' << counts[k];
   std::cout << "; largest error " << worst << ", imbalance " << imbalance << " (" << uneven
             << " beyond " << most_imbalance << "); halvings " << halvings << "; " << seconds
             << " s, of them " << longest << " for " << slowest << '\n';
+  return good ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << "random_scenes: " << error.what() << '\n';
   return 1;

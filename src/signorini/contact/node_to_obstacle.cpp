@@ -38,7 +38,7 @@ Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const Ga
     const Index node = pairs.node[static_cast<std::size_t>(pair)];
     const ObstacleContact seen = obstacle.look(pairs.position.row(pair).transpose());
     pose(std::isfinite(seen.gap) && seen.normal.allFinite(), "obstacle '", obstacle.name,
-         "': the gap at node ", node, " is not finite");
+         "': the gap at node ", node, " is not finite, but it must be wherever the body may be");
     pose(std::abs(seen.normal.norm() - 1) < 1e-8, "obstacle '", obstacle.name,
          "': the normal at node ", node, " must have length 1, got ", seen.normal.norm());
     pairs.initial_gap(pair) = seen.gap;

@@ -31,7 +31,8 @@ void add_body_force(const Mesh& mesh, const Element& element, const Matter& matt
       const CellScalars N = cell.element.shape(point.local.x(), point.local.y()).value;
       const Eigen::Vector2d position = cell.body.position(N);
       const Eigen::Vector2d f = force(position);
-      pose(f.allFinite(), "body force: not finite at (", position.x(), ", ", position.y(), ')');
+      pose(f.allFinite(), "body force on '", mesh.name, "': not finite at (", position.x(), ", ",
+           position.y(), "), but it must be at every point of the body");
       for (Index k = 0; k < cell.element.n_nodes; ++k)
         load.row(cell.node(k)) += point.volume * N(k) * f.transpose();
     }
@@ -44,8 +45,8 @@ void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, N
     const Eigen::Vector2d inward(-at.tangent.y(), at.tangent.x());  // body on the left
     Eigen::Vector2d force = edge.pressure * inward;
     if (edge.traction) force += edge.traction(position) * at.tangent.norm();
-    pose(force.allFinite(), "load on '", edge.boundary, "': not finite at (", position.x(), ", ",
-         position.y(), ')');
+    pose(force.allFinite(), "load on '", edge.boundary, "' of '", mesh.name, "': not finite at (",
+         position.x(), ", ", position.y(), "), but it must be at every point of the boundary");
     Index k = 0;
     for (const Index node : at.side.nodes())
       load.row(node) += depth.at(position.x()) * at.weight * at.N(k++) * force.transpose();
@@ -86,18 +87,24 @@ Index largest_cell(const Mesh& mesh) {
   return size;
 }
 
+/// The element to use first for cells of so many nodes.
+const char* usual_element(Index size) {
+  static const std::map<Index, const char*> usual = {
+      {3, "t3"}, {4, "q4_incompatible"}, {6, "t6"}, {8, "q8"}};
+  return usual.at(size);
+}
+
 }  // namespace
 
 void check_element(const Mesh& mesh, const Element& element) {
   const Index size = largest_cell(mesh);
   pose(size == element.n_nodes, "mesh '", mesh.name, "' has cells of ", size,
-       " nodes, but the element ", element.name, " needs ", element.n_nodes);
+       " nodes, but the element ", element.name, " needs ", element.n_nodes, "; take ",
+       usual_element(size), " or another mesh");
 }
 
 const Element& element_for(const Mesh& mesh, const std::string& name) {
-  static const std::map<Index, const char*> usual = {
-      {3, "t3"}, {4, "q4_incompatible"}, {6, "t6"}, {8, "q8"}};
-  const Element& element = find_element(name.empty() ? usual.at(largest_cell(mesh)) : name);
+  const Element& element = find_element(name.empty() ? usual_element(largest_cell(mesh)) : name);
   check_element(mesh, element);
   return element;
 }
@@ -123,7 +130,7 @@ std::vector<EdgePlace> places_of(const Mesh& mesh, const std::vector<PointForce>
   std::vector<EdgePlace> places;
   for (const PointForce& load : loads) {
     pose(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(), ", ",
-         load.point.y(), "): not finite");
+         load.point.y(), "): not finite, but its components must be numbers");
     places.push_back((load.force.array() == 0).all() ? EdgePlace{{}, {0, 0, 0}}
                                                      : edge.place(load.point));
   }

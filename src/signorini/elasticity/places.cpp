@@ -53,7 +53,7 @@ Edge::Edge(const Mesh& mesh) : mesh_(mesh) {}
 EdgePlace Edge::place(const Vector2d& point) {
   const double rounding = position_rounding(mesh_);
   const std::string at = text("point (", point.x(), ", ", point.y(), ") of '", mesh_.name, "': ");
-  pose(point.allFinite(), at, "is not finite");
+  pose(point.allFinite(), at, "is not finite; give the place of a node, or one on the edge");
   std::vector<Index> nodes;
   for (Index node = 0; node < mesh_.n_nodes(); ++node)
     if (distance(mesh_, node, point) <= rounding) nodes.push_back(node);

@@ -104,14 +104,15 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports,
       for (int axis = 0; axis < 2; ++axis) {
         if (!held[axis]) continue;
         pose(std::isfinite(value(axis)), "support on '", support.boundary,
-             "': the displacement given at node ", node, " is not finite");
+             "': the displacement given at node ", node,
+             " is not finite, but it must be a number at every node");
         pose(unknowns.number(node, axis) == 0 || unknowns.held(node, axis) == value(axis),
              "support on '", support.boundary, "': node ", node, " gets the displacement ",
              value(axis), " in direction ", axis == 0 ? 'x' : 'y',
              std::binary_search(on_axis.begin(), on_axis.end(), node) && axis == 0
                  ? ", but it lies on the axis of the body, which gives it "
                  : ", but another support gives it ",
-             unknowns.held(node, axis));
+             unknowns.held(node, axis), ": leave one of them out");
         unknowns.number(node, axis) = -1;
         unknowns.held(node, axis) = value(axis);
       }

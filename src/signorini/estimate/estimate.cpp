@@ -5,6 +5,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/estimate/contact_edges.hpp"
+#include "signorini/estimate/directions.hpp"
 #include "signorini/estimate/dual.hpp"
 #include "signorini/estimate/error_products.hpp"
 #include "signorini/problem/certificate.hpp"
@@ -94,7 +95,7 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
   std::vector<Estimate> all;
   std::vector<DualSolution> duals;
   for (const Goal& goal : goals) {
-    Estimate one{goal.name, value(model, solution, goal), {}, 0, true, 0, {}};
+    Estimate one{goal.name, value(model, solution, goal), {}, 0, true, 0, {}, {}};
     one.is_signed = std::holds_alternative<ContactForce>(goal.quantity) ||
                     std::holds_alternative<Displacement>(goal.quantity);
     const GoalGradient change = gradient(model, solution, goal);
@@ -121,8 +122,10 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
     }();
     const Ledger::Phase weighing(ledger, "weighing");
     const Eigen::MatrixXd products = error_products(fields, smooth);
+    const Eigen::MatrixXd first = share_of_first_direction(fields, smooth);
     for (std::size_t k = 0; k < all.size(); ++k) {
       all[k].share.emplace_back(products.col(static_cast<Index>(k)));
+      all[k].first_direction.emplace_back(first.col(static_cast<Index>(k)));
       all[k].parts.interior += all[k].share.back().sum();
     }
   }

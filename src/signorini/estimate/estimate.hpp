@@ -35,6 +35,8 @@ struct Estimate {
   double algebraic = 0;
   /// What each cell of each body adds to `parts.interior`: where to refine
   std::vector<Eigen::VectorXd> share;
+  /// How much of that is for want of cells along the sides 0 and 2 of the cell, see share_of_first_direction() [-]
+  std::vector<Eigen::VectorXd> first_direction;
 };
 
 /// Estimates the errors of goals, with the factor and the compliance in hand: nothing is factored but the dense system of

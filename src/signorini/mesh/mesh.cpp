@@ -41,8 +41,12 @@ void check_node_numbers(const Mesh& mesh) {
   const Eigen::Index width = mesh.cells.cols();
   pose(width == 3 || width == 4 || width == 6 || width == 8, "mesh '", mesh.name,
        "': cells must have 3 or 4 nodes, or 6 or 8, got ", width);
-  pose(mesh.n_cells() > 0, "mesh '", mesh.name, "' has no cells");
-  pose(mesh.nodes.allFinite(), "mesh '", mesh.name, "': a node position is not finite");
+  pose(mesh.n_cells() > 0, "mesh '", mesh.name,
+       "' has no cells: make it with a generator, or read it from a file with surfaces");
+  for (Eigen::Index node = 0; node < n; ++node)
+    pose(mesh.nodes.row(node).allFinite(), "mesh '", mesh.name, "': the position (",
+         mesh.nodes(node, 0), ", ", mesh.nodes(node, 1), ") of node ", node,
+         " is not finite, but it must be two numbers");
   std::vector<char> used(static_cast<std::size_t>(n), 0);
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
     const Eigen::Index size = mesh.cell_size(cell);
@@ -61,7 +65,8 @@ void check_node_numbers(const Mesh& mesh) {
     pose(used[static_cast<std::size_t>(node)] != 0, "mesh '", mesh.name, "': node ", node,
          " belongs to no cell; leave it out");
   for (const auto& [name, sides] : mesh.boundaries) {
-    pose(!sides.empty(), "mesh '", mesh.name, "': the boundary '", name, "' has no sides");
+    pose(!sides.empty(), "mesh '", mesh.name, "': the boundary '", name,
+         "' has no sides; give it some, or leave it out");
     std::set<std::pair<Eigen::Index, int>> seen;
     for (const CellSide& side : sides) {
       const bool has_cell = side.cell >= 0 && side.cell < mesh.n_cells();
@@ -146,7 +151,7 @@ MeshQuality check_mesh(const Mesh& mesh) {
       const double length = (mesh.nodes.row(ends.front()) - mesh.nodes.row(ends.back())).norm();
       pose(length > no_length, "mesh '", mesh.name, "': side ", s, " of the boundary '", name,
            "' (cell ", sides[s].cell, ") has zero length: its end nodes ", ends.front(), " and ",
-           ends.back(), " coincide");
+           ends.back(), " coincide; leave the side out, or move a node");
     }
   MeshQuality quality{1, 1};
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
@@ -170,7 +175,7 @@ MeshQuality check_mesh(const Mesh& mesh) {
          highest < -flat
              ? " is inverted (its corners run clockwise)"
              : " is degenerate (a corner of 180 degrees or more, or two corners in one place)",
-         ": corners ", Corners{mesh, cell});
+         ": corners ", Corners{mesh, cell}, "; list them anticlockwise, or move a node");
     check_digits(mesh, away, lowest / longest, "the height of cell ", cell);
     check_midpoints(mesh, cell);
     quality.smallest_jacobian_ratio = std::min(quality.smallest_jacobian_ratio, lowest / highest);

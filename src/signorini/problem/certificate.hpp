@@ -76,8 +76,8 @@ struct PrimalDual {
 /// The same with friction: the last rows of A are slips, and their forces obey the law.
 /// \PaperEq{LinEtAl, 6}, \PaperEq{LinEtAl, 9}, \PaperEq{LinEtAl, 10}
 ///
-/// A pair may be open or closed, whichever the numbers suit better: open, it has the bound mu lambda
-/// (which `complementarity` makes zero); closed, it has mu lambda + c, and its gap counts in `cone`. The
+/// A pair with cohesion may be open or closed, whichever the numbers suit better: open, what presses it counts in
+/// `cone`; closed, it has the bound mu lambda + c, and its gap counts there. Without, it has mu lambda. The
 /// duality gap is that of contact with the friction forces as loads.
 /// \param programme  K, p, A, g as they were posed, slips in the last rows of A
 /// \param solution   u, and the forces of all rows

@@ -17,13 +17,15 @@ struct Rubbing {
   double normal;    ///< mu lambda+, the bound of an open pair
   double cohesion;  ///< what the bound of a closed pair has more
   double friction;
+  double push;
   double gap;
   double slip;
 };
 
 /// How far a pair is from the law of friction.
 struct Violation {
-  double cone = 0;  ///< what the friction force exceeds its bound by, or the gap of a closed pair
+  /// What the friction force exceeds its bound by, the gap of a closed pair, or what presses an open one.
+  double cone = 0;
   double sliding = 0;  ///< what slides without being resisted
 };
 
@@ -35,8 +37,9 @@ Violation violation(const Rubbing& pair, double length, double force) {
         std::min(ratio(std::abs(pair.slip), length),
                  ratio(std::abs(std::copysign(bound, pair.slip) + pair.friction), force))};
   };
-  const Violation open = against(pair.normal);
+  Violation open = against(pair.normal);
   if (pair.cohesion == 0) return open;
+  open.cone = std::max(open.cone, ratio(std::max(0.0, pair.push), force));
   Violation closed = against(pair.normal + pair.cohesion);
   closed.cone = std::max(closed.cone, ratio(std::max(0.0, pair.gap), length));
   return std::max(closed.cone, closed.sliding) < std::max(open.cone, open.sliding) ? closed : open;
@@ -63,9 +66,9 @@ Certificate pair_figures(const RowNumbers& rows, const FrictionLaw& law, Index e
     const Index i = law.pair[k];
     const Index slip = pairs + row;
     const double normal = law.coefficient(row) * std::max(0.0, rows.force(i)) * rows.unit(slip);
-    const Violation found = violation(
-        {normal, law.cohesion(row) * rows.unit(slip), force(slip), movement(i), movement(slip)},
-        rows.length, most);
+    const Violation found = violation({normal, law.cohesion(row) * rows.unit(slip), force(slip),
+                                       force(i), movement(i), movement(slip)},
+                                      rows.length, most);
     raise(certificate.cone, found.cone);
     raise(certificate.sliding, found.sliding);
   }

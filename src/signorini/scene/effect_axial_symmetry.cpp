@@ -19,7 +19,8 @@ void check_side(const Plan& draft, const Side& side) {
   for (const CellSide& part : boundary(mesh, side.boundary)) {
     const std::vector<Eigen::Index> nodes = mesh.side_nodes(part);
     pose(!on_axis(nodes.front()) || !on_axis(nodes.back()), "contact on '", side.boundary, "' of '",
-         mesh.name, "': it lies on the axis x = 0, where a body of revolution has no surface");
+         mesh.name,
+         "': it lies on the axis x = 0, where a body of revolution has no surface; leave it out");
   }
 }
 

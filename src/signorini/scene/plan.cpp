@@ -4,6 +4,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
+#include "signorini/mesh/regions.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
@@ -21,6 +22,7 @@ void check_names(const Scene& scene) {
     pose(names.insert(body.mesh.name).second, "two bodies are called '", body.mesh.name,
          "': give every mesh a name of its own");
   static_cast<void>(find_solver(scene.solver));  // needed or not
+  static_cast<void>(find_backend(scene.backend));
 }
 
 /// Refuses loads that would follow a history that is not there.
@@ -82,7 +84,12 @@ void plan_body(const Body& body, Plan& plan) {
   const std::string& name = body.mesh.name;
   plan.quality.push_back(check_mesh(body.mesh));
   const Element& element = element_for(body.mesh, body.element);
-  check_material(body.material);
+  try {
+    check_material(body.material);
+  } catch (const ProblemError& error) {
+    throw ProblemError(text("body '", name, "': ", error.what()));
+  }
+  for (const Layer& layer : body.layers) static_cast<void>(region(body.mesh, layer.region));
   Unknowns unknowns = number_unknowns(body.mesh, body.supports, body.material.state);
   const Index count = unknowns.count;
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",
@@ -162,6 +169,7 @@ Plan plan(const Scene& scene) {
   plan_unknowns(scene, plan);
   plan.gaps.A.resize(0, plan.unknowns.count);
   plan.solver = scene.solver;
+  plan.backend = scene.backend;
   telling(plan.notes, [&] {
     plan_effects(scene, plan);
     check_pairs(plan);

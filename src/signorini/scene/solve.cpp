@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "signorini/closing/proofs.hpp"
@@ -28,15 +29,12 @@ std::string describe_unknown(const Model& model, Index unknown) {
 }
 
 /// K, and one spring per rigid mode, which alone hold the bodies. In balance they carry nothing, so their size is free.
-FrontalFactor factor(const Model& model, Ledger& ledger) {
-  const Eigen::SparseMatrix<double>& K = model.programme.stiffness;
-  const auto describe = [&model](Index unknown) { return describe_unknown(model, unknown); };
+Factor factor(const Model& model, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "factor");
-  const SeparatorTree tree = [&] {
-    const Ledger::Phase ordering(ledger, "ordering");
-    return separator_tree(K, unknown_positions(model));
-  }();
-  return {K, tree, ledger, describe, grounding(model.modes)};
+  const Stiffness K{
+      model.programme.stiffness, model.programme.A, [&model] { return unknown_positions(model); },
+      [&model](Index unknown) { return describe_unknown(model, unknown); }, grounding(model.modes)};
+  return find_backend(model.backend).factor(K, ledger);
 }
 
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
@@ -133,6 +131,17 @@ std::string limit_in_words(const Solution& solution) {
   return text("Friction holds at most ", *limit, " of this load. ");
 }
 
+/// Refuses numbers for which solvers blame their caller: here they are those of the scene.
+void check_numbers(const ContactProblem& problem) {
+  try {
+    check_finite(problem);
+  } catch (const std::invalid_argument& error) {
+    throw ProblemError(text("the scene cannot be solved in these units: ", error.what(),
+                            "; look for a modulus, thickness, load, friction or length that is far "
+                            "larger or smaller than the others"));
+  }
+}
+
 long long one_solve(const Condensed& condensed) {
   return static_cast<long long>(condensed.factor.solve_operations());
 }
@@ -172,8 +181,15 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
                                    ledger.count("operations", operations);
                                    return condensed.factor.solve(load);
                                  }};
-  CertifiedEnd end = certified_end(model.programme, small, mode_shapes(model.modes),
-                                   find_solver(solver), options, ledger);
+  CertifiedEnd end = [&] {
+    try {
+      return certified_end(model.programme, small, mode_shapes(model.modes), find_solver(solver),
+                           options, ledger);
+    } catch (const std::invalid_argument&) {
+      check_numbers(condensed.problem);
+      throw;
+    }
+  }();
   Solution solution;
   solution.notes = model.notes;
   solution.contact = std::move(end.state);

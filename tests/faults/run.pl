@@ -1,0 +1,95 @@
+#!/usr/bin/env perl
+# run.pl [WORDS]: puts the faults of list.txt into a copy of the project, one at a time, and says which test notices each.
+# With WORDS only the faults whose line has them.  The copy is build/faults; build/faults/results.txt keeps what is
+# known, so a run that was stopped goes on where it was: delete a line to try its fault again, the file to begin anew.
+# Ends with 1 if a fault survives, cannot be put in, or does not compile.
+use strict;
+use warnings;
+use File::Basename;
+use File::Compare;
+use File::Copy;
+use File::Path 'make_path';
+use Cwd 'abs_path';
+
+my $root = abs_path(dirname(__FILE__) . '/../..');
+my $copy = "$root/build/faults";
+my $known = "$copy/results.txt";
+my $seconds = 300;    # one test program may take; a fault that makes it run for ever is noticed
+my ($words) = @ARGV;
+
+sub contents { my ($path) = @_; open my $in, '<', $path or die "$path: $!\n"; local $/; return <$in> }
+sub put { my ($path, $text) = @_; open my $out, '>', $path or die "$path: $!\n"; print $out $text; close $out or die "$path: $!\n" }
+sub note { my ($line) = @_; print "$line\n"; open my $out, '>>', $known or die "$known: $!\n"; print $out "$line\n"; close $out }
+$| = 1;
+
+# The list.
+my @faults;
+open my $list, '<', dirname(__FILE__) . '/list.txt' or die "list.txt: $!\n";
+while (<$list>) {
+    if    (/^@ (\S+) \| (.+) \| (.+)$/) { push @faults, {file => $1, what => $2, tests => [split ' ', $3], from => '', to => ''} }
+    elsif (/^-(.*)$/s)                 { $faults[-1]{from} .= $1 }
+    elsif (/^\+(.*)$/s)                { $faults[-1]{to} .= $1 }
+    elsif (!/^(#.*)?$/)                { die "list.txt:$.: a line begins with @, -, + or #, got: $_" }
+}
+for (@faults) { if ($_->{to} ne '') { chomp $_->{from}; chomp $_->{to} } }
+
+# The copy as the project is now, whatever the last run left; what is as it was keeps its date, and so its objects.
+chdir $root or die "$root: $!\n";
+for my $file (split /\0/, `git ls-files -z --cached --others --exclude-standard`) {
+    next unless -f $file;
+    next if -f "$copy/$file" && compare($file, "$copy/$file") == 0;
+    make_path(dirname("$copy/$file"));
+    copy($file, "$copy/$file") or die "$file: $!\n";
+    chmod 0755, "$copy/$file" if -x $file;
+}
+my %result;
+if (-f $known) { /^(\w+) (.* \| .*?)(?:: by .*)?$/ and $result{$2} = $1 for split /\n/, contents($known) }
+
+sub compiles { my (@tests) = @_; return system('nice', 'cmake', '--build', "$copy/build", '-j', '2', '--target', map { "test_$_" } @tests) == 0 }
+# The first test case that fails, empty if none does.
+sub failure {
+    my ($test) = @_;
+    my $said = `timeout $seconds nice $copy/build/bin/test_$test --abort 2>&1`;
+    return '' if $? == 0;
+    return "no end after $seconds s" if $? >> 8 == 124;
+    return $said =~ /^-{70,}\n(.+)\n(?: .*\n)*-{70,}$/m ? $1 : 'status ' . $?;
+}
+chdir $copy or die "$copy: $!\n";
+open STDERR, '>', "$copy/build.log";
+open my $terminal, '>&', STDOUT or die $!;
+sub quietly { my ($do) = @_; open STDOUT, '>>', "$copy/build.log"; my $good = $do->(); open STDOUT, '>&', $terminal; return $good }
+quietly(sub { system('cmake', '--preset', 'release', '--log-level=NOTICE') == 0 }) or die "cmake: see $copy/build.log\n";
+
+my %sound;    # programs that pass without a fault
+for my $fault (@faults) {
+    my $name = "$fault->{file} | $fault->{what}";
+    next if defined $words && "$name @{$fault->{tests}}" !~ /\Q$words\E/;
+    next if $result{$name};
+    my $path = "$copy/src/signorini/$fault->{file}";
+    my $text = contents($path);
+    my $times = () = $text =~ /\Q$fault->{from}\E/g;
+    if ($times != 1) { $result{$name} = 'stale'; note("stale $name: by nobody: its text stands there $times times"); next }
+    for my $test (grep { !$sound{$_}++ && !$result{"whole | $_"} } @{$fault->{tests}}) {
+        quietly(sub { compiles($test) }) or die "test_$test does not compile, see $copy/build.log\n";
+        my $case = failure($test);
+        die "test_$test fails without a fault: $case\n" if $case ne '';
+        $result{"whole | $test"} = 'passes';
+        note("passes whole | $test");
+    }
+    (my $wrong = $text) =~ s/\Q$fault->{from}\E/$fault->{to}/;
+    put($path, $wrong);
+    my $found = '';
+    for my $test (@{$fault->{tests}}) {
+        if (!quietly(sub { compiles($test) })) { $found = 'faulty'; note("faulty $name: by the compiler, see $copy/build.log"); last }
+        my $case = failure($test);
+        if ($case ne '') { $found = 'killed'; note("killed $name: by test_$test: $case"); last }
+    }
+    note("survived $name: by @{$fault->{tests}}") if $found eq '';
+    $result{$name} = $found || 'survived';
+    put($path, $text);
+}
+
+my %count = (killed => 0, survived => 0);
+for my $fault (@faults) { $count{$result{"$fault->{file} | $fault->{what}"} || 'not tried'}++ }
+print join(', ', map { "$_ $count{$_}" } sort keys %count), " of ", scalar @faults, " faults\n";
+exit($count{killed} + ($count{'not tried'} || 0) == @faults ? 0 : 1);
