@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/closing/closing.hpp"
 #include "signorini/estimate/contact_edges.hpp"
 #include "signorini/estimate/estimate.hpp"
 #include "signorini/scene/readings.hpp"
@@ -56,6 +58,62 @@ TEST_CASE("a solution that is exact has no error", "[estimate][closed-form]") {
     CHECK(std::abs(one.error) <= 1e-11 * std::abs(one.value));
     CHECK(one.algebraic <= 1e-12 * std::abs(one.value));
   }
+}
+
+TEST_CASE("what a goal overlooks between the nodes is what makes it right", "[goal][closed-form]") {
+  // The integral of x^2 times an even pressure: nodal forces see chords of the parabola.
+  const SolvedScene run = solved(pressed("q4"), "block");
+  const Goal moment{"moment",
+                    ContactForce{"", [](const Eigen::Vector2d& x) { return x.x() * x.x(); }}};
+  const double read = value(run.model, run.solution, moment);
+  CHECK(read > 10 * 8.0 / 3 * 1.01);
+  CHECK(read + overlooked(run.model, run.solution, moment) == Approx(10 * 8.0 / 3).epsilon(1e-12));
+
+  // The forces of an ellipse of pressure on nodes: their fit is too flat.
+  SolvedScene hertz_run = solved(measured_hertz().scene("q4", 12), "Hertz");
+  const Goal peak{"peak", PeakPressure{}};
+  const ContactLine line = line_of(hertz_run.model, "", {0, 0});
+  const auto pressure = [](double x) { return 25 * std::sqrt(std::max(0.0, 1 - x * x)); };
+  for (std::size_t k = 0; k < line.x.size(); ++k) {
+    double& force = hertz_run.solution.contact.force(line.pair[k]);
+    force = 0;
+    const auto side = [&](std::size_t other) {
+      const double way = line.x[other] - line.x[k];
+      for (const GaussPoint& gauss : gauss_line(16)) {
+        const double t = (1 + gauss.xi) / 2;
+        force += gauss.weight / 2 * std::abs(way) * (1 - t) * pressure(line.x[k] + t * way);
+      }
+    };
+    if (k > 0) side(k - 1);
+    if (k + 1 < line.x.size()) side(k + 1);
+  }
+  const double flat = value(hertz_run.model, hertz_run.solution, peak);
+  const double right = flat + overlooked(hertz_run.model, hertz_run.solution, peak);
+  CHECK(std::abs(right - 25) < 0.2 * std::abs(flat - 25));
+}
+
+TEST_CASE("the free boundary: the vertex of the parabola through three ends of the contact",
+          "[estimate][closed-form]") {
+  const SolvedScene run = solved(measured_cantilever().scene("q4", 30), "cantilever");
+  const std::vector<Index>& active = run.solution.contact.active;
+  const Index pairs = run.solution.contact.gap.size();
+  const ScaledProblem scaled = equilibrate(run.condensed.problem);
+  const auto sum_of = [&](std::vector<Index> set) {
+    std::sort(set.begin(), set.end());
+    return close(scaled, motions_of(set, pairs)).force.cwiseProduct(scaled.scale).sum();
+  };
+  // The beam lies on its tip: contact ends at one place only.
+  std::vector<Index> more = active, fewer = active;
+  const bool first = active.back() == pairs - 1;
+  REQUIRE(active.back() - active.front() + 1 == static_cast<Index>(active.size()));
+  REQUIRE((first || active.front() == 0));
+  more.push_back(first ? active.front() - 1 : active.back() + 1);
+  fewer.erase(first ? fewer.begin() : fewer.end() - 1);
+  const double J = sum_of(active), bend = (sum_of(more) + sum_of(fewer)) / 2 - J;
+  const double slope = (sum_of(more) - sum_of(fewer)) / 2;
+  REQUIRE(std::abs(slope) <= 2 * std::abs(bend));
+  const Estimate one = estimated(run, {measured_cantilever().goals[0]}).front();
+  CHECK(one.parts.free_boundary == Approx(-slope * slope / (4 * bend)).epsilon(1e-8));
 }
 
 // Truths: cells of eight nodes, four times as many along each side as on the finest mesh here. They differ from those of
