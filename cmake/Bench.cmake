@@ -1,24 +1,16 @@
 # Measurements: `price` needs nothing, `peers` compares with what is installed of other people's solvers.
 file(GLOB peer_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/peers/*.cpp)
-add_executable(price bench/price.cpp bench/rounds.cpp bench/yardsticks.cpp)
+add_executable(price bench/price.cpp bench/rounds.cpp)
 add_executable(peers bench/peers.cpp ${peer_sources})
 foreach(program price peers)
   target_link_libraries(${program} PRIVATE signorini::signorini signorini_warnings)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${program} PRIVATE SIGNORINI_BENCH_OUT="${PROJECT_BINARY_DIR}/out/bench")
 endforeach()
+include(cmake/Yardsticks.cmake)
+target_link_libraries(price PRIVATE yardsticks)
 target_link_libraries(peers PRIVATE ${CMAKE_DL_LIBS})
 target_compile_definitions(peers PRIVATE SIGNORINI_PEERS_SCRIPT="${PROJECT_SOURCE_DIR}/bench/peers/peers.py")
-
-# One of the yardsticks of `price`; without it the others remain.
-find_path(CHOLMOD_HEADERS cholmod.h PATH_SUFFIXES suitesparse)
-find_library(CHOLMOD_LIBRARY cholmod)
-mark_as_advanced(CHOLMOD_HEADERS CHOLMOD_LIBRARY)
-if(CHOLMOD_HEADERS AND CHOLMOD_LIBRARY)
-  target_include_directories(price SYSTEM PRIVATE ${CHOLMOD_HEADERS})
-  target_link_libraries(price PRIVATE ${CHOLMOD_LIBRARY})
-  target_compile_definitions(price PRIVATE SIGNORINI_CHOLMOD)
-endif()
 
 # Its headers include each other from both folders.
 find_path(SICONOS_CONFIG SiconosConfig.h PATH_SUFFIXES siconos)
