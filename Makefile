@@ -74,9 +74,13 @@ peers:                    ## the same problems by other people's solvers, as far
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target peers
 	@$(ONE_THREAD) $B/bin/peers --full
+effectivity:              ## what the error estimates are worth, on meshes of all elements
+	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
+	@cmake --build $B -j $(JOBS) --target effectivity
+	@$(ONE_THREAD) $B/bin/effectivity --full
 handout:                  ## build/signorini-handout.tar.gz, without solutions and held-out tests
 	@mkdir -p $B && git archive --format=tar.gz --prefix=signorini/ -o $B/signorini-handout.tar.gz HEAD
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers handout clean
+.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers effectivity handout clean

@@ -4,9 +4,14 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "signorini/core/results.hpp"
+#include "signorini/core/table.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/scene/scene.hpp"
 #include "tests/support/hertz.hpp"
@@ -63,6 +68,14 @@ inline Scene hertz(Eigen::Index cells, Eigen::Index rows, Eigen::Index layers) {
   spec.disc_rows = spec.plate_rows = rows;
   spec.disc_layers = spec.plate_layers = layers;
   return signorini_test::hertz(spec);
+}
+
+/// Shows a table and writes it for texts and for figures. \param out  folder \param name  of both files \param table  what
+inline void write_table(const std::filesystem::path& out, const std::string& name,
+                        const Table& table) {
+  std::cout << '\n' << table.markdown();
+  write_file(out / (name + ".md"), table.markdown());
+  write_file(out / (name + ".csv"), table.csv());
 }
 
 }  // namespace signorini::bench

@@ -159,12 +159,6 @@ bool saddle_point(const Scene& scene, double least_ratio, Index most_steps, Tabl
          ratio >= least_ratio;
 }
 
-void write_table(const std::filesystem::path& out, const std::string& name, const Table& table) {
-  std::cout << '\n' << table.markdown();
-  write_file(out / (name + ".md"), table.markdown());
-  write_file(out / (name + ".csv"), table.csv());
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {

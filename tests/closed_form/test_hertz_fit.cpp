@@ -151,3 +151,31 @@ TEST_CASE("Hertz fit: what is no ellipse is refused", "[hertz-fit]") {
   CHECK_THROWS_WITH(half_width_of_forces({1, 0}, {1, 1}), ContainsSubstring("rising order"));
   CHECK_THROWS_WITH(half_width_of_forces({0}, {1}), ContainsSubstring("more nodes"));
 }
+
+TEST_CASE("the derivatives of the fit and of the width are those of central differences",
+          "[hertz_fit][derivative]") {
+  const std::vector<double> x = nodes(0, 0.08, 1.1);
+  const std::vector<double> force = linear_forces(x);
+  const Trace trace = GENERATE(Trace::Linear, Trace::Quadratic);
+  const std::vector<double> of_peak = peak_pressure_gradient(x, at(x));
+  const std::vector<double> of_width = half_width_gradient(x, force, trace);
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    const auto difference = [&](std::vector<double> numbers, double step, auto&& read) {
+      numbers[i] += step;
+      const double more = read(numbers);
+      numbers[i] -= 2 * step;
+      return (more - read(numbers)) / (2 * step);
+    };
+    if (at(x)[i] > 0)
+      CHECK(of_peak[i] ==
+            Approx(difference(at(x), 1e-5,
+                              [&](const auto& p) { return fit_hertz(x, p).peak_pressure; }))
+                .epsilon(1e-6)
+                .margin(1e-9));
+    CHECK(of_width[i] ==
+          Approx(difference(force, 1e-5,
+                            [&](const auto& f) { return half_width_of_forces(x, f, trace); }))
+              .epsilon(1e-6)
+              .margin(1e-9));
+  }
+}

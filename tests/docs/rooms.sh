@@ -19,8 +19,9 @@ check() ( # the library in $1/src/signorini; a line per fault
             below["elasticity"] = "core mesh"
             below["contact"] = "core mesh elasticity"
             below["scene"] = "core mesh problem factor closing solvers programme elasticity contact"
+            below["estimate"] = below["scene"] " closed_form scene"
             below["scene_file"] = below["scene"] " gmsh scene"
-            below["report"] = "core mesh closed_form problem factor closing solvers programme as_printed problem_file elasticity contact scene"
+            below["report"] = "core mesh closed_form problem factor closing solvers programme as_printed problem_file elasticity contact scene estimate"
         }
         FNR == 1 {
             room = FILENAME
@@ -58,6 +59,7 @@ expect accepted core/errors.hpp '<vector>'
 expect accepted core/errors.hpp '"signorini/core/ledger.hpp"'
 expect accepted report/vtu.cpp '"signorini/closed_form/beam.hpp"'
 expect accepted scene/solve.cpp '"signorini/contact/obstacle.hpp"'
+expect accepted estimate/goal.cpp '"signorini/closed_form/hertz_fit.hpp"'
 expect accepted problem_file/two_sided.hpp '"signorini/problem/problem.hpp"'
 expect accepted solvers/lemke.cpp '"signorini/closing/closed_basis.hpp"'
 expect found core/errors.hpp '"signorini/mesh/mesh.hpp"'                              # above
@@ -74,6 +76,8 @@ expect found problem/problem.hpp '"signorini/problem_file/two_sided.hpp"'
 expect found closed_form/beam.cpp '"signorini/problem/problem.hpp"'
 expect found elasticity/assembly.cpp '"signorini/problem/problem.hpp"'
 expect found contact/node_to_obstacle.hpp '"signorini/problem/problem.hpp"'
+expect found estimate/dual.cpp '"signorini/report/vtu.hpp"'
+expect found scene/solve.cpp '"signorini/estimate/estimate.hpp"'
 expect found core/results.cpp '"../mesh/mesh.hpp"'                                    # by another name
 expect found attic/old.hpp '<vector>'                                                 # in no room
 expect found old.hpp '<vector>'

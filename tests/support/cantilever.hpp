@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "signorini/elasticity/elements.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/scene/scene.hpp"
+#include "support/meshes.hpp"
 
 namespace signorini_test {
 
@@ -23,10 +25,11 @@ inline signorini::Scene cantilever(const std::string& element, Eigen::Index cell
   spec.size = units.length * Eigen::Vector2d(50, 5);
   spec.cells_x = cells_x;
   spec.cells_y = cells_y;
-  spec.order = element == "q8" ? signorini::MeshOrder::Quadratic : signorini::MeshOrder::Linear;
+  const signorini::Element& cell = signorini::find_element(element);
+  spec.order = order_of(cell);
   signorini::Scene scene;
   signorini::Body& body = scene.bodies[0];
-  body.mesh = signorini::make_block(spec);
+  body.mesh = fitting(signorini::make_block(spec), cell);
   body.element = element;
   body.material = {2.1e4 * units.force / area, 0.29, signorini::PlaneState::Stress, units.length};
   body.supports = {signorini::fixed("left")};

@@ -43,9 +43,9 @@ inline signorini::Scene footing_on(const signorini::EdgeBlockSpec& soil,
   scene.bodies.resize(2);
   signorini::Body& top = scene.bodies[0];
   signorini::Body& ground = scene.bodies[1];
-  top.mesh =
-      signorini::make_graded_block("footing", above.under() * (footing.half / footing_half),
-                                   signorini::stretched(0, {{footing.thickness, footing.rows, 2}}));
+  top.mesh = signorini::make_graded_block(
+      "footing", above.under() * (footing.half / footing_half),
+      signorini::stretched(0, {{footing.thickness, footing.rows, 2}}), soil.order);
   top.material = {footing.modulus, 0.25, signorini::PlaneState::Strain, 1};
   top.supports = {signorini::symmetric("left")};
   top.loads.edges = {{"top", footing_load * footing_half / footing.half, {}}};

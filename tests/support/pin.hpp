@@ -4,8 +4,10 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "signorini/elasticity/elements.hpp"
 #include "signorini/mesh/plate_with_hole.hpp"
 #include "signorini/scene/scene.hpp"
+#include "support/meshes.hpp"
 
 namespace signorini_test {
 
@@ -21,10 +23,11 @@ inline signorini::Scene pin_in_plate(double pressure, Eigen::Index cells_angle =
   spec.cells_angle = cells_angle;
   spec.cells_radius = cells_radius;
   spec.sector = signorini::Sector::Half;
-  spec.order = element == "q8" ? signorini::MeshOrder::Quadratic : signorini::MeshOrder::Linear;
+  const signorini::Element& cell = signorini::find_element(element);
+  spec.order = order_of(cell);
   signorini::Scene scene;
   signorini::Body& body = scene.bodies[0];
-  body.mesh = signorini::make_plate_with_hole(spec);
+  body.mesh = fitting(signorini::make_plate_with_hole(spec), cell);
   body.element = element;
   body.material = {1000, 0.3, signorini::PlaneState::Strain, 1};
   body.supports = {signorini::symmetric("symmetry"),

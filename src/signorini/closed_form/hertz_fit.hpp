@@ -30,6 +30,16 @@ struct HertzFit {
 [[nodiscard]] HertzFit fit_hertz(const std::vector<double>& x, const std::vector<double>& pressure,
                                  double inner = 0.9);
 
+/// How the peak of fit_hertz() changes with each pressure while the nodes that count stay the same.
+/// \param x         of the nodes [length]
+/// \param pressure  at the nodes [force/length^2]
+/// \param inner     part of the half-width that counts [-]
+/// \return one number per node [-]; 0 at nodes that do not count
+/// \throws std::invalid_argument as fit_hertz()
+[[nodiscard]] std::vector<double> peak_pressure_gradient(const std::vector<double>& x,
+                                                         const std::vector<double>& pressure,
+                                                         double inner = 0.9);
+
 /// How displacements vary between the nodes of a boundary.
 enum class Trace {
   Linear,    ///< edges of two nodes
@@ -56,5 +66,15 @@ enum class Trace {
 [[nodiscard]] double half_width_of_forces(const std::vector<double>& x,
                                           const std::vector<double>& force,
                                           Trace trace = Trace::Linear);
+
+/// How half_width_of_forces() changes with each force.
+/// \param x      of the nodes in rising order [length]
+/// \param force  of the nodes [force]
+/// \param trace  how displacements vary between the nodes
+/// \return one number per node [length/force]
+/// \throws std::invalid_argument as half_width_of_forces()
+[[nodiscard]] std::vector<double> half_width_gradient(const std::vector<double>& x,
+                                                      const std::vector<double>& force,
+                                                      Trace trace = Trace::Linear);
 
 }  // namespace signorini

@@ -1,0 +1,46 @@
+/// \file
+/// What lies between neighbouring pairs of a contact.
+#pragma once
+#include <vector>
+
+#include "signorini/scene/solution.hpp"
+
+namespace signorini {
+
+/// Two pairs of one contact that follow each other on the source, both of nodes.
+struct ContactEdge {
+  Eigen::Index from;  ///< number of the first pair
+  Eigen::Index to;    ///< number of the second
+  double length;      ///< between their nodes, straight [length]
+  double depth;       ///< across the plane, in the middle [length]
+  MeshOrder order;    ///< of the source: of three nodes per side, two edges make one
+  /// Whether pressures and shares between the nodes are taken as straight. Only where forces act on nodes of sides of three
+  /// are they parabolas; a mortar pair there spreads its force over more nodes than its own.
+  bool straight;
+};
+
+/// \param model  from build(), all of whose pairs have nodes
+/// \return the edges of all contacts, in walking order
+[[nodiscard]] std::vector<ContactEdge> contact_edges(const Model& model);
+
+/// The body that the source of a pair belongs to.
+/// \param model  from build()
+/// \param pair   whose node is known
+/// \return the body
+[[nodiscard]] const BodyModel& source_of(const Model& model, Eigen::Index pair);
+
+/// What the gaps between the nodes count for a goal besides the straight lines that the pairs know of. On sides of two
+/// nodes a gap of the curvature g'' lies by \f$ g'' s (h - s)/2 \f$ below its chord, if it is convex:
+///
+/// \f[ \langle\mu, g - I g\rangle = -\sum \frac{h^3}{12}\, g''\, \bar\mu, \f]
+///
+/// with mean curvatures of three gaps each, and \f$ \bar\mu \f$ the dual pressure. It covers curved obstacles and the arcs
+/// that a source is cut short by, both as far as the gaps of the nodes show them; sides of three nodes follow both.
+/// \param model  from build()
+/// \param edges  contact_edges() of it
+/// \param force  mu of all pairs
+/// \return its part of the error of the goal
+[[nodiscard]] double gap_between_nodes(const Model& model, const std::vector<ContactEdge>& edges,
+                                       const Eigen::VectorXd& force);
+
+}  // namespace signorini

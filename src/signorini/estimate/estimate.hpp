@@ -1,0 +1,97 @@
+/// \file
+/// How wrong the answer is for want of a finer mesh: an estimate of the error of named goals, from one solution.
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "signorini/core/ledger.hpp"
+#include "signorini/estimate/goal.hpp"
+
+namespace signorini {
+
+/// What the error of a goal is made of; parts have the sign of what is still missing, true value minus value.
+struct ErrorParts {
+  double interior =
+      0;  ///< stresses inside the bodies, by recovery: error_products() with the dual solution
+  /// What gaps between the nodes are besides the straight line: \f$ \langle\mu, g - I g\rangle \f$
+  double gap = 0;
+  /// What the goal itself overlooks between the nodes: \f$ \langle p, w - I w\rangle \f$, or the flattened top of a fit
+  double reading = 0;
+  double free_boundary = 0;  ///< that contact must end at a node
+};
+
+/// The error of one goal.
+struct Estimate {
+  std::string goal;  ///< its name
+  double value = 0;  ///< of the goal, as solved
+  ErrorParts parts;  ///< of the error of discretisation
+  /// Estimate of the true value minus the value. Of a peak or a width, whose parts have been seen to cancel by luck, the sum
+  /// of the sizes of the parts, and no sign.
+  double error = 0;
+  bool is_signed = true;  ///< whether `error` has a sign
+  /// What residuals of the equations can change the value by at most, to first order: the algebraic error
+  double algebraic = 0;
+  /// What each cell of each body adds to `parts.interior`: where to refine
+  std::vector<Eigen::VectorXd> share;
+};
+
+/// Estimates the errors of goals, with the factor and the compliance in hand: nothing is factored but the dense system of
+/// the closed pairs, and every goal costs at most two back substitutions and a look at every cell.
+///
+/// A dual solution [\ref BeckerRannacher2001] says what each residual counts for the goal; the residual is that of
+/// recovered stresses. With \f$ \Delta\sigma = \sigma^* - \sigma \f$ and the closed pairs as they are,
+///
+/// \f[ J - J_h \approx \sum_K E_K + \langle\mu, g - I g\rangle + \langle p_h, w - I w\rangle + V, \f]
+///
+/// where E_K is that of error_products(). V is about the *free boundary*: J does not change to first order when the end of
+/// the contact moves, so with the end one pair further out, \f$ J_+ \f$, and one further in, \f$ J_- \f$, a parabola
+/// through the three has its vertex where the end belongs:
+/// \f$ V = -\ell^2/(4c) \f$, \f$ c = (J_+ + J_-)/2 - J \f$, \f$ \ell = (J_+ - J_-)/2 \f$, the vertex being at most one
+/// pair away.
+///
+/// *What is promised*, on meshes that resolve the contact: forces of contact and displacements within a factor of
+/// about two, for all elements; peaks and half-widths, of cells of four nodes, less surely, and without a sign. On q8
+/// and t6 a half-width can be several times as good or as bad as estimated. *What is not*: no estimate is a bound; errors of
+/// the energy norm, of stresses and pressures at a point, such as at corners, are not goals, because recovery knows nothing of
+/// singularities between its nodes; how far the domain and the model are from the truth cannot be seen in one mesh.
+/// \param model      from build()
+/// \param condensed  from condense() of it
+/// \param solution   of both, solved
+/// \param goals      any
+/// \param ledger     gets the phase `estimate`
+/// \return one per goal
+/// \throws ProblemError as value(); if the problem is not solved, a pair with friction slides, a pair is a Gauss point
+///   with a force of its own, or contact forces are not unique
+[[nodiscard]] std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
+                                              const Solution& solution,
+                                              const std::vector<Goal>& goals, Ledger& ledger);
+
+/// The same for one goal. \param model  from build() \param condensed  from condense() of it
+/// \param solution  of both, solved \param goal  any \param ledger  gets the phase `estimate` \return its estimate
+/// \throws ProblemError as estimates()
+[[nodiscard]] Estimate estimate(const Model& model, const Condensed& condensed,
+                                const Solution& solution, const Goal& goal, Ledger& ledger);
+
+/// One line of an error budget.
+struct BudgetLine {
+  std::string source;            ///< of the error, such as "element"
+  std::optional<double> amount;  ///< in the unit of the goal; none: not estimated
+  std::string meaning;           ///< what it is, or what would make it smaller
+};
+
+/// The same goal, where something other than the mesh was changed.
+struct ComparedWith {
+  std::optional<double> domain = {};  ///< its value on a larger domain, at the same fineness
+  std::optional<double> model = {};   ///< its value by a better model, at the same fineness
+};
+
+/// Keeps apart what an answer may be wrong by.
+/// \param estimate  of the goal
+/// \param compared  values of other scenes, if there are any
+/// \return lines: algebraic, gap, element, domain, model
+[[nodiscard]] std::vector<BudgetLine> error_budget(const Estimate& estimate,
+                                                   const ComparedWith& compared = {});
+
+}  // namespace signorini

@@ -1,0 +1,271 @@
+#include "signorini/estimate/goal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "signorini/closed_form/hertz_fit.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/wording.hpp"
+#include "signorini/elasticity/assembly.hpp"
+#include "signorini/elasticity/places.hpp"
+#include "signorini/estimate/contact_edges.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// A goal that is a sum of displacements of the nodes of one body.
+struct NodeSum {
+  std::size_t body;
+  std::vector<Index> nodes;
+  VectorXd share;
+};
+
+NodeSum nodes_of(const Model& model, const Displacement& goal, const std::string& name) {
+  pose(goal.boundary.empty() != !goal.point.has_value(), "goal '", name,
+       "': a displacement is that of a boundary or of a point; give one of them, not ",
+       goal.boundary.empty() ? "none" : "both");
+  const std::size_t body = body_index(model.bodies, {goal.boundary, goal.body});
+  const BodyModel& own = model.bodies[body];
+  if (!goal.point) {
+    VectorXd share = boundary_weights(own.mesh, goal.boundary, depth_of(own.material));
+    return {body, boundary_nodes(own.mesh, goal.boundary), share / share.sum()};
+  }
+  const EdgePlace place = place_on_edge(own.mesh, *goal.point);
+  for (const PointForce& force : own.loads.points)
+    pose(force.point != *goal.point || force.force(static_cast<int>(goal.axis)) == 0, "goal '",
+         name, "': a point force acts at this very point of body '", own.mesh.name,
+         "', where the displacement grows without bound as the mesh is refined; ask for another "
+         "point, or spread the force");
+  return {body, place.nodes, place.share.head(static_cast<Index>(place.nodes.size()))};
+}
+
+/// What a fit and a second moment are read from.
+struct Profile {
+  ContactLine line;
+  Eigen::MatrixXd
+      nodal;  // of each pair: from forces of the pairs to forces across the line on their nodes
+  VectorXd weight;  // of the nodes: what a uniform pressure does to them
+  std::vector<double> force, pressure;
+  Trace trace;
+};
+
+Profile profile(const Model& model, const Solution& solution, const std::string& contact,
+                const Vector2d& middle) {
+  Profile read{line_of(model, contact, middle), {}, {}, {}, {}, Trace::Linear};
+  const std::vector<Index>& pair = read.line.pair;
+  const Index n = static_cast<Index>(pair.size());
+  const auto nearest =
+      std::min_element(read.line.x.begin(), read.line.x.end(),
+                       [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const Index there = pair[at(nearest - read.line.x.begin())];
+  const Vector2d across = model.pairs.normal.row(there).transpose();
+  if (source_of(model, there).mesh.order() == MeshOrder::Quadratic) read.trace = Trace::Quadratic;
+  std::vector<Index> column(at(model.pairs.opening.cols() / 2), -1);
+  for (Index k = 0; k < n; ++k) column[at(model.pairs.node[at(pair[at(k)])])] = k;
+  read.nodal = Eigen::MatrixXd::Zero(n, n);
+  for (Index k = 0; k < n; ++k)
+    for (NodalRows::InnerIterator entry(model.pairs.opening, pair[at(k)]); entry; ++entry)
+      if (const Index node = column[at(entry.col() / 2)]; node >= 0)
+        read.nodal(node, k) += entry.value() * across(entry.col() % 2);
+  const VectorXd force = read.nodal * solution.contact.force(pair);
+  read.weight = read.nodal * model.pairs.weight(pair);
+  for (Index k = 0; k < n; ++k) {
+    read.force.push_back(force(k));
+    read.pressure.push_back(force(k) / read.weight(k));
+  }
+  return read;
+}
+
+double pressure_at(const HertzFit& fit, double x) {
+  return fit.peak_pressure * std::sqrt(std::max(0.0, 1 - std::pow(x / fit.half_width, 2)));
+}
+
+/// The mean of an ellipse of pressure that the force on a node of straight sides tells.
+double mean_around(const std::vector<double>& x, std::size_t node, const HertzFit& fit) {
+  double sum = 0, weight = 0;
+  const auto side = [&](std::size_t other) {
+    const double way = x[other] - x[node];
+    for (const GaussPoint& gauss : gauss_line(16)) {
+      const double t = (1 + gauss.xi) / 2, part = gauss.weight * std::abs(way) * (1 - t);
+      sum += part * pressure_at(fit, x[node] + t * way);
+      weight += part;
+    }
+  };
+  if (node > 0) side(node - 1);
+  if (node + 1 < x.size()) side(node + 1);
+  return sum / weight;
+}
+
+/// Runs a reading of Hertz's contact, whose own errors blame its caller.
+template <typename Read>
+auto readable(const Goal& goal, Read&& read) {
+  try {
+    return read();
+  } catch (const std::invalid_argument& error) {
+    throw ProblemError(text("goal '", goal.name, "': ", error.what()));
+  }
+}
+
+void require_numbers(const Solution& solution, const Goal& goal) {
+  pose(solution.contact.report.status == Status::Solved, "goal '", goal.name,
+       "': the problem is not solved: ", to_string(solution.contact.report.status));
+}
+
+double share_at(const ContactForce& goal, const Model& model, Index pair) {
+  return goal.share ? goal.share(model.pairs.position.row(pair).transpose()) : 1;
+}
+
+}  // namespace
+
+std::vector<Index> pairs_of(const Model& model, const std::string& contact) {
+  const auto found = std::find(model.contacts.begin(), model.contacts.end(), contact);
+  const bool only = contact.empty() && model.contacts.size() == 1;
+  pose(only || found != model.contacts.end(),
+       contact.empty() ? text("a goal of contact must name one of several contacts: ")
+                       : text("there is no contact ", in_quotes(contact), " for a goal"),
+       contact.empty() ? listed(model.contacts) : suggestion(contact, model.contacts));
+  const std::size_t number = only ? 0 : at(found - model.contacts.begin());
+  std::vector<Index> pairs;
+  for (Index pair = 0; pair < model.pairs.weight.size(); ++pair)
+    if (model.contact_of[at(pair)] == number) pairs.push_back(pair);
+  return pairs;
+}
+
+ContactLine line_of(const Model& model, const std::string& contact, const Vector2d& middle) {
+  std::vector<Index> pairs = pairs_of(model, contact);
+  const auto away = [&](Index pair) {
+    return (model.pairs.position.row(pair).transpose() - middle).squaredNorm();
+  };
+  Index nearest = -1;
+  for (const Index pair : pairs) {
+    pose(model.pairs.node[at(pair)] >= 0,
+         "a width or a peak of pressure cannot be read from Gauss points, whose forces are not "
+         "unique; use the "
+         "gap operator mortar or node_to_segment");
+    if (nearest < 0 || away(pair) < away(nearest)) nearest = pair;
+  }
+  pose(nearest >= 0,
+       "a width or a peak of pressure needs a contact that can close; none of its pairs can move");
+  const Vector2d normal = model.pairs.normal.row(nearest).transpose();
+  const Vector2d along(normal.y(), -normal.x());
+  const auto x_of = [&](Index pair) {
+    return along.dot(model.pairs.position.row(pair).transpose() - middle);
+  };
+  std::stable_sort(pairs.begin(), pairs.end(), [&](Index a, Index b) { return x_of(a) < x_of(b); });
+  ContactLine line{pairs, {}};
+  for (const Index pair : pairs) line.x.push_back(x_of(pair));
+  return line;
+}
+
+double value(const Model& model, const Solution& solution, const Goal& goal) {
+  require_numbers(solution, goal);
+  if (const auto* force = std::get_if<ContactForce>(&goal.quantity)) {
+    double sum = 0;
+    for (const Index pair : pairs_of(model, force->contact))
+      sum += share_at(*force, model, pair) * solution.contact.force(pair);
+    return sum;
+  }
+  if (const auto* moved = std::get_if<Displacement>(&goal.quantity)) {
+    const NodeSum sum = nodes_of(model, *moved, goal.name);
+    const NodeArray& u = solution.displacements[sum.body];
+    double mean = 0;
+    for (std::size_t k = 0; k < sum.nodes.size(); ++k)
+      mean += sum.share(static_cast<Index>(k)) * u(sum.nodes[k], static_cast<int>(moved->axis));
+    return mean;
+  }
+  return readable(goal, [&] {
+    if (const auto* peak = std::get_if<PeakPressure>(&goal.quantity)) {
+      const Profile read = profile(model, solution, peak->contact, peak->middle);
+      return fit_hertz(read.line.x, read.pressure).peak_pressure;
+    }
+    const auto& width = std::get<HalfWidth>(goal.quantity);
+    const Profile read = profile(model, solution, width.contact, width.middle);
+    return half_width_of_forces(read.line.x, read.force, read.trace);
+  });
+}
+
+GoalGradient gradient(const Model& model, const Solution& solution, const Goal& goal) {
+  require_numbers(solution, goal);
+  GoalGradient d;
+  if (const auto* moved = std::get_if<Displacement>(&goal.quantity)) {
+    const NodeSum sum = nodes_of(model, *moved, goal.name);
+    const BodyModel& own = model.bodies[sum.body];
+    d.displacement = VectorXd::Zero(model.unknowns.count);
+    for (std::size_t k = 0; k < sum.nodes.size(); ++k) {
+      const Index unknown = own.unknowns.number(sum.nodes[k], static_cast<int>(moved->axis));
+      if (unknown >= 0)
+        d.displacement(own.first_unknown + unknown) += sum.share(static_cast<Index>(k));
+    }
+    return d;
+  }
+  d.force = VectorXd::Zero(model.programme.A.rows());
+  if (const auto* force = std::get_if<ContactForce>(&goal.quantity)) {
+    for (const Index pair : pairs_of(model, force->contact))
+      d.force(pair) = share_at(*force, model, pair);
+    return d;
+  }
+  const auto scatter = [&](const Profile& read, const std::vector<double>& of_nodes) {
+    d.force(read.line.pair) =
+        read.nodal.transpose() *
+        Eigen::Map<const VectorXd>(of_nodes.data(), static_cast<Index>(of_nodes.size()));
+  };
+  readable(goal, [&] {
+    if (const auto* peak = std::get_if<PeakPressure>(&goal.quantity)) {
+      const Profile read = profile(model, solution, peak->contact, peak->middle);
+      std::vector<double> of_nodes = peak_pressure_gradient(read.line.x, read.pressure);
+      for (std::size_t k = 0; k < of_nodes.size(); ++k)
+        of_nodes[k] /= read.weight(static_cast<Index>(k));
+      scatter(read, of_nodes);
+    } else {
+      const auto& width = std::get<HalfWidth>(goal.quantity);
+      const Profile read = profile(model, solution, width.contact, width.middle);
+      scatter(read, half_width_gradient(read.line.x, read.force, read.trace));
+    }
+  });
+  return d;
+}
+
+double overlooked(const Model& model, const Solution& solution, const Goal& goal) {
+  require_numbers(solution, goal);
+  double sum = 0;
+  if (const auto* force = std::get_if<ContactForce>(&goal.quantity)) {
+    if (!force->share) return 0;
+    const std::vector<Index> pairs = pairs_of(model, force->contact);
+    for (const ContactEdge& edge : contact_edges(model)) {
+      if (!edge.straight || !std::binary_search(pairs.begin(), pairs.end(), edge.from)) continue;
+      const double first = share_at(*force, model, edge.from);
+      const double last = share_at(*force, model, edge.to);
+      const Vector2d from = model.pairs.position.row(edge.from).transpose();
+      const Vector2d to = model.pairs.position.row(edge.to).transpose();
+      for (const GaussPoint& gauss : gauss_line(16)) {
+        const double t = (1 + gauss.xi) / 2;
+        const double pressure =
+            (1 - t) * solution.pressure(edge.from) + t * solution.pressure(edge.to);
+        const double beyond = force->share(from + t * (to - from)) - (1 - t) * first - t * last;
+        sum += gauss.weight / 2 * edge.length * edge.depth * pressure * beyond;
+      }
+    }
+  } else if (const auto* peak = std::get_if<PeakPressure>(&goal.quantity)) {
+    const Profile read = profile(model, solution, peak->contact, peak->middle);
+    if (read.trace == Trace::Quadratic) return 0;
+    return readable(goal, [&] {
+      const std::vector<double>& x = read.line.x;
+      const HertzFit fit = fit_hertz(x, read.pressure);
+      const std::vector<double> change = peak_pressure_gradient(x, read.pressure);
+      for (std::size_t k = 0; k < x.size(); ++k)
+        if (change[k] != 0) sum -= change[k] * (mean_around(x, k, fit) - pressure_at(fit, x[k]));
+      return sum;
+    });
+  }
+  return sum;
+}
+
+}  // namespace signorini

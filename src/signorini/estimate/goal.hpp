@@ -1,0 +1,102 @@
+/// \file
+/// Quantities that a solution is asked for, and whose error is estimated.
+#pragma once
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "signorini/scene/solution.hpp"
+
+namespace signorini {
+
+/// The force that presses the sides of one contact together: the sum of the forces of its pairs, compression > 0. Along a
+/// curved contact it is no resultant.
+struct ContactForce {
+  std::string contact = {};  ///< as in Model::contacts; may be left out if there is one only
+  /// Which part of the pressure at a place of the source counts [-]; all of it without one. Where the function jumps
+  /// inside a side, nodal forces cannot follow it.
+  ScalarField share = {};
+};
+
+/// One component of the displacement of a boundary, its mean over it, or of one point [length].
+struct Displacement {
+  std::string body = {};                      ///< its name; may be left out if there is one only
+  Axis axis = Axis::Y;                        ///< which component
+  std::string boundary = {};                  ///< whose mean is meant, unless there is a point
+  std::optional<Eigen::Vector2d> point = {};  ///< a node, or a place on the edge [length]
+};
+
+/// The highest pressure of a contact that presses as Hertz's does, from a fit of its middle: fit_hertz() [force/length^2].
+struct PeakPressure {
+  std::string contact = {};                          ///< as of ContactForce
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< of the contact, before loading [length]
+};
+
+/// Half of the width of such a contact, from the second moment of its forces: half_width_of_forces() [length].
+struct HalfWidth {
+  std::string contact = {};                          ///< as of ContactForce
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< of the contact, before loading [length]
+};
+
+/// What a solution is asked for.
+struct Goal {
+  std::string name;  ///< what tables call it
+  std::variant<ContactForce, Displacement, PeakPressure, HalfWidth> quantity;  ///< what it is
+};
+
+/// Reads a goal off a solution.
+/// \param model     from build()
+/// \param solution  of it
+/// \param goal      any
+/// \return its value: [force], [length] or [force/length^2]
+/// \throws ProblemError if there is no such body, boundary, point or contact, or the problem is not solved; if a width or a
+///   peak is asked for where the pairs have no nodes, or too few of them press
+[[nodiscard]] double value(const Model& model, const Solution& solution, const Goal& goal);
+
+/// How a goal changes with the solution: \f$ dJ = j^T du + w^T d\lambda \f$.
+struct GoalGradient {
+  Eigen::VectorXd displacement;  ///< j `n`, of the unknowns; empty if it depends on forces only
+  Eigen::VectorXd force;         ///< w, of all rows of A; empty if it depends on displacements only
+};
+
+/// \param model     from build()
+/// \param solution  of it
+/// \param goal      any; of the fit of a peak the nodes that take part stay the same
+/// \return its derivatives
+/// \throws ProblemError as value()
+[[nodiscard]] GoalGradient gradient(const Model& model, const Solution& solution, const Goal& goal);
+
+/// What a goal overlooks between the nodes: of a ContactForce the pressure there that counts more, or less, than the
+/// straight lines of `share` between nodes say; of a PeakPressure on sides of two nodes, where a nodal pressure is a mean, what
+/// such means of the ellipse change its fit by.
+/// \param model     from build()
+/// \param solution  of it
+/// \param goal      any
+/// \return what is to be added to its value; 0 of all others
+/// \throws ProblemError as value()
+[[nodiscard]] double overlooked(const Model& model, const Solution& solution, const Goal& goal);
+
+/// The pairs of one contact.
+/// \param model    from build()
+/// \param contact  its name, or nothing if there is one only
+/// \return their numbers, in walking order of the source
+/// \throws ProblemError listing the contacts if there is none of that name
+[[nodiscard]] std::vector<Eigen::Index> pairs_of(const Model& model, const std::string& contact);
+
+/// The pairs of a contact along the line that it lies on.
+struct ContactLine {
+  std::vector<Eigen::Index> pair;  ///< their numbers, x rising
+  std::vector<double> x;           ///< from the middle, along the tangent there [length]
+};
+
+/// \param model    from build()
+/// \param contact  its name, or nothing if there is one only
+/// \param middle   of the contact [length]
+/// \return its pairs along the tangent of the one nearest to the middle
+/// \throws ProblemError as pairs_of(), or if pairs have no nodes
+[[nodiscard]] ContactLine line_of(const Model& model, const std::string& contact,
+                                  const Eigen::Vector2d& middle);
+
+}  // namespace signorini

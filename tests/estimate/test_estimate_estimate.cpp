@@ -1,0 +1,184 @@
+#include <cmath>
+
+#include "catch_compat.hpp"
+#include "signorini/estimate/contact_edges.hpp"
+#include "signorini/estimate/estimate.hpp"
+#include "signorini/scene/readings.hpp"
+#include "support/effectivity.hpp"
+#include "support/message.hpp"
+
+using namespace signorini;
+using namespace signorini_test;
+using Eigen::Index;
+
+namespace {
+
+std::vector<Estimate> estimated(const SolvedScene& run, const std::vector<Goal>& goals) {
+  Ledger ledger;
+  return estimates(run.model, run.condensed, run.solution, goals, ledger);
+}
+
+/// Estimated over true error.
+double effectivity(const Estimate& estimate, double truth) {
+  const double error = truth - estimate.value;
+  return estimate.error / (estimate.is_signed ? error : std::abs(error));
+}
+
+/// A block on a flat, pressed evenly and free to spread: its stress is uniform.
+Scene pressed(const std::string& element) {
+  const Element& cell = find_element(element);
+  Scene scene;
+  Body& body = scene.bodies[0];
+  body.mesh = block_for(cell, {2, 1}, 4, 3);
+  body.element = element;
+  body.material = {1000, 0.3, PlaneState::Strain, 1};
+  body.supports = {symmetric("left")};
+  body.loads.edges = {{"top", 10, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a solution that is exact has no error", "[estimate][closed-form]") {
+  const char* element = GENERATE("q4", "q4_bbar", "q4_incompatible", "q8", "t3", "t6");
+  CAPTURE(element);
+  const SolvedScene run = solved(pressed(element), "block");
+  const std::vector<Estimate> all =
+      estimated(run, {{"force", ContactForce{}},
+                      {"part", ContactForce{"", [](const Eigen::Vector2d& x) { return x.x(); }}},
+                      {"top", Displacement{"", Axis::Y, "top"}},
+                      {"side", Displacement{"", Axis::X, "right"}}});
+  CHECK(all[0].value == Approx(20).epsilon(1e-12));
+  CHECK(all[2].value == Approx(-10 * (1 - 0.09) / 1000).epsilon(1e-12));
+  for (const Estimate& one : all) {
+    CAPTURE(one.goal);
+    CHECK(std::abs(one.error) <= 1e-11 * std::abs(one.value));
+    CHECK(one.algebraic <= 1e-12 * std::abs(one.value));
+  }
+}
+
+// Truths: cells of eight nodes, four times as many along each side as on the finest mesh here. They differ from those of
+// half as many by 3e-5 (cantilever), 1e-4 (footing), 6e-6 (pin), 1e-4 (push).
+TEST_CASE("forces and displacements: estimated over true error is between a half and two",
+          "[estimate][effectivity]") {
+  struct Case {
+    Measured problem;
+    Index cells;
+    std::vector<double> truth;
+  };
+  const Case now = GENERATE(Case{measured_cantilever(), 50, {71.6256, -0.801041}},
+                            Case{measured_push(), 16, {21.8976}},
+                            Case{measured_footing(), 15, {16.3999, -5.283997e-3}},
+                            Case{measured_pin(), 48, {1.386732, 233.0827}});
+  const char* element = GENERATE("q4", "q4_bbar", "t3");
+  CAPTURE(now.problem.name, element);
+  const SolvedScene run = solved(now.problem.scene(element, now.cells), now.problem.name);
+  const std::vector<Estimate> all = estimated(run, now.problem.goals);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    CAPTURE(all[k].goal, all[k].value, all[k].error, now.truth[k]);
+    CHECK(all[k].is_signed);
+    CHECK(effectivity(all[k], now.truth[k]) >= 0.5);
+    CHECK(effectivity(all[k], now.truth[k]) <= 2);
+  }
+}
+
+TEST_CASE("half-width and peak of Hertz: the size of the error within a factor of two",
+          "[estimate][effectivity][closed-form]") {
+  HertzProblem theory;
+  const double half_width = hertz_half_width(theory.theory());
+  const double peak = hertz_peak_pressure(theory.theory());
+  const SolvedScene run = solved(measured_hertz().scene("q4", GENERATE(12, 16)), "Hertz");
+  const std::vector<Estimate> all = estimated(run, measured_hertz().goals);
+  CHECK(!all[0].is_signed);
+  for (const double e : {effectivity(all[0], half_width), effectivity(all[1], peak)}) {
+    CHECK(e >= 0.5);
+    CHECK(e <= 2);
+  }
+}
+
+TEST_CASE("estimates follow the units, and repeat to the bit", "[estimate][property]") {
+  HertzProblem problem;
+  problem.mesh = [] {
+    HertzMeshSpec spec;
+    spec.disc_cells = spec.plate_cells = spec.disc_layers = spec.plate_layers = 8;
+    spec.disc_rows = spec.plate_rows = 6;
+    return spec;
+  }();
+  HertzProblem other = problem;
+  other.length = 1e3;
+  other.force = 1e-6;
+  const std::vector<Goal> goals = measured_hertz().goals;
+  const SolvedScene run = solved(scene_of(problem), "Hertz");
+  const std::vector<Estimate> here = estimated(run, goals);
+  const std::vector<Estimate> again = estimated(run, goals);
+  const std::vector<Estimate> there = estimated(solved(scene_of(other), "Hertz"), goals);
+  const double units[] = {1e3, 1e-12, 1e3, 1e3};
+  for (std::size_t k = 0; k < goals.size(); ++k) {
+    CAPTURE(goals[k].name);
+    CHECK(here[k].error == again[k].error);
+    CHECK(there[k].error == Approx(units[k] * here[k].error).epsilon(1e-7));
+    double sum = 0;
+    for (const Eigen::VectorXd& body : here[k].share) sum += body.sum();
+    CHECK(sum == Approx(here[k].parts.interior).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("nothing is factored or solved for an estimate but two right-hand sides", "[estimate]") {
+  const SolvedScene run = solved(measured_cantilever().scene("q4", 20), "cantilever");
+  Ledger ledger;
+  const Estimate one =
+      estimate(run.model, run.condensed, run.solution, measured_cantilever().goals[1], ledger);
+  CHECK(one.goal == "deflection");
+  CHECK(ledger.counted("estimate", "solves") == 2);
+  for (const LedgerEntry& entry : ledger.entries())
+    CHECK(entry.path.find("factor") == std::string::npos);
+}
+
+TEST_CASE("what a parabola lies below its chords is the part of the gap",
+          "[estimate][closed-form]") {
+  // A block over y = x^2 / 2R: g'' = -1/R, and of the dual pressure 1 everywhere R has h^2 / 12 times the length.
+  Scene scene = pressed("q4");
+  const double R = 80;
+  scene.contacts[0].target =
+      profile([&](double x) { return -x * x / (2 * R); }, [&](double x) { return -x / R; });
+  const SolvedScene run = solved(scene, "block on a hill");
+  const double part =
+      gap_between_nodes(run.model, contact_edges(run.model), run.model.pairs.weight);
+  const double h = 0.5;
+  CHECK(part == Approx(-h * h / 12 / R * 2).epsilon(1e-3));  // the normals turn a little
+}
+
+TEST_CASE("what no estimate is promised for is refused by name", "[estimate]") {
+  const auto said = [](const Scene& scene, const Goal& goal) {
+    const SolvedScene run = solved(scene, "scene");
+    return problem_message([&] { (void)estimated(run, {goal}); });
+  };
+  const Goal force{"force", ContactForce{}};
+  Scene sliding = measured_cantilever().scene("q4", 20);
+  sliding.contacts[0].friction = Friction{0.01};
+  CHECK_THAT(said(sliding, force), ContainsSubstring("slide against friction"));
+  HertzProblem gauss;
+  gauss.gap_operator = "gauss_points";
+  gauss.mesh.disc_cells = gauss.mesh.plate_cells = 8;
+  CHECK_THAT(said(scene_of(gauss), force), ContainsSubstring("Gauss points"));
+  Scene poked = measured_cantilever().scene("q4", 20);
+  poked.bodies[0].loads.points = {{{50, 5}, {0, -1}}};
+  CHECK_THAT(said(poked, {"tip", Displacement{"", Axis::Y, "", {{50, 5}}}}),
+             ContainsSubstring("point force"));
+  SolvedScene unsolved = solved(measured_cantilever().scene("q4", 20), "cantilever");
+  unsolved.solution.contact.report.status = Status::Breakdown;
+  CHECK_THAT(problem_message([&] { (void)estimated(unsolved, {force}); }),
+             ContainsSubstring("not solved"));
+}
+
+TEST_CASE("an error budget keeps apart what can be estimated and what cannot", "[estimate]") {
+  Estimate one{"force", 10, {0.3, 0.02, 0.01, -0.1}, 0.23, true, 1e-14, {}};
+  const std::vector<BudgetLine> budget = error_budget(one, {10.5, {}});
+  REQUIRE(budget.size() == 5);
+  CHECK(budget[0].amount.value() == 1e-14);
+  CHECK(budget[1].amount.value() == Approx(0.03));
+  CHECK(budget[2].amount.value() == Approx(0.2));
+  CHECK(budget[3].amount.value() == Approx(0.5));
+  CHECK(!budget[4].amount);
+}

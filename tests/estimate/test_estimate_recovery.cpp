@@ -1,0 +1,126 @@
+#include <cmath>
+
+#include "catch_compat.hpp"
+#include "signorini/elasticity/elements.hpp"
+#include "signorini/estimate/recovery.hpp"
+#include "signorini/mesh/regions.hpp"
+#include "support/meshes.hpp"
+
+using namespace signorini;
+using Eigen::Index;
+using signorini_test::block_for;
+
+namespace {
+
+/// Displacements of the nodes.
+template <typename Field>
+NodeArray field(const Mesh& mesh, Field&& u) {
+  NodeArray nodes(mesh.n_nodes(), 2);
+  for (Index k = 0; k < nodes.rows(); ++k)
+    nodes.row(k) = u(Eigen::Vector2d(mesh.nodes.row(k).transpose())).transpose();
+  return nodes;
+}
+
+NodeArray stretched_linearly(const Mesh& mesh) {
+  return field(mesh, [](const Eigen::Vector2d& x) {
+    return Eigen::Vector2d(0.3 * x.x(), -0.2 * x.y());  // also in axial symmetry a uniform strain
+  });
+}
+
+double largest(const Eigen::MatrixXd& numbers) { return numbers.cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+TEST_CASE("a uniform stress is recovered exactly and leaves no error, on any cells",
+          "[recovery][closed-form]") {
+  const std::size_t member = GENERATE(range(std::size_t{0}, elements().size()));
+  const PlaneState state = GENERATE(PlaneState::Stress, PlaneState::Strain, PlaneState::Axial);
+  const Element& element = elements()[member];
+  CAPTURE(element.name, to_string(state));
+  const Eigen::Vector2d size(2, 1);
+  Mesh mesh = signorini_test::distorted(block_for(element, size, 5, 4), size, {0.4, 0.25}, 7);
+  mesh.nodes.col(0).array() += 1;  // away from the axis
+  Matter matter({200, 0.3, state, 1});
+  const NodeArray u = stretched_linearly(mesh);
+  const Fields fields{mesh, element, matter, {u, u}};
+  const SmoothStress smooth = recovered(fields);
+  const Elasticity D = elasticity_matrix(matter.bulk);
+  Eigen::VectorXd strain = Eigen::VectorXd::Zero(D.rows());
+  strain.head(2) << 0.3, -0.2;
+  if (D.rows() == 4) strain(3) = 0.3;
+  const Eigen::RowVectorXd stress = (D * strain).transpose();
+  for (Index k = 0; k < smooth.value.rows(); ++k)
+    CHECK(largest(smooth.value.row(k).head(D.rows()) - stress) <= 1e-11 * largest(stress));
+  const double energy = 200 * 0.3 * 0.3 * 2;
+  CHECK(largest(error_products(fields, smooth)) <= 1e-12 * energy);
+}
+
+TEST_CASE("stresses that cells know at their best points are recovered exactly up to the edge",
+          "[recovery][closed-form]") {
+  const Matter matter({100, 0.25, PlaneState::Stress, 1});
+  // Displacements of one degree more than the element has; their stresses are of the degree of the polynomials.
+  const auto bent = [](const Eigen::Vector2d& x, int degree) {
+    return Eigen::Vector2d(std::pow(x.x(), degree) - 2 * std::pow(x.y(), degree),
+                           0.5 * std::pow(x.x(), degree - 1) * x.y());
+  };
+  const auto strain = [](const Eigen::Vector2d& x, int degree) {
+    return Eigen::Vector3d(degree * std::pow(x.x(), degree - 1), 0.5 * std::pow(x.x(), degree - 1),
+                           -2 * degree * std::pow(x.y(), degree - 1) +
+                               0.5 * (degree - 1) * std::pow(x.x(), degree - 2) * x.y());
+  };
+  const char* name = GENERATE("q4", "q8");
+  CAPTURE(name);
+  const Element& element = find_element(name);
+  const int degree = element.degree + 1;
+  const Mesh mesh = block_for(element, {2, 1}, 6, 4);
+  const SmoothStress smooth =
+      recovered({mesh, element, matter, {field(mesh, [&](const Eigen::Vector2d& x) {
+                   return bent(x, degree);
+                 })}});
+  for (Index k = 0; k < mesh.n_nodes(); ++k) {
+    const Eigen::Vector3d exact =
+        elasticity_matrix(matter.bulk) * strain(mesh.nodes.row(k).transpose(), degree);
+    CHECK(largest(smooth.value.row(k) - exact.transpose()) <= 1e-10 * 100 * degree * 4);
+  }
+}
+
+TEST_CASE("nothing is smoothed across layers", "[recovery][closed-form]") {
+  // Two layers one above the other, stretched sideways: the stress along them jumps with E.
+  const Element& element = find_element("q4");
+  const Mesh mesh = with_region(block_for(element, {2, 2}, 4, 4), "top", {0, 1}, {2, 2});
+  const Matter matter =
+      layered(mesh, {100, 0, PlaneState::Stress, 1}, {{"top", {1000, 0, PlaneState::Stress, 1}}});
+  const NodeArray u =
+      field(mesh, [](const Eigen::Vector2d& x) { return Eigen::Vector2d(0.1 * x.x(), 0); });
+  const Fields fields{mesh, element, matter, {u, u}};
+  const SmoothStress smooth = recovered(fields);
+  CHECK(smooth.value.rows() == mesh.n_nodes() + 5);  // the interface has each of its nodes twice
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (Index k = 0; k < 4; ++k)
+      CHECK(smooth.value(smooth.cells(cell, k), 0) ==
+            Approx(matter.layer_of[static_cast<std::size_t>(cell)] == 0 ? 10 : 100).epsilon(1e-12));
+  CHECK(largest(error_products(fields, smooth)) <= 1e-13);
+}
+
+TEST_CASE("a body that is warm and free has no stress to recover", "[recovery][closed-form]") {
+  const char* name = GENERATE("q4", "q4_bbar", "q4_incompatible", "q8", "t3", "t6");
+  CAPTURE(name);
+  const Element& element = find_element(name);
+  const Mesh mesh = block_for(element, {2, 1}, 4, 3);
+  Matter matter({100, 0.25, PlaneState::Strain, 1, 1e-2});
+  matter.temperature.uniform = 20;
+  const double strain = 1.25 * 1e-2 * 20;
+  const NodeArray u =
+      field(mesh, [&](const Eigen::Vector2d& x) { return Eigen::Vector2d(strain * x); });
+  const Fields fields{mesh, element, matter, {u, stretched_linearly(mesh)}};
+  const SmoothStress smooth = recovered(fields);
+  CHECK(largest(smooth.value.leftCols(3)) <= 1e-12 * 100 * strain);
+  CHECK(largest(error_products(fields, smooth)) <= 1e-12 * 100 * strain);
+}
+
+TEST_CASE("recovery refuses displacements of another mesh", "[recovery]") {
+  const Element& element = find_element("q4");
+  const Mesh mesh = block_for(element, {2, 1}, 4, 3);
+  CHECK_THROWS_AS(recovered({mesh, element, Material{}, {NodeArray::Zero(3, 2)}}),
+                  std::invalid_argument);
+}
