@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "../../tests/support/hertz.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch16 {
@@ -39,9 +38,9 @@ inline HertzMeshSpec meshes(Index cells, Index on_plate) {
   return spec;
 }
 
-/// Forces and pressures at the nodes of the disc.
+/// Pressures at the nodes of the disc.
 struct Pressures {
-  std::vector<double> x, force, pressure;  ///< x rising [mm, N, MPa]
+  std::vector<double> x, pressure;  ///< x rising [mm, MPa]
 };
 
 /// \param run  solved, the disc its source \return what its nodes carry, whatever the operator
@@ -54,7 +53,6 @@ inline Pressures pressures(const SolvedScene& run) {
   Pressures out;
   for (const Index k : order) {
     out.x.push_back(side.position(k, 0));
-    out.force.push_back(side.force(k, 1));
     out.pressure.push_back(side.force(k, 1) / side.weight(k));
   }
   return out;
