@@ -78,9 +78,13 @@ effectivity:              ## what the error estimates are worth, on meshes of al
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target effectivity
 	@$(ONE_THREAD) $B/bin/effectivity --full
+accuracy:                 ## what an accuracy costs that is asked for, beside meshes picked by hand
+	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
+	@cmake --build $B -j $(JOBS) --target accuracy
+	@$(ONE_THREAD) $B/bin/accuracy --full
 handout:                  ## build/signorini-handout.tar.gz, without solutions and held-out tests
 	@mkdir -p $B && git archive --format=tar.gz --prefix=signorini/ -o $B/signorini-handout.tar.gz HEAD
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers effectivity handout clean
+.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers effectivity accuracy handout clean

@@ -1,4 +1,4 @@
-// What the estimator is worth: estimated over true error of the goals of five problems, on four meshes of every element.
+// What the estimator is worth: estimated over true error of the goals of eight problems, on four meshes of every element.
 // Run:  make effectivity     Reads: nothing     Writes: effectivity and half_width, each as .md and .csv
 // Without --full on small meshes: a test of this program and of what it judges, not a measurement.
 #include "support/effectivity.hpp"
@@ -27,6 +27,16 @@ struct Study {
   Measured problem;
   std::vector<Index> cells;  // along the contact, rising
   Index fine;                // of the truth, with cells of eight nodes
+  double friction = 0;       // coefficient of Coulomb's law
+
+  [[nodiscard]] std::string name() const {
+    return friction > 0 ? problem.name + " with friction" : problem.name;
+  }
+  [[nodiscard]] Scene scene(const std::string& element, Index along) const {
+    Scene scene = problem.scene(element, along);
+    if (friction > 0) scene.contacts[0].friction = Friction{friction};
+    return scene;
+  }
 };
 
 std::vector<Study> studies(bool full) {
@@ -40,12 +50,15 @@ std::vector<Study> studies(bool full) {
           {measured_push(), {12, 16, 24, 32}, 64},
           {measured_hertz(), {12, 16, 24, 32}, 64},
           {measured_footing(), {15, 18, 24, 36}, 120},
-          {measured_pin(), {24, 48, 72, 96}, 216}};
+          {measured_pin(), {24, 48, 72, 96}, 216},
+          {measured_cantilever(), {30, 50, 100, 200}, 400, 0.02},
+          {measured_footing(), {15, 18, 24, 36}, 120, 0.1},
+          {measured_pin(), {24, 48, 72, 96}, 216, 0.2}};
 }
 
 /// Values of the goals by cells of eight nodes; half-width and peak of Hertz as in the closed form.
 std::vector<double> truth_of(const Study& study, Index cells) {
-  const SolvedScene run = solved(study.problem.scene("q8", cells), study.problem.name);
+  const SolvedScene run = solved(study.scene("q8", cells), study.name());
   const LineContact theory = HertzProblem{}.theory();
   std::vector<double> truth;
   for (const Goal& goal : study.problem.goals)
@@ -101,7 +114,7 @@ const std::vector<std::string> columns = {
     "scene",       "element",    "nodes",    "goal", "value",   "estimate",     "truth",
     "effectivity", "estimate %", "interior", "gap",  "reading", "free boundary"};
 
-/// \return whether of every problem three elements hold for every force and displacement on all meshes
+/// \return whether of every problem without friction three elements hold for every force and displacement on all meshes
 bool problems(const ProgramOptions& options, Table& table) {
   bool good = true;
   for (const Study& study : studies(options.full)) {
@@ -110,15 +123,15 @@ bool problems(const ProgramOptions& options, Table& table) {
     double doubt = 0;
     for (std::size_t k = 0; k < truth.size(); ++k)
       doubt = std::max(doubt, std::abs(coarser[k] / truth[k] - 1));
-    std::cout << study.problem.name << ": true values known to about "
-              << number(100 * doubt, "%.1g") << " %\n";
+    std::cout << study.name() << ": true values known to about " << number(100 * doubt, "%.1g")
+              << " %\n";
     int holds = 0;
     for (const std::string element : {"q4", "q4_bbar", "q4_incompatible", "t3", "q8", "t6"}) {
       bool all = true;
       for (const Index cells : study.cells)
         for (const Measurement& now :
-             measured(study.problem.scene(element, cells), study.problem.goals, truth)) {
-          add(table, study.problem.name, element, now);
+             measured(study.scene(element, cells), study.problem.goals, truth)) {
+          add(table, study.name(), element, now);
           if (now.good()) continue;
           all = all && !now.estimate.is_signed;
           std::cout << "  outside: " << element << ", " << now.nodes << " nodes, "
@@ -129,7 +142,7 @@ bool problems(const ProgramOptions& options, Table& table) {
       holds += all ? 1 : 0;
     }
     std::cout << "  elements that hold throughout: " << holds << '\n';
-    good = good && holds >= 3;
+    good = good && (holds >= 3 || study.friction > 0);
   }
   return good;
 }
@@ -180,7 +193,8 @@ int main(int argc, char** argv) {
     write_table(options.out, "effectivity", table);
     const bool wide = half_widths(options, widths);
     write_table(options.out, "half_width", widths);
-    std::cout << "\nthree elements hold on every problem: " << (held ? "yes" : "NO")
+    std::cout << "\nthree elements hold on every problem without friction: "
+              << (held ? "yes" : "NO")
               << "; nine of ten half-widths of each: " << (wide ? "yes" : "NO") << '\n';
     return held ? Status::Solved : Status::Breakdown;
   };

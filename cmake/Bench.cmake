@@ -1,10 +1,13 @@
-# Measurements: `price` and `effectivity` need nothing, `peers` compares with what is installed of other people's solvers.
+# Measurements: `price`, `effectivity` and `accuracy` need nothing, `peers` compares with what is installed of other people's solvers.
 file(GLOB peer_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/peers/*.cpp)
 add_executable(price bench/price.cpp bench/rounds.cpp)
 add_executable(peers bench/peers.cpp ${peer_sources})
 add_executable(effectivity bench/effectivity.cpp)
-target_include_directories(effectivity PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-foreach(program price peers effectivity)
+add_executable(accuracy bench/accuracy.cpp)
+foreach(program effectivity accuracy)
+  target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+endforeach()
+foreach(program price peers effectivity accuracy)
   target_link_libraries(${program} PRIVATE signorini::signorini signorini_warnings)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${program} PRIVATE SIGNORINI_BENCH_OUT="${PROJECT_BINARY_DIR}/out/bench")
@@ -26,7 +29,7 @@ if(SICONOS_CONFIG AND SICONOS_NUMERICS AND SICONOS_LIBRARY)
 endif()
 
 if(SIGNORINI_BUILD_TESTS)  # on small problems: they end with 0 only if all is certified and equal to what it must equal
-  foreach(program price peers effectivity)
+  foreach(program price peers effectivity accuracy)
     add_test(NAME bench/${program} COMMAND ${program} --out ${PROJECT_BINARY_DIR}/tests/bench/${program})
     set_tests_properties(bench/${program} PROPERTIES LABELS bench)
   endforeach()

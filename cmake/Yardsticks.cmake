@@ -5,10 +5,7 @@ target_include_directories(yardsticks PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(yardsticks PUBLIC signorini::signorini PRIVATE signorini_warnings)
 
 # Without CHOLMOD the others remain.
-find_path(CHOLMOD_HEADERS cholmod.h PATH_SUFFIXES suitesparse)
-find_library(CHOLMOD_LIBRARY cholmod)
-mark_as_advanced(CHOLMOD_HEADERS CHOLMOD_LIBRARY)
-if(CHOLMOD_HEADERS AND CHOLMOD_LIBRARY)
+if(found_CHOLMOD)
   target_include_directories(yardsticks SYSTEM PRIVATE ${CHOLMOD_HEADERS})
   target_link_libraries(yardsticks PRIVATE ${CHOLMOD_LIBRARY})
   target_compile_definitions(yardsticks PRIVATE SIGNORINI_CHOLMOD)

@@ -4,12 +4,14 @@
 #   book    Doxygen, formulas and look of the web pages
 #   check   a browser that opens every page
 #   strict  the second compiler of the stricter presets
+#   parallel  other factors: CHOLMOD, and MUMPS with MPI
 # Without the right to install it prints the command to type and stops with status 2.
 set -eu
 build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl-base"
 book="doxygen libjs-mathjax doxygen-awesome-css"
 check="chromium python3 fonts-dejavu-core"
 strict="clang"
+parallel="libsuitesparse-dev libmumps-dev libopenmpi-dev openmpi-bin"
 
 wanted=""
 for group in "$@"; do
@@ -18,7 +20,8 @@ for group in "$@"; do
     book) wanted="$wanted $book" ;;
     check) wanted="$wanted $check" ;;
     strict) wanted="$wanted $strict" ;;
-    *) echo "setup.sh: unknown group '$group', expected build, book, check or strict" >&2; exit 2 ;;
+    parallel) wanted="$wanted $parallel" ;;
+    *) echo "setup.sh: unknown group '$group', expected build, book, check, strict or parallel" >&2; exit 2 ;;
     esac
 done
 

@@ -9,6 +9,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/scene/bodies.hpp"
 

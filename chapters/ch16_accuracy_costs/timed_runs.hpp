@@ -33,7 +33,7 @@ inline void one_more(const Scene& scene, Runs& runs) {
   runs.ledger = run.solution.ledger;
   for (const std::string& phase : phases)
     runs.seconds[phase].push_back(share * runs.ledger.seconds(phase));
-  const FrontalFactor& factor = run.condensed.factor;
+  const Factor& factor = run.condensed.factor;
   const double before = seconds();
   const Eigen::VectorXd free = factor.solve(run.model.programme.load);
   runs.seconds["solve"].push_back(seconds() - before);

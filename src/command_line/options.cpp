@@ -44,9 +44,10 @@ CLI::App* add_problem(CLI::App& app, const char* name, const char* title, Reques
 void declare(CLI::App& app, Request& request) {
   app.footer(
       "0 if the problem is solved and everything is written; 1 if it is not solved, and then no "
-      "file is written, but of load steps what was good before; 2 if the input is wrong, or what "
+      "file is written, but of load steps what was good before, or if --accuracy is not met; 2 if "
+      "the input is wrong, or what "
       "was found could not be printed or written.");
-  app.add_flag("--list", "the solvers, and on which problems each may fail");
+  app.add_flag("--list", "the solvers, on which problems each may fail, and the back ends");
   app.add_flag("--keys", "the keys of scene files, in Markdown");
   app.add_flag("--man", "this help as a manual page");
   app.add_flag("--version", "the version of the program");
@@ -55,6 +56,12 @@ void declare(CLI::App& app, Request& request) {
             request);
   CLI::App* const solve =
       add_scene(app, "solve", "solves a scene and certifies the result", request);
+  solve
+      ->add_option("--backend", request.backend,
+                   "a name of --list: who factors the stiffness matrix; mpirun -np N gives mumps N "
+                   "processes")
+      ->type_name("NAME")
+      ->capture_default_str();
   const auto add_file = [&](const char* option, std::string& file, const char* what) {
     solve->add_option(option, file, what)->type_name("FILE");
   };
@@ -74,6 +81,24 @@ void declare(CLI::App& app, Request& request) {
   add_file("--from", request.from,
            "goes on from what --state wrote, to the same numbers; files keep the steps up to "
            "there, and are refused if they have others");
+  solve
+      ->add_option(
+          "--accuracy", request.accuracy.target,
+          "refines the meshes until twice the estimated error of --goal is at most that part of "
+          "its value, such as 0.5%; if that cannot be, says what stands in the way")
+      ->type_name("PART");
+  solve
+      ->add_option("--goal", request.accuracy.goal,
+                   "what --accuracy is about: force, peak or width of a contact, with :CONTACT if "
+                   "there are several, or displacement:BODY.boundary.y; without it the contact "
+                   "force, or, if "
+                   "equilibrium alone says what that is, the displacement of the loaded boundary")
+      ->type_name("GOAL");
+  solve
+      ->add_option("--unknowns", request.accuracy.unknowns,
+                   "how many of them --accuracy may spend on one mesh")
+      ->type_name("NUMBER")
+      ->capture_default_str();
   add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
   add_problem(
       app, "friction",

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "command_line/accuracy_run.hpp"
 #include "command_line/scene_run.hpp"
 
 namespace command_line {
@@ -13,7 +14,9 @@ struct Request {
   std::string solver;                    ///< a name, `all`, or empty
   std::string tolerance_text = "1e-12";  ///< as it was written
   double tolerance = 0;                  ///< as it was understood
+  std::string backend = "frontal";       ///< name of the one that factors K
   signorini::Output output;  ///< files to write, in the place of those that a scene asks for
+  AccuracyWish accuracy;     ///< of a scene that is to be refined
   std::string from;          ///< file of the state that load steps go on from, or empty
   bool json = false;         ///< one document instead of tables
 

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "signorini/core/table.hpp"
+#include "signorini/factor/backend.hpp"
 
 namespace command_line {
 namespace {
@@ -161,6 +162,9 @@ void print_family(std::ostream& out) {
       traits += (traits.empty() ? "" : ", ") + std::string(signorini::to_string(trait));
     out << "    may fail on problems that are: " << (traits.empty() ? "-" : traits) << '\n';
   }
+  out << "\nback ends, for --backend:\n";
+  for (const Backend& backend : backends())
+    out << backend.name << "\n    " << backend.summary << '\n';
 }
 
 void print(std::ostream& out, const std::string& title, const FiledProblem& filed, Matrix kind,

@@ -12,7 +12,7 @@ namespace command_line {
 /// Solutions of more unknowns than this are not printed, only written as JSON.
 constexpr Eigen::Index largest_printed = 30;
 
-/// Prints the family of solvers with the traits on which each may fail.
+/// Prints the family of solvers with the traits on which each may fail, and that of back ends.
 /// \param out  where to
 void print_family(std::ostream& out);
 

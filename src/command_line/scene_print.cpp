@@ -191,13 +191,17 @@ void write_result(Json& json, const std::string& solver, const Model& model,
   write_ledger(json, solution.ledger);
 }
 
-void write(Json& json, const SceneRun& run) {
-  json.object();
+void write_keys(Json& json, const SceneRun& run) {
   write_head(json, run);
   if (run.solution)
     write_result(json, run.plan.solver, *run.model, *run.solution, run.state());
   else
     write_lines(json, "notes", run.notes());
+}
+
+void write(Json& json, const SceneRun& run) {
+  json.object();
+  write_keys(json, run);
   json.end();
 }
 

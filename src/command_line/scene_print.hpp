@@ -41,6 +41,11 @@ void write_head(signorini::Json& json, const SceneRun& run);
 void write_result(signorini::Json& json, const std::string& solver, const signorini::Model& model,
                   const signorini::Solution& solution, const signorini::PathState* state);
 
+/// Writes a scene as keys of an object that is open: plan, and as far as it came, certificate, ledger, pairs and notes.
+/// \param json  the document
+/// \param run   planned, solved or not
+void write_keys(signorini::Json& json, const SceneRun& run);
+
 /// Writes a scene as one object: plan, and as far as it came, certificate, ledger, pairs and notes.
 /// \param json  the document
 /// \param run   planned, solved or not

@@ -40,6 +40,16 @@ class Progress {
   bool shown_ = isatty(STDERR_FILENO) == 1;
 };
 
+/// The plan as build() wants it. What is large, and nobody looks at any more, leaves the other one.
+Plan taken_out(Plan& plan) {
+  std::vector<BodyModel> bodies = std::exchange(plan.bodies, {});
+  Unknowns unknowns = std::exchange(plan.unknowns, {});
+  Plan taken = plan;
+  taken.bodies = std::move(bodies);
+  taken.unknowns = std::move(unknowns);
+  return taken;
+}
+
 /// Goes along the load steps of a scene.
 void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Progress& progress) {
   Model& model = *run.model;
@@ -83,6 +93,10 @@ std::string content_of(const std::string& file) {
   return file_content(file, std::max(largest_scene_file, largest_problem_file));
 }
 
+std::filesystem::path folder_of(const std::string& file) {
+  return file == "-" ? std::filesystem::path(".") : std::filesystem::path(file).parent_path();
+}
+
 const char* command_for(const std::string& content) {
   TextReader reader(content, "");
   if (!reader.next_line()) return "solve";
@@ -113,17 +127,15 @@ const std::vector<std::string>& SceneRun::notes() const {
   return solution ? solution->notes : model ? model->notes : plan.notes;
 }
 
-SceneRun plan_scene(const std::string& file, const std::string& solver, const char* command) {
-  const bool piped = file == "-";
-  const std::string name = piped ? standard_input : file;
+SceneRun plan_scene(const std::string& file, const Means& means, const char* command) {
+  const std::string name = file == "-" ? standard_input : file;
   const std::string content = content_of(file);
+  if (means.team != nullptr) means.team->tell(content);
   SceneRun run;
-  run.file = read_or_hint(name, content, command, [&] {
-    return parse_scene(
-        content, name,
-        piped ? std::filesystem::path(".") : std::filesystem::path(file).parent_path());
-  });
-  if (!solver.empty()) run.file.scene.solver = solver;
+  run.file = read_or_hint(name, content, command,
+                          [&] { return parse_scene(content, name, folder_of(file)); });
+  if (!means.solver.empty()) run.file.scene.solver = means.solver;
+  run.file.scene.backend = means.backend;
   run.plan = at_file(run.file, [&] { return plan(run.file.scene); });
   run.prediction = run.step([&] { return predict(run.plan); });
   return run;
@@ -137,7 +149,7 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
   const std::string all = text("about ", figure("all phases", "seconds"), " s: ");
   Ledger ledger;
   progress.say(text(all, "assembling ", figure("assembly", "unknowns"), " unknowns"));
-  run.model = run.step([&] { return build(run.plan, ledger); });
+  run.model = run.step([&] { return build(taken_out(run.plan), ledger); });
   progress.say(text(all, "factoring, ", figure("factor/numeric", "operations"), " operations, and ",
                     figure("assembly", "rows"), " contact rows"));
   if (run.file.scene.path) return follow(run, std::move(ledger), observe, progress);

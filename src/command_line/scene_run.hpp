@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command_line/drafts.hpp"
+#include "signorini/factor/backend.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/prediction.hpp"
 #include "signorini/scene/steps.hpp"
@@ -20,6 +21,10 @@ constexpr const char* standard_input = "standard input";
 /// \return all of it
 /// \throws signorini::ProblemError if it cannot be read
 std::string content_of(const std::string& file);
+
+/// \param file  a name, or `-` for standard input
+/// \return where files that its text names are looked for
+std::filesystem::path folder_of(const std::string& file);
 
 /// Which command a text was written for, as far as its first words tell.
 /// \param content  of a file
@@ -55,8 +60,9 @@ auto read_or_hint(const std::string& file, const std::string& content, const cha
 
 /// What was made of a scene file, as far as it came.
 struct SceneRun {
-  signorini::SceneFile file;              ///< as it was read, with what the command line changes
-  signorini::Plan plan;                   ///< of its scene
+  signorini::SceneFile file;  ///< as it was read, with what the command line changes
+  signorini::Plan
+      plan;  ///< of its scene; after solve_scene() without bodies, which are in the model
   signorini::Prediction prediction;       ///< of the plan
   signorini::PathState from = {};         ///< where load steps go on
   std::optional<signorini::Model> model;  ///< after solve_scene()
@@ -79,13 +85,21 @@ struct SceneRun {
   }
 };
 
+/// What the command line says of how a scene is solved.
+struct Means {
+  std::string solver;               ///< in the place of that of the file, unless it is empty
+  std::string backend = "frontal";  ///< who factors K
+  const signorini::Team* team =
+      {};  ///< of the back end, is told the text of the file; null if it works alone
+};
+
 /// Reads a scene file and plans it.
 /// \param file     a name, or `-`
-/// \param solver   in the place of that of the file, unless it is empty
+/// \param means    to solve it with
 /// \param command  that is running
 /// \return scene, plan and prediction
 /// \throws signorini::ProblemError for what is wrong with it, with its line
-SceneRun plan_scene(const std::string& file, const std::string& solver, const char* command);
+SceneRun plan_scene(const std::string& file, const Means& means, const char* command);
 
 /// Builds, condenses and solves, step by step if the scene has load steps; says on a terminal what it is doing.
 /// \param run      from plan_scene()

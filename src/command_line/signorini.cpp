@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
 
+#include "command_line/accuracy_run.hpp"
+#include "command_line/backends.hpp"
 #include "command_line/man.hpp"
 #include "command_line/options.hpp"
 #include "command_line/outcome.hpp"
@@ -123,7 +126,7 @@ int tell(const Request& request, const command_line::SceneRun& run,
 }
 
 int plan_scene(const Request& request) {
-  return tell(request, command_line::plan_scene(request.file, request.solver, "plan"),
+  return tell(request, command_line::plan_scene(request.file, {request.solver}, "plan"),
               command_line::print_plan);
 }
 
@@ -141,22 +144,68 @@ int solve_path(const Request& request, command_line::SceneRun& run) {
   return run.solved() ? solved : not_solved;
 }
 
-int solve_scene(const Request& request) {
-  command_line::SceneRun run = command_line::plan_scene(request.file, request.solver, "solve");
+/// Solves a scene to an accuracy, and says so before the rest.
+int solve_accurately(const Request& request, command_line::SceneRun& run) {
+  command_line::AccuracyRun accuracy = command_line::understood(request.accuracy, run);
+  command_line::Drafts drafts(command_line::files_of(run.file.output), request.file);
+  if (!request.json) command_line::print_wish(std::cout, accuracy);
+  command_line::solve_to_accuracy(run, accuracy, [&](const command_line::AccuracyRun& so_far) {
+    if (!request.json) command_line::print_round(std::cout, so_far);
+  });
+  if (request.json) {
+    Json json;
+    json.object();
+    command_line::write(json, accuracy);
+    command_line::write_keys(json, run);
+    json.end();
+    std::cout << json.text();
+  } else {
+    command_line::print_verdict(std::cout, accuracy);
+    command_line::print_solution(std::cout, run);
+  }
+  if (run.solved()) command_line::write_outputs(run, drafts);
+  return run.solved() && accuracy.met ? solved : not_solved;
+}
+
+/// \param team  of the back end; null if that works alone
+int solve_scene(const Request& request, const Team* team) {
+  command_line::SceneRun run =
+      command_line::plan_scene(request.file, {request.solver, request.backend, team}, "solve");
   Output& output = run.file.output;
   if (!request.output.vtu.empty()) output.vtu = request.output.vtu;
   if (!request.output.csv.empty()) output.csv = request.output.csv;
   if (!request.output.plot.empty()) output.plot = request.output.plot;
   if (!request.output.state.empty()) output.state = request.output.state;
   if (!output.plot.empty()) static_cast<void>(command_line::picture_kind(output.plot));
-  if (run.file.scene.path) return solve_path(request, run);
-  pose(output.state.empty() && request.from.empty(), output.state.empty() ? "--from" : "--state",
-       ": ", run.file.name, " has no load steps: leave it out, or give the scene [[steps]]");
+  pose(!request.accuracy.target.empty() || request.accuracy.goal.empty(),
+       "--goal: say how accurate it is to be, as in --accuracy 0.5%");
+  if (run.file.scene.path && request.accuracy.target.empty()) return solve_path(request, run);
+  pose(run.file.scene.path || (output.state.empty() && request.from.empty()),
+       output.state.empty() ? "--from" : "--state", ": ", run.file.name,
+       " has no load steps: leave it out, or give the scene [[steps]]");
+  if (!request.accuracy.target.empty()) return solve_accurately(request, run);
   command_line::Drafts drafts(command_line::files_of(output), request.file);
   command_line::solve_scene(run);
+  if (team != nullptr) command_line::count_members(*team, run);
   const int code = tell(request, run, command_line::print_solution);
   if (code == solved) command_line::write_outputs(run, drafts);
   return code;
+}
+
+/// Solves a scene on the processes that the back end works on. \param end  is set to what lets the others end
+int solve_with_backend(const Request& request, std::function<void(int)>& end) {
+  const Backend& backend = [&]() -> const Backend& {
+    try {
+      return find_backend(request.backend);
+    } catch (const ProblemError& error) {
+      throw ProblemError(text("--backend: ", error.what()));
+    }
+  }();
+  if (backend.team == nullptr) return solve_scene(request, nullptr);
+  const Team team = backend.team();
+  if (team.rank > 0) return command_line::help(team, request.file);
+  end = team.end;
+  return solve_scene(request, &team);
 }
 
 /// Refuses what is neither a solver nor nothing, or `all` where that is asked of a whole family.
@@ -193,7 +242,8 @@ bool answered(const CLI::App& app) {
   return true;
 }
 
-int run(int argc, char** argv) {
+/// \param end  is set if other processes wait for the exit code
+int run(int argc, char** argv, std::function<void(int)>& end) {
   const char* const expected =
       "expected plan FILE, solve FILE, lcp FILE, friction FILE, qp FILE, --list, --keys, --man or "
       "--version. Try signorini --help";
@@ -216,6 +266,8 @@ int run(int argc, char** argv) {
     }
     throw ProblemError(command_line::message_of(app, wanted));
   }
+  if (app.count("--list") > 0 || !command_line::has_backend(request.backend))
+    command_line::become_whole(argv);
   if (answered(app)) return solved;
   pose(!app.get_subcommands().empty(), expected);
   const std::string command = app.get_subcommands().front()->get_name();
@@ -223,15 +275,14 @@ int run(int argc, char** argv) {
   request.tolerance = tolerance_of(request.tolerance_text);
   check_solver(request.solver, !scene);
   if (command == "plan") return plan_scene(request);
-  if (command == "solve") return solve_scene(request);
+  if (command == "solve") return solve_with_backend(request, end);
   return command == "qp" ? solve_qp(request) : solve_pairs(request, command.c_str());
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// run() with what it throws said, as exit code.
+int guarded_run(int argc, char** argv, std::function<void(int)>& end) {
   try {
-    const int code = run(argc, argv);
+    const int code = run(argc, argv, end);
     finish_printing();
     return code;
   } catch (const ProblemError& error) {
@@ -241,4 +292,13 @@ int main(int argc, char** argv) {
     std::cerr << "signorini: stopped by an error of its own: " << error.what() << '\n';
     return not_solved;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::function<void(int)> end;
+  const int code = guarded_run(argc, argv, end);
+  if (end) end(code);
+  return code;
 }

@@ -100,6 +100,18 @@ expect 0 'assembly +unknowns +2200 +2200 +exact' solve "$cantilever"
 expect 0 'peak pressure 11\.52' solve "$cantilever"
 expect 0 'left out, the first is node' plan "$examples/footing.toml"
 expect 0 'left out, the first is node' solve "$examples/footing.toml"
+expect 0 'asked for: force within 0\.5 %' solve "$cantilever" --accuracy 0.5%
+expect 0 'accuracy: met' solve "$cantilever" --accuracy 0.005
+expect 0 'displacement:footing\.top\.y within 1 %; equilibrium alone' solve "$examples/footing.toml" --accuracy 1%
+expect 0 'element: .* %; stresses' solve "$examples/hertz.toml" --accuracy 1% --goal width
+expect 0 '"met": true' solve "$cantilever" --accuracy 1% --json
+expect 1 'accuracy NOT met: budget of unknowns: .* 3000 are allowed' solve "$cantilever" --accuracy 0.001% --unknowns 3000
+expect 2 'punch.toml:[0-9]+: estimate: .* pairs slide' solve "$examples/punch.toml" --accuracy 1%
+expect 2 '--accuracy: .*to_and_fro.toml has load steps' solve "$examples/to_and_fro.toml" --accuracy 1%
+expect 2 "--accuracy: expected a part above 0, such as 0\.5% or 0\.005, got '-1'" solve "$cantilever" --accuracy=-1%
+expect 2 "--unknowns: expected a number above 0, got 'few'" solve "$cantilever" --accuracy 1% --unknowns few
+expect 2 "unknown goal 'peek'; did you mean 'peak'" solve "$cantilever" --accuracy 1% --goal peek
+expect 2 '--goal: say how accurate it is to be' solve "$cantilever" --goal force
 expect 1 "not solved: .*'stone'.*Turn the load round" solve lifted.toml --vtu outputs/a.vtu --csv outputs/a.csv --plot outputs/a.svg
 written ''
 expect 2 "--solver: unknown solver 'magic'" solve "$cantilever" --solver magic

@@ -1,6 +1,6 @@
 #!/bin/sh
 # new_members.sh write ROOT FOLDER: copies the tables of the families to FOLDER, with one more line each, and a file for
-# each new member: an element, a wrong element, a gap operator, a solver and an effect.
+# each new member: an element, a wrong element, a gap operator, a solver, an effect and a back end.
 # new_members.sh check CMAKE BUILD: links the conformance suite with them in front of the library and asks it for each
 # of them; the suite without them does not know their names.
 set -eu
@@ -30,6 +30,8 @@ Effect several_contacts() {
 }  // namespace signorini::effect
 MEMBER
     sed 's/rigid_motions()/rigid_motions(), several_contacts()/' "$library/scene/effects.cpp" > "$out/effects.cpp"
+    sed 's/frontal()$/frontal(), frontal_again()/' "$library/factor/backends.cpp" > "$out/backends.cpp"
+    sed 's/"frontal"/"frontal_again"/; s/Backend frontal()/Backend frontal_again()/' "$library/factor/frontal.cpp" > "$out/frontal_again.cpp"
     sed 's/^      {"rigid motions",$/      {"several contacts", {plain_beam(), [](Scene\& scene) {\
             scene.contacts.push_back({{"top"}, half_plane({0, 10}, {0, -1})});\
           }, {"A", "g", "pairs"}, {}}},\n&/' "$1/tests/support/effect_examples.cpp" > "$out/effect_examples.cpp"
@@ -38,7 +40,7 @@ MEMBER
 check() { # $1: cmake, $2: the build tree
     "$1" --build "$2" --target test_new_members > "$2/new_members.log" 2>&1 || { cat "$2/new_members.log"; exit 1; }
     asked='every *,class/*'
-    for name in q8_again q8_wrong node_again enumerate_again 'several contacts'; do
+    for name in q8_again q8_wrong node_again enumerate_again 'several contacts' frontal_again; do
         right=yes known=yes
         SIGNORINI_CONFORMANCE=$name "$2/bin/test_new_members" "$asked" > "$2/new_member.log" 2>&1 || right=no
         [ "$name" != q8_wrong ] || { # found out, and by what it is

@@ -46,14 +46,19 @@ TEST_CASE("a goal is a sum over the data: J = p^T z + g_C^T mu", "[dual][closed-
   }
 }
 
-TEST_CASE("sticking pairs are equations of the dual problem like closed ones",
-          "[dual][closed-form]") {
-  Measured problem = measured_cantilever();
+TEST_CASE("with friction it is the same sum, whether pairs stick or slide", "[dual][closed-form]") {
+  const Measured problem = GENERATE(measured_cantilever(), measured_pin(), measured_footing());
+  const double friction = GENERATE(0.02, 10.0);
+  CAPTURE(problem.name, friction);
   Scene scene = problem.scene("q4", 20);
-  scene.contacts[0].friction = Friction{10};
-  const SolvedScene run = solved(scene, "rubbing cantilever");
-  REQUIRE(!run.solution.contact.active.empty());
-  for (const Goal& goal : problem.goals) CHECK(defect(run, goal) <= 1e-12);
+  scene.contacts[0].friction = Friction{friction};
+  const SolvedScene run = solved(scene, "with friction");
+  const Dual dual(run.model, run.condensed, run.solution);
+  CHECK(dual.slides() == (friction < 1 || problem.name == "pin"));  // it slides at any friction
+  for (const Goal& goal : problem.goals) {
+    CAPTURE(goal.name);
+    CHECK(defect(run, goal) <= 1e-12);
+  }
 }
 
 TEST_CASE("what pairs would do if the contact ended elsewhere is what the closed set says",

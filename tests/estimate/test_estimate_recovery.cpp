@@ -2,7 +2,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/elasticity/elements.hpp"
-#include "signorini/estimate/recovery.hpp"
+#include "signorini/estimate/error_products.hpp"
 #include "signorini/mesh/regions.hpp"
 #include "support/meshes.hpp"
 

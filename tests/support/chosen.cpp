@@ -5,6 +5,7 @@
 
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/elasticity/elements.hpp"
+#include "signorini/factor/backend.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -30,6 +31,7 @@ std::string name_or_exit() {
   look("gap operators:", gap_operators());
   look("solvers:", all_solvers());
   look("effects:", effects());
+  look("back ends:", backends());
   if (known) return name;
   std::cerr << "no member '" << name << "'; there are\n" << list;
   std::exit(2);

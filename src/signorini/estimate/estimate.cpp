@@ -5,8 +5,9 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/estimate/contact_edges.hpp"
+#include "signorini/estimate/directions.hpp"
 #include "signorini/estimate/dual.hpp"
-#include "signorini/estimate/recovery.hpp"
+#include "signorini/estimate/error_products.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -77,6 +78,10 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
                                 const Solution& solution, const std::vector<Goal>& goals,
                                 Ledger& ledger) {
   const Ledger::Phase phase(ledger, "estimate");
+  pose(model.path.times.empty(),
+       "estimate: the model has load steps, whose errors add up along the path; only that of a "
+       "scene solved in one step is "
+       "estimated: leave the path out, or compare with a finer mesh");
   const Dual dual(model, condensed, solution);
   for (const Index node : model.pairs.node)
     pose(node >= 0,
@@ -86,11 +91,11 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
   const QuadraticProgramme& programme = model.programme;
   const Residuals residuals(programme, solution.refined);
   const std::vector<ContactEdge> edges = contact_edges(model);
-  const std::vector<End> ends = ends_of(edges, solution, dual);
+  const std::vector<End> ends = dual.slides() ? std::vector<End>() : ends_of(edges, solution, dual);
   std::vector<Estimate> all;
   std::vector<DualSolution> duals;
   for (const Goal& goal : goals) {
-    Estimate one{goal.name, value(model, solution, goal), {}, 0, true, 0, {}};
+    Estimate one{goal.name, value(model, solution, goal), {}, 0, true, 0, {}, {}};
     one.is_signed = std::holds_alternative<ContactForce>(goal.quantity) ||
                     std::holds_alternative<Displacement>(goal.quantity);
     const GoalGradient change = gradient(model, solution, goal);
@@ -117,8 +122,10 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
     }();
     const Ledger::Phase weighing(ledger, "weighing");
     const Eigen::MatrixXd products = error_products(fields, smooth);
+    const Eigen::MatrixXd first = share_of_first_direction(fields, smooth);
     for (std::size_t k = 0; k < all.size(); ++k) {
       all[k].share.emplace_back(products.col(static_cast<Index>(k)));
+      all[k].first_direction.emplace_back(first.col(static_cast<Index>(k)));
       all[k].parts.interior += all[k].share.back().sum();
     }
   }

@@ -35,6 +35,8 @@ struct Estimate {
   double algebraic = 0;
   /// What each cell of each body adds to `parts.interior`: where to refine
   std::vector<Eigen::VectorXd> share;
+  /// How much of that is for want of cells along the sides 0 and 2 of the cell, see share_of_first_direction() [-]
+  std::vector<Eigen::VectorXd> first_direction;
 };
 
 /// Estimates the errors of goals, with the factor and the compliance in hand: nothing is factored but the dense system of
@@ -47,23 +49,26 @@ struct Estimate {
 ///
 /// where E_K is that of error_products(). V is about the *free boundary*: J does not change to first order when the end of
 /// the contact moves, so with the end one pair further out, \f$ J_+ \f$, and one further in, \f$ J_- \f$, a parabola
-/// through the three has its vertex where the end belongs:
+/// through the three has its vertex where the end belongs (left out where pairs slide against friction):
 /// \f$ V = -\ell^2/(4c) \f$, \f$ c = (J_+ + J_-)/2 - J \f$, \f$ \ell = (J_+ - J_-)/2 \f$, the vertex being at most one
 /// pair away.
 ///
-/// *What is promised*, on meshes that resolve the contact: forces of contact and displacements within a factor of
-/// about two, for all elements; peaks and half-widths, of cells of four nodes, less surely, and without a sign. On q8
-/// and t6 a half-width can be several times as good or as bad as estimated. *What is not*: no estimate is a bound; errors of
-/// the energy norm, of stresses and pressures at a point, such as at corners, are not goals, because recovery knows nothing of
-/// singularities between its nodes; how far the domain and the model are from the truth cannot be seen in one mesh.
+/// *What is promised*, on meshes that resolve the contact (ten closed pairs or more): forces of contact and displacements
+/// within a factor of about two, also where pairs stick or slide; half-widths and peaks of q4 the same, without a sign.
+/// *What is not*: no estimate is a bound. On coarser meshes they are mostly too large, up to ten times. Half-widths and
+/// peaks of other elements, whose errors are smaller, are mostly overestimated, two to seven times; so are errors of q8 and
+/// t6 on curved obstacles, where a few parts in 1e5 are left. A part of the force on a curved contact also misses what its
+/// polygon is shorter than its arc. Errors of the energy norm, and of stresses and pressures at a point, such as at
+/// corners, are not goals, because recovery knows nothing of singularities between its nodes; how far the domain and the
+/// model are from the truth cannot be seen in one mesh. `make effectivity` measures all this and lists what fails.
 /// \param model      from build()
 /// \param condensed  from condense() of it
 /// \param solution   of both, solved
 /// \param goals      any
 /// \param ledger     gets the phase `estimate`
 /// \return one per goal
-/// \throws ProblemError as value(); if the problem is not solved, a pair with friction slides, a pair is a Gauss point
-///   with a force of its own, or contact forces are not unique
+/// \throws ProblemError as value(); if the problem is not solved or has load steps, a pair is a Gauss point with a force of
+///   its own, or contact forces are not unique
 [[nodiscard]] std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
                                               const Solution& solution,
                                               const std::vector<Goal>& goals, Ledger& ledger);

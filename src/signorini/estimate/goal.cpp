@@ -36,6 +36,7 @@ NodeSum nodes_of(const Model& model, const Displacement& goal, const std::string
   const BodyModel& own = model.bodies[body];
   if (!goal.point) {
     VectorXd share = boundary_weights(own.mesh, goal.boundary, depth_of(own.material));
+    if (!(share.sum() > 0)) share = boundary_weights(own.mesh, goal.boundary, {});  // on the axis
     return {body, boundary_nodes(own.mesh, goal.boundary), share / share.sum()};
   }
   const EdgePlace place = place_on_edge(own.mesh, *goal.point);

@@ -1,12 +1,8 @@
 #include "signorini/estimate/recovery.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <array>
 #include <cmath>
 #include <limits>
-
-#include "signorini/elasticity/thermal.hpp"
 
 namespace signorini {
 namespace {
@@ -88,23 +84,6 @@ Index components(const Fields& fields) {
   return fields.matter.bulk.state == PlaneState::Axial ? 4 : 3;
 }
 
-void check(const Fields& fields) {
-  for (const NodeArray& u : fields.displacements)
-    require(u.rows() == fields.mesh.n_nodes(), "recovery: need the displacements of ",
-            fields.mesh.n_nodes(), " nodes, got ", u.rows());
-}
-
-/// The strains at strain points that a warm body has without stress, or none.
-struct Warmth {
-  const Temperature& temperature;
-  bool warm = temperature.warms();
-  PointStrains relaxed = {};  // what the element reads its stress without
-
-  void look(const Cell& cell, const StrainPoints& points) {
-    if (warm) relaxed = thermal_strains(cell, points, temperature);
-  }
-};
-
 Samples sampled(const Fields& fields) {
   const Mesh& mesh = fields.mesh;
   const Index rows = components(fields);
@@ -115,7 +94,7 @@ Samples sampled(const Fields& fields) {
   samples.count.resize(n_cells);
   samples.value.setZero(mesh.n_cells() * most_samples, rows * n_fields);
   StrainPoints points;
-  Warmth warmth{fields.matter.temperature};
+  Warmth warmth(fields.matter);
   visit_cells(mesh, fields.element, fields.matter, [&](const Cell& cell) {
     const bool triangle = cell.element.corners() == 3, linear = cell.element.degree == 1;
     if (linear)
@@ -135,7 +114,7 @@ Samples sampled(const Fields& fields) {
       for (Index f = 0; f < n_fields; ++f) {
         const CellVector u = gathered(cell, fields.displacements[at(f)]);
         Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4, 1> strain = point.B * u;
-        if (f == 0 && warmth.warm) strain -= warmth.relaxed.col(i);
+        if (warmth.warms(f)) strain -= warmth.relaxed(i);
         samples.value.row(row).segment(rows * f, rows) += part * (cell.body.D * strain).transpose();
       }
     }
@@ -222,119 +201,82 @@ class Patch {
   Eigen::Matrix<double, n_terms, Eigen::Dynamic, Eigen::RowMajor> right_;
 };
 
-template <int n_terms>
-void smoothen(const Mesh& mesh, const Samples& samples, Index count, SmoothStress& smooth) {
-  const CellArray& cells = smooth.cells;
-  const Around around(mesh, cells, count);
-  smooth.value.setZero(count, samples.value.cols());
-  std::vector<Index> node(at(count), 0);  // of the mesh
-  std::vector<signed char> inside(at(count), 0);
-  for (Index c = 0; c < cells.rows(); ++c)
-    for (Index k = 0; k < mesh.cell_size(c); ++k) node[at(cells(c, k))] = mesh.cells(c, k);
-  const auto place = [&](Index i) { return Vector2d(mesh.nodes.row(node[at(i)]).transpose()); };
-  Patch<n_terms> patch(samples.value.cols());
-  for (Index i = 0; i < count; ++i) inside[at(i)] = surrounded(mesh, cells, around, i) ? 1 : 0;
-  std::vector<int> polynomials(at(count), 0);  // that have spoken
-  std::vector<Index> last(at(count), -1);      // of them
-  for (Index i = 0; i < count; ++i) {
-    if (!inside[at(i)] || !patch.fit(samples, around, i, place(i))) continue;
-    patch.add(place(i), smooth.value.row(i));
-    polynomials[at(i)] = 1;
-    for (Index a = around.first[at(i)]; a < around.first[at(i) + 1]; ++a) {
-      const Index c = around.cell[at(a)];
-      for (Index k = 0; k < mesh.cell_size(c); ++k) {
-        const Index other = cells(c, k);
-        if (inside[at(other)] || last[at(other)] == i) continue;
-        last[at(other)] = i;
-        patch.add(place(other), smooth.value.row(other));
-        ++polynomials[at(other)];
+/// Smooth stresses as they are collected.
+struct Collected {
+  const Mesh& mesh;
+  const Samples& samples;
+  SmoothStress& smooth;
+  std::vector<Index> node;       // of the mesh, of each number
+  std::vector<int> polynomials;  // that have spoken at each number
+
+  Collected(const Mesh& of, const Samples& sampled, Index count, SmoothStress& into)
+      : mesh(of), samples(sampled), smooth(into), node(at(count), 0), polynomials(at(count), 0) {
+    smooth.value.setZero(count, samples.value.cols());
+    for (Index c = 0; c < smooth.cells.rows(); ++c)
+      for (Index k = 0; k < mesh.cell_size(c); ++k) node[at(smooth.cells(c, k))] = mesh.cells(c, k);
+  }
+  [[nodiscard]] Vector2d place(Index i) const { return mesh.nodes.row(node[at(i)]).transpose(); }
+
+  /// Fits a polynomial around every corner inside, for itself and those around it that are not.
+  template <int n_terms>
+  void fit() {
+    const CellArray& cells = smooth.cells;
+    const Index count = smooth.value.rows();
+    const Around around(mesh, cells, count);
+    std::vector<signed char> inside(at(count));
+    for (Index i = 0; i < count; ++i) inside[at(i)] = surrounded(mesh, cells, around, i) ? 1 : 0;
+    std::vector<Index> last(at(count), -1);  // of the polynomials that have spoken
+    Patch<n_terms> patch(samples.value.cols());
+    for (Index i = 0; i < count; ++i) {
+      if (inside[at(i)] == 0 || !patch.fit(samples, around, i, place(i))) continue;
+      const auto speak = [&](Index to) {
+        patch.add(place(to), smooth.value.row(to));
+        ++polynomials[at(to)];
+      };
+      speak(i);
+      for (Index a = around.first[at(i)]; a < around.first[at(i) + 1]; ++a) {
+        const Index c = around.cell[at(a)];
+        for (Index k = 0; k < mesh.cell_size(c); ++k) {
+          const Index other = cells(c, k);
+          if (inside[at(other)] != 0 || last[at(other)] == i) continue;
+          last[at(other)] = i;
+          speak(other);
+        }
       }
     }
   }
-  std::vector<int> means(at(count), 0);
-  for (Index c = 0; c < cells.rows(); ++c)
-    for (Index k = 0; k < mesh.cell_size(c); ++k) {
-      const Index i = cells(c, k);
-      if (polynomials[at(i)] > 0) continue;
-      for (int s = 0; s < samples.count[at(c)]; ++s)
-        smooth.value.row(i) += samples.value.row(c * most_samples + s);
-      means[at(i)] += samples.count[at(c)];
-    }
-  for (Index i = 0; i < count; ++i)
-    if (const int spoken = polynomials[at(i)] + means[at(i)]; spoken > 1)
-      smooth.value.row(i) /= spoken;
-}
+
+  /// Takes means: of what polynomials said, or of the cells where none did.
+  void average() {
+    std::vector<int> spoken = polynomials;
+    for (Index c = 0; c < smooth.cells.rows(); ++c)
+      for (Index k = 0; k < mesh.cell_size(c); ++k) {
+        const Index i = smooth.cells(c, k);
+        if (polynomials[at(i)] > 0) continue;
+        for (int s = 0; s < samples.count[at(c)]; ++s)
+          smooth.value.row(i) += samples.value.row(c * most_samples + s);
+        spoken[at(i)] += samples.count[at(c)];
+      }
+    for (Index i = 0; i < smooth.value.rows(); ++i)
+      if (spoken[at(i)] > 1) smooth.value.row(i) /= spoken[at(i)];
+  }
+};
 
 }  // namespace
 
 SmoothStress recovered(const Fields& fields) {
-  check(fields);
+  check_fields(fields);
   SmoothStress smooth;
   Index count = 0;
   smooth.cells = numbered_by_layer(fields.mesh, fields.matter, count);
   const Samples samples = sampled(fields);
+  Collected collected(fields.mesh, samples, count, smooth);
   if (fields.mesh.order() == MeshOrder::Linear)
-    smoothen<3>(fields.mesh, samples, count, smooth);
+    collected.fit<3>();
   else
-    smoothen<6>(fields.mesh, samples, count, smooth);
+    collected.fit<6>();
+  collected.average();
   return smooth;
-}
-
-Eigen::MatrixXd error_products(const Fields& fields, const SmoothStress& stress) {
-  check(fields);
-  const Index n_fields = static_cast<Index>(fields.displacements.size());
-  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(fields.mesh.n_cells(), n_fields - 1);
-  Warmth warmth{fields.matter.temperature};
-  StrainMatrix conforming;
-  std::vector<Elasticity> inverse = elasticity_matrices(fields.matter);
-  for (Elasticity& D : inverse) D = Elasticity(D.inverse());
-  visit_strains(
-      fields.mesh, fields.element, fields.matter,
-      [&](const Cell& cell, const StrainPoints& points) {
-        const std::size_t layer =
-            fields.matter.layer_of.empty() ? 0 : fields.matter.layer_of[at(cell.number)];
-        warmth.look(cell, points);
-        with_rows(cell.body.D.rows(), [&](auto n_rows) {
-          using Components = Eigen::Matrix<double, n_rows, 1>;
-          struct AtPoint {
-            Components smooth, error, modes;
-          };
-          const auto D = fixed_rows<n_rows>(cell.body.D);
-          const auto C = fixed_rows<n_rows>(inverse[layer]);
-          for (int i = 0; i < points.size; ++i) {
-            const StrainPoint& point = points.point[at(i)];
-            const Shape shape = cell.element.shape(point.local.x(), point.local.y());
-            write_strain_matrix(jacobian(shape, cell.body.arms).gradient,
-                                cell.body.hoop(shape.value, shape.value), conforming);
-            const auto look = [&](Index f) {
-              const CellVector u = gathered(cell, fields.displacements[at(f)]);
-              Components strain = fixed_rows<n_rows>(point.B) * u;
-              AtPoint here{Components::Zero(), {}, strain - fixed_rows<n_rows>(conforming) * u};
-              if (f == 0 && warmth.warm) {
-                const Components relaxed = warmth.relaxed.col(i);
-                const double warmer = warmth.temperature.at(position(cell, point));
-                strain -= relaxed;
-                here.modes +=
-                    thermal_strain(cell.material, warmer).template head<n_rows>() - relaxed;
-              }
-              for (Index k = 0; k < cell.element.n_nodes; ++k)
-                here.smooth += shape.value(k) * stress.value.row(stress.cells(cell.number, k))
-                                                    .template segment<n_rows>(n_rows * f)
-                                                    .transpose();
-              here.error = here.smooth - D * strain;
-              return here;
-            };
-            const AtPoint u = look(0);
-            for (Index f = 1; f < n_fields; ++f) {
-              const AtPoint z = look(f);
-              products(cell.number, f - 1) +=
-                  point.volume *
-                  (u.error.dot(C * z.error) + u.smooth.dot(z.modes) + z.smooth.dot(u.modes));
-            }
-          }
-        });
-      });
-  return products;
 }
 
 }  // namespace signorini

@@ -29,14 +29,6 @@ Index first_not_finite(const Eigen::SparseMatrix<double>& K) {
   return K.cols();
 }
 
-/// The largest entry becomes about 1; one that has lost digits to underflow stays as it is.
-double scale_of(const Eigen::SparseMatrix<double>& K) {
-  const double most = K.nonZeros() > 0 ? K.coeffs().abs().maxCoeff() : 1;
-  int exponent = 0;
-  static_cast<void>(std::frexp(most, &exponent));
-  return std::ldexp(1, -std::max(exponent, std::numeric_limits<double>::min_exponent));
-}
-
 /// Has the processor fetch numbers that will be read next: it foresees walks up the memory, not those down.
 void fetch(const Eigen::Map<const MatrixXd>& numbers) {
   constexpr Index line = 64 / sizeof(double);  // what one fetch brings
@@ -44,6 +36,13 @@ void fetch(const Eigen::Map<const MatrixXd>& numbers) {
 }
 
 }  // namespace
+
+double stiffness_scale(const Eigen::SparseMatrix<double>& K) {
+  const double most = K.nonZeros() > 0 ? K.coeffs().abs().maxCoeff() : 1;
+  int exponent = 0;
+  static_cast<void>(std::frexp(most, &exponent));
+  return std::ldexp(1, -std::max(exponent, std::numeric_limits<double>::min_exponent));
+}
 
 /// Works through the fronts with a stack of what those below hand to those above.
 class FrontalFactor::Elimination {
@@ -177,7 +176,7 @@ FrontalFactor::FrontalFactor(const Matrix& stiffness, const SeparatorTree& tree,
                             ": look at the material and the thickness of its body"));
   const Ledger::Phase phase(ledger, "numeric");
   entries_.resize(fronts_.entries);
-  scale_ = scale_of(stiffness);
+  scale_ = stiffness_scale(stiffness);
   Elimination elimination(*this, stiffness, grounded);
   const Index place = elimination.run();
   if (place < size()) {

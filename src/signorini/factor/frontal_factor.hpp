@@ -11,6 +11,11 @@
 
 namespace signorini {
 
+/// A power of two with which the largest entry of a matrix becomes about 1, so that no unit changes a bit of its factor; an
+/// entry that has lost digits to underflow stays as it is.
+/// \param K  any \return the factor
+[[nodiscard]] double stiffness_scale(const Eigen::SparseMatrix<double>& K);
+
 /// P K P^T = L L^T in the order of a tree of separators [\ref DuffReid1983] [\ref Davis2006].
 ///
 /// Every separator has a *front*: the dense matrix of its own unknowns and of its boundary, the later

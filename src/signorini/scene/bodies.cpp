@@ -22,10 +22,66 @@ Unknowns held_by_springs(const BodyModel& body) {
   return unknowns;
 }
 
+/// Some cells of a body, and all of its nodes.
+Eigen::SparseMatrix<double> stiffness_of_cells(const BodyModel& body, Index first, Index count) {
+  if (count == 0) return {body.unknowns.count, body.unknowns.count};
+  Mesh part = body.mesh;
+  part.cells = body.mesh.cells.middleRows(first, count).eval();
+  Matter matter = body.material;
+  matter.temperature = {};
+  if (const auto begin = matter.layer_of.begin() + first; !matter.layer_of.empty())
+    matter.layer_of = {begin, begin + count};
+  bool triangles = true;  // beside the quadrilaterals of other shares
+  for (Index cell = 0; cell < count; ++cell) triangles = triangles && part.corners(cell) == 3;
+  const bool beside = triangles && body.element.corners() != 3;
+  Eigen::SparseMatrix<double> K;
+  assemble(part, beside ? triangle_beside(part) : body.element, matter, body.unknowns, {})
+      .stiffness.swap(K);  // a move would copy it
+  return K;
+}
+
 }  // namespace
 
 void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::VectorXd& load) {
   load.segment(body.first_unknown, body.unknowns.count) += restricted(body.unknowns, forces);
+}
+
+void add_springs(const BodyModel& body, QuadraticProgramme& programme) {
+  const auto number = [&body](Index component) {
+    const Index own = body.unknowns.number(component / 2, component % 2);
+    return own < 0 ? own : body.first_unknown + own;
+  };
+  for (Index k = 0; k < body.springs.outerSize(); ++k)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(body.springs, k); it; ++it) {
+      const Index row = number(it.row());
+      const Index column = number(it.col());
+      if (row < 0) continue;
+      if (column >= 0)
+        programme.stiffness.coeffRef(row, column) += it.value();
+      else
+        programme.load(row) -= it.value() * body.unknowns.held(it.col() / 2, it.col() % 2);
+    }
+}
+
+Eigen::SparseMatrix<double> stiffness_share(const std::vector<BodyModel>& bodies, int part,
+                                            int parts) {
+  require(part >= 0 && part < parts, "stiffness_share: expected a share from 0 to ", parts - 1,
+          ", got ", part);
+  std::vector<Eigen::SparseMatrix<double>> blocks;
+  for (const BodyModel& body : bodies) {
+    const Index first = body.mesh.n_cells() * part / parts;
+    const Index end = body.mesh.n_cells() * (part + 1) / parts;
+    blocks.push_back(stiffness_of_cells(body, first, end - first));
+  }
+  QuadraticProgramme share;
+  put_along_diagonal(bodies, blocks, share.stiffness);
+  share.load = Eigen::VectorXd::Zero(count_unknowns(bodies));
+  if (part == 0)
+    for (const BodyModel& body : bodies) add_springs(body, share);
+  share.stiffness.makeCompressed();
+  Eigen::SparseMatrix<double> K;
+  share.stiffness.swap(K);
+  return K;
 }
 
 std::size_t body_index(const std::vector<BodyModel>& bodies, const Side& side) {

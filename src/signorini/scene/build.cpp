@@ -37,6 +37,7 @@ Model build(Plan plan, Ledger& ledger) {
   model.bodies = std::move(plan.bodies);
   model.unknowns = std::move(plan.unknowns);
   model.solver = std::move(plan.solver);
+  model.backend = std::move(plan.backend);
   model.notes = std::move(plan.notes);
   telling(model.notes, [&] {
     for (const Effect* effect : plan.effects)

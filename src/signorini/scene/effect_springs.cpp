@@ -32,24 +32,6 @@ void price(const Scene& scene, Plan& draft) {
   draft.modes = rigid_modes(draft.bodies);
 }
 
-/// Adds the springs of a body to K, and to p what they feel of given displacements.
-void add_springs(const BodyModel& body, QuadraticProgramme& programme) {
-  const auto number = [&body](Index component) {
-    const Index own = body.unknowns.number(component / 2, component % 2);
-    return own < 0 ? own : body.first_unknown + own;
-  };
-  for (Index k = 0; k < body.springs.outerSize(); ++k)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(body.springs, k); it; ++it) {
-      const Index row = number(it.row());
-      const Index column = number(it.col());
-      if (row < 0) continue;
-      if (column >= 0)
-        programme.stiffness.coeffRef(row, column) += it.value();
-      else
-        programme.load(row) -= it.value() * body.unknowns.held(it.col() / 2, it.col() % 2);
-    }
-}
-
 /// K does no work along a rigid motion but for its rounding. Says so where springs that alone stop the motion are not
 /// much stiffer than that: the certificate, which takes K as it is, cannot.
 void note_soft_springs(const BodyModel& body, Model& model) {

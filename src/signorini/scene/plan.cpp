@@ -21,6 +21,7 @@ void check_names(const Scene& scene) {
     pose(names.insert(body.mesh.name).second, "two bodies are called '", body.mesh.name,
          "': give every mesh a name of its own");
   static_cast<void>(find_solver(scene.solver));  // needed or not
+  static_cast<void>(find_backend(scene.backend));
 }
 
 /// Refuses loads that would follow a history that is not there.
@@ -162,6 +163,7 @@ Plan plan(const Scene& scene) {
   plan_unknowns(scene, plan);
   plan.gaps.A.resize(0, plan.unknowns.count);
   plan.solver = scene.solver;
+  plan.backend = scene.backend;
   telling(plan.notes, [&] {
     plan_effects(scene, plan);
     check_pairs(plan);

@@ -58,7 +58,8 @@ struct Scene {
   std::vector<Body> bodies = {{}};                ///< one or more
   std::vector<ContactSpec> contacts;              ///< none by default
   std::string solver = "primal_dual_active_set";  ///< name in solvers()
-  std::optional<Path> path = {};  ///< load steps, for solve_steps(); none by default
+  std::optional<Path> path = {};    ///< load steps, for solve_steps(); none by default
+  std::string backend = "frontal";  ///< name in backends(), of the one that factors K
 };
 
 struct Effect;
@@ -79,7 +80,8 @@ struct Plan {
   FrictionLaw law;                      ///< of the pairs that can slide and whose own contact rubs
   std::string solver;                   ///< name of the one that the scene asks for
   Path path;                            ///< load steps, none without
-  std::vector<LoadPart> parts;  ///< of loads that follow one history each, none without steps
+  std::vector<LoadPart> parts;      ///< of loads that follow one history each, none without steps
+  std::string backend = "frontal";  ///< name of the one that factors K
 };
 
 /// Reads a scene and says what will be computed. \param scene  to be solved

@@ -10,7 +10,7 @@
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/elasticity/free_motions.hpp"
-#include "signorini/factor/frontal_factor.hpp"
+#include "signorini/factor/backend.hpp"
 #include "signorini/mesh/joints.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/scene/path.hpp"
@@ -43,13 +43,14 @@ struct Model {
   std::vector<std::string> notes;    ///< of the plan
   Path path = {};                    ///< load steps, none without
   std::vector<LoadPart> parts = {};  ///< p and g are the sum of these times their histories
+  std::string backend = "frontal";   ///< that factors K, as the scene names it
   std::vector<std::string> contacts = {};    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of = {};  ///< `n_c` number of the contact of each pair
 };
 
 /// The model with all unknowns but the contact forces eliminated.
 struct Condensed {
-  FrontalFactor factor;               ///< of K, or of K and one spring per rigid mode
+  Factor factor;                      ///< of K, or of K and one spring per rigid mode
   ContactProblem problem;             ///< F = A K^-1 A^T, d, s, the law, R and r
   Eigen::VectorXd free_displacement;  ///< u0 = K^-1 p `n` [length]
 };
@@ -74,11 +75,11 @@ struct Solution {
   Ledger ledger;  ///< what it cost
 };
 
-/// Factors K front by front and carries the rows of A up the fronts to the compliance.
+/// Has the back end of the model factor K, and make the compliance of the rows of A.
 /// \param model   from build()
 /// \param ledger  receives the phases `factor` and `condensation`
 /// \return the small problem, and the factor to recover displacements with
-/// \throws ProblemError if K is singular to working precision, see FrontalFactor
+/// \throws ProblemError if K is singular to working precision, see Backend
 [[nodiscard]] Condensed condense(const Model& model, Ledger& ledger);
 
 /// Puts other free displacements into the condensed problem; the factor and the compliance stay.

@@ -28,15 +28,12 @@ std::string describe_unknown(const Model& model, Index unknown) {
 }
 
 /// K, and one spring per rigid mode, which alone hold the bodies. In balance they carry nothing, so their size is free.
-FrontalFactor factor(const Model& model, Ledger& ledger) {
-  const Eigen::SparseMatrix<double>& K = model.programme.stiffness;
-  const auto describe = [&model](Index unknown) { return describe_unknown(model, unknown); };
+Factor factor(const Model& model, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "factor");
-  const SeparatorTree tree = [&] {
-    const Ledger::Phase ordering(ledger, "ordering");
-    return separator_tree(K, unknown_positions(model));
-  }();
-  return {K, tree, ledger, describe, grounding(model.modes)};
+  const Stiffness K{
+      model.programme.stiffness, model.programme.A, [&model] { return unknown_positions(model); },
+      [&model](Index unknown) { return describe_unknown(model, unknown); }, grounding(model.modes)};
+  return find_backend(model.backend).factor(K, ledger);
 }
 
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {

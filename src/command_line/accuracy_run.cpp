@@ -1,0 +1,150 @@
+#include "command_line/accuracy_run.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <ostream>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/core/wording.hpp"
+#include "signorini/estimate/goal_words.hpp"
+
+namespace command_line {
+namespace {
+
+using namespace signorini;
+
+/// A number above 0, the whole of a word.
+double positive(const std::string& option, const std::string& word, const std::string& expected) {
+  double value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, failed] = std::from_chars(word.data(), end, value);
+  pose(failed == std::errc() && rest == end && value > 0 && std::isfinite(value), option,
+       ": expected ", expected, ", got ", in_quotes(word));
+  return value;
+}
+
+double target_of(const std::string& word) {
+  const bool percent = !word.empty() && word.back() == '%';
+  const double value = positive("--accuracy", percent ? word.substr(0, word.size() - 1) : word,
+                                "a part above 0, such as 0.5% or 0.005");
+  const double part = percent ? value / 100 : value;
+  pose(part < 1, "--accuracy: expected less than 100%, got ", in_quotes(word));
+  return part;
+}
+
+double seconds(const std::vector<AccuracyRound>& rounds) {
+  return std::accumulate(
+      rounds.begin(), rounds.end(), 0.0,
+      [](double sum, const AccuracyRound& round) { return sum + round.seconds; });
+}
+
+/// The error of a round by its value, in percent.
+double percent(const AccuracyRound& round) { return 100 * *round.error / std::abs(round.value); }
+
+/// A part of an error by a value, with its sign.
+std::string in_percent(double part, double value) {
+  return number(100 * part / std::abs(value), "%.2g") + " %";
+}
+
+}  // namespace
+
+AccuracyRun understood(const AccuracyWish& wish, const SceneRun& run) {
+  AccuracyRun accuracy{{}, {}};
+  accuracy.wanted.target = target_of(wish.target);
+  accuracy.wanted.most_unknowns = static_cast<Eigen::Index>(
+      std::min(1e15, positive("--unknowns", wish.unknowns, "a number above 0")));
+  pose(!run.file.scene.path, "--accuracy: ", run.file.name,
+       " has load steps, and the error of a path is not estimated; leave the option or the steps "
+       "out");
+  if (!wish.goal.empty()) {
+    accuracy.wanted.goal = goal_in_words(wish.goal, run.plan);
+    return accuracy;
+  }
+  DefaultGoal goal = run.step([&] { return default_goal(run.file.scene, run.plan); });
+  accuracy.wanted.goal = std::move(goal.goal);
+  accuracy.why = std::move(goal.why);
+  return accuracy;
+}
+
+void solve_to_accuracy(SceneRun& run, AccuracyRun& accuracy,
+                       const std::function<void(const AccuracyRun&)>& observe) {
+  AccurateSolution result = run.step([&] {
+    return signorini::solve_to_accuracy(run.file.scene, accuracy.wanted,
+                                        [&](const AccuracyRound& round) {
+                                          accuracy.rounds.push_back(round);
+                                          observe(accuracy);
+                                        });
+  });
+  accuracy.met = result.met;
+  accuracy.verdict = std::move(result.verdict);
+  if (result.estimate) accuracy.budget = error_budget(*result.estimate);
+  run.file.scene = std::move(result.scene);
+  run.plan = plan(run.file.scene);
+  run.prediction = predict(run.plan);
+  run.model = std::move(result.model);
+  run.solution = std::move(result.solution);
+  run.ledgers = {run.solution->ledger};
+}
+
+void print_wish(std::ostream& out, const AccuracyRun& accuracy) {
+  out << "asked for: " << accuracy.wanted.goal.name << " within "
+      << number(100 * accuracy.wanted.target, "%.3g") << " %"
+      << (accuracy.why.empty() ? "" : "; " + accuracy.why) << "\n\n"
+      << "  mesh   unknowns          value     twice error    seconds   price\n";
+}
+
+void print_round(std::ostream& out, const AccuracyRun& accuracy) {
+  const AccuracyRound& round = accuracy.rounds.back();
+  const auto columns = [&](double value, const char* format) { return number(value, format); };
+  out << columns(static_cast<double>(accuracy.rounds.size()), "%6.0f")
+      << columns(static_cast<double>(round.unknowns), "%11.0f");
+  if (round.error)
+    out << columns(round.value, "%15.6g") << columns(2 * percent(round), "%14.2g") << " %";
+  else
+    out << "        not yet: contact closes too few pairs";
+  out << columns(round.seconds, "%11.2g")
+      << columns(seconds(accuracy.rounds) / accuracy.rounds.front().seconds, "%8.3g") << '\n'
+      << std::flush;
+}
+
+void print_verdict(std::ostream& out, const AccuracyRun& accuracy) {
+  out << '\n'
+      << (accuracy.met ? "accuracy: " : "accuracy NOT met: ") << accuracy.verdict << " ("
+      << number(seconds(accuracy.rounds), "%.2g") << " s in all)\n";
+  for (const BudgetLine& line : accuracy.budget)
+    out << "  " << line.source << ": "
+        << (line.amount ? in_percent(*line.amount, accuracy.rounds.back().value) : "not estimated")
+        << "; " << line.meaning << '\n';
+  out << '\n';
+}
+
+void write(Json& json, const AccuracyRun& accuracy) {
+  json.key("accuracy").object().key("goal").value(accuracy.wanted.goal.name);
+  json.key("why").value(accuracy.why).key("target").value(accuracy.wanted.target);
+  json.key("met").value(accuracy.met).key("verdict").value(accuracy.verdict);
+  json.key("rounds").array();
+  for (const AccuracyRound& round : accuracy.rounds) {
+    json.object().key("unknowns").value(round.unknowns);
+    if (round.error) {
+      json.key("value").value(round.value).key("error").value(*round.error);
+      json.key("interior").value(round.parts.interior).key("gap").value(round.parts.gap);
+      json.key("reading").value(round.parts.reading);
+      json.key("free_boundary").value(round.parts.free_boundary);
+      json.key("algebraic").value(round.algebraic);
+    }
+    json.key("seconds").value(round.seconds).key("estimating").value(round.estimating).end();
+  }
+  json.end().key("budget").array();
+  for (const BudgetLine& line : accuracy.budget) {
+    json.object().key("source").value(line.source);
+    if (line.amount) json.key("amount").value(*line.amount);
+    json.key("meaning").value(line.meaning).end();
+  }
+  json.end().end();
+}
+
+}  // namespace command_line

@@ -1,0 +1,29 @@
+// Back ends that need other libraries, and the processes that some of them work on.
+#pragma once
+#include <string>
+
+#include "command_line/scene_run.hpp"
+#include "signorini/factor/backend.hpp"
+
+namespace command_line {
+
+/// Goes on as the program beside this one that is linked with all libraries of back ends, if there is one; does not return
+/// then. This one is not, so that whoever does not need them does not wait for them to be loaded.
+/// \param argv  of main()
+void become_whole(char** argv);
+
+/// \param name  of a back end \return whether this program has it
+bool has_backend(const std::string& name);
+
+/// Of a process that is not number 0: works for that one. What goes wrong here process 0 says.
+/// \param team     of all processes
+/// \param file     of the scene, whose text process 0 tells
+/// \return the exit code
+int help(const signorini::Team& team, const std::string& file);
+
+/// Adds to the ledger of a run what every process of its team did.
+/// \param team  of which this is process 0
+/// \param run   that solve_scene() has finished with
+void count_members(const signorini::Team& team, SceneRun& run);
+
+}  // namespace command_line

@@ -1,0 +1,192 @@
+#include "signorini/estimate/accuracy.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/estimate/facing_marks.hpp"
+#include "signorini/estimate/marking.hpp"
+#include "signorini/mesh/refine.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/steps_limit.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// Estimates are within a factor of two.
+constexpr double safety = 2;
+/// A contact of fewer closed pairs is not resolved.
+constexpr std::size_t fewest_closed = 6;
+
+/// Sum of the sizes of the parts, which can cancel by luck.
+double size_of(const ErrorParts& parts) {
+  return std::abs(parts.interior) + std::abs(parts.gap) + std::abs(parts.reading) +
+         std::abs(parts.free_boundary);
+}
+
+/// Size of an error: that of its parts; but if the value has changed since the last mesh by more than both estimates
+/// allow for, something was overlooked that falls by halves at best, and as much is left as has changed.
+double size_of(const AccuracyRound& last, const AccuracyRound& now) {
+  const double change = std::abs(now.value - last.value);
+  const double allowed = size_of(last.parts) + size_of(now.parts);
+  return change > allowed ? change : size_of(now.parts);
+}
+
+/// Which part of the error is the largest, and what would make it smaller.
+std::string largest_part(const AccurateSolution& run) {
+  const ErrorParts& parts = run.rounds.back().parts;
+  const double gap = std::abs(parts.gap) + std::abs(parts.reading);
+  const double edge = std::abs(parts.free_boundary);
+  const double inside = std::abs(parts.interior);
+  if (gap > inside && gap > edge)
+    return "gaps between the nodes of the contact are most of the error";
+  if (edge > inside) return "where contact ends is most of the error";
+  std::size_t body = 0;
+  Index cell = 0;
+  double largest = -1;
+  for (std::size_t b = 0; b < run.estimate->share.size(); ++b) {
+    Index here = 0;
+    const double most = run.estimate->share[b].cwiseAbs().maxCoeff(&here);
+    if (most > largest) std::tie(largest, body, cell) = std::make_tuple(most, b, here);
+  }
+  const Mesh& mesh = run.model.bodies[body].mesh;
+  const Eigen::RowVector2d x = mesh.nodes.row(mesh.cells(cell, 0));
+  return text("stresses inside the bodies are most of the error, most of all in the cell at (",
+              x.x(), ", ", x.y(), ") of body '", mesh.name, '\'');
+}
+
+class Loop {
+ public:
+  Loop(Scene scene, const Accuracy& wanted)
+      : wanted_(wanted), run_{std::move(scene), {}, {}, {}, {}, false, {}} {
+    pose(wanted.target > 0 && std::isfinite(wanted.target),
+         "accuracy: expected a target above 0, got ", wanted.target);
+    pose(!run_.scene.path,
+         "accuracy: the error of load steps is not estimated; leave the accuracy or the steps out");
+  }
+
+  AccurateSolution run(const std::function<void(const AccuracyRound&)>& observe) {
+    do {
+      look();
+      if (observe) observe(run_.rounds.back());
+    } while (go_on());
+    return std::move(run_);
+  }
+
+ private:
+  /// Solves the scene as it is, and estimates the error if contact is resolved.
+  void look() {
+    const auto begin = std::chrono::steady_clock::now();
+    Ledger ledger;
+    AccuracyRound round;
+    run_.model = build(run_.scene, ledger);
+    round.unknowns = count_unknowns(run_.model.bodies);
+    const Condensed condensed = condense(run_.model, ledger);
+    run_.solution = solve_to_limit(run_.scene, run_.model, condensed, std::move(ledger));
+    run_.estimate.reset();
+    marks_.clear();
+    if (run_.solution.contact.report.status == Status::Solved) {
+      marks_ = marks_where_few_close(run_.model, run_.solution, fewest_closed);
+      if (marks_.empty()) estimate_now(condensed, round);
+    }
+    round.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    run_.rounds.push_back(round);
+  }
+
+  void estimate_now(const Condensed& condensed, AccuracyRound& round) {
+    run_.estimate =
+        estimate(run_.model, condensed, run_.solution, wanted_.goal, run_.solution.ledger);
+    round.value = run_.estimate->value;
+    round.parts = run_.estimate->parts;
+    round.algebraic = run_.estimate->algebraic;
+    round.estimating = run_.solution.ledger.seconds("estimate");
+    const bool again = !run_.rounds.empty() && run_.rounds.back().error;
+    round.error = again ? size_of(run_.rounds.back(), round) : size_of(round.parts);
+  }
+
+  /// Says how it stands. \return whether meshes were refined and are to be solved
+  bool go_on() {
+    const AccuracyRound& now = run_.rounds.back();
+    if (run_.solution.contact.report.status != Status::Solved)
+      return stop("the problem is not solved on this mesh");
+    double part = 0.25;
+    if (now.error) {
+      const double target = wanted_.target * std::abs(now.value);
+      if (target == 0) return stop("the value is 0, which no error can be compared with");
+      if (safety * now.algebraic > target)
+        return stop(
+            "algebraic: rounding of the equations alone may do so much; a finer mesh makes it "
+            "worse");
+      run_.met = safety * *now.error <= target && estimated() > 1;
+      if (run_.met) return stop("met");
+      if (stagnates()) return stop("refinement no longer helps: " + largest_part(run_));
+      // Somewhat less than what is wanted, so that no round is lost for a little; any finer mesh confirms.
+      part = std::clamp(0.7 * target / safety / *now.error, 0.25, 0.7);
+      marks_ = marks_for(run_.model, run_.solution, *run_.estimate, part);
+    } else if (stagnates()) {
+      return stop("refinement does not close more pairs of a contact: it touches at points");
+    }
+    return refine();
+  }
+
+  bool stop(const std::string& verdict) {
+    run_.verdict = verdict;
+    return false;
+  }
+
+  [[nodiscard]] std::ptrdiff_t estimated() const {
+    return std::count_if(run_.rounds.begin(), run_.rounds.end(),
+                         [](const AccuracyRound& round) { return round.error.has_value(); });
+  }
+
+  /// Whether the last four refinements have not halved the largest error among them, or a dozen have not closed more
+  /// pairs.
+  [[nodiscard]] bool stagnates() const {
+    const std::vector<AccuracyRound>& rounds = run_.rounds;
+    if (!rounds.back().error) return rounds.size() >= 12;
+    if (estimated() < 5) return false;
+    double largest = 0;
+    for (std::size_t k = rounds.size() - 5; k < rounds.size(); ++k)
+      largest = std::max(largest, rounds[k].error.value_or(0));
+    return *rounds.back().error > largest / 2;
+  }
+
+  bool refine() {
+    const auto none = [](const MarkedEdges& marks) {
+      return std::count(marks.halved.begin(), marks.halved.end(), 0) ==
+             static_cast<std::ptrdiff_t>(marks.halved.size());
+    };
+    if (std::all_of(marks_.begin(), marks_.end(), none))
+      return stop("no cell has a share of the error; " + largest_part(run_));
+    mark_facing(run_.scene.contacts, run_.model.bodies, marks_);
+    Index unknowns = 0;
+    std::vector<Mesh> finer;
+    for (std::size_t b = 0; b < run_.scene.bodies.size(); ++b) {
+      finer.push_back(refined(run_.scene.bodies[b].mesh, marks_[b].edges, marks_[b].halved));
+      check_mesh(finer.back());
+      unknowns += 2 * finer.back().n_nodes();
+    }
+    if (unknowns > wanted_.most_unknowns)
+      return stop(text("budget of unknowns: the next mesh would have about ", unknowns, ", and ",
+                       wanted_.most_unknowns, " are allowed; ", largest_part(run_)));
+    for (std::size_t b = 0; b < finer.size(); ++b) run_.scene.bodies[b].mesh = std::move(finer[b]);
+    return true;
+  }
+
+  const Accuracy& wanted_;
+  AccurateSolution run_;
+  std::vector<MarkedEdges> marks_;
+};
+
+}  // namespace
+
+AccurateSolution solve_to_accuracy(Scene scene, const Accuracy& wanted,
+                                   const std::function<void(const AccuracyRound&)>& observe) {
+  return Loop(std::move(scene), wanted).run(observe);
+}
+
+}  // namespace signorini

@@ -1,0 +1,188 @@
+#include "signorini/estimate/marking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <queue>
+#include <tuple>
+
+#include "signorini/estimate/contact_edges.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+std::size_t at(Index k) { return static_cast<std::size_t>(k); }
+
+/// Edges of all bodies, none marked.
+std::vector<MarkedEdges> unmarked(const Model& model) {
+  std::vector<MarkedEdges> marks;
+  for (const BodyModel& body : model.bodies) {
+    MeshEdges all = edges(body.mesh);
+    const std::size_t count = all.size();
+    marks.push_back({std::move(all), std::vector<char>(count, 0)});
+  }
+  return marks;
+}
+
+/// The side of a source between two neighbouring pairs.
+struct PairSide {
+  std::size_t body;  ///< number
+  Index edge;        ///< of its mesh
+  ContactEdge pairs;
+};
+
+std::vector<PairSide> pair_sides(const Model& model, const std::vector<MarkedEdges>& marks) {
+  std::vector<PairSide> sides;
+  std::vector<std::map<std::pair<Index, Index>, Index>> found(model.bodies.size());
+  for (std::size_t b = 0; b < marks.size(); ++b)
+    for (const auto& [name, list] : model.bodies[b].mesh.boundaries)
+      for (const CellSide& side : list) {
+        const std::vector<Index> nodes = model.bodies[b].mesh.side_nodes(side);
+        for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
+          found[b][{nodes[k], nodes[k + 1]}] = marks[b].edges.at(side);
+      }
+  for (const ContactEdge& pairs : contact_edges(model)) {
+    const BodyModel& body = source_of(model, pairs.from);
+    const auto b = static_cast<std::size_t>(&body - model.bodies.data());
+    const auto side = found[b].find({model.pairs.node[at(pairs.from)] - body.first_node,
+                                     model.pairs.node[at(pairs.to)] - body.first_node});
+    if (side != found[b].end()) sides.push_back({b, side->second, pairs});
+  }
+  return sides;
+}
+
+std::vector<char> closed_pairs(const Model& model, const Solution& solution) {
+  std::vector<char> closed(at(model.pairs.weight.size()), 0);
+  for (const Index pair : solution.contact.active) closed[at(pair)] = 1;
+  return closed;
+}
+
+/// Shares of the error, edge by edge of each body.
+using EdgeShares = std::vector<std::vector<double>>;
+
+void add_cells(const Model& model, const std::vector<MarkedEdges>& marks, const Estimate& estimate,
+               EdgeShares& shares) {
+  double sum = 0;
+  for (const Eigen::VectorXd& share : estimate.share) sum += share.lpNorm<1>();
+  if (sum == 0) return;
+  const double scale = std::abs(estimate.parts.interior) / sum;
+  for (std::size_t b = 0; b < marks.size(); ++b) {
+    const Mesh& mesh = model.bodies[b].mesh;
+    for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+      const double share = scale * std::abs(estimate.share[b](cell));
+      const double first = estimate.first_direction[b](cell);
+      const auto add = [&](int side, double part) {
+        shares[b][at(marks[b].edges.at({cell, side}))] += part;
+      };
+      if (mesh.corners(cell) == 3) {
+        add(longest_side(mesh, cell), share);
+      } else {
+        add(0, first * share);
+        add(1, (1 - first) * share);
+      }
+    }
+  }
+}
+
+void add_contact(const Model& model, const Solution& solution, const Estimate& estimate,
+                 const std::vector<PairSide>& sides, EdgeShares& shares) {
+  const std::vector<char> closed = closed_pairs(model, solution);
+  const ErrorParts& parts = estimate.parts;
+  double cubes = 0;
+  double ends = 0;
+  const auto each = [&](auto&& inside, auto&& end) {
+    for (const PairSide& side : sides) {
+      const int both = closed[at(side.pairs.from)] + closed[at(side.pairs.to)];
+      if (both == 2) inside(side);
+      if (both == 1) end(side);
+    }
+  };
+  each([&](const PairSide& side) { cubes += std::pow(side.pairs.length, 3); },
+       [&](const PairSide&) { ++ends; });
+  each(
+      [&](const PairSide& side) {
+        shares[side.body][at(side.edge)] += (std::abs(parts.gap) + std::abs(parts.reading)) *
+                                            std::pow(side.pairs.length, 3) / cubes;
+      },
+      [&](const PairSide& side) {
+        shares[side.body][at(side.edge)] += std::abs(parts.free_boundary) / ends;
+      });
+}
+
+/// A chord that may be halved.
+struct Candidate {
+  double gain;  ///< what it loses for a new node
+  std::size_t body;
+  Index chord;
+  double share;  ///< of the error that falls to it now
+  double nodes;  ///< that halving it adds
+
+  bool operator<(const Candidate& other) const {
+    return std::tie(gain, other.body, other.chord) < std::tie(other.gain, body, chord);
+  }
+};
+
+}  // namespace
+
+std::vector<MarkedEdges> marks_for(const Model& model, const Solution& solution,
+                                   const Estimate& estimate, double part) {
+  std::vector<MarkedEdges> marks = unmarked(model);
+  EdgeShares shares;
+  for (const MarkedEdges& body : marks) shares.emplace_back(body.edges.size(), 0.0);
+  add_cells(model, marks, estimate, shares);
+  add_contact(model, solution, estimate, pair_sides(model, marks), shares);
+  std::vector<std::vector<Index>> chord_of;
+  std::priority_queue<Candidate> queue;
+  double left = 0;
+  for (std::size_t b = 0; b < marks.size(); ++b) {
+    chord_of.push_back(chords(model.bodies[b].mesh, marks[b].edges));
+    const std::size_t count = at(1 + *std::max_element(chord_of[b].begin(), chord_of[b].end()));
+    std::vector<double> share(count, 0);
+    std::vector<double> nodes(count, 0);
+    for (std::size_t e = 0; e < chord_of[b].size(); ++e) {
+      share[at(chord_of[b][e])] += shares[b][e];
+      nodes[at(chord_of[b][e])] += 1;
+    }
+    for (std::size_t c = 0; c < count; ++c) {
+      left += share[c];
+      queue.push({share[c] / nodes[c], b, static_cast<Index>(c), share[c], nodes[c]});
+    }
+  }
+  std::vector<std::vector<char>> taken;
+  for (const auto& list : chord_of) taken.emplace_back(list.size(), 0);
+  const double enough = part * left;
+  while (left > enough && !queue.empty()) {
+    Candidate next = queue.top();
+    queue.pop();
+    taken[next.body][at(next.chord)] = 1;
+    left -= 0.75 * next.share;
+    next.share /= 4;
+    next.nodes *= 2;
+    next.gain = next.share / next.nodes;
+    queue.push(next);
+  }
+  for (std::size_t b = 0; b < marks.size(); ++b)
+    for (std::size_t e = 0; e < chord_of[b].size(); ++e)
+      marks[b].halved[e] = taken[b][at(chord_of[b][e])];
+  return marks;
+}
+
+std::vector<MarkedEdges> marks_where_few_close(const Model& model, const Solution& solution,
+                                               std::size_t few) {
+  std::vector<std::size_t> count(model.contacts.size(), 0);
+  for (const Index pair : solution.contact.active) ++count[model.contact_of[at(pair)]];
+  if (std::none_of(count.begin(), count.end(), [&](std::size_t n) { return n > 0 && n < few; }))
+    return {};
+  std::vector<MarkedEdges> marks = unmarked(model);
+  const std::vector<char> closed = closed_pairs(model, solution);
+  for (const PairSide& side : pair_sides(model, marks)) {
+    const std::size_t own = count[model.contact_of[at(side.pairs.from)]];
+    const bool presses = closed[at(side.pairs.from)] != 0 || closed[at(side.pairs.to)] != 0;
+    if (own < few && presses) marks[side.body].halved[at(side.edge)] = 1;
+  }
+  return marks;
+}
+
+}  // namespace signorini

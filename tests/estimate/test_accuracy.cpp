@@ -1,0 +1,140 @@
+// Scenes refined until a goal is as accurate as asked for.
+#include <cmath>
+#include <limits>
+
+#include "catch_compat.hpp"
+#include "signorini/closed_form/hertz.hpp"
+#include "signorini/estimate/accuracy.hpp"
+#include "signorini/estimate/goal_words.hpp"
+#include "support/cantilever.hpp"
+#include "support/hertz.hpp"
+#include "support/lining_rings.hpp"
+#include "support/message.hpp"
+
+using namespace signorini;
+using namespace signorini_test;
+
+namespace {
+
+/// Two bodies whose contact the first mesh hardly resolves.
+HertzProblem coarse_hertz() {
+  HertzProblem problem;
+  problem.mesh.core = 5;
+  problem.mesh.disc_cells = problem.mesh.plate_cells = 8;
+  problem.mesh.disc_rows = problem.mesh.plate_rows = 6;
+  problem.mesh.disc_layers = problem.mesh.plate_layers = 6;
+  return problem;
+}
+
+AccurateSolution accurate(const Scene& scene, const std::string& goal, double target) {
+  return solve_to_accuracy(scene, {target, goal_in_words(goal, plan(scene))});
+}
+
+}  // namespace
+
+TEST_CASE("Hertz's contact becomes as accurate as asked for from a mesh that hardly has it",
+          "[accuracy][closed-form]") {
+  const double target = GENERATE(0.01, 0.003);
+  const std::string goal = GENERATE("peak", "width");
+  CAPTURE(target, goal);
+  const HertzProblem problem = coarse_hertz();
+  const AccurateSolution result = accurate(scene_of(problem), goal, target);
+  REQUIRE(result.met);
+  CHECK(result.verdict == "met");
+  const double exact =
+      goal == "peak" ? hertz_peak_pressure(problem.theory()) : hertz_half_width(problem.theory());
+  const AccuracyRound& last = result.rounds.back();
+  CHECK(std::abs(last.value - exact) < target * exact);
+  CHECK(2 * *last.error <= target * last.value);
+  CHECK_FALSE(result.rounds.front().error.has_value());  // contact was not resolved
+  CHECK(result.rounds.size() <= 8);
+  for (std::size_t k = 1; k < result.rounds.size(); ++k)
+    CHECK(result.rounds[k].unknowns > result.rounds[k - 1].unknowns);
+}
+
+TEST_CASE("one ring in another becomes as accurate as asked for", "[accuracy][closed-form]") {
+  const double target = GENERATE(0.01, 0.003, 0.001);
+  CAPTURE(target);
+  const AccurateSolution result = accurate(lining_rings(9, 5), "force", target);
+  REQUIRE(result.met);
+  CHECK(result.rounds.size() >= 2);  // a second mesh confirms
+  CHECK(result.rounds.back().value == Approx(lining_force()).epsilon(target).margin(0));
+}
+
+TEST_CASE("triangles and quadratic cells are refined as well", "[accuracy][closed-form]") {
+  HertzProblem problem = coarse_hertz();
+  problem.element = GENERATE("t3", "t6", "q8", "q4_bbar");
+  CAPTURE(problem.element);
+  const AccurateSolution result = accurate(scene_of(problem), "peak", 0.02);
+  REQUIRE(result.met);
+  CHECK(result.rounds.back().value ==
+        Approx(hertz_peak_pressure(problem.theory())).epsilon(0.02).margin(0));
+}
+
+TEST_CASE("neither units nor repetition change the meshes", "[accuracy][units]") {
+  HertzProblem problem = coarse_hertz();
+  const AccurateSolution first = accurate(scene_of(problem), "peak", 0.01);
+  const AccurateSolution again = accurate(scene_of(problem), "peak", 0.01);
+  CHECK(first.rounds.back().value == again.rounds.back().value);
+  CHECK(first.scene.bodies[0].mesh.nodes == again.scene.bodies[0].mesh.nodes);
+  problem.length = 1 / 1024.0;
+  problem.force = 1024;
+  const AccurateSolution other = accurate(scene_of(problem), "peak", 0.01);
+  REQUIRE(other.rounds.size() == first.rounds.size());
+  CHECK(other.scene.bodies[0].mesh.cells == first.scene.bodies[0].mesh.cells);
+  CHECK(*other.rounds.back().error / other.rounds.back().value ==
+        Approx(*first.rounds.back().error / first.rounds.back().value).epsilon(1e-9).margin(0));
+}
+
+TEST_CASE("what stands in the way is named", "[accuracy]") {
+  const Scene scene = cantilever("q4_incompatible", 20, 2);
+  Accuracy wanted{1e-4, {"force", ContactForce{}}, 2000};
+  const AccurateSolution few = solve_to_accuracy(scene, wanted);
+  CHECK_FALSE(few.met);
+  CHECK(few.solution.contact.report.status == Status::Solved);
+  CHECK_THAT(few.verdict, ContainsSubstring("budget of unknowns") && ContainsSubstring("2000"));
+  wanted = {1e-19, {"force", ContactForce{}}};
+  const AccurateSolution exact = solve_to_accuracy(scene, wanted);
+  CHECK_FALSE(exact.met);
+  CHECK_THAT(exact.verdict, ContainsSubstring("algebraic"));
+}
+
+TEST_CASE("what cannot be meant is refused by name", "[accuracy]") {
+  const Scene scene = cantilever("q4", 10, 2);
+  const Goal force{"force", ContactForce{}};
+  for (const double target : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN()})
+    CHECK_THAT(problem_message([&] {
+                 (void)solve_to_accuracy(scene, {target, force});
+               }),
+               ContainsSubstring("target above 0"));
+  Scene steps = scene;
+  steps.path = Path{};
+  CHECK_THAT(problem_message([&] {
+               (void)solve_to_accuracy(steps, {0.01, force});
+             }),
+             ContainsSubstring("load steps"));
+  const Plan planned = plan(scene);
+  const auto words = [&](const std::string& word) {
+    return problem_message([&] { (void)goal_in_words(word, planned); });
+  };
+  CHECK_THAT(words("forse"), ContainsSubstring("force"));
+  CHECK_THAT(words("force:beam.top"), ContainsSubstring("beam.bottom on half plane"));
+  CHECK_THAT(words("displacement:top"), ContainsSubstring("displacement:BODY.boundary.x"));
+  CHECK_THAT(words("displacement:beam.tip.y"), ContainsSubstring("no boundary 'tip'"));
+  CHECK_THAT(words("displacement:bean.top.y"), ContainsSubstring("bean"));
+}
+
+TEST_CASE("the usual goal is the contact force unless equilibrium says what that is",
+          "[accuracy]") {
+  const Scene held = cantilever("q4", 10, 2);
+  const DefaultGoal force = default_goal(held, plan(held));
+  CHECK(force.goal.name == "force");
+  CHECK(force.why.empty());
+  const Scene floating = scene_of(coarse_hertz());
+  const DefaultGoal moved = default_goal(floating, plan(floating));
+  CHECK(moved.goal.name == "displacement:disc.middle.y");
+  CHECK_THAT(moved.why, ContainsSubstring("equilibrium"));
+  Scene alone = held;
+  alone.contacts.clear();
+  CHECK(default_goal(alone, plan(alone)).goal.name == "displacement:beam.top.y");
+}
