@@ -1,6 +1,6 @@
 # Measurements: `price`, `effectivity` and `accuracy` need nothing, `peers` compares with what is installed of other people's solvers.
 file(GLOB peer_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/peers/*.cpp)
-add_executable(price bench/price.cpp bench/rounds.cpp bench/yardsticks.cpp)
+add_executable(price bench/price.cpp bench/rounds.cpp)
 add_executable(peers bench/peers.cpp ${peer_sources})
 add_executable(effectivity bench/effectivity.cpp)
 add_executable(accuracy bench/accuracy.cpp)
@@ -12,15 +12,10 @@ foreach(program price peers effectivity accuracy)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${program} PRIVATE SIGNORINI_BENCH_OUT="${PROJECT_BINARY_DIR}/out/bench")
 endforeach()
+include(cmake/Yardsticks.cmake)
+target_link_libraries(price PRIVATE yardsticks)
 target_link_libraries(peers PRIVATE ${CMAKE_DL_LIBS})
 target_compile_definitions(peers PRIVATE SIGNORINI_PEERS_SCRIPT="${PROJECT_SOURCE_DIR}/bench/peers/peers.py")
-
-# One of the yardsticks of `price`; without it the others remain.
-if(found_CHOLMOD)
-  target_include_directories(price SYSTEM PRIVATE ${CHOLMOD_HEADERS})
-  target_link_libraries(price PRIVATE ${CHOLMOD_LIBRARY})
-  target_compile_definitions(price PRIVATE SIGNORINI_CHOLMOD)
-endif()
 
 # Its headers include each other from both folders.
 find_path(SICONOS_CONFIG SiconosConfig.h PATH_SUFFIXES siconos)

@@ -1,5 +1,6 @@
-# Every chapters/chNN_topic with a topic.cpp becomes the program chNN, and these tests:
-#   chNN/run      the program solves its problem and writes into build/out/chNN
+# Every chapters/chNN_topic with a topic.cpp becomes the program chNN, every other NAME.cpp beside it the program
+# chNN_NAME, which writes chNN_NAME.results into the same folder and is compiled and run with chNN; and these tests:
+#   chNN/run      the programs solve their problems and write into build/out/chNN
 #   chNN/results  what it wrote agrees with the committed numbers, tables and curves
 #   chNN/figures  gnuplot draws every figure from the fresh curves without a warning, and the committed
 #                 pictures were drawn from the committed curves
@@ -14,22 +15,36 @@ file(GLOB texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/
 file(GLOB programs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/*.cpp)
 file(GLOB scripts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/figures/*.gp)
 set(chapter_names "")
+set(further "")
 foreach(program IN LISTS programs)
   get_filename_component(dir ${program} DIRECTORY)
   get_filename_component(dir_name ${dir} NAME)
+  get_filename_component(program_name ${program} NAME_WE)
   string(SUBSTRING ${dir_name} 0 4 name)
   string(SUBSTRING ${dir_name} 5 -1 topic)
-  if(NOT program STREQUAL ${dir}/${topic}.cpp)
-    message(FATAL_ERROR "${program}: the program of ${dir_name} is called ${topic}.cpp")
+  if(NOT EXISTS ${dir}/${topic}.cpp)
+    message(FATAL_ERROR "${program}: the first program of ${dir_name} is called ${topic}.cpp")
+  endif()
+  set(out ${PROJECT_BINARY_DIR}/out/${name})
+  set(target ${name})
+  if(NOT program_name STREQUAL topic)
+    set(target ${name}_${program_name})
+    list(APPEND further "${name} ${target}")
+  endif()
+  add_executable(${target} ${program})
+  target_link_libraries(${target} PRIVATE signorini::signorini signorini_warnings)
+  target_compile_definitions(${target} PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
+  signorini_precompiled(${target})
+  file(STRINGS ${program} asks REGEX "bench/yardsticks\\.hpp")
+  if(asks)
+    include(cmake/Yardsticks.cmake)
+    target_link_libraries(${target} PRIVATE yardsticks)
+  endif()
+  add_dependencies(chapters ${target})
+  if(NOT target STREQUAL name)
+    continue()
   endif()
   list(APPEND chapter_names ${name})
-  set(out ${PROJECT_BINARY_DIR}/out/${name})
-
-  add_executable(${name} ${program})
-  target_link_libraries(${name} PRIVATE signorini::signorini signorini_warnings)
-  target_compile_definitions(${name} PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
-  signorini_precompiled(${name})
-  add_dependencies(chapters ${name})
 
   add_test(NAME ${name}/run COMMAND ${tools}/chapter.sh run $<TARGET_FILE:${name}> ${out})
   set_tests_properties(${name}/run PROPERTIES FIXTURES_SETUP ${name} LABELS chapter TIMEOUT 600)
@@ -39,6 +54,10 @@ foreach(program IN LISTS programs)
     add_test(NAME ${name}/figures COMMAND ${tools}/chapter.sh figures ${dir} ${out})
     set_tests_properties(${name}/figures PROPERTIES FIXTURES_REQUIRED ${name} LABELS "chapter;figure")
   endif()
+endforeach()
+foreach(pair IN LISTS further)  # only now is each first program there
+  separate_arguments(pair)
+  add_dependencies(${pair})
 endforeach()
 
 foreach(text IN LISTS texts)

@@ -2,11 +2,12 @@
 # compare.pl [--update] CHAPTER FRESH
 #
 # Compares what the program of CHAPTER (chapters/chNN_topic) has just written into FRESH with what is
-# committed: CHAPTER/results/chNN.results, CHAPTER/results/*.md and figures/fig_N_*.csv.
-#   chNN.results  key by key: same unit, value within the tolerance of the committed file; lines marked
+# committed: CHAPTER/results/chNN*.results, CHAPTER/results/*.md and figures/fig_N_*.csv.
+#   chNN*.results  key by key: same unit, value within the tolerance of the committed file; lines marked
 #                 `varies` and `# headline` lines must exist, the latter with the same words and reference
 #   *.csv         same names, words and number of rows, numbers within the tolerance
 #   *.md          words equal, integers exact, other numbers within one unit of the last printed digit
+# What stands under a name that ends with ≈ (seconds, as a rule) was measured and is not compared.
 # The tolerance is relative 1e-6 and absolute 0 (results) or 1e-9 (csv), or what a line of the file says:
 #     # tolerance rel 1e-4 abs 1e-12
 # With --update the files that differ are copied from FRESH, so that another compiler changes nothing.
@@ -38,6 +39,8 @@ sub tolerance {    # (relative, absolute) of a committed file
     ($rel, $abs) = ($1, $2) if $text =~ /^# tolerance rel ($number) abs ($number)\s*$/m;
     return ($rel, $abs);
 }
+
+sub measured { my ($name) = @_; return $name =~ /\xe2\x89\x88\s*$/ }    # a column: its name ends with the sign
 
 sub tolerance_line { my ($text) = @_; return $text =~ /^(# tolerance.*?)\s*$/m ? $1 : '' }
 
@@ -92,7 +95,7 @@ sub differ_csv {
         my @y = split /\s*,\s*/, $n[$i], -1;
         return "row $i: '$n[$i]' instead of '$o[$i]'" if @x != @y;
         for my $k (0 .. $#x) {
-            next if near($x[$k], $y[$k], $rel, $abs);
+            next if near($x[$k], $y[$k], $rel, $abs) || ($i > 0 && measured($column[$k] // ''));
             return "row $i: " . ($column[$k] // "column $k") . " is $y[$k] instead of $x[$k]";
         }
     }
@@ -104,7 +107,14 @@ sub differ_md {
     my @o = split /\n/, $old;
     my @n = split /\n/, $new;
     return 'has ' . @n . ' lines instead of ' . @o if @o != @n;
+    my @leave;
     for my $i (0 .. $#o) {
+        my @cell = map { [split /(?<!\\)\|/, $_, -1] } $o[$i], $n[$i];
+        @leave = grep { measured($cell[0][$_]) } 0 .. $#{ $cell[0] } if $i == 0 || $o[$i - 1] !~ /^\|/;
+        if (@leave && @{ $cell[0] } == @{ $cell[1] } && $o[$i] =~ /^\|/ && !grep { measured($_) } @{ $cell[0] }) {
+            $_->@[@leave] = ('') x @leave for @cell;
+            ($o[$i], $n[$i]) = map { join '|', @$_ } @cell;
+        }
         my @x = split /($number)/, $o[$i] =~ s/[ \t]+/ /gr;
         my @y = split /($number)/, $n[$i] =~ s/[ \t]+/ /gr;
         for my $k (0 .. larger($#x, $#y)) {
@@ -119,7 +129,7 @@ sub differ_md {
 }
 
 my %seen = ("$chapter/results/$id.results" => 1);
-$seen{"$chapter/results/$_"} = 1 for names("$chapter/results/*.md"),  names("$fresh/*.md");
+$seen{"$chapter/results/$_"} = 1 for map { names("$chapter/results/$_"), names("$fresh/$_") } "${id}_*.results", '*.md';
 $seen{"$figures/$_"}         = 1 for names("$figures/fig_${nr}_*.csv"), names("$fresh/fig_${nr}_*.csv");
 my $bad = 0;
 for my $committed (sort keys %seen) {

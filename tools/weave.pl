@@ -2,7 +2,7 @@
 # weave.pl [--check] FILE.md ...
 #
 # Fills the quoted parts of a text in place, so that it is complete wherever it is read:
-#   <!--= key %.3f -->1.234<!--/-->                 value of `key` in results/chNN.results beside the text
+#   <!--= key %.3f -->1.234<!--/-->                 value of `key` in results/chNN*.results beside the text
 #   <!--= ch06.key %.3f -->1.234<!--/-->            the same from another chapter
 #   <!-- table NAME.md --> ... <!-- /table -->      results/NAME.md, a table written by the program
 #   <!-- code PATH#block --> ... <!-- /code -->     the lines of PATH between two "// [block]"
@@ -37,11 +37,13 @@ sub value {
         $key = $2;
     }
     if (!$values{$dir}) {
-        my ($file) = glob "$dir/results/ch[0-9][0-9].results";
-        return (undef, "'$key' is quoted, but there is no results/chNN.results") if !defined $file;
-        for (split /\n/, slurp($file)) {
+        my @file = glob "$dir/results/ch[0-9][0-9]*.results";
+        return (undef, "'$key' is quoted, but there is no results/chNN.results") if !@file;
+        for (map { split /\n/, slurp($_) } @file) {
             my ($k, @rest) = split ' ';
-            $values{$dir}{$k} = \@rest if defined $k && $k !~ /^#/;
+            next if !defined $k || $k =~ /^#/;
+            return (undef, "two programs write '$k'") if $values{$dir}{$k};
+            $values{$dir}{$k} = \@rest;
         }
     }
     my $found = $values{$dir}{$key} or return (undef, "no value '$key'");

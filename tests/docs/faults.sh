@@ -22,6 +22,9 @@ load 'style.gp'
 set xlabel 'position {/:Italic x} [m]'
 plot data.'/fig_3_1.csv' using 'x':'p' with lines ls 1 title 'p'
 END
+printf '| n | s ≈ |\n|--:|--:|\n| 4 | 0.31 |\n' > fresh/seconds.md
+printf '# tolerance rel 1e-6 abs 1e-9\nx,s ≈\n0,0.25\n1,0.5\n' > fresh/fig_3_1_seconds.csv
+printf 'steps 7 -\n' > fresh/ch03_more.results
 printf '// [block]\n  int n = 0;\n  // [block]\n' > chapters/ch03_demo/demo.cpp
 printf 'pairs = 12\n' > chapters/ch03_demo/demo.toml
 cat > $text << 'END'
@@ -120,6 +123,13 @@ broken no "a renamed column" compare 's/x,p/x,q/' fresh/fig_3_1.csv
 broken no "a looser tolerance" compare 's/rel 1e-6/rel 1e-1/' fresh/fig_3_1.csv
 broken no "a table that changed" compare 's/1.25/1.35/' fresh/table.md
 broken yes "the last digit of a table" compare 's/1.25/1.26/' fresh/table.md
+broken yes "a measured column of a table" compare 's/0.31/0.62/' fresh/seconds.md
+broken no "the column beside it" compare 's/4 |/5 |/' fresh/seconds.md
+broken no "a table that is measured no more" compare 's/ ≈//' fresh/seconds.md
+broken yes "a measured column of a curve" compare 's/0.25/0.75/' fresh/fig_3_1_seconds.csv
+broken no "the curve beside it" compare 's/^1,/2,/' fresh/fig_3_1_seconds.csv
+broken no "a number of the second program" compare 's/7/8/' fresh/ch03_more.results
+broken no "a number that two programs write" "weave --check" 's/steps/force/' chapters/ch03_demo/results/ch03_more.results
 
 broken no "a wrong number in the text" "weave --check" 's/-->2.50<!/-->2.51<!/' $text
 broken no "a number that does not exist" "weave --check" 's/!--= force/!--= forse/' $text

@@ -1,0 +1,91 @@
+/// \file
+/// The ways to solve Hertz's contact that the first figure compares, and a point of it.
+#pragma once
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runs.hpp"
+#include "signorini/as_printed/saddle_point_newton.hpp"
+#include "signorini/core/errors.hpp"
+
+namespace ch16 {
+
+/// What is compared: an element, an operator and a solver each.
+// [ways]
+struct Way {
+  std::string name, element, gap_operator, solver;
+  int points = 0;     // Gauss points of an operator that wants them
+  bool meet = false;  // whether the nodes of disc and plate do
+};
+
+inline const std::string newton = "saddle_point_newton";  // as in Lin et al.: not condensed
+inline const std::vector<Way> ways = {
+    {"q4_incompatible", "q4_incompatible", "mortar", "primal_dual_active_set"},
+    {"nodes that meet", "q4_incompatible", "mortar", "primal_dual_active_set", 0, true},
+    {"q4", "q4", "mortar", "primal_dual_active_set"},
+    {"q8", "q8", "mortar", "primal_dual_active_set"},
+    {"nodes on segments", "q4_incompatible", "node_to_segment", "primal_dual_active_set"},
+    {"two Gauss points", "q4_incompatible", "gauss_points", "quasi_active_set", 2},
+    {"the same by sweeps", "q4_incompatible", "gauss_points", "projected_gauss_seidel", 2},
+    {"not condensed", "q4_incompatible", "mortar", newton}};
+// [ways]
+
+/// \param cells  of the disc on 1.3 half-widths \return the scene
+inline Scene scene_of(const Way& way, Index cells) {
+  HertzProblem problem;
+  problem.mesh = meshes(cells, way.meet ? cells : std::max<Index>(1, cells * 13 / 16));
+  problem.element = way.element;
+  problem.gap_operator = way.gap_operator;
+  if (way.solver != newton) problem.solver = way.solver;
+  Scene scene = signorini_test::scene_of(problem);
+  scene.contacts[0].points = way.points;
+  return scene;
+}
+
+/// A point of the figure.
+struct Point {
+  double unknowns = 0, error = 0, operations = 0, seconds = 0;
+  bool solved = false;
+};
+
+/// The second paper's method in the place of condensing; it has its start from the condensed solution.
+inline void solve_uncondensed(SolvedScene& run) {
+  const Eigen::VectorXd& weight = run.model.pairs.weight;
+  SaddlePointOptions options;  // an even pressure, or nothing would hold the disc
+  options.start_force = run.solution.contact.force.sum() * weight / weight.sum();
+  const SaddlePointSolution found = saddle_point_newton(run.model.programme, options);
+  if (found.report.status != Status::Solved) throw NotSolved("Newton's method found no solution");
+  run.solution.contact.force = found.solution.force;
+}
+
+/// From the scene to certified forces, the median of three runs. \return a point
+inline Point measured(const Way& way, Index cells) {
+  Point point;
+  const Scene scene = scene_of(way, cells);
+  std::vector<double> took;
+  while (took.size() < 3 && (took.empty() || took[0] < 1)) {  // long ones once
+    double begin = seconds();
+    Ledger ledger;
+    Model model = build(scene, ledger);
+    const double built = seconds();
+    Condensed condensed = condense(model, ledger);
+    Solution solution = solve(model, condensed, ledger);
+    SolvedScene run{std::move(model), std::move(condensed), std::move(solution)};
+    point.solved = run.solution.contact.report.status == Status::Solved;
+    if (way.solver == newton) {
+      begin += seconds() - built;  // what it does without
+      solve_uncondensed(run);
+    }
+    took.push_back(seconds() - begin);
+    point.unknowns = static_cast<double>(run.model.unknowns.count);
+    if (!point.solved) continue;
+    point.operations = operations(run.solution.ledger);
+    point.error = pressure_error(pressures(run), HertzProblem().theory());
+  }
+  point.seconds = quantile(took, 0.5);
+  return point;
+}
+
+}  // namespace ch16
