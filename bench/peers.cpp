@@ -10,6 +10,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/problem/examples.hpp"
 #include "signorini/programme/dense_programme.hpp"
 #include "signorini/report/program.hpp"

@@ -9,6 +9,7 @@
 #endif
 
 #include "bench/measure.hpp"
+#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini::bench {

@@ -416,6 +416,7 @@ class MumpsFactor {
 
   /// That of the rows that were factored is there, once; of others it takes a solve per row.
   [[nodiscard]] MatrixXd compliance(const Factor::Rows& A) {
+    if (A.rows() == 0) return {};
     if (A.rows() == G_.rows() && Factor::Rows(A - rows_).norm() == 0)
       return std::exchange(G_, MatrixXd());
     MatrixXd G(A.rows(), A.rows());

@@ -36,6 +36,7 @@ expect 0 'open 16, stick 11, forward 0, backward 1' friction - < "$fc/FrictionCo
 expect 0 'friction_split +solved' friction "$fc/FrictionContactProblem00031.dat" --solver all
 expect 1 'friction_split +refused .*must be symmetric' friction "$fc/FC2D_SliderCrankLagrangian00000.dat" --solver friction_split
 expect 0 'may fail on problems that are:' --list
+expect 0 'frontal' --list
 expect 0 '--tolerance' lcp --help
 expect 1 'primal_dual_active_set +not tried +needs a symmetric matrix' lcp asymmetric --solver primal_dual_active_set
 printf 'n 2\nM\n0 1\n-1 0\nq\n-5 -6\n' > skew
@@ -119,6 +120,14 @@ written ''
 expect 2 "--solver: unknown solver 'magic'" solve "$cantilever" --solver magic
 expect 2 "cantilever.toml:[0-9]+: solver 'enumerate' takes at most 12 pairs, here are 100; those that take so many: .*lemke" solve "$cantilever" --solver enumerate
 expect 2 "--solver: unknown solver 'all'" solve "$cantilever" --solver all
+expect 0 '^certificate: penetration' solve "$cantilever" --backend frontal
+expect 2 "^signorini: --backend: unknown back end 'frontl'; did you mean 'frontal'\?" solve "$cantilever" --backend frontl
+expect 2 "unknown option '--backend'" plan "$cantilever" --backend frontal
+cp "$program" alone # without the program beside it that has the others
+whole=$program program=./alone
+expect 2 "unknown back end 'mumps'.* needs libmumps-dev and libopenmpi-dev: install them with tools/setup.sh parallel" solve "$cantilever" --backend mumps
+expect 2 "unknown back end 'cholmod'.* needs libsuitesparse-dev" solve "$cantilever" --backend cholmod
+program=$whole
 expect 2 'missing: there is no such file' solve missing
 expect 2 'this looks like a complementarity problem; run: signorini lcp immovable' solve immovable
 expect 2 'this looks like a complementarity problem; run: signorini lcp ' plan "$lcp/lcp_deudeu.dat"

@@ -4,6 +4,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/scene/scene.hpp"
 

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "catch_compat.hpp"
+#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/prediction.hpp"

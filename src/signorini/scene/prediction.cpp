@@ -155,7 +155,8 @@ class Figures {
         rows_(static_cast<double>(known.rows.rows())),
         speed_(measure_speed(known.fronts, known.paths)),
         sample_(sampled(plan, known.stiffness.nonZeros())),
-        steps_(std::max(1.0, static_cast<double>(plan.path.times.size()))) {}
+        steps_(std::max(1.0, static_cast<double>(plan.path.times.size()))),
+        of_factor_(plan.backend == Scene().backend ? Trust::Exact : Trust::Estimate) {}
 
   std::vector<PredictedFigure> all() {
     assembly();
@@ -202,11 +203,11 @@ class Figures {
     seconds(Built::Once, "factor/ordering", known_.ordering);
     seconds(Built::Once, "factor/symbolic", known_.analysis);
     const char* const phase = "factor/numeric";
-    add(Built::Once, phase, "nonzeros", static_cast<double>(fronts.nonzeros()), Trust::Exact);
-    add(Built::Once, phase, "operations", fronts.operations(), Trust::Exact);
-    add(Built::Once, phase, "bytes", factor_bytes(), Trust::Exact);
+    add(Built::Once, phase, "nonzeros", static_cast<double>(fronts.nonzeros()), of_factor_);
+    add(Built::Once, phase, "operations", fronts.operations(), of_factor_);
+    add(Built::Once, phase, "bytes", factor_bytes(), of_factor_);
     add(Built::Once, phase, "stack bytes",
-        number * static_cast<double>(fronts.update_stack().most()), Trust::Exact);
+        number * static_cast<double>(fronts.update_stack().most()), of_factor_);
     double handed_on = 0;
     for (const Front& front : fronts.all)
       handed_on += number * static_cast<double>(front.rim() * front.rim());
@@ -219,11 +220,11 @@ class Figures {
   void condensation() {
     const char* const phase = "condensation";
     add(Built::PerStep, phase, "operations of one solve", known_.fronts.solve_operations(),
-        Trust::Exact);
+        of_factor_);
     add(Built::Once, phase, "operations",
-        known_.fronts.solve_operations() + known_.paths.operations, Trust::Exact);
+        known_.fronts.solve_operations() + known_.paths.operations, of_factor_);
     add(Built::Once, phase, "bytes", number * rows_ * rows_, Trust::Exact);
-    add(Built::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()), Trust::Exact);
+    add(Built::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()), of_factor_);
     const double all =
         1 + static_cast<double>(plan_.parts.size());  // each part of a path has its u0
     seconds(Built::Once, phase, all * solve() + over(known_.paths.operations, speed_.carrying));
@@ -266,6 +267,7 @@ class Figures {
   FrontSpeed speed_;
   Sampled sample_;
   double steps_;
+  Trust of_factor_;  // its fronts are those of ours
   std::vector<PredictedFigure> figures_;
   double seconds_ = 0;
 };

@@ -56,7 +56,8 @@ struct Prediction {
 /// Predicts what build(), condense() and solve() will cost; these do not ask for it.
 ///
 /// The pattern of K, the tree of separators and the fronts are made as condense() makes them, without numbers:
-/// entries, bytes and operations of K, of the factor, of the rows of A and of the compliance are exact. How often
+/// entries, bytes and operations of K, of the factor, of the rows of A and of the compliance are exact; of another back end
+/// than ours those of the factor are estimates. How often
 /// contact and refinement go round depends on the numbers, so what hangs on that is an estimate: five contact
 /// iterations if there are gaps, with half of the rows closed, and one refinement of the set that they end with, all
 /// that for every load step.
