@@ -52,6 +52,8 @@ class Road {
   void take_over(const ContactState& claim, bool corrected);
   /// Fills the end.
   void conclude();
+  /// Refines the end once more where the certificate sees what rounding of K leaves along rigid motions.
+  void spread_imbalance();
   /// Refines one set, beginning with forces, and keeps it if no certificate was better.
   Judgement look(const std::vector<Motion>& motions, const VectorXd& force);
 
@@ -192,7 +194,16 @@ CertifiedEnd Road::run(const Solver& solver, const SolverOptions& options) {
   return std::move(end_);
 }
 
+void Road::spread_imbalance() {
+  if (end_.certificate.holds() || modes_.cols() == 0 || end_.solution.displacement.size() == 0)
+    return;
+  data_.imbalance = Imbalance::Spread;
+  now_ = end_.solution;
+  look(motions_, end_.solution.force);
+}
+
 void Road::conclude() {
+  spread_imbalance();
   ContactState& state = end_.state;
   if (end_.certificate.holds()) {
     if (!confirmed_) read_off();
