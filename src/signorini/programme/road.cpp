@@ -7,6 +7,7 @@
 
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/dense_programme.hpp"
+#include "signorini/programme/separate.hpp"
 #include "signorini/solvers/springs.hpp"
 
 namespace signorini {
@@ -248,6 +249,10 @@ void Road::conclude() {
 CertifiedEnd certified_end(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
                            const MatrixXd& null_vectors, const Solver& solver,
                            const SolverOptions& options, Ledger& ledger) {
+  const std::vector<SystemParts> systems =
+      unconnected_systems(programme, condensed.problem.law, null_vectors);
+  if (!systems.empty())
+    return separate_ends(programme, condensed, null_vectors, systems, solver, options, ledger);
   return Road(programme, condensed, null_vectors, ledger).run(solver, options);
 }
 
