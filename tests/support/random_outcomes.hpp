@@ -17,16 +17,17 @@ enum class Outcome {
   Refused,     ///< ProblemError before the solver begins
   Escaped,     ///< proof that the load pulls a body away
   Infeasible,  ///< proof that gaps contradict each other
-  Ray,         ///< the status of that name, as the next two
+  Ray,         ///< the status of that name, as the next three
+  Jump,
   Limit,
   Breakdown,
   Threw,  ///< an error that is not ProblemError
   Wrong   ///< solved, says the library, but a law is broken by more than `most_error`
 };
-inline constexpr std::size_t n_outcomes = 11;
+inline constexpr std::size_t n_outcomes = 12;
 inline constexpr std::array<const char*, n_outcomes> outcome_names = {
-    "solved", "hovers", "unsaid",    "refused", "escaped", "infeasible",
-    "ray",    "limit",  "breakdown", "threw",   "wrong"};
+    "solved", "hovers", "unsaid", "refused",   "escaped", "infeasible",
+    "ray",    "jump",   "limit",  "breakdown", "threw",   "wrong"};
 
 /// Most that a solved scene may break any law by [-].
 inline constexpr double most_error = 1e-9;
