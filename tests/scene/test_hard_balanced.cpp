@@ -15,6 +15,24 @@ struct Squeezed {
   bool upright;  ///< pressed on top and bottom and beside a wall, or on both ends
 };
 
+Scene scene_of(const Squeezed& given) {
+  const bool quadratic = std::string(given.element) == "q8";
+  Scene scene;
+  Body& body = scene.bodies[0];
+  body.mesh = named_block("block", {0.1, 1e-3}, {given.length, 1}, given.cells, 3,
+                          quadratic ? MeshOrder::Quadratic : MeshOrder::Linear);
+  body.element = given.element;
+  body.material = {1e3, 0.499, PlaneState::Strain, 1};
+  body.loads.edges = {{given.upright ? "top" : "left", 1, {}},
+                      {given.upright ? "bottom" : "right", 1, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  if (given.upright)
+    scene.contacts.push_back({{"left"}, half_plane({0, 0}, {1, 0})});
+  else
+    body.supports = {prescribed_at("top", {0.1, 1.001}, Axis::X)};
+  return scene;
+}
+
 }  // namespace
 
 // Each broke down with the imbalance in the one node that grounds K^-1, where it is some 1e-12 of the load.
@@ -26,21 +44,7 @@ TEST_CASE("a squeezed block above a plane is solved though K feels its rigid mot
         Squeezed{10, 13, "q8", false}, Squeezed{100, 13, "q4", false},
         Squeezed{100, 13, "q8", false}}) {
     CAPTURE(given.length, given.cells, given.element, given.upright);
-    const bool quadratic = std::string(given.element) == "q8";
-    Scene scene;
-    Body& body = scene.bodies[0];
-    body.mesh = named_block("block", {0.1, 1e-3}, {given.length, 1}, given.cells, 3,
-                            quadratic ? MeshOrder::Quadratic : MeshOrder::Linear);
-    body.element = given.element;
-    body.material = {1e3, 0.499, PlaneState::Strain, 1};
-    body.loads.edges = {{given.upright ? "top" : "left", 1, {}},
-                        {given.upright ? "bottom" : "right", 1, {}}};
-    scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
-    if (given.upright)
-      scene.contacts.push_back({{"left"}, half_plane({0, 0}, {1, 0})});
-    else
-      body.supports = {prescribed_at("top", {0.1, 1.001}, Axis::X)};
-    const SolvedScene run = solved(scene, "the block");
+    const SolvedScene run = solved(scene_of(given), "the block");
     CHECK(run.solution.certificate.holds());
     CHECK(run.solution.contact.active.empty());
     // The other way it is free to grow: q / E (1 - nu^2) along the load, q / E nu (1 + nu) across.
@@ -49,4 +53,19 @@ TEST_CASE("a squeezed block above a plane is solved though K feels its rigid mot
     const double strain = given.upright ? 0.499 * 1.499e-3 : (1 - 0.499 * 0.499) * 1e-3;
     CHECK(along == Approx(strain * given.length).epsilon(1e-8));
   }
+}
+
+TEST_CASE("where rounding of the stiffness is more than a certificate allows, that is said",
+          "[contact][hard][floating]") {
+  for (const double length : {1.0, 10.0})
+    for (const Eigen::Index cells : {4, 13, 30})
+      for (const char* element : {"q4", "q4_incompatible", "q8"})
+        for (const bool upright : {false, true}) {
+          const Solution solution = solve(scene_of({length, cells, element, upright}));
+          CAPTURE(length, cells, element, upright, solution.contact.reason);
+          if (solution.contact.report.status == Status::Solved) continue;
+          CHECK(solution.certificate.worst() <= 1e-10);
+          CHECK_THAT(solution.contact.reason,
+                     ContainsSubstring("rounding of the stiffness pushes along rigid motions"));
+        }
 }

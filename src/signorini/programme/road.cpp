@@ -55,6 +55,8 @@ class Road {
   void conclude();
   /// Refines the end once more where the certificate sees what rounding of K leaves along rigid motions.
   void spread_imbalance();
+  /// Whether most of what the end lacks of equilibrium is along rigid motions.
+  [[nodiscard]] bool rigid_motions_work() const;
   /// Refines one set, beginning with forces, and keeps it if no certificate was better.
   Judgement look(const std::vector<Motion>& motions, const VectorXd& force);
 
@@ -203,6 +205,15 @@ void Road::spread_imbalance() {
   look(motions_, end_.solution.force);
 }
 
+bool Road::rigid_motions_work() const {
+  Certificate others = end_.certificate;
+  others.equilibrium = others.duality_gap = 0;
+  if (modes_.cols() == 0 || !others.holds()) return false;
+  const MatrixXd Q = column_span(modes_).basis;
+  const VectorXd left = equilibrium_residual(programme_, end_.solution);
+  return largest(Q * (Q.transpose() * left)) > 0.5 * largest(left);
+}
+
 void Road::conclude() {
   spread_imbalance();
   ContactState& state = end_.state;
@@ -228,7 +239,11 @@ void Road::conclude() {
     state.infeasibility.resize(0);
   } else if (state.report.status == Status::Solved) {
     state.report.status = Status::Breakdown;
-    state.reason = "the forces and displacements found do not fit the original data";
+    state.reason =
+        rigid_motions_work()
+            ? "rounding of the stiffness pushes along rigid motions, by more of the load than a "
+              "certificate allows; hold the bodies by a support or a soft spring"
+            : "the forces and displacements found do not fit the original data";
   }
   if (motions_.empty() && movement_.size() == 0) return;
   const Index pairs = problem_.free_gap.size();
