@@ -112,19 +112,22 @@ TEST_CASE("the figures of a programme are what their definitions say",
 }
 
 TEST_CASE("in the duality gap friction forces are loads", "[certificate][friction]") {
-  // K = I; the first two unknowns are the gap and the slip of a pair, the others carry p = u = 10.
+  // The first two unknowns are the gap and the slip of a pair, the others hang on the first and carry K u = p.
+  Eigen::MatrixXd K = Eigen::MatrixXd::Identity(5, 5);
+  K.row(0).tail(3).setConstant(-0.125);
+  K.col(0).tail(3).setConstant(-0.125);
   QuadraticProgramme programme;
-  programme.stiffness = Eigen::MatrixXd(Eigen::MatrixXd::Identity(5, 5)).sparseView();
-  programme.load = (Eigen::VectorXd(5) << 10, 8, 10, 10, 10).finished();
+  programme.stiffness = K.sparseView();
+  programme.load = (Eigen::VectorXd(5) << 4, 8, 15.75, 15.75, 15.75).finished();
   programme.A = Eigen::MatrixXd(Eigen::MatrixXd::Identity(2, 5)).sparseView();
   programme.initial_gap = Eigen::Vector2d(1, 0);
   const PrimalDual claim{
-      (Eigen::VectorXd(5) << 2, 4, 10, 10, 10).finished(), {}, Eigen::Vector2d(2, 3)};
+      (Eigen::VectorXd(5) << 2, 4, 16, 16, 16).finished(), {}, Eigen::Vector2d(2, 3)};
   const FrictionLaw law = {{0}, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)};
-  // lambda gap - u . residual = 2 (1 - 2) - 2 (10 - 2 - 2) - 4 (8 - 4 - 3); the energies are lambda g
+  // lambda gap - u . residual = 2 (1 - 2) - 2 (4 + 4 - 2) - 4 (8 - 4 - 3); the energies are lambda g
   // and (p - tau) u.
   CHECK(certify(programme, claim, law).duality_gap ==
-        Approx(18.0 / (2 + 10 * 2 + (8 - 3) * 4 + 3 * 100)).epsilon(1e-14));
+        Approx(18.0 / (2 + 4 * 2 + (8 - 3) * 4 + 3 * 15.75 * 16)).epsilon(1e-14));
 }
 
 TEST_CASE("the low part of the displacement counts", "[certificate]") {

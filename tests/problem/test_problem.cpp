@@ -31,6 +31,7 @@ TEST_CASE("every status has its word", "[problem]") {
   CHECK(std::string(to_string(Status::Solved)) == "solved");
   CHECK(std::string(to_string(Status::Infeasible)) == "infeasible");
   CHECK(std::string(to_string(Status::Ray)) == "ray");
+  CHECK(std::string(to_string(Status::Jump)) == "jump");
   CHECK(std::string(to_string(Status::IterationLimit)) == "iteration limit");
   CHECK(std::string(to_string(Status::Breakdown)) == "breakdown");
 }

@@ -164,6 +164,7 @@ Verdict verdict(const RandomCondensed& problem, const ContactState& state) {
                                                                               : Verdict::Wrong;
     case Status::Feasible:
     case Status::Ray:
+    case Status::Jump:
     case Status::IterationLimit:
     case Status::Breakdown:
       break;

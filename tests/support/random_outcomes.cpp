@@ -26,6 +26,8 @@ Outcome ending(const Solution& solution) {
       return Outcome::Infeasible;
     case Status::Ray:
       return Outcome::Ray;
+    case Status::Jump:
+      return Outcome::Jump;
     case Status::IterationLimit:
       return Outcome::Limit;
     case Status::Feasible:

@@ -18,7 +18,8 @@ enum class Outcome {
   Unclear,  ///< the same, but its message does not say what is wrong and what to do, see is_clear()
   Escaped,  ///< proof that the load pulls a body away
   Infeasible,  ///< proof that gaps contradict each other
-  Ray,         ///< the status of that name, as the next two
+  Ray,         ///< the status of that name, as the next three
+  Jump,
   Limit,
   Breakdown,
   Threw,     ///< an error that is not ProblemError
@@ -26,10 +27,10 @@ enum class Outcome {
   Disputed,  ///< solved and right, but another method finds another solution where there is one only
   Wrong      ///< solved, says the library, but a law is broken by more than `most_error`
 };
-inline constexpr std::size_t n_outcomes = 14;
+inline constexpr std::size_t n_outcomes = 15;
 inline constexpr std::array<const char*, n_outcomes> outcome_names = {
-    "solved", "hovers", "unsaid",    "refused", "unclear",  "escaped",  "infeasible",
-    "ray",    "limit",  "breakdown", "threw",   "accepted", "disputed", "wrong"};
+    "solved", "hovers", "unsaid",    "refused", "unclear",  "escaped",  "infeasible", "ray",
+    "jump",   "limit",  "breakdown", "threw",   "accepted", "disputed", "wrong"};
 
 /// \return whether no scene may end like this
 inline bool is_fault(Outcome outcome) {

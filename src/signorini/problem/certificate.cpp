@@ -10,6 +10,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/systems.hpp"
 
 namespace signorini {
 namespace {
@@ -124,6 +125,9 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
     }
     scale.length = std::max(scale.length, length / norm(pair));
   }
+  // Where bodies move along their sides only, what their displacements add to a gap is rounding of those.
+  const double moved = largest(strained(solution));
+  if (scale.length <= static_cast<double>(u.size()) * epsilon * moved) scale.length = moved;
   // Without a load, contact forces that u in two doubles cannot resolve are measured by those that the
   // displacements could make.
   if (largest(programme.load) == 0) {
@@ -183,9 +187,9 @@ double duality_gap(const QuadraticProgramme& programme, const PrimalDual& soluti
   return ratio(std::abs(energy.value()), std::max(energies, least));
 }
 
-/// The certificate of gaps, of which some are equations, and of slips.
-Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& solution,
-                        const FrictionLaw& law, Index equations) {
+/// The certificate of one system: gaps, of which some are equations, and slips.
+Certificate figures_of_system(const QuadraticProgramme& programme, const PrimalDual& solution,
+                              const FrictionLaw& law, Index equations) {
   const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
   const Eigen::VectorXd movement = gaps(programme, solution);
   // An entry of K, p, A or g that is not finite leaves none of its sums finite, whatever it is multiplied by.
@@ -204,6 +208,36 @@ Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& s
   certificate.duality_gap = duality_gap(programme, solution, movement.size() - slips, residual,
                                         movement, scale.length * scale.force);
   return certificate;
+}
+
+/// v of these places, or nothing if it is empty.
+Eigen::VectorXd entries(const Eigen::VectorXd& v, const std::vector<Index>& places) {
+  return v.size() == 0 ? v : Eigen::VectorXd(v(places));
+}
+
+/// The worst figures of all systems, each measured by its own lengths and forces.
+Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& solution,
+                        const FrictionLaw& law, Index equations) {
+  const std::vector<SystemParts> systems = unconnected_systems(programme, law, {});
+  if (systems.empty()) return figures_of_system(programme, solution, law, equations);
+  const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
+  Certificate worst;
+  for (const SystemParts& parts : systems) {
+    const PrimalDual part{entries(solution.displacement, parts.unknowns),
+                          entries(solution.displacement_low, parts.unknowns),
+                          entries(solution.force, parts.rows),
+                          entries(solution.rigid, parts.unknowns)};
+    const auto own = std::lower_bound(parts.rows.begin(), parts.rows.end(), equations);
+    const Certificate now =
+        figures_of_system(part_of(programme, parts), part, part_of(law, pairs, parts),
+                          static_cast<Index>(own - parts.rows.begin()));
+    for (double Certificate::*figure :
+         {&Certificate::penetration, &Certificate::tension, &Certificate::complementarity,
+          &Certificate::equilibrium, &Certificate::duality_gap, &Certificate::cone,
+          &Certificate::sliding})
+      if (now.*figure > worst.*figure || std::isnan(now.*figure)) worst.*figure = now.*figure;
+  }
+  return worst;
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ namespace signorini {
 /// Lengths are divided by the largest |a_i|(|u| + |v|) of a row, where v is how far load and contact
 /// forces would move each node if its neighbours stood still, and forces by the largest load or net
 /// contact force on an unknown; rows of A are scaled to norm 1. So no figure changes with units or with the
-/// scaling of a row, and terms that cancel hide nothing. Where no load acts, contact forces of rounding size
-/// are measured by the forces that the displacements could make.
+/// scaling of a row, and terms that cancel hide nothing. Lengths that are rounding of displacements along the sides are
+/// measured by these. Where no load acts, contact forces of rounding size are measured by the forces that the displacements could make. Of a programme, each of the unconnected_systems() is
+/// measured by itself, and the worst figures count.
 struct Certificate {
   double penetration = 0;      ///< largest overlap / length
   double tension = 0;          ///< largest tensile contact force / force

@@ -32,6 +32,8 @@ const char* to_string(Status status) {
       return "infeasible";
     case Status::Ray:
       return "ray";
+    case Status::Jump:
+      return "jump";
     case Status::IterationLimit:
       return "iteration limit";
     case Status::Breakdown:

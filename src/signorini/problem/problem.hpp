@@ -103,12 +103,13 @@ enum class Status {
   Infeasible,      ///< no forces satisfy the conditions
   Ray,             ///< the method ran off along a ray; a solution may or may not exist
   IterationLimit,  ///< stopped by the limit on iterations
-  Breakdown        ///< a system the method needs is singular to working precision
+  Breakdown,       ///< a system the method needs is singular to working precision
+  Jump             ///< pairs close only without their cohesion and open only with it; as for a ray
 };
 
 /// A status in words.
 /// \param status  any
-/// \return "solved", "feasible, not optimal", "infeasible", "ray", "iteration limit" or "breakdown"
+/// \return "solved", "feasible, not optimal", "infeasible", "ray", "iteration limit", "breakdown" or "jump"
 [[nodiscard]] const char* to_string(Status status);
 
 /// One iteration of a solver.

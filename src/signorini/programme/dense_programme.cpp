@@ -9,6 +9,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/programme/floating_programme.hpp"
 #include "signorini/programme/programme_rows.hpp"
 
 namespace signorini {
@@ -131,9 +132,15 @@ DenseCondensed condense(const DenseProgramme& programme) {
 
 DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
                     const SolverOptions& options) {
-  DenseSolution solution = solver.solve_programme != nullptr
-                               ? solver.solve_programme(programme, options)
-                               : solve_condensed(programme, solver, options);
+  DenseSolution solution;
+  try {
+    solution = solver.solve_programme != nullptr ? solver.solve_programme(programme, options)
+                                                 : solve_condensed(programme, solver, options);
+  } catch (const NotDefinite&) {
+    auto other = semidefinite_solution(programme, solver, options);
+    if (!other) throw;
+    solution = std::move(*other);
+  }
   if (solution.report.status == Status::Infeasible &&
       !proves_infeasible(programme, solution.infeasibility, solution.refined.displacement)) {
     solution.report.status = Status::Breakdown;

@@ -48,7 +48,8 @@ struct DenseSolution {
 /// \param options    handed to it
 /// \return the solution; look at its `report.status` first. A solution that the certificate does not
 ///   confirm to 1e-12 is called `Breakdown`
-/// \throws std::invalid_argument, ProblemError as condense() and the solver
+/// \throws std::invalid_argument, ProblemError as condense() and the solver; where K is semidefinite only if
+///   semidefinite_solution() finds none
 [[nodiscard]] DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
                                   const SolverOptions& options = {});
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/rigid_modes.hpp"
@@ -106,6 +107,57 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
             condensed.factor.solve(programme.load - programme.A.transpose() * dense.refined.force));
   solution.escape = std::move(end.state.escape);
   if (dense.report.status == Status::Solved) dense.gap(dense.active).setZero();
+  return solution;
+}
+
+std::optional<DenseSolution> semidefinite_solution(const DenseProgramme& programme,
+                                                   const Solver& solver,
+                                                   const SolverOptions& options) {
+  const Index n = programme.load.size();
+  const Index first = programme.equations;
+  const Index rows = programme.initial_gap.size() - first;
+  const VectorXd unit = unknown_scale(programme.stiffness).cwiseInverse();
+  const MatrixXd A = programme.A * unit.asDiagonal();
+  const MatrixXd E = A.topRows(first);
+  const VectorXd place = first > 0 ? least_norm_solution(E, programme.initial_gap.head(first))
+                                   : VectorXd(VectorXd::Zero(n));
+  const MatrixXd Z = first > 0 ? null_space(E) : MatrixXd(MatrixXd::Identity(n, n));
+  const double rounding = static_cast<double>(n + first + 1) * epsilon;
+  const VectorXd terms = E.cwiseAbs() * place.cwiseAbs();
+  const VectorXd left = E * place - programme.initial_gap.head(first);
+  if ((left.array().abs() > 4 * rounding * terms.array()).any() || Z.cols() == 0) return {};
+  const MatrixXd K = unit.asDiagonal() * programme.stiffness * unit.asDiagonal();
+  const MatrixXd inside = Z.transpose() * K * Z;
+  DenseProgramme reduced;
+  reduced.stiffness = 0.5 * (inside + inside.transpose());
+  if (symmetric_eigenvalues(reduced.stiffness)(0) < -rounding * K.trace()) return {};
+  reduced.load = Z.transpose() * (unit.cwiseProduct(programme.load) - K * place);
+  reduced.A = A.bottomRows(rows) * Z;
+  reduced.initial_gap = programme.initial_gap.tail(rows) - A.bottomRows(rows) * place;
+  const MatrixXd N = null_space(reduced.stiffness);
+  if (N.cols() == 0) return {};
+  DenseSolution solution = solve(reduced, N, solver, options).dense;
+  if (solution.report.status != Status::Solved) return {};
+  PrimalDual& refined = solution.refined;
+  const double nothing = proof_rounding * largest(refined.force);
+  std::vector<Index> pressed;
+  for (Index i = 0; i < rows; ++i)
+    if (refined.force(i) > nothing) pressed.push_back(i);
+  if (pressed.empty()) return {};
+  const MatrixXd held = (reduced.A * N)(pressed, Eigen::all).transpose();
+  if (column_span(held).rank < N.cols()) return {};
+  const VectorXd v = refined.displacement;
+  refined.displacement = unit.cwiseProduct(place + Z * v);
+  refined.displacement_low = unit.cwiseProduct(Z * refined.displacement_low);
+  refined.rigid.resize(0);
+  VectorXd force(first + rows);
+  force.tail(rows) = refined.force;
+  const VectorXd missing = programme.load - programme.stiffness * refined.displacement -
+                           programme.A.bottomRows(rows).transpose() * refined.force;
+  if (first > 0) force.head(first) = least_norm_solution(E.transpose(), unit.cwiseProduct(missing));
+  refined.force = std::move(force);
+  solution.gap = programme.initial_gap - programme.A * refined.displacement;
+  for (Index& row : solution.active) solution.gap(row += first) = 0;
   return solution;
 }
 

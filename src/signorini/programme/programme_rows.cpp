@@ -59,7 +59,7 @@ CholeskyFactor factored(const DenseProgramme& programme) {
     positive = pivots(i) * pivots(i) >
                static_cast<double>(pivots.size() + 1) * epsilon * programme.stiffness(i, i);
   if (!positive)
-    throw ProblemError(
+    throw NotDefinite(
         "quadratic programme: K is not positive definite to rounding, so the least energy may have "
         "no limit or many places; hold the free directions with equations");
   return factor;

@@ -5,10 +5,16 @@
 
 #include "signorini/closing/closed_basis.hpp"
 #include "signorini/core/dense.hpp"
+#include "signorini/core/errors.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/problem.hpp"
 
 namespace signorini {
+
+/// What is wrong with a K that is only semidefinite where the equations hold, or less.
+struct NotDefinite : ProblemError {
+  using ProblemError::ProblemError;
+};
 
 /// A dense programme, the factor of its K, and gaps relative to a solution that is known already.
 ///
@@ -19,7 +25,7 @@ class ProgrammeRows {
   /// Factors K and finds the gaps without contact. \PaperEq{XuanLi2002, 20}
   /// \param programme  K, p, A, g; must outlive this
   /// \throws std::invalid_argument if sizes do not fit or a number is not finite
-  /// \throws ProblemError if K is not positive definite to rounding where A_e u = 0
+  /// \throws NotDefinite if K is not positive definite to rounding where A_e u = 0
   explicit ProgrammeRows(const DenseProgramme& programme);
 
   /// \return number of unknowns n

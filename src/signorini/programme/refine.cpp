@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "signorini/core/dense.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
 
@@ -98,6 +99,8 @@ class Refining {
   Change sweep();
   /// Moves u by what a change of forces moves. \return by how much
   VectorXd push(const VectorXd& pushed);
+  /// A residual without what K u in it does along rigid motions.
+  [[nodiscard]] VectorXd spread(const VectorXd& residual) const;
   /// Moves bodies rigidly.
   void move(const VectorXd& amplitude);
 
@@ -142,6 +145,22 @@ bool Refining::felt(const VectorXd& pushed) const {
              0.25 * epsilon * largest(result_.solution.displacement);
 }
 
+VectorXd Refining::spread(const VectorXd& residual) const {
+  const VectorXd inner = residual - (data_.programme.load -
+                                     data_.programme.A.transpose() * (force_.high + force_.low));
+  const auto along = [&](const MatrixXd& motions) {
+    const MatrixXd Q = column_span(motions).basis;
+    return VectorXd(Q * (Q.transpose() * inner));
+  };
+  const double nothing = along(data_.null_vectors).lpNorm<1>();
+  std::vector<Index> holding;
+  for (const Index row : closing_.rows())
+    if (std::abs(force_.high(row)) > nothing) holding.push_back(row);
+  if (holding.empty()) return residual - along(data_.null_vectors);
+  const MatrixXd loose = null_space(data_.condensed.rigid(holding, Eigen::all));
+  return loose.cols() == 0 ? residual : VectorXd(residual - along(data_.null_vectors * loose));
+}
+
 void Refining::move(const VectorXd& amplitude) {
   const VectorXd moved = data_.null_vectors * amplitude;
   result_.amplitude += amplitude;
@@ -169,7 +188,8 @@ Refining::Change Refining::begin() {
 Refining::Change Refining::sweep() {
   ++sweeps_;
   PrimalDual& solution = result_.solution;
-  const VectorXd residual = unbalanced();
+  VectorXd residual = unbalanced();
+  if (floats() && data_.imbalance == Imbalance::Spread) residual = spread(residual);
   VectorXd moved = data_.solve_stiffness(residual);
   ++result_.solves;
   add_displacement(solution, moved);

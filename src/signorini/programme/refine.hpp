@@ -18,6 +18,13 @@ void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
 /// \param change    `n` [length]
 void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change);
 
+/// Where K u goes that does work along rigid motions: it should not, but the entries of K are rounded.
+enum class Imbalance {
+  Carried,  ///< into contact forces, and without these into the unknowns that ground the bodies in K^-1
+  /// Over all unknowns that move, along motions that no contact force holds which is more than that
+  Spread
+};
+
 /// What refine() and judge() take their equations from.
 struct RefinementData {
   /// K, p, A, g as posed; with friction the last rows of A are -T
@@ -26,8 +33,9 @@ struct RefinementData {
   const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness;
   /// Only compliance and rigid, which may be inaccurate, and law count
   const ContactProblem& condensed;
-  const ScaledProblem& scaled;          ///< `condensed`, equilibrated
-  const Eigen::MatrixXd& null_vectors;  ///< N, or nothing if K is regular
+  const ScaledProblem& scaled;               ///< `condensed`, equilibrated
+  const Eigen::MatrixXd& null_vectors;       ///< N, or nothing if K is regular
+  Imbalance imbalance = Imbalance::Carried;  ///< of the solutions that refine() finds
 };
 
 /// What refine() did.

@@ -7,6 +7,7 @@
 
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/dense_programme.hpp"
+#include "signorini/programme/separate.hpp"
 #include "signorini/solvers/springs.hpp"
 
 namespace signorini {
@@ -52,6 +53,10 @@ class Road {
   void take_over(const ContactState& claim, bool corrected);
   /// Fills the end.
   void conclude();
+  /// Refines the end once more where the certificate sees what rounding of K leaves along rigid motions.
+  void spread_imbalance();
+  /// Whether most of what the end lacks of equilibrium is along rigid motions.
+  [[nodiscard]] bool rigid_motions_work() const;
   /// Refines one set, beginning with forces, and keeps it if no certificate was better.
   Judgement look(const std::vector<Motion>& motions, const VectorXd& force);
 
@@ -192,7 +197,25 @@ CertifiedEnd Road::run(const Solver& solver, const SolverOptions& options) {
   return std::move(end_);
 }
 
+void Road::spread_imbalance() {
+  if (end_.certificate.holds() || modes_.cols() == 0 || end_.solution.displacement.size() == 0)
+    return;
+  data_.imbalance = Imbalance::Spread;
+  now_ = end_.solution;
+  look(motions_, end_.solution.force);
+}
+
+bool Road::rigid_motions_work() const {
+  Certificate others = end_.certificate;
+  others.equilibrium = others.duality_gap = 0;
+  if (modes_.cols() == 0 || !others.holds()) return false;
+  const MatrixXd Q = column_span(modes_).basis;
+  const VectorXd left = equilibrium_residual(programme_, end_.solution);
+  return largest(Q * (Q.transpose() * left)) > 0.5 * largest(left);
+}
+
 void Road::conclude() {
+  spread_imbalance();
   ContactState& state = end_.state;
   if (end_.certificate.holds()) {
     if (!confirmed_) read_off();
@@ -216,7 +239,11 @@ void Road::conclude() {
     state.infeasibility.resize(0);
   } else if (state.report.status == Status::Solved) {
     state.report.status = Status::Breakdown;
-    state.reason = "the forces and displacements found do not fit the original data";
+    state.reason =
+        rigid_motions_work()
+            ? "rounding of the stiffness pushes along rigid motions, by more of the load than a "
+              "certificate allows; hold the bodies by a support or a soft spring"
+            : "the forces and displacements found do not fit the original data";
   }
   if (motions_.empty() && movement_.size() == 0) return;
   const Index pairs = problem_.free_gap.size();
@@ -237,6 +264,10 @@ void Road::conclude() {
 CertifiedEnd certified_end(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
                            const MatrixXd& null_vectors, const Solver& solver,
                            const SolverOptions& options, Ledger& ledger) {
+  const std::vector<SystemParts> systems =
+      unconnected_systems(programme, condensed.problem.law, null_vectors);
+  if (!systems.empty())
+    return separate_ends(programme, condensed, null_vectors, systems, solver, options, ledger);
   return Road(programme, condensed, null_vectors, ledger).run(solver, options);
 }
 

@@ -55,12 +55,14 @@ namespace signorini {
 /// without any solution.
 ///
 /// In its equations an open pair carries cohesion. So c is given to a set of pairs, first to all and then
-/// to those that came out closed, until both are the same set; that need not happen.
+/// to those that came out closed, until both are the same set. If a set comes back, one pair at a time gets or loses
+/// its cohesion, never the last one again while another is wrong; where that one alone is left, it closes only
+/// without its cohesion and opens only with it, and there is no solution in which all others do what they do there.
 ///
 /// \param problem  any; without friction and rigid modes any M and q
 /// \param options  as above, for all paths together; with friction or rigid modes of each path
 /// \return as above; `iterations` counts the pivots of all paths. With friction or rigid modes also `Infeasible`
-///   with `escape` if no forces balance r, and `Breakdown` if the sets of cohesive pairs run in circles
+///   with `escape` if no forces balance r, and `Jump` if a set of cohesive pairs cannot be found
 /// \throws std::invalid_argument as check_finite(), with rigid modes as check_problem()
 [[nodiscard]] ContactState lemke(const ContactProblem& problem, const SolverOptions& options = {});
 

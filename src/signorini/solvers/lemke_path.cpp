@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "signorini/core/errors.hpp"
 #include "signorini/solvers/lemke.hpp"
 #include "signorini/solvers/newton.hpp"
 
@@ -97,12 +98,40 @@ void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd
   }
 }
 
+/// The cohesion of a set of pairs: those that came out closed.
+VectorXd carried(const ScaledProblem& problem, const std::vector<Motion>& motions) {
+  VectorXd cohesion = problem.law.cohesion;
+  for (Index j = 0; j < cohesion.size(); ++j)
+    if (motions[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])] ==
+        Motion::Open)
+      cohesion(j) = 0;
+  return cohesion;
+}
+
+/// The first slip of which two sets do not say the same, other than `last` if there is one; -1 if they are the same.
+Index first_change(const VectorXd& now, const VectorXd& next, Index last) {
+  Index found = -1;
+  for (Index j = 0; j < now.size() && (found < 0 || found == last); ++j)
+    if (now(j) != next(j)) found = j;
+  return found;
+}
+
 }  // namespace
 
 void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, Attempt& attempt) {
   VectorXd cohesion = problem.law.cohesion;
   std::vector<VectorXd> seen;
-  while (std::find(seen.begin(), seen.end(), cohesion) == seen.end()) {
+  bool one_at_a_time = false;
+  Index changed = -1;  // the slip whose pair got or lost its cohesion last, if it was the only one
+  Index jumping = -1;
+  bool circle = false;
+  while (true) {
+    if (std::find(seen.begin(), seen.end(), cohesion) != seen.end()) {
+      circle = one_at_a_time;
+      if (circle) break;
+      one_at_a_time = true;
+      seen.clear();
+    }
     seen.push_back(cohesion);
     const ContactState state = arrived(complementarity(problem, cohesion), options, attempt.report);
     std::string reason =
@@ -110,24 +139,35 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, A
     attempt.reason = reason;
     if (!state.force.allFinite()) return;
     take(problem, cohesion, state.force, attempt);
+    const VectorXd next = carried(problem, attempt.motions);
     exchange_motions(problem, 3,
                      attempt);  // rounding may have the say over pairs that barely touch
     if (attempt.confirmed) return;
     attempt.report.status = state.report.status;
     attempt.reason = std::move(reason);
     if (state.report.status != Status::Solved) return;
-    if (cohesion.isZero(0)) break;
-    for (Index j = 0; j < cohesion.size(); ++j) {
-      const Index pair = problem.law.pair[static_cast<std::size_t>(j)];
-      const bool open = attempt.motions[static_cast<std::size_t>(pair)] == Motion::Open;
-      cohesion(j) = open ? 0 : problem.law.cohesion(j);
+    const Index change = first_change(cohesion, next, changed);
+    if (change < 0) break;
+    if (one_at_a_time && change == changed) {
+      jumping = change;
+      break;
     }
+    if (one_at_a_time)
+      cohesion(change) = next(change);
+    else
+      cohesion = next;
+    changed = one_at_a_time ? change : -1;
   }
-  attempt.report.status = Status::Breakdown;
+  attempt.report.status = circle || jumping >= 0 ? Status::Jump : Status::Breakdown;
   attempt.reason =
-      problem.law.cohesion.isZero(0)
-          ? "rounding hides what the pairs do where Lemke's method arrived"
-          : "pairs close only without cohesion and open only with it, or rounding decides";
+      jumping >= 0
+          ? text("pair ", problem.law.pair[static_cast<std::size_t>(jumping)],
+                 " closes only without its cohesion and opens only with it: cohesion that ends "
+                 "with contact leaves no equilibrium here; change the load or the cohesion")
+      : circle
+          ? "no set of pairs that was tried stays closed with the cohesion it is given, and no "
+            "other; change the load or the cohesion"
+          : "rounding hides what the pairs do where Lemke's method arrived";
 }
 
 }  // namespace signorini

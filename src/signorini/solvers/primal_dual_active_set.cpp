@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "signorini/closing/proofs.hpp"
+#include "signorini/solvers/goldfarb_idnani.hpp"
 #include "signorini/solvers/newton.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"
 
@@ -70,6 +71,26 @@ Attempt attempt_from(const ScaledProblem& problem, const std::vector<Motion>& mo
   attempt.closure.amplitude.setZero(problem.rigid.cols());
   attempt.motions = motions;
   return attempt;
+}
+
+/// Ends where nothing pushes bodies that only contact stops: no pair has a force, at the least of the rigid motions
+/// after which none overlaps. Where so many pairs just touch, exchanges follow forces that are nothing but rounding.
+void put_apart(const ScaledProblem& problem, Attempt& attempt) {
+  if (!problem.resultant.isZero(0)) return;
+  const Index pairs = problem.pairs();
+  const Eigen::MatrixXd U = problem.rigid.topRows(pairs);
+  const ContactState placed = goldfarb_idnani({U * U.transpose(), problem.free.head(pairs)});
+  append(attempt.report, placed.report);
+  attempt.report.status = Status::Breakdown;
+  if (placed.report.status != Status::Solved) return;
+  Closure start;
+  start.amplitude = U.transpose() * placed.force;
+  const std::vector<Motion> open = motions_of({}, pairs);
+  Closure end = close(problem, open, &start);
+  if (!solves(problem, open, end)) return;
+  attempt.closure = std::move(end);
+  attempt.motions = open;
+  attempt.confirmed = true;
 }
 
 }  // namespace
@@ -149,7 +170,8 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   }
   if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
     begin_again();
-    if (rubs) follow_soft_pairs(scaled, attempt);
+    if (floats) put_apart(scaled, attempt);
+    if (rubs && !attempt.confirmed) follow_soft_pairs(scaled, attempt);
     const Index most = attempt.report.iterations + newton_limit;
     if (!attempt.confirmed) follow_newton(scaled, nested_friction, most, attempt);
     if (!attempt.confirmed) follow_pivots(scaled, {}, attempt);

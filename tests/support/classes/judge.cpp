@@ -35,6 +35,7 @@ std::string judge(const Instance& instance, const Report& report, bool must,
       if (!must) return feasible();
       break;
     case Status::Ray:
+    case Status::Jump:
     case Status::IterationLimit:
     case Status::Breakdown:
       if (!must || instance.expected == Status::Breakdown ||
