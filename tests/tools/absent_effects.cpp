@@ -11,6 +11,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/elasticity/free_motions.hpp"
+#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/mesh/joints.hpp"
 #include "signorini/programme/road.hpp"
 #include "signorini/scene/scene.hpp"
