@@ -11,7 +11,7 @@ set bmargin 6
 set ylabel 'seconds / plain solve'
 set label 1 'Hertz' at 1, graph -0.27 center
 set label 2 'cantilever' at 4, graph -0.27 center
-set yrange [0:4]
+set yrange [0:*]
 set grid noxtics
 set xtics scale 0
 set arrow 1 from graph 0, first 1 to graph 1, first 1 nohead lw 1.5 dt (6,4) lc rgb BLACK front

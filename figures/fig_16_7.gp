@@ -32,7 +32,7 @@ set lmargin at screen 0.75
 set rmargin at screen 0.985
 set xrange [8:200]
 set xtics (10,20,40,80,160)
-set yrange [1e-18:1e4]
+set yrange [1e-18:1e8]
 set ytics 1e-16, 1e4, 1e-4
 set xlabel 'length / height'
 set title 'certificate'
