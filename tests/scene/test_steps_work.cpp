@@ -117,3 +117,22 @@ TEST_CASE("a node that a support drags over the ground rubs at its bound, and no
     CHECK((contact.friction - before).head(last).norm() <= 1e-12 * before.norm());
   }
 }
+
+// Rows of no pairs are as long as those of any: what supports do is read off forces of all nodes.
+TEST_CASE("a path without contacts puts the work of its supports into strains", "[steps]") {
+  Scene scene = slab(2, {1, 1, -1});
+  scene.contacts.clear();
+  const std::string& boundary = scene.bodies[0].mesh.boundaries.begin()->first;
+  scene.bodies[0].supports = {fixed(boundary)};
+  Ledger ledger;
+  const Model model = build(scene, ledger);
+  CHECK(model.pairs.opening.rows() == 0);
+  CHECK(model.pairs.opening.cols() == 2 * scene.bodies[0].mesh.n_nodes());
+  WorkMeter meter;
+  const PathEnd end =
+      solve_steps(scene, [&](const Model& at, const Step& step) { meter.add(at, step); });
+  CHECK(end.status == Status::Solved);
+  const Work& work = meter.work();
+  CHECK(work.supports == 0);
+  CHECK(work.strain == Approx(work.put_in()).epsilon(1e-12));
+}

@@ -89,7 +89,9 @@ SceneErrors CheckedPath::add(const Model& model, const Step& step) {
   if (slip_.size() == 0) slip_.setZero(slip.size());
   VectorXd& gap = now.programme.initial_gap;
   gap.resize(pairs + slip.size());
-  gap << now.pairs.initial_gap, selected_rows(now.pairs.sliding, now.law.pair) * held - slip_;
+  gap.head(pairs) = now.pairs.initial_gap;
+  if (slip.size() > 0)
+    gap.tail(slip.size()) = selected_rows(now.pairs.sliding, now.law.pair) * held - slip_;
   SceneErrors errors = check_scene(now, step.solution, length_);
 
   const double length = errors.length;

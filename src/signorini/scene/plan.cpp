@@ -168,6 +168,9 @@ Plan plan(const Scene& scene) {
   for (const Body& body : scene.bodies) plan_body(body, plan);
   plan_unknowns(scene, plan);
   plan.gaps.A.resize(0, plan.unknowns.count);
+  const Index components = 2 * count_nodes(plan.bodies);
+  plan.gaps.pairs.opening.resize(0, components);
+  plan.gaps.pairs.sliding.resize(0, components);
   plan.solver = scene.solver;
   plan.backend = scene.backend;
   telling(plan.notes, [&] {
