@@ -8,7 +8,11 @@ foreach(program price peers)
   target_compile_definitions(${program} PRIVATE SIGNORINI_BENCH_OUT="${PROJECT_BINARY_DIR}/out/bench")
 endforeach()
 target_link_libraries(peers PRIVATE ${CMAKE_DL_LIBS})
-target_compile_definitions(peers PRIVATE SIGNORINI_PEERS_SCRIPT="${PROJECT_SOURCE_DIR}/bench/peers/peers.py")
+target_compile_definitions(peers PRIVATE
+  SIGNORINI_PEERS_SCRIPT="${PROJECT_SOURCE_DIR}/bench/peers/peers.py"
+  SIGNORINI_GETFEM_SCRIPT="${PROJECT_SOURCE_DIR}/bench/peers/getfem_hertz.py"
+  SIGNORINI_PROGRAM="$<TARGET_FILE:signorini_command>")
+add_dependencies(peers signorini_command)
 
 # One of the yardsticks of `price`; without it the others remain.
 find_path(CHOLMOD_HEADERS cholmod.h PATH_SUFFIXES suitesparse)

@@ -1,0 +1,206 @@
+#include "bench/peers/hertz_comparison.hpp"
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <numeric>
+
+#include "bench/peers/child.hpp"
+#include "bench/peers/turns.hpp"
+#include "signorini/closed_form/hertz_fit.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/results.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/scene/readings.hpp"
+
+namespace signorini::bench {
+namespace {
+
+/// What one program did on one mesh.
+struct Answer {
+  Turn turn;  // seconds, and memory [MB]
+  RimForces rim;
+  double sum = 0, q0 = 0, b = 0;  // errors [%]
+  std::string failure;
+  bool left_out = false;
+
+  [[nodiscard]] double error() const { return std::max(std::abs(q0), std::abs(b)); }
+};
+
+HertzCase hertz_case(Eigen::Index part, const std::filesystem::path& folder) {
+  HertzCase now;
+  HertzMeshSpec& mesh = now.problem.mesh;
+  for (Eigen::Index* cells : {&mesh.disc_cells, &mesh.disc_rows, &mesh.disc_layers,
+                              &mesh.plate_cells, &mesh.plate_rows, &mesh.plate_layers})
+    *cells *= part;
+  now.scene = signorini_test::scene_of(now.problem);
+  now.folder = folder;
+  std::filesystem::create_directories(folder);
+  return now;
+}
+
+/// Errors against the closed form, each in percent of its value.
+void judge(const HertzCase& now, Answer& answer) {
+  const LineContact theory = now.problem.theory();
+  const RimForces& rim = answer.rim;
+  const Eigen::VectorXd weight = rim_of(now).weight;
+  pose(static_cast<Eigen::Index>(rim.x.size()) == weight.size(), "it has forces at ", rim.x.size(),
+       " nodes, the rim has ", weight.size());
+  std::vector<double> pressure(rim.x.size());
+  for (std::size_t k = 0; k < pressure.size(); ++k)
+    pressure[k] = rim.force[k] / weight(static_cast<Eigen::Index>(k));
+  const double sum = std::accumulate(rim.force.begin(), rim.force.end(), 0.0);
+  answer.sum = 100 * (2 * sum / theory.force - 1);
+  answer.q0 = 100 * (fit_hertz(rim.x, pressure).peak_pressure / hertz_peak_pressure(theory) - 1);
+  answer.b = 100 * (half_width_of_forces(rim.x, rim.force) / hertz_half_width(theory) - 1);
+}
+
+/// One run of a program, and at the first one what it found.
+Turn run(const Program& program, const HertzCase& now, bool first, Answer& answer) {
+  const ChildRun child = run_child(program.command(now), now.folder, program.log, longest_turn);
+  if (first) answer.failure = child.failure;
+  if (first && child.failure.empty()) try {
+      answer.rim = program.read(now);
+      judge(now, answer);
+    } catch (const std::exception& error) {
+      answer.failure = error.what();
+    }
+  return {child.seconds, child.megabytes};
+}
+
+/// What the work of a factor in the plane, which grows like the power 3/2, lets expect after the mesh before.
+double expected(const Answer& before, double growth) {
+  return before.left_out || !before.failure.empty() ? std::numeric_limits<double>::infinity()
+                                                    : before.turn.seconds * std::pow(growth, 1.5);
+}
+
+/// The largest difference of the forces of our program from those found here, over the largest force.
+double difference_from_library(const HertzCase& now, const RimForces& rim) {
+  const SolvedScene here = signorini::solved(now.scene, "Hertz's contact");
+  const BoundaryForces side = boundary_forces(here, now.scene.contacts[0].source);
+  double worst = 0;
+  for (Eigen::Index k = 0; k < side.weight.size(); ++k) {
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < rim.x.size(); ++i)
+      if (std::abs(rim.x[i] - side.position(k, 0)) < std::abs(rim.x[nearest] - side.position(k, 0)))
+        nearest = i;
+    worst = std::max(worst, std::abs(rim.force[nearest] - side.force(k, 1)));
+  }
+  return worst / side.force.col(1).maxCoeff();
+}
+
+std::string over(double ours, double theirs) { return number(ours / theirs, "%.3f"); }
+
+void add_rows(const std::vector<Program>& programs, const std::vector<Answer>& answers,
+              Eigen::Index nodes, Table& table) {
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const Answer& answer = answers[i];
+    std::vector<std::string> row = {text(nodes), programs[i].name};
+    if (answer.left_out)
+      row.insert(row.end(), {"-", "-", "-", "-"});
+    else
+      row.insert(row.end(), {number(answer.turn.seconds, "%.3g"), number(answer.turn.also, "%.0f"),
+                             over(answers[0].turn.seconds, answer.turn.seconds),
+                             over(answers[0].turn.also, answer.turn.also)});
+    if (answer.failure.empty() && !answer.left_out)
+      row.insert(row.end(), {text(answer.rim.iterations), number(answer.sum, "%+.1e"),
+                             number(answer.q0, "%+.4f"), number(answer.b, "%+.4f"), ""});
+    else
+      row.insert(row.end(), {"-", "-", "-", "-", answer.failure});
+    table.row(std::move(row));
+  }
+}
+
+void add_curves(const std::vector<Answer>& answers, Eigen::Index nodes, Table& curves) {
+  std::vector<std::string> row = {text(nodes)};
+  for (const Answer& answer : answers) {
+    const bool there = answer.failure.empty() && !answer.left_out;
+    row.push_back(there ? number(answer.turn.seconds, "%.4g") : "NaN");
+    row.push_back(there ? number(answer.turn.also, "%.4g") : "NaN");
+    row.push_back(there ? number(answer.error(), "%.4g") : "NaN");
+  }
+  curves.row(std::move(row));
+}
+
+/// Who is best without us, each in its own figure.
+void print_verdict(const std::vector<Program>& programs, const std::vector<Answer>& answers,
+                   Eigen::Index nodes) {
+  const auto best = [&](auto&& figure) {
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < answers.size(); ++i)
+      if (answers[i].failure.empty() && !answers[i].left_out &&
+          (least == 0 || figure(answers[i]) < figure(answers[least])))
+        least = i;
+    return least;
+  };
+  const std::size_t fast = best([](const Answer& a) { return a.turn.seconds; });
+  if (fast == 0) return;
+  const std::size_t small = best([](const Answer& a) { return a.turn.also; });
+  const std::size_t exact = best([](const Answer& a) { return a.error(); });
+  const Answer& own = answers[0];
+  std::cout << nodes << " nodes: " << over(own.turn.seconds, answers[fast].turn.seconds)
+            << " of the seconds of " << programs[fast].name << ", "
+            << over(own.turn.also, answers[small].turn.also) << " of the memory of "
+            << programs[small].name << ", the larger error " << number(own.error(), "%.4f")
+            << " % against " << number(answers[exact].error(), "%.4f") << " % of "
+            << programs[exact].name << std::endl;
+}
+
+std::vector<std::string> curve_names(std::size_t programs) {
+  std::vector<std::string> names = {"nodes"};
+  for (std::size_t i = 0; i < programs; ++i)
+    for (const char* figure : {"seconds_", "MB_", "error_"})
+      names.push_back(figure + std::to_string(i));
+  return names;
+}
+
+}  // namespace
+
+bool compare_hertz(const std::vector<Program>& programs, const std::vector<HertzSize>& sizes,
+                   const std::filesystem::path& out) {
+  Table table({"nodes", "program", "s", "MB", "ours / it, s", "ours / it, MB", "iterations",
+               "force [%]", "q0 [%]", "b [%]", "failure"});
+  Table curves(curve_names(programs.size()));
+  bool good = true;
+  std::vector<Answer> before(programs.size());
+  double last_nodes = 0;
+  for (const HertzSize& size : sizes) {
+    const HertzCase now = hertz_case(size.part, out / "hertz");
+    const auto nodes = static_cast<double>(now.n_nodes());
+    write_gmsh_file(now);
+    std::vector<Answer> answers(programs.size());
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+      if (last_nodes > 0 && expected(before[i], nodes / last_nodes) > 2 * longest_turn) {
+        answers[i].left_out = true;
+        answers[i].failure = before[i].failure.empty() ? "would take too long" : "failed before";
+      } else {
+        programs[i].prepare(now);
+      }
+    }
+    const std::vector<Turn> turns =
+        in_turn(programs.size(), size.rounds, [&](std::size_t i, bool first, bool& failed) {
+          const Turn turn = answers[i].left_out ? Turn{} : run(programs[i], now, first, answers[i]);
+          failed = !answers[i].failure.empty();
+          return turn;
+        });
+    for (std::size_t i = 0; i < answers.size(); ++i) answers[i].turn = turns[i];
+    const bool solved = answers[0].failure.empty();
+    if (!solved) std::cout << programs[0].name << ": " << answers[0].failure << std::endl;
+    good =
+        good && solved && (last_nodes > 0 || difference_from_library(now, answers[0].rim) <= 1e-9);
+    add_rows(programs, answers, now.n_nodes(), table);
+    add_curves(answers, now.n_nodes(), curves);
+    print_verdict(programs, answers, now.n_nodes());
+    before = std::move(answers);
+    last_nodes = nodes;
+  }
+  std::cout << "\nHertz's contact by whole programs: medians of processor time, largest memory; "
+               "errors of the contact force\nand of q0 and b as chapter 11 reads them, from the "
+               "forces that each program wrote.\n\n"
+            << table.markdown();
+  write_file(out / "hertz.md", table.markdown());
+  write_file(out / "hertz.csv", curves.csv("none"));
+  return good;
+}
+
+}  // namespace signorini::bench
