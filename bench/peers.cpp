@@ -1,5 +1,5 @@
 // What others need for the same: Hertz's contact by whole programs, random programmes of known solution, contact of a body.
-// Run:  make peers     Reads: nothing     Writes: hertz.md, hertz.csv, peers.md, peers.csv, contact.md
+// Run:  make peers     Reads: nothing     Writes: hertz.md, hertz.csv, linear.md, peers.md, peers.csv, contact.md
 // Without --full small problems, and of the solvers of programmes only ours: a test of this program, not a measurement.
 #include <cmath>
 #include <iostream>
@@ -7,6 +7,7 @@
 
 #include "bench/measure.hpp"
 #include "bench/peers/hertz_comparison.hpp"
+#include "bench/peers/linear_comparison.hpp"
 #include "bench/peers/peer.hpp"
 #include "bench/peers/turns.hpp"
 #include "signorini/core/errors.hpp"
@@ -166,6 +167,7 @@ int main(int argc, char** argv) {
                       options.full ? std::vector<HertzSize>{{1, 5}, {2, 5}, {4, 3}, {8, 1}}
                                    : std::vector<HertzSize>{{1, 1}},
                       options.out);
+    certified = compare_linear(options.full, options.out) && certified;
     std::vector<Peer> peers = own_solvers();
     const std::size_t ours = peers.size();
     if (options.full) {

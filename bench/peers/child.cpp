@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 
 #include "signorini/core/errors.hpp"
@@ -29,6 +30,15 @@ std::vector<std::string> found(const std::string& program) {
 
 double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// The last line of a file that says something.
+std::string last_line(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string last;
+  for (std::string line; std::getline(in, line);)
+    if (line.find_first_not_of(" \t_") != std::string::npos) last = line;
+  return last;
 }
 
 /// What remains of the child until its program starts. \return if it cannot be started
@@ -71,7 +81,7 @@ ChildRun run_child(const std::vector<std::string>& command, const std::filesyste
   else if (WIFSIGNALED(status))
     run.failure = text("ended by signal ", WTERMSIG(status));
   else if (WEXITSTATUS(status) != 0)
-    run.failure = text("ended with ", WEXITSTATUS(status), ", see ", log);
+    run.failure = text("ended with ", WEXITSTATUS(status), ": ", last_line(folder / log));
   return run;
 }
 

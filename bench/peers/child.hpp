@@ -12,7 +12,7 @@ struct ChildRun {
   double seconds = 0;  ///< processor time of all its threads and children [s]
   double megabytes =
       0;  ///< its largest memory [MB], and at least what this program had when it started it
-  std::string failure;  ///< how it ended if not with 0, or empty
+  std::string failure;  ///< how it ended if not with 0, with the last it printed; or empty
 };
 
 /// Runs a program with one thread. What it prints goes to `log` in its folder.

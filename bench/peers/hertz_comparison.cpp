@@ -1,6 +1,7 @@
 #include "bench/peers/hertz_comparison.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <numeric>
@@ -27,15 +28,34 @@ struct Answer {
   [[nodiscard]] double error() const { return std::max(std::abs(q0), std::abs(b)); }
 };
 
+/// A folder for what the programs read and write, which nobody needs afterwards.
+class Folder {
+ public:
+  Folder() {
+    std::string name = std::filesystem::temp_directory_path() / "signorini-peers-XXXXXX";
+    if (mkdtemp(name.data()) == nullptr)
+      throw ProblemError(text("peers: cannot make the folder ", name));
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  Folder(Folder&&) = delete;
+  Folder& operator=(Folder&&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 HertzCase hertz_case(Eigen::Index part, const std::filesystem::path& folder) {
   HertzCase now;
-  HertzMeshSpec& mesh = now.problem.mesh;
-  for (Eigen::Index* cells : {&mesh.disc_cells, &mesh.disc_rows, &mesh.disc_layers,
-                              &mesh.plate_cells, &mesh.plate_rows, &mesh.plate_layers})
-    *cells *= part;
+  now.problem.mesh = finer_hertz_mesh(part);
   now.scene = signorini_test::scene_of(now.problem);
   now.folder = folder;
-  std::filesystem::create_directories(folder);
   return now;
 }
 
@@ -161,11 +181,12 @@ bool compare_hertz(const std::vector<Program>& programs, const std::vector<Hertz
   Table table({"nodes", "program", "s", "MB", "ours / it, s", "ours / it, MB", "iterations",
                "force [%]", "q0 [%]", "b [%]", "failure"});
   Table curves(curve_names(programs.size()));
+  const Folder folder;
   bool good = true;
   std::vector<Answer> before(programs.size());
   double last_nodes = 0;
   for (const HertzSize& size : sizes) {
-    const HertzCase now = hertz_case(size.part, out / "hertz");
+    const HertzCase now = hertz_case(size.part, folder.path());
     const auto nodes = static_cast<double>(now.n_nodes());
     write_gmsh_file(now);
     std::vector<Answer> answers(programs.size());

@@ -19,7 +19,7 @@ struct HertzSize {
 /// chapter 11 reads them; a program that fails has a row that says so.
 /// \param programs  that are there; ours is the first
 /// \param sizes     rising
-/// \param out       folder for the tables; the files of the programs go to `hertz` in it
+/// \param out       folder for the tables
 /// \return whether our program solved all of them, and on the first wrote the forces that the library finds here
 [[nodiscard]] bool compare_hertz(const std::vector<Program>& programs,
                                  const std::vector<HertzSize>& sizes,

@@ -135,7 +135,7 @@ void write_calculix_file(const HertzCase& now, const std::string& name,
   file << "*SURFACE INTERACTION,NAME=touch\n*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=LINEAR\n"
        << shortest(stiffness) << "\n*CONTACT PAIR,INTERACTION=touch,TYPE=" << contact.type
        << "\ndisc_rim,plate_surface\n*STEP,INC=1000\n*STATIC\n1,1\n*DLOAD\n"
-       << loads.str() << "*CONTACT FILE\nCDIS,CSTR\n*END STEP\n";
+       << loads.str() << "*CONTACT FILE,OUTPUT=3D\nCDIS,CSTR\n*END STEP\n";
   write_file(now.folder / (name + ".inp"), file.str());
 }
 

@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "command_line/man.hpp"
 #include "command_line/options.hpp"
 #include "command_line/outcome.hpp"
@@ -230,6 +234,10 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD,
+          1 << 20);  // what a phase frees goes back to the system before the next needs its own
+#endif
   try {
     const int code = run(argc, argv);
     finish_printing();
