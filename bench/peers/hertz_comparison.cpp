@@ -77,7 +77,8 @@ void judge(const HertzCase& now, Answer& answer) {
 
 /// One run of a program, and at the first one what it found.
 Turn run(const Program& program, const HertzCase& now, bool first, Answer& answer) {
-  const ChildRun child = run_child(program.command(now), now.folder, program.log, longest_turn);
+  const ChildRun child =
+      run_child(program.command(now), now.folder, program.key + ".log", longest_turn);
   if (first) answer.failure = child.failure;
   if (first && child.failure.empty()) try {
       answer.rim = program.read(now);
@@ -88,10 +89,12 @@ Turn run(const Program& program, const HertzCase& now, bool first, Answer& answe
   return {child.seconds, child.megabytes};
 }
 
-/// What the work of a factor in the plane, which grows like the power 3/2, lets expect after the mesh before.
-double expected(const Answer& before, double growth) {
-  return before.left_out || !before.failure.empty() ? std::numeric_limits<double>::infinity()
-                                                    : before.turn.seconds * std::pow(growth, 1.5);
+/// \return why a program is not asked, or nothing. \param before  on a mesh with fewer nodes by the factor `growth`
+std::string reason_to_leave_out(const Program& program, const Answer& before, double growth) {
+  if (!program.missing.empty()) return program.missing;
+  if (!before.failure.empty()) return "left out";
+  const double seconds = before.turn.seconds * std::pow(growth, 1.25);  // as the peers grow
+  return seconds > longest_turn ? text("left out: about ", number(seconds, "%.0f"), " s") : "";
 }
 
 /// The largest difference of the forces of our program from those found here, over the largest force.
@@ -115,6 +118,7 @@ void add_rows(const std::vector<Program>& programs, const std::vector<Answer>& a
               Eigen::Index nodes, Table& table) {
   for (std::size_t i = 0; i < programs.size(); ++i) {
     const Answer& answer = answers[i];
+    if (!programs[i].missing.empty()) continue;
     std::vector<std::string> row = {text(nodes), programs[i].name};
     if (answer.left_out)
       row.insert(row.end(), {"-", "-", "-", "-"});
@@ -122,7 +126,7 @@ void add_rows(const std::vector<Program>& programs, const std::vector<Answer>& a
       row.insert(row.end(), {number(answer.turn.seconds, "%.3g"), number(answer.turn.also, "%.0f"),
                              over(answers[0].turn.seconds, answer.turn.seconds),
                              over(answers[0].turn.also, answer.turn.also)});
-    if (answer.failure.empty() && !answer.left_out)
+    if (answer.failure.empty())
       row.insert(row.end(), {text(answer.rim.iterations), number(answer.sum, "%+.1e"),
                              number(answer.q0, "%+.4f"), number(answer.b, "%+.4f"), ""});
     else
@@ -132,14 +136,13 @@ void add_rows(const std::vector<Program>& programs, const std::vector<Answer>& a
 }
 
 void add_curves(const std::vector<Answer>& answers, Eigen::Index nodes, Table& curves) {
-  std::vector<std::string> row = {text(nodes)};
+  std::vector<double> row = {static_cast<double>(nodes)};
   for (const Answer& answer : answers) {
-    const bool there = answer.failure.empty() && !answer.left_out;
-    row.push_back(there ? number(answer.turn.seconds, "%.4g") : "NaN");
-    row.push_back(there ? number(answer.turn.also, "%.4g") : "NaN");
-    row.push_back(there ? number(answer.error(), "%.4g") : "NaN");
+    const double there = answer.failure.empty() ? 1 : std::numeric_limits<double>::quiet_NaN();
+    row.insert(row.end(),
+               {there * answer.turn.seconds, there * answer.turn.also, there * answer.error()});
   }
-  curves.row(std::move(row));
+  curves.row(row);
 }
 
 /// Who is best without us, each in its own figure.
@@ -148,8 +151,7 @@ void print_verdict(const std::vector<Program>& programs, const std::vector<Answe
   const auto best = [&](auto&& figure) {
     std::size_t least = 0;
     for (std::size_t i = 1; i < answers.size(); ++i)
-      if (answers[i].failure.empty() && !answers[i].left_out &&
-          (least == 0 || figure(answers[i]) < figure(answers[least])))
+      if (answers[i].failure.empty() && (least == 0 || figure(answers[i]) < figure(answers[least])))
         least = i;
     return least;
   };
@@ -166,12 +168,11 @@ void print_verdict(const std::vector<Program>& programs, const std::vector<Answe
             << programs[exact].name << std::endl;
 }
 
-std::vector<std::string> curve_names(std::size_t programs) {
+Table curves_of(const std::vector<Program>& programs) {
   std::vector<std::string> names = {"nodes"};
-  for (std::size_t i = 0; i < programs; ++i)
-    for (const char* figure : {"seconds_", "MB_", "error_"})
-      names.push_back(figure + std::to_string(i));
-  return names;
+  for (const Program& program : programs)
+    for (const char* figure : {"_seconds", "_MB", "_error"}) names.push_back(program.key + figure);
+  return Table(names);
 }
 
 }  // namespace
@@ -180,23 +181,22 @@ bool compare_hertz(const std::vector<Program>& programs, const std::vector<Hertz
                    const std::filesystem::path& out) {
   Table table({"nodes", "program", "s", "MB", "ours / it, s", "ours / it, MB", "iterations",
                "force [%]", "q0 [%]", "b [%]", "failure"});
-  Table curves(curve_names(programs.size()));
+  Table curves = curves_of(programs);
+  for (const Program& program : programs)
+    if (!program.missing.empty()) std::cout << program.name << ": " << program.missing << std::endl;
   const Folder folder;
   bool good = true;
   std::vector<Answer> before(programs.size());
-  double last_nodes = 0;
+  double last_nodes = std::numeric_limits<double>::infinity();
   for (const HertzSize& size : sizes) {
     const HertzCase now = hertz_case(size.part, folder.path());
     const auto nodes = static_cast<double>(now.n_nodes());
     write_gmsh_file(now);
     std::vector<Answer> answers(programs.size());
     for (std::size_t i = 0; i < programs.size(); ++i) {
-      if (last_nodes > 0 && expected(before[i], nodes / last_nodes) > 2 * longest_turn) {
-        answers[i].left_out = true;
-        answers[i].failure = before[i].failure.empty() ? "would take too long" : "failed before";
-      } else {
-        programs[i].prepare(now);
-      }
+      answers[i].failure = reason_to_leave_out(programs[i], before[i], nodes / last_nodes);
+      answers[i].left_out = !answers[i].failure.empty();
+      if (!answers[i].left_out) programs[i].prepare(now);
     }
     const std::vector<Turn> turns =
         in_turn(programs.size(), size.rounds, [&](std::size_t i, bool first, bool& failed) {
@@ -207,8 +207,8 @@ bool compare_hertz(const std::vector<Program>& programs, const std::vector<Hertz
     for (std::size_t i = 0; i < answers.size(); ++i) answers[i].turn = turns[i];
     const bool solved = answers[0].failure.empty();
     if (!solved) std::cout << programs[0].name << ": " << answers[0].failure << std::endl;
-    good =
-        good && solved && (last_nodes > 0 || difference_from_library(now, answers[0].rim) <= 1e-9);
+    good = good && solved &&
+           (std::isfinite(last_nodes) || difference_from_library(now, answers[0].rim) <= 1e-9);
     add_rows(programs, answers, now.n_nodes(), table);
     add_curves(answers, now.n_nodes(), curves);
     print_verdict(programs, answers, now.n_nodes());

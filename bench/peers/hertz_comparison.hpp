@@ -17,7 +17,7 @@ struct HertzSize {
 /// Runs every program on every mesh, prints one table, and writes it as hertz.md and, for a figure, hertz.csv. Seconds
 /// and memory are those of the whole program, from its start to its end; q0 and b are read from the forces it wrote as
 /// chapter 11 reads them; a program that fails has a row that says so.
-/// \param programs  that are there; ours is the first
+/// \param programs  ours is the first; those that are missing are named
 /// \param sizes     rising
 /// \param out       folder for the tables
 /// \return whether our program solved all of them, and on the first wrote the forces that the library finds here

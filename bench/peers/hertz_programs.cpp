@@ -48,7 +48,7 @@ RimForces read_columns(const std::filesystem::path& file, std::size_t x, std::si
 }
 
 Program ours(const std::string& own) {
-  Program program{"signorini", "", "signorini.log", write_scene_file, {}, {}};
+  Program program{"signorini", "signorini", "", write_scene_file, {}, {}};
   program.command = [own](const HertzCase&) {
     return std::vector<std::string>{own, "solve", "hertz.toml", "--csv", "signorini.csv"};
   };
@@ -66,7 +66,7 @@ Program ours(const std::string& own) {
 
 Program getfem(const std::string& script) {
   const std::vector<std::string> pythons = pythons_with("getfem");
-  Program program{"GetFEM, nodal", "", "getfem.log", [](const HertzCase&) {}, {}, {}};
+  Program program{"GetFEM, nodal", "getfem", "", [](const HertzCase&) {}, {}, {}};
   if (pythons.empty()) {
     program.missing = "not installed (Debian package python3-getfem)";
     return program;
@@ -148,7 +148,7 @@ RimForces read_frd(const HertzCase& now, const std::string& name) {
 }
 
 Program calculix(const std::string& name, const std::string& file, CalculixContact contact) {
-  Program program{name, "", file + ".log", {}, {}, {}};
+  Program program{name, file, "", {}, {}, {}};
   if (!is_program("ccx")) program.missing = "not installed (Debian package calculix-ccx)";
   program.prepare = [file, contact](const HertzCase& now) {
     write_calculix_file(now, file, contact);
@@ -176,8 +176,8 @@ Rim rim_of(const HertzCase& now) {
 
 std::vector<Program> hertz_programs(const std::string& own, const std::string& script) {
   return {ours(own), getfem(script),
-          calculix("CalculiX, surface to surface", "surface", {"SURFACE TO SURFACE", 50, true}),
-          calculix("CalculiX, node to surface", "node", {"NODE TO SURFACE", 50, false})};
+          calculix("CalculiX, surface to surface", "ccx_surface", {"SURFACE TO SURFACE", 50, true}),
+          calculix("CalculiX, node to surface", "ccx_node", {"NODE TO SURFACE", 50, false})};
 }
 
 }  // namespace signorini::bench

@@ -19,8 +19,8 @@ struct RimForces {
 /// A program, and its way from files to files.
 struct Program {
   std::string name;     ///< in tables
+  std::string key;      ///< in names of files and of columns of a figure
   std::string missing;  ///< what to install, or empty if it is there
-  std::string log;      ///< file for what it prints
   /// Writes the files that only this program reads; hertz.msh is there.
   std::function<void(const HertzCase& now)> prepare;
   /// \return its name and arguments
