@@ -4,7 +4,6 @@
 #include <vector>
 
 #ifdef SIGNORINI_MUMPS_SEQ
-#include <dlfcn.h>
 #include <dmumps_c.h>
 #endif
 
@@ -12,17 +11,6 @@ namespace signorini::bench {
 
 #ifdef SIGNORINI_MUMPS_SEQ
 namespace {
-
-using Call = void (*)(DMUMPS_STRUC_C*);
-
-/// The library with its own empty message passing, which nothing else in this program may take for the real one.
-Call mumps() {
-  static const Call call = [] {
-    void* library = dlopen(SIGNORINI_MUMPS_SEQ, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
-    return library == nullptr ? nullptr : reinterpret_cast<Call>(dlsym(library, "dmumps_c"));
-  }();
-  return call;
-}
 
 /// A matrix of MUMPS: the lower triangle as triples counted from 1, and one analysis and factorisation of it.
 class Job {
@@ -77,7 +65,7 @@ class Job {
  private:
   void run(int job) {
     data_.job = job;
-    mumps()(&data_);
+    dmumps_c(&data_);
   }
   DMUMPS_STRUC_C data_{};
   std::vector<int> rows_, columns_;
@@ -88,9 +76,7 @@ const double no_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-std::string mumps_missing() {
-  return mumps() == nullptr ? "cannot be loaded (" SIGNORINI_MUMPS_SEQ ")" : "";
-}
+std::string mumps_missing() { return ""; }
 
 Eigen::VectorXd mumps_solve(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& p) {
   Job job(1);

@@ -6,7 +6,7 @@
 
 namespace signorini::bench {
 
-/// \return what to install, or nothing if the sequential library of MUMPS was found
+/// \return what to install, or nothing if MUMPS for one process was found
 [[nodiscard]] std::string mumps_missing();
 
 /// Ordering, factor and one solve.

@@ -14,11 +14,12 @@ if(CHOLMOD_HEADERS AND CHOLMOD_LIBRARY)
   target_compile_definitions(yardsticks PRIVATE SIGNORINI_CHOLMOD)
 endif()
 
-# MUMPS for one process is opened at run time: its message passing has the names of the real one.
+# MUMPS for one process; its message passing has the names of the real one, so nothing else here may use MPI.
 find_path(MUMPS_HEADERS dmumps_c.h)
 find_library(MUMPS_SEQ_LIBRARY NAMES dmumps_seq dmumps_seq-5.7 dmumps_seq-5.6 dmumps_seq-5.5 dmumps_seq-5.4)
 mark_as_advanced(MUMPS_HEADERS MUMPS_SEQ_LIBRARY)
 if(MUMPS_HEADERS AND MUMPS_SEQ_LIBRARY)
   target_include_directories(yardsticks SYSTEM PRIVATE ${MUMPS_HEADERS})
-  target_compile_definitions(yardsticks PRIVATE SIGNORINI_MUMPS_SEQ="${MUMPS_SEQ_LIBRARY}")
+  target_link_libraries(yardsticks PRIVATE ${MUMPS_SEQ_LIBRARY})
+  target_compile_definitions(yardsticks PRIVATE SIGNORINI_MUMPS_SEQ)
 endif()

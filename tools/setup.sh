@@ -4,12 +4,14 @@
 #   book    Doxygen, formulas and look of the web pages
 #   check   a browser that opens every page
 #   strict  the second compiler of the stricter presets
+#   peers   other people's programs and libraries, for make peers and make bench
 # Without the right to install it prints the command to type and stops with status 2.
 set -eu
 build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl-base"
 book="doxygen libjs-mathjax doxygen-awesome-css"
 check="chromium python3 fonts-dejavu-core"
 strict="clang"
+peers="calculix-ccx python3-getfem r-cran-quadprog libsiconos-numerics-dev libsuitesparse-dev libmumps-seq-dev libopenblas-dev python3-cvxopt"
 
 wanted=""
 for group in "$@"; do
@@ -18,7 +20,8 @@ for group in "$@"; do
     book) wanted="$wanted $book" ;;
     check) wanted="$wanted $check" ;;
     strict) wanted="$wanted $strict" ;;
-    *) echo "setup.sh: unknown group '$group', expected build, book, check or strict" >&2; exit 2 ;;
+    peers) wanted="$wanted $peers" ;;
+    *) echo "setup.sh: unknown group '$group', expected build, book, check, strict or peers" >&2; exit 2 ;;
     esac
 done
 
@@ -43,10 +46,10 @@ for package in $wanted; do
 done
 [ -n "$missing" ] || exit 0
 
-# The theme and the browser do not exist in every release; the book does without the one, its check is
-# left out without the other.
+# The theme, the browser and the peers do not exist in every release; the book does without the first, and what needs
+# the others leaves them out.
 drop_unknown() {
-    for package in doxygen-awesome-css chromium; do
+    for package in doxygen-awesome-css chromium $peers; do
         case " $missing " in *" $package "*)
             [ -z "$(apt-cache madison make 2> /dev/null)" ] || [ -n "$(apt-cache madison "$package" 2> /dev/null)" ] || {
                 echo "no package $package in this release, going on without it"
