@@ -175,9 +175,10 @@ Rim rim_of(const HertzCase& now) {
 }
 
 std::vector<Program> hertz_programs(const std::string& own, const std::string& script) {
-  return {ours(own), getfem(script),
-          calculix("CalculiX, surface to surface", "ccx_surface", {"SURFACE TO SURFACE", 50, true}),
-          calculix("CalculiX, node to surface", "ccx_node", {"NODE TO SURFACE", 50, false})};
+  return {
+      ours(own), getfem(script),
+      calculix("CalculiX, surface to surface", "ccx_surface", {"SURFACE TO SURFACE", 1000, true}),
+      calculix("CalculiX, node to surface", "ccx_node", {"NODE TO SURFACE", 50, false})};
 }
 
 }  // namespace signorini::bench
