@@ -70,7 +70,7 @@ bench:                    ## what contact costs over one plain linear solve, mea
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target price
 	@$(ONE_THREAD) $B/bin/price --full
-peers:                    ## the same problems by other people's solvers, as far as installed
+peers:                    ## the same problems by other people's programs and libraries, as far as installed
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target peers
 	@$(ONE_THREAD) $B/bin/peers --full

@@ -1,12 +1,15 @@
-// What others need for the same programmes: random ones of known solution, and contact of a body.
-// Run:  make peers     Reads: nothing     Writes: peers.md, peers.csv, contact.md
-// Without --full only our own solvers, on small programmes: a test of this program, not a measurement.
+// What others need for the same: Hertz's contact by whole programs, random programmes of known solution, contact of a body.
+// Run:  make peers     Reads: nothing     Writes: hertz.md, hertz.csv, linear.md, peers.md, peers.csv, contact.md
+// Without --full small problems, and of the solvers of programmes only ours: a test of this program, not a measurement.
 #include <cmath>
 #include <iostream>
 #include <map>
 
 #include "bench/measure.hpp"
+#include "bench/peers/hertz_comparison.hpp"
+#include "bench/peers/linear_comparison.hpp"
 #include "bench/peers/peer.hpp"
+#include "bench/peers/turns.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -20,8 +23,6 @@ namespace {
 using namespace signorini;
 using namespace signorini::bench;
 using Eigen::Index;
-
-const double longest = 120;  // seconds that one solve may take
 
 /// Programmes of one size.
 struct Size {
@@ -66,31 +67,22 @@ int first_solve(const Peer& peer, const DenseProgramme& programme, Tally& tally,
   return std::max(1, static_cast<int>(std::min(500.0, 1e-3 / (run.seconds + 1e-9))));
 }
 
-/// Each round asks every solver in turn, so that a change of the machine's speed meets all.
 void measure(const std::vector<Peer>& peers, const DenseProgramme& programme, int rounds,
              std::vector<Tally>& tallies) {
   std::vector<int> calls(peers.size());
-  std::vector<std::vector<double>> seconds(peers.size());
-  std::vector<std::vector<double>> condensation(peers.size());
-  for (std::size_t i = 0; i < peers.size(); ++i) {
+  const auto ask = [&](std::size_t i, bool first, bool&) {
     Run run;
-    calls[i] = first_solve(peers[i], programme, tallies[i], run);
-    if (run.seconds < 0.1 * longest && rounds > 1) continue;
-    calls[i] = 0;  // once is enough
-    seconds[i] = {run.seconds};
-    condensation[i] = {run.condensation};
-  }
-  for (int round = 0; round < rounds; ++round)
-    for (std::size_t i = 0; i < peers.size(); ++i) {
-      if (calls[i] == 0) continue;
-      const Run run = peers[i].solve(programme, calls[i]);
-      seconds[i].push_back(run.seconds);
-      condensation[i].push_back(run.condensation);
-    }
+    if (first)
+      calls[i] = first_solve(peers[i], programme, tallies[i], run);
+    else
+      run = peers[i].solve(programme, calls[i]);
+    return Turn{run.seconds, run.condensation};
+  };
+  const std::vector<Turn> turns = in_turn(peers.size(), rounds, ask);
   for (std::size_t i = 0; i < peers.size(); ++i) {
-    tallies[i].seconds.push_back(median(seconds[i]));
-    tallies[i].condensation.push_back(median(condensation[i]));
-    tallies[i].share.push_back(median(seconds[0]) / median(seconds[i]));
+    tallies[i].seconds.push_back(turns[i].seconds);
+    tallies[i].condensation.push_back(turns[i].also);
+    tallies[i].share.push_back(turns[0].seconds / turns[i].seconds);
   }
 }
 
@@ -101,7 +93,7 @@ bool compare(const std::vector<Peer>& all, std::size_t ours, bool full, Table& t
   for (const Size& size : sizes(full)) {
     std::vector<Peer> peers;
     for (const Peer& peer : all) {
-      if (speed[peer.name] * size.work() <= longest)
+      if (speed[peer.name] * size.work() <= longest_turn)
         peers.push_back(peer);
       else
         std::cout << peer.name << ": left out at (" << size.n << ", " << size.m
@@ -157,6 +149,13 @@ bool contact(Table& table) {
 
 int main(int argc, char** argv) {
   const auto body = [](const ProgramOptions& options) {
+    // First, while this program is small: a child's memory counts from there.
+    bool certified =
+        compare_hertz(hertz_programs(SIGNORINI_PROGRAM, SIGNORINI_GETFEM_SCRIPT),
+                      options.full ? std::vector<HertzSize>{{1, 3}, {2, 3}, {4, 2}, {8, 1}}
+                                   : std::vector<HertzSize>{{1, 1}},
+                      options.out);
+    certified = compare_linear(options.full, options.out) && certified;
     std::vector<Peer> peers = own_solvers();
     const std::size_t ours = peers.size();
     if (options.full) {
@@ -172,7 +171,7 @@ int main(int argc, char** argv) {
     }
     Table table({"n", "m", "solver", "ms", "condensation ms", "quasi_active_set / it", "iterations",
                  "certificate", "not solved"});
-    bool certified = compare(peers, ours, options.full, table);
+    certified = compare(peers, ours, options.full, table) && certified;
     std::cout << "\nWhole solves from K, p, A, g: medians of processor time. Certificates are the "
                  "worst of "
                  "what is called\nsolved, recomputed here from the same K, p, A, g.\n\n"

@@ -62,16 +62,6 @@ std::vector<Family> families(bool full) {
           {"few close", few_close, {4, 19, 44, 249}}};
 }
 
-/// \return median ratio of two ways in the same rounds, "-" if one of them was left out
-std::string ratio(const Cost& cost, const std::string& way, const std::string& over) {
-  std::vector<double> ratios;
-  if (cost.times.count(way) == 0 || cost.times.count(over) == 0) return "-";
-  const std::vector<double>& a = cost.times.at(way);
-  const std::vector<double>& b = cost.times.at(over);
-  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) ratios.push_back(a[k] / b[k]);
-  return number(median(ratios), "%.2f");
-}
-
 /// \return exponent of seconds against unknowns, fitted over all sizes, "-" where one was left out
 std::string exponent(const std::vector<Cost>& costs, const std::string& way) {
   double x = 0, y = 0, xx = 0, xy = 0;
@@ -95,7 +85,7 @@ const std::vector<std::string> phases = {
 struct Tables {
   Table price{{"scene", "unknowns", "pairs", "closed", "steps", "solves", "plain s",
                "condensed / plain", "contact / plain", "set-up / plain", "contact / SimplicialLLT",
-               "plain / CHOLMOD", "certificate"}};
+               "plain / CHOLMOD", "contact / CHOLMOD", "certificate"}};
   Table phases{{"scene", "unknowns", "plan", "assembly", "tree", "symbolic", "numeric",
                 "condensation", "contact", "refinement", "recovery", "fill", "work", "MB"}};
   Table exponents{{"scene", "plain", "contact", "SimplicialLLT", "CHOLMOD"}};
@@ -109,7 +99,8 @@ void note(const std::string& name, const Cost& cost, Tables& tables) {
                     number(median(cost.times.at("plain")), "%.3f"),
                     ratio(cost, "condense", "plain"), ratio(cost, "whole", "plain"),
                     ratio(cost, "set-up", "plain"), ratio(cost, "whole", "SimplicialLLT"),
-                    ratio(cost, "plain", "CHOLMOD"), number(solution.certificate.worst(), "%.0e")});
+                    ratio(cost, "plain", "CHOLMOD"), ratio(cost, "whole", "CHOLMOD"),
+                    number(solution.certificate.worst(), "%.0e")});
   std::vector<std::string> row = {name, text(cost.unknowns)};
   for (const std::string& phase : phases)
     row.push_back(number(median(cost.times.at(phase)), "%.4f"));
@@ -123,8 +114,8 @@ bool price(const Family& family, const std::vector<int>& rounds, Tables& tables)
   std::vector<Cost> costs;
   bool good = true;
   for (std::size_t k = 0; k < family.sizes.size(); ++k) {
-    costs.push_back(
-        measure(family.scene(family.sizes[k]), rounds[k], costs.empty() ? nullptr : &costs.back()));
+    costs.push_back(measure(family.scene(family.sizes[k]), rounds[k],
+                            costs.empty() ? nullptr : &costs.back(), yardsticks()));
     note(family.name, costs.back(), tables);
     good = good && costs.back().good;
   }
@@ -178,7 +169,8 @@ int main(int argc, char** argv) {
            "Condensed: tree, factor,\ncompliance. Contact: all from K, p, A, g to the certificate. "
            "Set-up: plan and assembly. SimplicialLLT of Eigen and\nCHOLMOD, which order by minimum "
            "degree, are not repeated beyond 5 s; - where they are not installed or,\nby the size "
-           "before, would need more than 45 s.\n";
+           "before, would need more than 45 s. Dense kernels of CHOLMOD: "
+        << dense_kernels() << ".\n";
     write_table(options.out, "price", tables.price);
     std::cout << "\nPhases in seconds; entries of the factor in millions, operations in 1e9, "
                  "largest memory.\n";

@@ -10,6 +10,7 @@
 
 #include "bench/measure.hpp"
 #include "signorini/factor/frontal_factor.hpp"
+#include "signorini/core/table.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini::bench {
@@ -23,14 +24,14 @@ const double longest = 45;  // a yardstick that will need more seconds is left o
 const Eigen::Index most_steps = 25;  // of the active set, whatever the size
 const long long most_solves = 5;     // with K, to refine
 
-/// The largest memory of this program since forget_peak().
+/// Memory of this program. \param line  `VmHWM:` the largest since forget_peak(), `VmRSS:` now
 /// \return [MB], 0 where the system does not tell
-double peak_megabytes() {
+double megabytes(const char* line) {
   std::ifstream status("/proc/self/status");
   std::string word;
   double kilobytes = 0;
   while (status >> word)
-    if (word == "VmHWM:") status >> kilobytes;
+    if (word == line) status >> kilobytes;
   return kilobytes / 1e3;
 }
 
@@ -41,6 +42,18 @@ void forget_peak() {
   std::ofstream("/proc/self/clear_refs") << '5';
 }
 
+/// Does something, and notes its processor time and by how much memory rose.
+template <typename Do>
+void note(const std::string& way, Cost& cost, Do&& what) {
+  const bool first = cost.times.count(way) == 0;
+  if (first) forget_peak();
+  const double before = first ? megabytes("VmRSS:") : 0;
+  const double begin = processor_seconds();
+  what();
+  cost.times[way].push_back(processor_seconds() - begin);
+  if (first) cost.rise[way] = megabytes("VmHWM:") - before;
+}
+
 /// Takes the phases of a ledger over. They are wall times; what others did on the machine is taken off in proportion.
 void split(const Ledger& ledger, double share, Times& times) {
   for (const LedgerEntry& entry : ledger.entries())
@@ -48,7 +61,7 @@ void split(const Ledger& ledger, double share, Times& times) {
 }
 
 /// Mesh to certified solution; every round must end at the same bits.
-Model contact_round(const Scene& scene, Cost& cost) {
+Model contact_round(const Scene& scene, Cost& cost, Eigen::MatrixXd& compliance) {
   Ledger ledger;
   const auto wall = std::chrono::steady_clock::now();
   const double begin = processor_seconds();
@@ -66,6 +79,7 @@ Model contact_round(const Scene& scene, Cost& cost) {
   cost.fill = static_cast<double>(condensed.factor.nonzeros());
   cost.operations = condensed.factor.operations();
   cost.unknowns = model.unknowns.count;
+  compliance = condensed.problem.compliance;
   const ContactState& contact = solution.contact;
   const bool first = cost.times["whole"].size() == 1;
   cost.good = cost.good && is_certified(solution) && contact.report.iterations <= most_steps &&
@@ -85,21 +99,27 @@ bool solves(const Eigen::SparseMatrix<double>& K, const VectorXd& u, const Vecto
 /// A plain solve: ordering, factor and one solve, as without contact.
 void plain_round(const Model& model, const Eigen::SparseMatrix<double>& K, Cost& cost) {
   Ledger unused;
-  const double begin = processor_seconds();
-  const FrontalFactor factor(K, separator_tree(K, unknown_positions(model)), unused);
-  const VectorXd u = factor.solve(model.programme.load);
-  cost.times["plain"].push_back(processor_seconds() - begin);
-  cost.good = cost.good && solves(K, u, model.programme.load) &&
-              cost.fill == static_cast<double>(factor.nonzeros()) &&
-              cost.operations == factor.operations();
+  VectorXd u;
+  note("plain", cost, [&] {
+    const FrontalFactor factor(K, separator_tree(K, unknown_positions(model)), unused);
+    u = factor.solve(model.programme.load);
+    cost.good = cost.good && cost.fill == static_cast<double>(factor.nonzeros()) &&
+                cost.operations == factor.operations();
+  });
+  cost.good = cost.good && solves(K, u, model.programme.load);
 }
 
 void yardstick_round(const Yardstick& other, const Model& model,
-                     const Eigen::SparseMatrix<double>& K, Cost& cost) {
-  const double begin = processor_seconds();
-  const VectorXd u = other.solve(K, model.programme.load);
-  cost.times[other.name].push_back(processor_seconds() - begin);
+                     const Eigen::SparseMatrix<double>& K, const Eigen::MatrixXd& compliance,
+                     Cost& cost) {
+  VectorXd u;
+  note(other.name, cost, [&] { u = other.solve(K, model.programme.load); });
   cost.good = cost.good && solves(K, u, model.programme.load);
+  if (!other.compliance) return;
+  Eigen::MatrixXd theirs;
+  note(other.name + " compliance", cost, [&] { theirs = other.compliance(K, model.programme.A); });
+  cost.good = cost.good && (theirs - compliance).cwiseAbs().maxCoeff() <=
+                               1e-10 * compliance.cwiseAbs().maxCoeff();
 }
 
 /// Whether the work of a factor in the plane, which grows like the power 3/2, lets a yardstick end in time.
@@ -126,18 +146,31 @@ bool is_certified(const Solution& solution) {
   return solution.contact.report.status == Status::Solved && solution.certificate.holds();
 }
 
-Cost measure(const Scene& scene, int rounds, const Cost* smaller) {
+std::string ratio(const Cost& cost, const std::string& way, const std::string& over) {
+  std::vector<double> ratios;
+  if (cost.times.count(way) == 0 || cost.times.count(over) == 0) return "-";
+  const std::vector<double>& a = cost.times.at(way);
+  const std::vector<double>& b = cost.times.at(over);
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) ratios.push_back(a[k] / b[k]);
+  return number(median(ratios), "%.2f");
+}
+
+Cost measure(const Scene& scene, int rounds, const Cost* smaller,
+             const std::vector<Yardstick>& others) {
   Cost cost;
   for (int round = 0; round < rounds; ++round) {
     forget_peak();
-    const Model model = contact_round(scene, cost);
-    if (round == 0) cost.megabytes = peak_megabytes();
+    const double before = megabytes("VmRSS:");
+    Eigen::MatrixXd compliance;
+    const Model model = contact_round(scene, cost, compliance);
+    if (round == 0) cost.megabytes = megabytes("VmHWM:");
+    if (round == 0) cost.rise["whole"] = cost.megabytes - before;
     const Eigen::SparseMatrix<double> K = grounded_stiffness(model);
     plain_round(model, K, cost);
-    for (const Yardstick& other : yardsticks())
+    for (const Yardstick& other : others)
       if (round == 0 ? in_time(other, scene, smaller)
                      : cost.times.count(other.name) > 0 && cost.times[other.name][0] < once)
-        yardstick_round(other, model, K, cost);
+        yardstick_round(other, model, K, compliance, cost);
   }
   return cost;
 }

@@ -1,8 +1,14 @@
 #include "bench/yardsticks.hpp"
 
+#include <dlfcn.h>
+
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
+#include <filesystem>
+#include <iostream>
 #include <limits>
+
+#include "bench/mumps.hpp"
 #ifdef SIGNORINI_CHOLMOD
 #include <Eigen/CholmodSupport>
 #endif
@@ -38,11 +44,30 @@ VectorXd supernodal(const Matrix& K, const VectorXd& p) {
 }  // namespace
 
 std::vector<Yardstick> yardsticks() {
-  return {{"SimplicialLLT", simplicial},
+  return {{"SimplicialLLT", simplicial, {}},
 #ifdef SIGNORINI_CHOLMOD
-          {"CHOLMOD", supernodal}
+          {"CHOLMOD", supernodal, {}}
 #endif
   };
+}
+
+std::vector<Yardstick> all_yardsticks() {
+  std::vector<Yardstick> all = yardsticks();
+  const std::string missing = mumps_missing();
+  if (missing.empty())
+    all.push_back({"MUMPS", mumps_solve, mumps_compliance});
+  else
+    std::cout << "MUMPS: " << missing << std::endl;
+  return all;
+}
+
+std::string dense_kernels() {
+  Dl_info found{};
+  void* kernel = dlsym(RTLD_DEFAULT, "dgemm_");
+  if (kernel == nullptr || dladdr(kernel, &found) == 0) return "none";
+  std::error_code unknown;
+  const std::filesystem::path file = std::filesystem::canonical(found.dli_fname, unknown);
+  return unknown ? found.dli_fname : file.string();
 }
 
 }  // namespace signorini::bench

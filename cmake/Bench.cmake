@@ -1,9 +1,13 @@
 # Measurements: `price`, `effectivity` and `accuracy` need nothing, `peers` compares with what is installed of other people's solvers.
 file(GLOB peer_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/peers/*.cpp)
 add_executable(price bench/price.cpp bench/rounds.cpp)
-add_executable(peers bench/peers.cpp ${peer_sources})
+add_executable(peers bench/peers.cpp bench/rounds.cpp ${peer_sources})
 add_executable(effectivity bench/effectivity.cpp)
 add_executable(accuracy bench/accuracy.cpp)
+include(cmake/Yardsticks.cmake)
+foreach(program price peers)
+  target_link_libraries(${program} PRIVATE yardsticks)
+endforeach()
 foreach(program effectivity accuracy)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 endforeach()
@@ -12,10 +16,12 @@ foreach(program price peers effectivity accuracy)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${program} PRIVATE SIGNORINI_BENCH_OUT="${PROJECT_BINARY_DIR}/out/bench")
 endforeach()
-include(cmake/Yardsticks.cmake)
-target_link_libraries(price PRIVATE yardsticks)
 target_link_libraries(peers PRIVATE ${CMAKE_DL_LIBS})
-target_compile_definitions(peers PRIVATE SIGNORINI_PEERS_SCRIPT="${PROJECT_SOURCE_DIR}/bench/peers/peers.py")
+target_compile_definitions(peers PRIVATE
+  SIGNORINI_PEERS_SCRIPT="${PROJECT_SOURCE_DIR}/bench/peers/peers.py"
+  SIGNORINI_GETFEM_SCRIPT="${PROJECT_SOURCE_DIR}/bench/peers/getfem_hertz.py"
+  SIGNORINI_PROGRAM="$<TARGET_FILE:signorini_command>")
+add_dependencies(peers signorini_command)
 
 # Its headers include each other from both folders.
 find_path(SICONOS_CONFIG SiconosConfig.h PATH_SUFFIXES siconos)

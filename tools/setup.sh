@@ -4,6 +4,7 @@
 #   book    Doxygen, formulas and look of the web pages
 #   check   a browser that opens every page
 #   strict  the second compiler of the stricter presets
+#   peers   other people's programs and libraries, for make peers and make bench
 #   parallel  other factors: CHOLMOD, and MUMPS with MPI
 # Without the right to install it prints the command to type and stops with status 2.
 set -eu
@@ -11,6 +12,7 @@ build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnup
 book="doxygen libjs-mathjax doxygen-awesome-css"
 check="chromium python3 fonts-dejavu-core"
 strict="clang"
+peers="calculix-ccx python3-getfem r-cran-quadprog libsiconos-numerics-dev libsuitesparse-dev libmumps-seq-dev libopenblas-dev python3-cvxopt"
 parallel="libsuitesparse-dev libmumps-dev libopenmpi-dev openmpi-bin"
 
 wanted=""
@@ -20,8 +22,9 @@ for group in "$@"; do
     book) wanted="$wanted $book" ;;
     check) wanted="$wanted $check" ;;
     strict) wanted="$wanted $strict" ;;
+    peers) wanted="$wanted $peers" ;;
     parallel) wanted="$wanted $parallel" ;;
-    *) echo "setup.sh: unknown group '$group', expected build, book, check, strict or parallel" >&2; exit 2 ;;
+    *) echo "setup.sh: unknown group '$group', expected build, book, check, strict, parallel or peers" >&2; exit 2 ;;
     esac
 done
 
@@ -46,10 +49,10 @@ for package in $wanted; do
 done
 [ -n "$missing" ] || exit 0
 
-# The theme and the browser do not exist in every release; the book does without the one, its check is
-# left out without the other.
+# The theme, the browser and the peers do not exist in every release; the book does without the first, and what needs
+# the others leaves them out.
 drop_unknown() {
-    for package in doxygen-awesome-css chromium; do
+    for package in doxygen-awesome-css chromium $peers; do
         case " $missing " in *" $package "*)
             [ -z "$(apt-cache madison make 2> /dev/null)" ] || [ -n "$(apt-cache madison "$package" 2> /dev/null)" ] || {
                 echo "no package $package in this release, going on without it"

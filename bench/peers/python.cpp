@@ -5,28 +5,15 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
-#include <sstream>
 #include <utility>
 
+#include "bench/peers/child.hpp"
 #include "bench/peers/peer.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini::bench {
 namespace {
-
-/// All programs `python3` of the search path: a package may have come with any of them.
-std::vector<std::string> interpreters() {
-  std::vector<std::string> found;
-  const char* path = std::getenv("PATH");
-  std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');) {
-    const std::string program = folder + "/python3";
-    if (access(program.c_str(), X_OK) == 0) found.push_back(program);
-  }
-  return found;
-}
 
 /// A script that solves what it reads and writes answers, until there is nothing more to read.
 class Script {
@@ -109,15 +96,13 @@ std::vector<Peer> python_packages(const std::filesystem::path& script) {
   std::vector<Peer> peers;
   for (const auto& [package, source] : packages) {
     Peer peer{package, text("not installed (", source, ")"), {}};
-    for (const std::string& python : interpreters()) {
-      const std::string question = "'" + python + "' -c 'import " + package + "' > /dev/null 2>&1";
-      if (std::system(question.c_str()) != 0) continue;
-      const auto running = std::make_shared<Script>(python, script, package);
+    const std::vector<std::string> pythons = pythons_with(package);
+    if (!pythons.empty()) {
+      const auto running = std::make_shared<Script>(pythons[0], script, package);
       peer.missing.clear();
       peer.solve = [running](const DenseProgramme& programme, int calls) {
         return running->solve(programme, calls);
       };
-      break;
     }
     peers.push_back(std::move(peer));
   }

@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "command_line/accuracy_run.hpp"
 #include "command_line/backends.hpp"
 #include "command_line/man.hpp"
@@ -297,6 +301,9 @@ int guarded_run(int argc, char** argv, std::function<void(int)>& end) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);  // so that what a phase frees goes back to the system
+#endif
   std::function<void(int)> end;
   const int code = guarded_run(argc, argv, end);
   if (end) end(code);

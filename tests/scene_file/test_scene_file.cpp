@@ -2,6 +2,7 @@
 #include "catch_compat.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/elasticity/elements.hpp"
+#include "signorini/gmsh/gmsh.hpp"
 #include "signorini/scene_file/scene_file.hpp"
 #include "support/message.hpp"
 
@@ -230,6 +231,27 @@ TEST_CASE("meshes of every kind", "[scene_file]") {
       "kind = \"gmsh\", file = \"two_bodies_q4_v41.msh\", surface = [\"lower plate\", \"upper\"]");
   CHECK(both.regions.count("upper") == 1);
   CHECK(both.n_cells() > filed.n_cells());
+}
+
+TEST_CASE("a file of several bodies gives each its own, in any order and twice", "[scene_file]") {
+  const std::string name = "two_bodies_q4_v41.msh";
+  const std::vector<Mesh> meshes = read_gmsh(std::string(SIGNORINI_TEST_DATA) + "/gmsh/" + name);
+  const std::vector<std::string> surfaces = {"upper", "lower plate", "upper"};
+  std::string content = material;
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
+    content += text("[[body]]\nname = \"", k, "\"\nmesh = { kind = \"gmsh\", file = \"", name,
+                    "\", surface = \"", surfaces[k], "\" }\n");
+  const Scene scene = parsed(content).scene;
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    CAPTURE(k);
+    const Mesh& expected = mesh_named(meshes, surfaces[k]);
+    const Mesh& mesh = scene.bodies[k].mesh;
+    REQUIRE(mesh.n_nodes() == expected.n_nodes());
+    REQUIRE(mesh.n_cells() == expected.n_cells());
+    CHECK(mesh.nodes == expected.nodes);
+    CHECK(mesh.cells == expected.cells);
+    CHECK(mesh.boundaries.size() == expected.boundaries.size());
+  }
 }
 
 TEST_CASE("meshes are cut, mirrored, turned and moved in this order", "[scene_file]") {

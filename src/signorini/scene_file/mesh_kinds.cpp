@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -327,6 +329,24 @@ struct Filed {
   const Value* value = nullptr;
 };
 
+/// The mesh of one surface; those of the others wait for their bodies.
+Mesh mesh_of_surface(const Origin& origin, const std::filesystem::path& file,
+                     const std::string& surface) {
+  std::vector<Mesh>& meshes = origin.waiting[file];
+  const auto place = [&] {
+    return std::find_if(meshes.begin(), meshes.end(),
+                        [&](const Mesh& mesh) { return mesh.name == surface; });
+  };
+  if (place() == meshes.end()) {
+    meshes = read_gmsh(file);
+    static_cast<void>(mesh_named(meshes, surface));
+  }
+  const auto found = place();
+  Mesh mesh = std::move(*found);
+  meshes.erase(found);
+  return mesh;
+}
+
 Kind<Mesh> gmsh() {
   const Keys<Filed> keys = {
       {{"file", "text", "", "", "written by Gmsh, in the folder of the scene file", true},
@@ -351,9 +371,11 @@ Kind<Mesh> gmsh() {
             return filed.value->explain([&]() -> Mesh {
               GmshParts parts;
               if (filed.surfaces.size() > 1) parts[joined_body] = filed.surfaces;
-              std::vector<Mesh> meshes = read_gmsh(table.origin->folder / filed.file, parts);
-              if (filed.surfaces.size() > 1) return mesh_named(meshes, joined_body);
-              if (!filed.surfaces.empty()) return mesh_named(meshes, filed.surfaces.front());
+              const std::filesystem::path file = table.origin->folder / filed.file;
+              if (filed.surfaces.size() == 1)
+                return mesh_of_surface(*table.origin, file, filed.surfaces.front());
+              std::vector<Mesh> meshes = read_gmsh(file, parts);
+              if (!parts.empty()) return mesh_named(meshes, joined_body);
               pose(meshes.size() == 1, "the file has ", meshes.size(),
                    " bodies: say which one with surface = \"NAME\"; there are: ", names_of(meshes));
               return std::move(meshes.front());

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/mesh/mesh.hpp"
 
 namespace signorini {
 
@@ -17,6 +19,8 @@ namespace signorini {
 struct Origin {
   std::string name;              ///< of the file, for messages
   std::filesystem::path folder;  ///< in which files that it names are looked for
+  /// Meshes of files that were read for one body and wait for theirs, so that a file is read once.
+  mutable std::map<std::filesystem::path, std::vector<Mesh>> waiting = {};
 };
 
 /// One value of a TOML text.
