@@ -9,8 +9,8 @@
 #endif
 
 #include "bench/measure.hpp"
-#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini::bench {
