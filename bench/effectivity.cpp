@@ -23,9 +23,7 @@ std::vector<Measured> problems_of(bool full) {
   std::vector<Measured> problems = {measured_cantilever(), measured_push(), measured_hertz(),
                                     measured_footing(), measured_pin()};
   if (full) {
-    problems.push_back(rubbing(measured_cantilever(), 0.02));
-    problems.push_back(rubbing(measured_footing(), 0.1));
-    problems.push_back(rubbing(measured_pin(), 0.2));
+    for (const Measured& problem : measured_with_friction()) problems.push_back(problem);
     return problems;
   }
   for (Measured& problem : problems) {

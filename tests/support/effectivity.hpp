@@ -124,6 +124,12 @@ inline Measured rubbing(Measured problem, double coefficient) {
   return problem;
 }
 
+/// The three of them that are measured with friction.
+inline std::vector<Measured> measured_with_friction() {
+  return {rubbing(measured_cantilever(), 0.02), rubbing(measured_footing(), 0.1),
+          rubbing(measured_pin(), 0.2)};
+}
+
 /// Hertz's contact on meshes that differ in fineness, in the size of the core and in whether they match: five of each
 /// number of cells.
 inline std::vector<signorini::HertzMeshSpec> hertz_layouts(const std::vector<Eigen::Index>& cells) {
