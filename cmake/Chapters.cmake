@@ -33,6 +33,7 @@ foreach(program IN LISTS programs)
   endif()
   add_executable(${target} ${program})
   target_link_libraries(${target} PRIVATE signorini::signorini signorini_warnings)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)  # for scenes that tests share
   target_compile_definitions(${target} PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
   signorini_precompiled(${target})
   file(STRINGS ${program} asks REGEX "bench/yardsticks\\.hpp")

@@ -64,13 +64,19 @@ void three_ways(const ProgramOptions& run, Results& results) {
   });
   const double differ = (last.compliance - ours.compliance).norm() / ours.compliance.norm();
   if (!(differ < 1e-6)) throw NotSolved(text("two ways to one compliance differ by ", differ));
-  row("contact last", contact_last(K, A), last.seconds);
+  const EliminationTree of_last = row("contact last", contact_last(K, A), last.seconds);
   for (const bench::Yardstick& other : bench::yardsticks()) {
     const Timed plain = timed([&] { return other.solve(K, model.programme.load); });
     results.add(other.name + "_seconds", plain.seconds, "s", Repeats::No);
-    if (other.name == "SimplicialLLT") row("minimum degree", minimum_degree(K), plain.seconds);
+    if (other.name == "SimplicialLLT")
+      results.add("height_minimum_degree",
+                  row("minimum degree", minimum_degree(K), plain.seconds).height, "-");
   }
-  row("separators", separator_tree(K, unknown_positions(model)).order, ours.seconds);
+  const EliminationTree of_ours =
+      row("separators", separator_tree(K, unknown_positions(model)).order, ours.seconds);
+  results.add("height_contact_last", of_last.height, "-");
+  results.add("height_separators", of_ours.height, "-");
+  results.add("operations_contact_last", of_last.operations / of_ours.operations, "-");
   write_file(run.out / "factors.md", table.markdown());
   std::cout << table.markdown();
   results.add("rows_with_contact", static_cast<double>(A.rows()), "-");

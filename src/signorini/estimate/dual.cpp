@@ -78,7 +78,7 @@ DualSolution Dual::solve(const GoalGradient& goal, Ledger& ledger) const {
   if (goal.displacement.size() > 0) {
     dual.displacement = solve(goal.displacement);
     missing = programme.A * dual.displacement;
-    bottom = -modes.transpose() * goal.displacement;
+    if (modes.cols() > 0) bottom = -modes.transpose() * goal.displacement;
   }
   if (goal.force.size() > 0) missing -= goal.force;
   for (const SlidingPair& pair : set_.sliding) {
