@@ -116,6 +116,7 @@ inline Answer naive_answer(const std::string& name, const Case& given) {
   not_asked.asked = false;
   if (!given.posed) return not_asked;
   const Posed& posed = *given.posed;
+  if (posed.form && !posed.form->definite) return not_asked;
   const bool rubs = !posed.small.law.pair.empty();
   if (name == "trial_and_error" || name == "penalty" || name == "absolute_tolerance" ||
       name == "newton_unscaled" || name == "newton_relative") {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "answers.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 
 namespace museum {
@@ -82,27 +83,29 @@ inline Verdict judge(const Exhibit& exhibit, const Answer& answer) {
 }
 
 /// What the certificate says of an answer that was made wrong: its largest force is changed by a share, or one unit of
-/// force is put where there was none; or, where nothing was solved, the last numbers are called a solution.
+/// force is put where there was none but rounding of the load; or, where nothing was solved, the last numbers are called a solution.
 /// \param posed   the exhibit
 /// \param answer  of the library
 /// \param share   of the largest force; 0 changes nothing
 /// \return the certificate of the forgery
 inline signorini::Certificate forged(const Posed& posed, const Answer& answer, double share) {
   using namespace signorini;
-  const auto spoil = [&](VectorXd& force) {
-    Index largest = 0;
+  const auto spoil = [&](VectorXd& force, const VectorXd& load) {
+    Index most = 0;
     if (!answer.solved() || force.size() == 0 || share == 0) return;
-    force.cwiseAbs().maxCoeff(&largest);
-    force(largest) = force(largest) == 0 ? 1 : force(largest) * (1 + share);
+    const double rounding = epsilon * largest(load);
+    const bool none = force.cwiseAbs().maxCoeff(&most) <= rounding;
+    force(most) = none ? 1 : force(most) * (1 + share);
   };
   if (!posed.model && !posed.form) {
     ContactState state = answer.contact;
-    spoil(state.force);
+    spoil(state.force, {});
     if (state.force.size() != posed.small.free_gap.size()) return uncertified();
     return certify(posed.small, state);
   }
   PrimalDual claim = answer.refined;
-  spoil(claim.force);
+  spoil(claim.force,
+        posed.form ? posed.form->programme.load : VectorXd(posed.model->programme.load));
   if (posed.form) {
     if (claim.displacement.size() == 0) return uncertified();
     return certify(posed.form->programme, claim);

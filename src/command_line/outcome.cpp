@@ -8,6 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/dense_programme.hpp"
+#include "signorini/programme/floating_programme.hpp"
 
 namespace command_line {
 namespace {
@@ -132,7 +133,12 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
 std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::string& asked,
                                double tolerance) {
   const OneSided form = one_sided(programme);
-  static_cast<void>(condense(form.programme));  // says what no solver could be blamed for
+  // Says what no solver could be blamed for.
+  if (form.definite)
+    static_cast<void>(condense(form.programme));
+  else
+    pose(semidefinite_solution(form.programme, solvers().front(), {}).has_value(),
+         not_strictly_convex(form.programme));
   const Index pairs = static_cast<Index>(form.rows.size()) - form.programme.equations;
   return each(solvers(), asked, pairs, false, [&](Outcome& outcome) {
     const DenseSolution solution = solve(form.programme, *outcome.solver);

@@ -1,6 +1,7 @@
 #include "signorini/problem_file/two_sided.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
@@ -18,8 +19,11 @@ bool is_equation(const TwoSidedProgramme& programme, Index row) {
   return programme.lower(row) == programme.upper(row);
 }
 
-/// Whether P is positive definite where E x = 0, whatever the units of each x.
-bool strictly_convex(const MatrixXd& P, const MatrixXd& E) {
+/// The least eigenvalue of P where E x = 0, whatever the units of each x, over its rounding: > 1 if P is positive definite
+/// there, < -1 if it is indefinite; not a number if it overflows.
+double convexity(const MatrixXd& P, const MatrixXd& E) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   const Index n = P.rows();
   const VectorXd scale =
       P.diagonal().unaryExpr([](double p) { return p != 0 ? 1 / std::sqrt(std::abs(p)) : 1.0; });
@@ -28,15 +32,15 @@ bool strictly_convex(const MatrixXd& P, const MatrixXd& E) {
   if (E.rows() > 0) {
     MatrixXd rows = E * scale.asDiagonal();
     for (Index i = 0; i < rows.rows(); ++i) rows.row(i).stableNormalize();
-    if (!rows.allFinite() || !scaled.allFinite()) return false;
+    if (!rows.allFinite() || !scaled.allFinite()) return unknown;
     const MatrixXd Z = null_space(rows);
     reduced = Z.transpose() * scaled * Z;
   }
-  if (reduced.rows() == 0) return true;
-  if (!reduced.allFinite()) return false;
+  if (reduced.rows() == 0) return infinite;
+  if (!reduced.allFinite()) return unknown;
   const VectorXd values = symmetric_eigenvalues(reduced);
   const double largest = scaled.cwiseAbs().maxCoeff();
-  return values.minCoeff() > static_cast<double>(n) * epsilon * largest;
+  return largest == 0 ? 0 : values.minCoeff() / (static_cast<double>(n) * epsilon * largest);
 }
 
 }  // namespace
@@ -63,12 +67,18 @@ OneSided one_sided(const TwoSidedProgramme& programme) {
     dense.A.row(k) = sign * programme.A.row(row);
     dense.initial_gap(k) = sign > 0 ? programme.upper(row) : -programme.lower(row);
   }
-  pose(strictly_convex(programme.P, dense.A.topRows(equations)),
-       "not strictly convex: P is not positive definite ",
-       equations > 0 ? "where the equations hold" : "and there are no equations",
-       ", so there may be no solution or many; add a small multiple of the identity to P, or rows "
-       "with l = u that hold the free directions");
+  const double least = convexity(programme.P, dense.A.topRows(equations));
+  pose(least >= -1, not_strictly_convex(dense));
+  form.definite = least > 1;
   return form;
+}
+
+std::string not_strictly_convex(const DenseProgramme& programme) {
+  return text(
+      "not strictly convex: P is not positive definite ",
+      programme.equations > 0 ? "where the equations hold" : "and there are no equations",
+      ", so there may be no solution or many; add a small multiple of the identity to P, or "
+      "rows with l = u that hold the free directions");
 }
 
 double objective(const TwoSidedProgramme& programme, const PrimalDual& solution) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "signorini/problem/certificate.hpp"
@@ -38,14 +39,19 @@ struct OneSided {
   };
   DenseProgramme programme;  ///< with `rows.size()` rows
   std::vector<Row> rows;     ///< one for each row of `programme`
+  bool definite = true;  ///< whether P is positive definite, to rounding, where the equations hold
 };
 
 /// Turns a programme around.
 /// \param programme  of any size
 /// \return the same programme with one-sided rows
-/// \throws ProblemError "not strictly convex" unless P is positive definite, to rounding, where the
-///   equations hold: only then is there one solution
+/// \throws ProblemError not_strictly_convex() if P has a negative eigenvalue, beyond rounding, where the equations
+///   hold; where it is only semidefinite inequalities may still leave one solution, see semidefinite_solution()
 [[nodiscard]] OneSided one_sided(const TwoSidedProgramme& programme);
+
+/// \param programme  whose P is not positive definite where the equations hold
+/// \return how it is refused, "not strictly convex", and the way out
+[[nodiscard]] std::string not_strictly_convex(const DenseProgramme& programme);
 
 /// The objective, with its large terms summed in twice the working precision.
 /// \param programme  P, q, r

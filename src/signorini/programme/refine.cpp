@@ -239,6 +239,7 @@ Refinement Refining::run() {
   }
   result_.solution.force = force_.high;
   result_.movement = gaps(data_.programme, result_.solution);
+  result_.closing = std::make_shared<const Closing>(std::move(closing_));
   return std::move(result_);
 }
 

@@ -2,6 +2,7 @@
 /// The last step of every exact method: the equations of a known set, from the original data.
 #pragma once
 #include <functional>
+#include <memory>
 
 #include "signorini/closing/closing.hpp"
 #include "signorini/problem/certificate.hpp"
@@ -43,8 +44,9 @@ struct Refinement {
   PrimalDual solution;        ///< u in two parts, and the forces of all rows of A
   Eigen::VectorXd movement;   ///< initial_gap - A u of all rows of A: gaps, then slips [length]
   Eigen::VectorXd amplitude;  ///< how much of each rigid mode went into u `n_r`
-  Eigen::Index solves = 0;    ///< with K
-  bool settled = false;       ///< whether corrections have become as small as rounding
+  std::shared_ptr<const Closing> closing = {};  ///< the system of its set
+  Eigen::Index solves = 0;                      ///< with K
+  bool settled = false;  ///< whether corrections have become as small as rounding
 };
 
 /// Refines \f$ K u + A^T f = p,\ A_W u = g_W \f$ for known motions: rows W that do not move, friction forces at

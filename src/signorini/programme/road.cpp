@@ -71,7 +71,7 @@ class Road {
   Refinement refined_;
   std::set<std::vector<Motion>> seen_;
   CertifiedEnd end_;
-  VectorXd movement_;            // of end_
+  Refinement kept_;              // of end_: its movement and its system
   std::vector<Motion> motions_;  // of end_
   bool confirmed_ = false;       // whether all signs of end_ are right
 };
@@ -96,8 +96,9 @@ Judgement Road::look(const std::vector<Motion>& motions, const VectorXd& force) 
     end_.certificate = certificate;
     end_.solution = now_;
     end_.state.amplitude = amplitude_;
-    movement_ = refined_.movement;
     motions_ = motions;
+    kept_.movement = refined_.movement;
+    kept_.closing = refined_.closing;
   }
   return verdict;
 }
@@ -105,7 +106,7 @@ Judgement Road::look(const std::vector<Motion>& motions, const VectorXd& force) 
 void Road::read_off() {
   const std::vector<Motion> taken = motions_;
   // What a certificate lets pass.
-  predict(scaled_, scaled_numbers(data_, end_.solution, movement_, 1e-12), 1, motions_);
+  predict(scaled_, scaled_numbers(data_, end_.solution, kept_.movement, 1e-12), 1, motions_);
   // With cohesion a pair that nothing presses carries shear all the same: it is closed.
   const FrictionLaw& law = problem_.law;
   const VectorXd friction = end_.solution.force.tail(law.coefficient.size());
@@ -229,6 +230,7 @@ void Road::conclude() {
         end_.certificate = certificate;
       }
     }
+    end_.doubt = force_doubt(data_, kept_, end_.solution, motions_);
     state.report.status = Status::Solved;
     state.reason.clear();
     state.escape.resize(0);
@@ -245,13 +247,13 @@ void Road::conclude() {
               "certificate allows; hold the bodies by a support or a soft spring"
             : "the forces and displacements found do not fit the original data";
   }
-  if (motions_.empty() && movement_.size() == 0) return;
+  if (motions_.empty() && kept_.movement.size() == 0) return;
   const Index pairs = problem_.free_gap.size();
-  const Index slips = movement_.size() - pairs;
+  const Index slips = kept_.movement.size() - pairs;
   state.force = end_.solution.force.head(pairs);
   state.friction = end_.solution.force.tail(slips);
-  state.gap = movement_.head(pairs);
-  state.slip = movement_.tail(slips);
+  state.gap = kept_.movement.head(pairs);
+  state.slip = kept_.movement.tail(slips);
   state.active = closed_pairs(motions_);
   state.rubbing = problem_.law.pair;
   for (const Index pair : problem_.law.pair)

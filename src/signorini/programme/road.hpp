@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "signorini/core/ledger.hpp"
+#include "signorini/programme/known_forces.hpp"
 #include "signorini/programme/refine.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -25,6 +26,7 @@ struct CertifiedEnd {
   /// The same forces, gaps, slips and amplitudes, what the pairs do, and the report
   ContactState state;
   Certificate certificate = uncertified();  ///< of `solution`, from the original data
+  ForceDoubt doubt = {};                    ///< of a solution, from force_doubt()
 };
 
 /// Solves the condensed problem, refines what the solver claims, and looks at all signs again.

@@ -97,6 +97,8 @@ void Separate::put_into(CertifiedEnd& whole, CertifiedEnd part, Index unknowns) 
   if (first_doubt) all.doubt = now.doubt;
   if (first_doubt && now.doubt.pair >= 0) all.doubt.pair = gaps_[at(now.doubt.pair)];
   if (!parts_.rows.empty()) all.uniqueness = std::max(all.uniqueness, now.uniqueness);
+  if (part.doubt.share > whole.doubt.share)
+    whole.doubt = {gaps_[at(part.doubt.pair)], part.doubt.share};
   const Status before = all.report.status;
   append(all.report, now.report);
   if (before != Status::Solved)

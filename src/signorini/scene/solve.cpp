@@ -6,6 +6,7 @@
 #include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/table.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/programme/road.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -84,6 +85,28 @@ std::string doubt_in_words(const Model& model, const Doubt& doubt) {
               ", normalised to 1 without its friction, is ", doubt.determinant,
               ", and several solutions begin below 0, from a friction coefficient of ",
               mu / (1 - doubt.determinant), " on; there it is ", mu);
+}
+
+/// A share of the largest force. Where forces are known better no note is worth reading, for no length, modulus or load
+/// was measured so well; a larger share would keep silent about some of the six digits that are printed.
+constexpr double known_well = 1e-6;
+
+/// The note on forces that rounding of the gaps may have moved.
+std::string force_doubt_in_words(const Model& model, const ForceDoubt& doubt) {
+  const std::string contact =
+      model.contacts.empty()
+          ? ""
+          : text("contact '",
+                 model.contacts[model.contact_of[static_cast<std::size_t>(doubt.pair)]], "': ");
+  const std::string share =
+      doubt.share < 0.99
+          ? text("known only to ", number(100 * doubt.share, "%.2g"), " % of the largest")
+          : std::string("not known at all");
+  return text(contact, "contact forces of single pairs are ", share, ", such as that of ",
+              pair_in_words(model, doubt.pair),
+              ": the gaps are rounded, and some pattern of forces moves hardly more than that, "
+              "mostly plus and minus in turns where a stiff source presses on a softer side. "
+              "Loads and forces still balance; take the softer or coarser side as source");
 }
 
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
@@ -197,6 +220,8 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   const ContactState& contact = solution.contact;
   if (contact.uniqueness == Uniqueness::Doubtful && contact.report.status == Status::Solved)
     solution.notes.push_back(doubt_in_words(model, contact.doubt));
+  if (contact.report.status == Status::Solved && end.doubt.share > known_well)
+    solution.notes.push_back(force_doubt_in_words(model, end.doubt));
   solution.escape = escape_in_words(model, contact.escape);
   if (contact.escape.size() > 0 && !model.law.pair.empty() && model.parts.empty())
     solution.limit = balanced_share(condensed.problem, VectorXd::Zero(contact.escape.size()));
