@@ -1,4 +1,6 @@
 // What an accuracy costs that is asked for: true errors, and seconds of processor beside the best mesh picked by hand.
+// By hand is the cheapest mesh of all shapes, which only those pick who know the answer; the middle shape is what others
+// may expect.
 // Run:  make accuracy     Reads: nothing     Writes: accuracy.md and accuracy.csv
 // Without --full one target only: a test of this program and of what it judges, not a measurement.
 #include "signorini/estimate/accuracy.hpp"
@@ -7,7 +9,6 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
-#include <optional>
 
 #include "bench/measure.hpp"
 #include "signorini/core/table.hpp"
@@ -106,6 +107,50 @@ std::vector<Problem> lining_problems() {
            {6, 9, 12, 18, 24, 36, 48, 72}}};
 }
 
+/// A hub shrunk on a hollow shaft, both turning, in plane stress: its truth is that of one turning ring, and of Lame's
+/// rings for the interference. Nothing in the refinement was chosen for it; it is why errors must meet targets twice over.
+std::vector<Problem> shrunk_problems() {
+  constexpr double bore = 20, radius = 30, outside = 55, modulus = 210e3, ratio = 0.3;
+  constexpr double interference = 0.03, whirl = 7.85e-9 * 900 * 900;  // density times speed squared
+  const auto scene = [=](Index cells, Index rows) {
+    Scene rings;
+    rings.bodies.resize(2);
+    const double radii[] = {bore, radius, outside};
+    for (std::size_t ring = 0; ring < 2; ++ring) {
+      AnnulusSpec spec;
+      spec.name = ring == 0 ? "shaft" : "hub";
+      spec.inner_radius = radii[ring];
+      spec.outer_radius = radii[ring + 1];
+      spec.cells_angle = cells;
+      spec.cells_radius = rows;
+      spec.sector = Sector::Quarter;
+      Body& body = rings.bodies[ring];
+      body.mesh = make_annulus(spec);
+      body.material = {modulus, ratio, PlaneState::Stress, 1};
+      body.supports = {symmetric("symmetry"), symmetric("symmetry_y")};
+      body.loads.body_force = [=](const Eigen::Vector2d& x) -> Eigen::Vector2d {
+        return whirl * x;
+      };
+    }
+    rings.contacts = {{{"outer", "shaft"}, Side{"inner", "hub"}}};
+    rings.contacts[0].interference = interference;
+    return rings;
+  };
+  const double a2 = bore * bore, b2 = radius * radius, c2 = outside * outside;
+  const double fit = modulus * interference * (b2 - a2) * (c2 - b2) / (2 * radius * b2 * (c2 - a2));
+  const double pull = (3 + ratio) / 8 * whirl * (a2 + c2 - a2 * c2 / b2 - b2);
+  const double turned = whirl * outside / (4 * modulus) * ((3 + ratio) * a2 + (1 - ratio) * c2);
+  const double pushed = 2 * fit * b2 * outside / (modulus * (c2 - b2));
+  std::vector<Layout> layouts;
+  for (const Index rows : {2, 4, 8})
+    layouts.emplace_back([=](Index cells) { return scene(cells, rows * cells / 6); });
+  const std::vector<Index> cells = {6, 9, 12, 18, 24, 36, 48, 72};
+  const Goal force{"force", ContactForce{}};
+  const Goal spread{"outside", Displacement{"hub", Axis::X, "", {{outside, 0}}}};
+  return {{"shrunk", force, scene(6, 2), (fit - pull) * radius * std::acos(-1) / 2, layouts, cells},
+          {"shrunk", spread, scene(6, 2), turned + pushed, layouts, cells}};
+}
+
 double error_of(const Problem& problem, double value) {
   return std::abs(value / problem.truth - 1);
 }
@@ -131,15 +176,17 @@ Picked picked(const Problem& problem, const Scene& scene) {
   return result;
 }
 
-/// The cheapest mesh picked by hand that meets a target, and not by luck: the next finer one of its shape does too.
-std::optional<Picked> best_by_hand(const std::vector<std::vector<Picked>>& layouts, double target) {
-  std::optional<Picked> best;
-  for (const std::vector<Picked>& layout : layouts)
-    for (std::size_t k = 0; k + 1 < layout.size(); ++k)
-      if (layout[k].error <= target && layout[k + 1].error <= target) {
-        if (!best || layout[k].seconds < best->seconds) best = layout[k];
-        break;
-      }
+/// Of each shape the cheapest mesh that meets a target, and not by luck: all finer ones of that shape do too.
+/// \return the cheapest first
+std::vector<Picked> best_by_hand(const std::vector<std::vector<Picked>>& layouts, double target) {
+  std::vector<Picked> best;
+  for (const std::vector<Picked>& layout : layouts) {
+    const auto misses = [&](const Picked& mesh) { return mesh.error > target; };
+    const auto met = std::find_if(layout.rbegin(), layout.rend(), misses).base();
+    if (layout.end() - met > 1) best.push_back(*met);
+  }
+  std::sort(best.begin(), best.end(),
+            [](const Picked& a, const Picked& b) { return a.seconds < b.seconds; });
   return best;
 }
 
@@ -148,13 +195,8 @@ bool add(const Problem& problem, const std::vector<double>& targets, bool by_han
   std::vector<std::vector<Picked>> layouts;
   for (std::size_t k = 0; by_hand && k < problem.layouts.size(); ++k) {
     layouts.emplace_back();
-    for (const Index cells : problem.cells) {
+    for (const Index cells : problem.cells)
       layouts.back().push_back(picked(problem, problem.layouts[k](cells)));
-      const std::size_t n = layouts.back().size();
-      if (n > 1 && layouts.back()[n - 2].error <= targets.back() &&
-          layouts.back()[n - 1].error <= targets.back())
-        break;
-    }
   }
   bool good = true;
   for (const double target : targets) {
@@ -164,14 +206,16 @@ bool add(const Problem& problem, const std::vector<double>& targets, bool by_han
     const AccuracyRound& last = result.rounds.back();
     const double error = error_of(problem, last.value);
     good = good && result.met && error < target;
-    const std::optional<Picked> hand = best_by_hand(layouts, target);
+    const std::vector<Picked> hand = best_by_hand(layouts, target);
+    const std::size_t middle = layouts.size() / 2;  // those that never meet it come last
     const auto percent = [](double part) { return number(100 * part, "%.3g"); };
     table.row({problem.name, problem.goal.name, percent(target), result.met ? "yes" : "NO",
                std::to_string(result.rounds.size()), std::to_string(last.unknowns),
                last.error ? percent(*last.error / std::abs(last.value)) : "-", percent(error),
-               number(seconds, "%.3f"), hand ? std::to_string(hand->unknowns) : "-",
-               hand ? number(hand->seconds, "%.4f") : "-",
-               hand ? number(seconds / hand->seconds, "%.1f") : "-"});
+               number(seconds, "%.3f"), hand.empty() ? "-" : std::to_string(hand[0].unknowns),
+               hand.empty() ? "-" : number(hand[0].seconds, "%.4f"),
+               hand.empty() ? "-" : number(seconds / hand[0].seconds, "%.1f"),
+               hand.size() <= middle ? "-" : number(seconds / hand[middle].seconds, "%.1f")});
     if (!result.met)
       std::cout << problem.name << ", " << problem.goal.name << ": " << result.verdict << '\n';
   }
@@ -185,10 +229,11 @@ int main(int argc, char** argv) {
     const std::vector<double> targets =
         options.full ? std::vector<double>{0.01, 0.003, 0.001} : std::vector<double>{0.01};
     Table table({"scene", "goal", "target %", "met", "meshes", "unknowns", "estimate %",
-                 "true error %", "s", "by hand: unknowns", "by hand: s", "times as long"});
+                 "true error %", "s", "by hand: unknowns", "by hand: s", "times as long",
+                 "as by the middle shape"});
     bool good = true;
     for (const auto& problems : {hertz_problems(), footing_problems(options.full),
-                                 pin_problems(options.full), lining_problems()})
+                                 pin_problems(options.full), lining_problems(), shrunk_problems()})
       for (const Problem& problem : problems)
         good = add(problem, targets, options.full, table) && good;
     write_table(options.out, "accuracy", table);

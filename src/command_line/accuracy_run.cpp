@@ -94,7 +94,7 @@ void print_wish(std::ostream& out, const AccuracyRun& accuracy) {
   out << "asked for: " << accuracy.wanted.goal.name << " within "
       << number(100 * accuracy.wanted.target, "%.3g") << " %"
       << (accuracy.why.empty() ? "" : "; " + accuracy.why) << "\n\n"
-      << "  mesh   unknowns          value     twice error    seconds   price\n";
+      << "  mesh   unknowns          value     twice error    seconds     price\n";
 }
 
 void print_round(std::ostream& out, const AccuracyRun& accuracy) {
@@ -107,7 +107,7 @@ void print_round(std::ostream& out, const AccuracyRun& accuracy) {
   else
     out << "        not yet: contact closes too few pairs";
   out << columns(round.seconds, "%11.2g")
-      << columns(seconds(accuracy.rounds) / accuracy.rounds.front().seconds, "%8.3g") << '\n'
+      << columns(seconds(accuracy.rounds) / accuracy.rounds.front().seconds, " %9.4g") << '\n'
       << std::flush;
 }
 

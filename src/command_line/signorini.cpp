@@ -209,6 +209,10 @@ int solve_with_backend(const Request& request, std::function<void(int)>& end) {
   const Team team = backend.team();
   if (team.rank > 0) return command_line::help(team, request.file);
   end = team.end;
+  pose(team.size == 1 || request.accuracy.target.empty(), "--accuracy: the ", team.size,
+       " processes that --backend ", backend.name,
+       " works on share the meshes of the scene file, and not finer ones: refine on one process, "
+       "without mpirun, or leave the option out and solve a finer mesh");
   return solve_scene(request, &team);
 }
 

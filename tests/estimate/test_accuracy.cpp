@@ -7,6 +7,8 @@
 #include "signorini/estimate/accuracy.hpp"
 #include "signorini/estimate/goal_words.hpp"
 #include "signorini/mesh/split.hpp"
+#include "signorini/refinement/refine.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/hertz.hpp"
 #include "support/lining_rings.hpp"
@@ -60,6 +62,27 @@ TEST_CASE("one ring in another becomes as accurate as asked for", "[accuracy][cl
   REQUIRE(result.met);
   CHECK(result.rounds.size() >= 2);  // a second mesh confirms
   CHECK(result.rounds.back().value == Approx(lining_force()).epsilon(target).margin(0));
+}
+
+TEST_CASE(
+    "meshes are fine where it counts: of as many cells of one size the error is many times as "
+    "large",
+    "[accuracy][closed-form]") {
+  const HertzProblem problem = coarse_hertz();
+  const double exact = hertz_half_width(problem.theory());
+  const AccurateSolution result = accurate(scene_of(problem), "width", 0.003);
+  REQUIRE(result.met);
+  Scene even = scene_of(problem);
+  for (int k = 0; k < 2; ++k)
+    for (Body& body : even.bodies) body.mesh = refined(body.mesh);
+  const SolvedScene run = solved(even, "even");
+  REQUIRE(run.model.unknowns.count > result.rounds.back().unknowns);
+  const double uniform = value(run.model, run.solution, {"width", HalfWidth{}});
+  CHECK(std::abs(uniform - exact) > 5 * std::abs(result.rounds.back().value - exact));
+  // Each round costs several times the one before, so that all together are hardly more than the last.
+  Eigen::Index all = 0;
+  for (const AccuracyRound& round : result.rounds) all += round.unknowns;
+  CHECK(all < 3 * result.rounds.back().unknowns);
 }
 
 TEST_CASE("triangles and quadratic cells are refined as well", "[accuracy][closed-form]") {

@@ -38,6 +38,9 @@ TEST_CASE("the chord across the blamed cell is halved, in the direction that is 
   const auto along = marks_for(run.model, run.solution, blaming(run.model, 14, 1), 0.3);
   CHECK(marked(along[0]) == 4);  // up through three rows
   CHECK(along[0].halved[static_cast<std::size_t>(along[0].edges.at({14, 0}))] == 1);
+  const auto often = marks_for(run.model, run.solution, blaming(run.model, 14, 1), 0.05);
+  CHECK(often[0].halved[static_cast<std::size_t>(often[0].edges.at({14, 0}))] == 3);  // 1/64 left
+  CHECK(marked(often[0]) == 4);
   const auto across = marks_for(run.model, run.solution, blaming(run.model, 14, 0), 0.3);
   CHECK(marked(across[0]) == 11);
   CHECK(across[0].halved[static_cast<std::size_t>(across[0].edges.at({14, 1}))] == 1);

@@ -147,9 +147,51 @@ TEST_CASE("a block made finer is the block of twice as many cells", "[refine]") 
   spec.cells_x = 6;
   CHECK(places(refined(mesh).nodes) == places(make_block(spec).nodes));
   const std::vector<char> none(all.size(), 0);
+  const HalvedMesh nothing = halved_once(mesh, {all, none});
+  CHECK(nothing.marks.halved == std::vector<char>(all.size(), 0));
   CHECK(refined(mesh, all, none).cells == mesh.cells);
   CHECK(refined(mesh, all, none).nodes == mesh.nodes);
   CHECK_THROWS_AS(refined(mesh, all, {1}), std::invalid_argument);
+}
+
+TEST_CASE("an edge marked three times becomes eight, and all that is opposite as many",
+          "[refine]") {
+  BlockSpec spec;
+  spec.order = any_order();
+  spec.cells_x = 3;
+  spec.cells_y = 2;
+  const Mesh block = make_block(spec);
+  HalvedMesh finer{block, {edges(block), {}}};
+  finer.marks.halved.assign(finer.marks.edges.size(), 0);
+  const auto mark = [&](Index cell, int side, char times) {
+    finer.marks.halved[static_cast<std::size_t>(finer.marks.edges.at({cell, side}))] = times;
+  };
+  mark(0, 0, 1);
+  for (const Index cell : {1, 2}) mark(cell, 0, 3);  // the cells of the lower row, along
+  mark(3, 3, 2);                                     // and the upper row, across
+  int rounds = 0;
+  while (*std::max_element(finer.marks.halved.begin(), finer.marks.halved.end()) > 0) {
+    finer = halved_once(finer.mesh, finer.marks);
+    check_mesh(finer.mesh);
+    ++rounds;
+  }
+  CHECK(rounds == 3);
+  CHECK(finer.mesh.n_cells() == (2 + 8 + 8) * (1 + 4));
+  CHECK(boundary(finer.mesh, "bottom").size() == 2 + 8 + 8);
+  CHECK(boundary(finer.mesh, "left").size() == 1 + 4);
+}
+
+TEST_CASE("triangles marked twice have no hanging nodes", "[refine]") {
+  const Mesh whole = disc(any_order(), GENERATE(1, 3));
+  const MeshEdges all = edges(whole);
+  const CellSide side = boundary(whole, "rim")[2];
+  std::vector<char> times(all.size(), 0);
+  times[static_cast<std::size_t>(all.at(side))] = 2;
+  const HalvedMesh once = halved_once(whole, {all, times});
+  const HalvedMesh twice = halved_once(once.mesh, once.marks);
+  CHECK(*std::max_element(twice.marks.halved.begin(), twice.marks.halved.end()) == 0);
+  CHECK(twice.mesh.n_nodes() == nodes_if_joined(twice.mesh, rim));
+  CHECK(boundary(twice.mesh, "rim").size() >= boundary(whole, "rim").size() + 3);
 }
 
 TEST_CASE("circles inside a ring stay circles, however thin its layers", "[refine]") {

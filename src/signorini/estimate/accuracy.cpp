@@ -17,10 +17,23 @@ namespace {
 
 using Eigen::Index;
 
-/// Estimates are within a factor of two.
+/// Estimates are within a factor of two: with less, errors of some problems are above the target; with more, meshes are
+/// finer than they need be.
 constexpr double safety = 2;
-/// A contact of fewer closed pairs is not resolved.
+/// A contact of fewer closed pairs is not resolved: with fewer, estimates mislead; with more, the first meshes cost more.
 constexpr std::size_t fewest_closed = 6;
+/// What a round leaves of the error at least: with less, estimates of coarse meshes make meshes far finer than asked for;
+/// with more, there are more rounds.
+constexpr double least_left = 0.25;
+/// And at most: with more, a round is hardly worth its seconds.
+constexpr double most_left = 0.7;
+/// A round aims at so much of the target: at more, many fall short by a little and need another round; at less, the last
+/// mesh is finer than it need be.
+constexpr double aim = 0.7;
+/// So many times the unknowns should leave a quarter of the error even at a corner...
+constexpr Index patience = 16;
+/// ... and so many meshes should close enough pairs.
+constexpr std::size_t most_unresolved = 12;
 
 /// Sum of the sizes of the parts, which can cancel by luck.
 double size_of(const ErrorParts& parts) {
@@ -57,6 +70,13 @@ std::string largest_part(const AccurateSolution& run) {
   const Eigen::RowVector2d x = mesh.nodes.row(mesh.cells(cell, 0));
   return text("stresses inside the bodies are most of the error, most of all in the cell at (",
               x.x(), ", ", x.y(), ") of body '", mesh.name, '\'');
+}
+
+bool any_marked(const std::vector<MarkedEdges>& marks) {
+  return std::any_of(marks.begin(), marks.end(), [](const MarkedEdges& body) {
+    return std::any_of(body.halved.begin(), body.halved.end(),
+                       [](char times) { return times > 0; });
+  });
 }
 
 class Loop {
@@ -113,7 +133,6 @@ class Loop {
     const AccuracyRound& now = run_.rounds.back();
     if (run_.solution.contact.report.status != Status::Solved)
       return stop("the problem is not solved on this mesh");
-    double part = 0.25;
     if (now.error) {
       const double target = wanted_.target * std::abs(now.value);
       if (target == 0) return stop("the value is 0, which no error can be compared with");
@@ -124,8 +143,7 @@ class Loop {
       run_.met = safety * *now.error <= target && estimated() > 1;
       if (run_.met) return stop("met");
       if (stagnates()) return stop("refinement no longer helps: " + largest_part(run_));
-      // Somewhat less than what is wanted, so that no round is lost for a little; any finer mesh confirms.
-      part = std::clamp(0.7 * target / safety / *now.error, 0.25, 0.7);
+      const double part = std::clamp(aim * target / (safety * *now.error), least_left, most_left);
       marks_ = marks_for(run_.model, run_.solution, *run_.estimate, part);
     } else if (stagnates()) {
       return stop("refinement does not close more pairs of a contact: it touches at points");
@@ -143,47 +161,60 @@ class Loop {
                          [](const AccuracyRound& round) { return round.error.has_value(); });
   }
 
-  /// Whether sixteen times the unknowns, which should leave a quarter of the error even at a corner, have not halved
-  /// the largest error since then; or a dozen meshes have not closed enough pairs.
+  /// Whether `patience` has not halved the largest error since then, or contact is still not resolved.
   [[nodiscard]] bool stagnates() const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
-    if (!rounds.back().error) return rounds.size() >= 12;
+    if (!rounds.back().error) return rounds.size() >= most_unresolved;
     double largest = 0;
     for (auto round = rounds.rbegin(); round != rounds.rend(); ++round) {
       largest = std::max(largest, round->error.value_or(0));
-      if (round->error && 16 * round->unknowns <= rounds.back().unknowns)
+      if (round->error && patience * round->unknowns <= rounds.back().unknowns)
         return *rounds.back().error > largest / 2;
     }
     return false;
   }
 
+  /// Halves what is marked, once and again. What cannot be done the second time is left for the next round.
   bool refine() {
-    const auto none = [](const MarkedEdges& marks) {
-      return std::count(marks.halved.begin(), marks.halved.end(), 0) ==
-             static_cast<std::ptrdiff_t>(marks.halved.size());
-    };
-    if (std::all_of(marks_.begin(), marks_.end(), none))
-      return stop("no cell has a share of the error; " + largest_part(run_));
-    mark_facing(run_.scene.contacts, run_.model.bodies, marks_);
-    Index unknowns = 0;
-    std::vector<Mesh> finer;
-    for (std::size_t b = 0; b < run_.scene.bodies.size(); ++b) {
-      finer.push_back(refined(run_.scene.bodies[b].mesh, marks_[b].edges, marks_[b].halved));
-      try {
-        check_mesh(finer.back());
-      } catch (const ProblemError& error) {
-        return stop(
-            text("geometry: the sides are too long for the curve they follow, a finer mesh "
-                 "would have bad cells: ",
-                 error.what()));
+    if (!any_marked(marks_)) return stop("no cell has a share of the error; " + largest_part(run_));
+    std::vector<BodyModel> bodies = run_.model.bodies;
+    bool finer = false;
+    while (any_marked(marks_)) {
+      mark_facing(run_.scene.contacts, bodies, marks_);
+      std::vector<HalvedMesh> halved;
+      for (std::size_t b = 0; b < bodies.size(); ++b)
+        halved.push_back(halved_once(bodies[b].mesh, marks_[b]));
+      const std::string obstacle = obstacle_of(halved);
+      if (!obstacle.empty() && !finer) return stop(obstacle);
+      if (!obstacle.empty()) break;
+      for (std::size_t b = 0; b < bodies.size(); ++b) {
+        bodies[b].mesh = std::move(halved[b].mesh);
+        marks_[b] = std::move(halved[b].marks);
       }
-      unknowns += 2 * finer.back().n_nodes();
+      finer = true;
     }
-    if (unknowns > wanted_.most_unknowns)
-      return stop(text("budget of unknowns: the next mesh would have about ", unknowns, ", and ",
-                       wanted_.most_unknowns, " are allowed; ", largest_part(run_)));
-    for (std::size_t b = 0; b < finer.size(); ++b) run_.scene.bodies[b].mesh = std::move(finer[b]);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      run_.scene.bodies[b].mesh = std::move(bodies[b].mesh);
     return true;
+  }
+
+  /// Why meshes cannot be solved; empty if they can.
+  [[nodiscard]] std::string obstacle_of(const std::vector<HalvedMesh>& meshes) const {
+    Index unknowns = 0;
+    for (const HalvedMesh& finer : meshes) {
+      try {
+        check_mesh(finer.mesh);
+      } catch (const ProblemError& error) {
+        return text(
+            "geometry: the sides are too long for the curve they follow, a finer mesh "
+            "would have bad cells: ",
+            error.what());
+      }
+      unknowns += 2 * finer.mesh.n_nodes();
+    }
+    if (unknowns <= wanted_.most_unknowns) return {};
+    return text("budget of unknowns: the next mesh would have about ", unknowns, ", and ",
+                wanted_.most_unknowns, " are allowed; ", largest_part(run_));
   }
 
   const Accuracy& wanted_;

@@ -46,8 +46,8 @@ struct AccurateSolution {
 ///
 /// A contact with fewer than six closed pairs is refined where it is closed before anything is estimated. From then
 /// on each cell's share of the error falls to the chords that cross it, see chords(): halving a chord leaves a quarter
-/// of its share, for as many new nodes as it has edges. The cheapest ones are halved, on paper more than once, until a
-/// quarter of the error or half of the target is left; in earnest each of them once a round. What goals and
+/// of its share, for as many new nodes as it has edges. The cheapest ones are halved, some more than once, until a
+/// quarter of the error or somewhat less than the target is left, see marks_for(). What goals and
 /// gaps overlook between nodes falls to the sides of the source that are closed, the free boundary to those where
 /// contact ends.
 ///

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <queue>
 #include <tuple>
@@ -150,18 +151,19 @@ std::vector<MarkedEdges> marks_for(const Model& model, const Solution& solution,
       queue.push({share[c] / nodes[c], b, static_cast<Index>(c), share[c], nodes[c]});
     }
   }
-  std::vector<std::vector<char>> taken;
+  std::vector<std::vector<char>> taken;  // how often
   for (const auto& list : chord_of) taken.emplace_back(list.size(), 0);
   const double enough = part * left;
   while (left > enough && !queue.empty()) {
     Candidate next = queue.top();
     queue.pop();
-    taken[next.body][at(next.chord)] = 1;
+    char& times = taken[next.body][at(next.chord)];
+    ++times;
     left -= 0.75 * next.share;
     next.share /= 4;
     next.nodes *= 2;
     next.gain = next.share / next.nodes;
-    queue.push(next);
+    if (times < std::numeric_limits<char>::max()) queue.push(next);
   }
   for (std::size_t b = 0; b < marks.size(); ++b)
     for (std::size_t e = 0; e < chord_of[b].size(); ++e)

@@ -8,17 +8,10 @@
 
 namespace signorini {
 
-/// The edges of one body, and which of them are to be halved.
-struct MarkedEdges {
-  MeshEdges edges;           ///< of its mesh
-  std::vector<char> halved;  ///< of each, not 0 if it is to be
-};
-
 /// Marks the cheapest chords whose halving leaves a part of the error.
 ///
 /// Halving a chord leaves a quarter of what falls to it, for as many new nodes as it has edges. Chords are taken by
-/// what they lose for a node, also for the second and further times, until no more than `part` is left; each of those
-/// taken is marked once. The interior part falls to cells by the sizes of their shares, and from these to their chords by
+/// what they lose for a node, also for the second and further times, until no more than `part` is left. The interior part falls to cells by the sizes of their shares, and from these to their chords by
 /// Estimate::first_direction, of triangles to their longest side; what gap and reading add, to the closed sides of the sources by the third power of their
 /// lengths; the free boundary, to the sides where contact ends.
 /// \param model     that was solved

@@ -113,18 +113,19 @@ std::vector<char> closed_under_halving(const Mesh& mesh, const MeshEdges& edges,
   std::vector<Index> open;
   for (std::size_t edge = 0; edge < halved.size(); ++edge)
     if (halved[edge] != 0) open.push_back(static_cast<Index>(edge));
-  const auto halve = [&](Index edge) {
-    if (halved[at(edge)] != 0) return;
-    halved[at(edge)] = 1;
+  const auto halve = [&](Index edge, char times) {
+    if (halved[at(edge)] >= times) return;
+    halved[at(edge)] = times;
     open.push_back(edge);
   };
   while (!open.empty()) {
     const Index edge = open.back();
     open.pop_back();
-    visit_opposite(mesh, edges, edge, halve);
+    const char times = halved[at(edge)];
+    visit_opposite(mesh, edges, edge, [&](Index other) { halve(other, times); });
     for (const CellSide& side : edges.sides[at(edge)])
       if (side.cell >= 0 && mesh.corners(side.cell) == 3)
-        halve(edges.of_cell(side.cell, longest_side(mesh, side.cell)));
+        halve(edges.of_cell(side.cell, longest_side(mesh, side.cell)), 1);
   }
   return halved;
 }

@@ -24,6 +24,12 @@ struct MeshEdges {
   [[nodiscard]] std::size_t size() const { return sides.size(); }
 };
 
+/// The edges of a mesh, and which of them are to be halved.
+struct MarkedEdges {
+  MeshEdges edges;           ///< of the mesh
+  std::vector<char> halved;  ///< of each, how often it is to be: 0 if it stays
+};
+
 /// Finds the edges.
 /// \param mesh  that passes check_mesh()
 /// \return in the order of the smaller, then of the larger number of their end nodes
@@ -45,10 +51,10 @@ struct MeshEdges {
 [[nodiscard]] std::vector<Eigen::Index> chords(const Mesh& mesh, const MeshEdges& edges);
 
 /// Which other edges must be halved so that no cell is left with a hanging node: with a side of a quadrilateral the
-/// opposite one, with a side of a triangle its longest.
+/// opposite one, as often; with a side of a triangle its longest, once.
 /// \param mesh    any
 /// \param edges   of it
-/// \param halved  of each edge, not 0 if it is to be halved
+/// \param halved  of each edge, how often it is to be halved
 /// \return the same with the others
 [[nodiscard]] std::vector<char> closed_under_halving(const Mesh& mesh, const MeshEdges& edges,
                                                      std::vector<char> halved);

@@ -177,8 +177,9 @@ class Cut {
 
 }  // namespace
 
-Mesh refined(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved) {
-  const HalvedEdges on_edges(mesh, edges, closed_under_halving(mesh, edges, std::move(halved)));
+HalvedMesh halved_once(const Mesh& mesh, const MarkedEdges& marks) {
+  const std::vector<char> times = closed_under_halving(mesh, marks.edges, marks.halved);
+  const HalvedEdges on_edges(mesh, marks.edges, times);
   std::vector<Cut> cuts;
   std::vector<Index> first = {0};
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
@@ -205,7 +206,19 @@ Mesh refined(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved)
     for (const Index cell : cells)
       for (Index piece = first[at(cell)]; piece < first[at(cell) + 1]; ++piece)
         result.regions[name].push_back(piece);
-  return result;
+  MarkedEdges again{edges(result), {}};
+  again.halved.assign(again.edges.size(), 0);
+  for (std::size_t edge = 0; edge < times.size(); ++edge) {
+    if (times[edge] < 2) continue;
+    const CellSide& side = marks.edges.sides[edge][0];
+    for (const CellSide& half : cuts[at(side.cell)].sides(side.side, first[at(side.cell)]))
+      again.halved[at(again.edges.at(half))] = static_cast<char>(times[edge] - 1);
+  }
+  return {std::move(result), std::move(again)};
+}
+
+Mesh refined(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved) {
+  return halved_once(mesh, {edges, std::move(halved)}).mesh;
 }
 
 Mesh refined(const Mesh& mesh) {

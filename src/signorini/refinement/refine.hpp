@@ -18,11 +18,24 @@ namespace signorini {
 /// cell have them. Cells of a curved side so coarse that its arc leaves them are found by check_mesh().
 /// \param mesh    any
 /// \param edges   of it
-/// \param halved  of each edge, not 0 if it is to be halved; closed_under_halving() adds what must be
+/// \param halved  of each edge, not 0 if it is to be halved, once; closed_under_halving() adds what must be
 /// \return the same body with the same boundaries and regions; the pieces of a cell take its place, and those of
 ///   a side
 /// \throws std::invalid_argument unless there is a mark for each edge
 [[nodiscard]] Mesh refined(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved);
+
+/// A mesh whose marked edges were halved, once each.
+struct HalvedMesh {
+  Mesh mesh;          ///< as of refined()
+  MarkedEdges marks;  ///< its edges, and which halves are to be halved again
+};
+
+/// Halves marked edges once, and says what is left to be halved.
+/// \param mesh   any
+/// \param marks  of its edges
+/// \return mesh and marks
+/// \throws std::invalid_argument as refined()
+[[nodiscard]] HalvedMesh halved_once(const Mesh& mesh, const MarkedEdges& marks);
 
 /// Halves all edges: every cell becomes four.
 /// \param mesh  any
