@@ -51,8 +51,8 @@ void impose(const KnownSet& set, Forces& force) {
     if (!carries[static_cast<std::size_t>(row)]) force.high(row) = force.low(row) = 0;
 }
 
-/// Sweeps after which the part of u that strains nothing is chosen anew. It is rounded, and later sweeps mend what K
-/// makes of that; what they move is so small that it may as well strain the bodies.
+/// Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
+/// sweeps mend it; what they move is so small that it may as well strain the bodies.
 constexpr Index rigid_sweeps = 2;
 
 /// The set without closed rows that nothing can push on: slips that supports give, where they give none.
@@ -164,12 +164,14 @@ VectorXd Refining::spread(const VectorXd& residual) const {
 void Refining::move(const VectorXd& amplitude) {
   const VectorXd moved = data_.null_vectors * amplitude;
   result_.amplitude += amplitude;
-  add_displacement(result_.solution, moved);
-  // All of u that is rigid, also where it starts: a body that its ground hardly holds starts far away, and K, whose entries
-  // are rounded, would strain it on the way back.
-  if (sweeps_ <= rigid_sweeps)
-    result_.solution.rigid =
-        data_.null_vectors * least_norm_solution(data_.null_vectors, result_.solution.displacement);
+  PrimalDual& solution = result_.solution;
+  if (sweeps_ > rigid_sweeps) return add_displacement(solution, moved);
+  add_rigid(solution, moved);
+  // A body that forces out of balance took far away on its springs came back: K, whose entries are rounded, would strain
+  // it by the way, once as rigid and once as not. What is left is rigid as far as a motion comes near to it.
+  if (sweeps_ == rigid_sweeps && largest(solution.rigid) > 2 * largest(solution.displacement))
+    solution.rigid =
+        data_.null_vectors * least_norm_solution(data_.null_vectors, solution.displacement);
 }
 
 VectorXd Refining::push(const VectorXd& pushed) {
