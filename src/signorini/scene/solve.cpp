@@ -10,6 +10,7 @@
 #include "signorini/programme/road.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
+#include "signorini/scene/end_words.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/scene/steps_limit.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -43,47 +44,6 @@ std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorX
   for (const BodyModel& body : model.bodies)
     bodies.emplace_back(all.middleRows(body.first_node, body.mesh.n_nodes()));
   return bodies;
-}
-
-/// How bodies move along a direction that nothing stops.
-std::string escape_in_words(const Model& model, const VectorXd& escape) {
-  std::string words;
-  const double most = largest(escape);
-  for (Index k = 0; k < escape.size(); ++k)
-    if (std::abs(escape(k)) > 1e-6 * most)
-      words += (words.empty() ? "" : "; ") + model.modes[static_cast<std::size_t>(k)].sentence;
-  return words;
-}
-
-/// Where a pair is: its node, if it has one, and the place.
-std::string pair_in_words(const Model& model, Index pair) {
-  const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
-  std::string words = text("pair ", pair);
-  if (node >= 0) {
-    std::size_t b = model.bodies.size() - 1;
-    while (model.bodies[b].first_node > node) --b;
-    words += text(" of node ", node - model.bodies[b].first_node, " of body '",
-                  model.bodies[b].mesh.name, '\'');
-  }
-  return text(words, " at (", model.pairs.position(pair, 0), ", ", model.pairs.position(pair, 1),
-              ')');
-}
-
-/// The warning of several solutions: which pair it rests on, and from which friction on it holds.
-std::string doubt_in_words(const Model& model, const Doubt& doubt) {
-  const std::string warning =
-      "friction: there may be other solutions of the same loads, this is one of them";
-  const FrictionLaw& law = model.law;
-  const auto found = std::find(law.pair.begin(), law.pair.end(), doubt.pair);
-  if (found == law.pair.end())
-    return text(warning,
-                ": the determinant of the pairs that slide, normalised to 1 without friction, is ",
-                doubt.determinant, ", and below 0 there are several");
-  const double mu = law.coefficient(found - law.pair.begin());
-  return text(warning, ": the determinant of ", pair_in_words(model, doubt.pair),
-              ", normalised to 1 without its friction, is ", doubt.determinant,
-              ", and several solutions begin below 0, from a friction coefficient of ",
-              mu / (1 - doubt.determinant), " on; there it is ", mu);
 }
 
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
@@ -197,6 +157,7 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   const ContactState& contact = solution.contact;
   if (contact.uniqueness == Uniqueness::Doubtful && contact.report.status == Status::Solved)
     solution.notes.push_back(doubt_in_words(model, contact.doubt));
+  if (contact.report.status == Status::Ray) solution.contact.reason = ray_in_words(model);
   solution.escape = escape_in_words(model, contact.escape);
   if (contact.escape.size() > 0 && !model.law.pair.empty() && model.parts.empty())
     solution.limit = balanced_share(condensed.problem, VectorXd::Zero(contact.escape.size()));
