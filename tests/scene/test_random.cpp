@@ -5,6 +5,7 @@
 #include <string>
 
 #include "catch_compat.hpp"
+#include "signorini/core/errors.hpp"
 #include "support/random_outcomes.hpp"
 
 using namespace signorini;
@@ -178,4 +179,24 @@ TEST_CASE("a pair of a random path that carries shear is closed", "[random][fric
     CHECK(trial.outcome != Outcome::Wrong);
     CHECK(trial.errors.worst() <= 1e-12);
   }
+}
+
+TEST_CASE("a ray says what is known and which friction to take less of", "[random][friction]") {
+  int rays = 0;
+  for (const std::uint64_t seed : {35, 47, 91}) {
+    const Scene scene = random_scene(seed, RandomScenes::Frictional).scene;
+    const Solution solution = solve(scene);
+    if (solution.contact.report.status != Status::Ray) continue;
+    ++rays;
+    Ledger ledger;
+    const Model model = build(scene, ledger);
+    CAPTURE(seed, solution.contact.reason);
+    CHECK_FALSE(model.modes.empty());
+    const std::string most =
+        text("largest friction coefficient is ", model.law.coefficient.maxCoeff(), ", of pair ");
+    CHECK_THAT(solution.contact.reason, ContainsSubstring("proves nothing") &&
+                                            ContainsSubstring(most) &&
+                                            ContainsSubstring("hold the bodies"));
+  }
+  CHECK(rays > 0);
 }

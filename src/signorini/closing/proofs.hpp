@@ -82,9 +82,10 @@ inline constexpr double proof_rounding = 1e3 * epsilon;
 /// bound jumps, nor with rigid modes, unless nothing rubs and the pairs that press hold all of them: else the
 /// forces are the only ones, but gaps of the same load may not be. *Doubtful* is a warning: either
 /// \f$ \mu_i |C_{ii}| > G_{ii} \f$ for some pair, which alone already has several solutions for some free
-/// gaps and slips; or the system of the motions found has a determinant of the sign opposite to that
-/// without friction, which for held bodies without cohesion means that there are others. Neither is
-/// needed for several solutions to exist: *Unknown* promises nothing.
+/// gaps and slips, while those of the problem are not asked: for them there may be one only, even of a single pair;
+/// or the system of the motions found has a determinant of the sign opposite to that
+/// without friction, which for held bodies without cohesion means that there are others for this very load. Neither
+/// is needed for several solutions to exist: *Unknown* promises nothing.
 /// \param problem   scaled
 /// \param solution  a confirmed one
 /// \return the verdict

@@ -164,10 +164,14 @@ VectorXd Refining::spread(const VectorXd& residual) const {
 void Refining::move(const VectorXd& amplitude) {
   const VectorXd moved = data_.null_vectors * amplitude;
   result_.amplitude += amplitude;
-  if (sweeps_ <= rigid_sweeps)
-    add_rigid(result_.solution, moved);
-  else
-    add_displacement(result_.solution, moved);
+  PrimalDual& solution = result_.solution;
+  if (sweeps_ > rigid_sweeps) return add_displacement(solution, moved);
+  add_rigid(solution, moved);
+  // A body that forces out of balance took far away on its springs came back: K, whose entries are rounded, would strain
+  // it by the way, once as rigid and once as not. What is left is rigid as far as a motion comes near to it.
+  if (sweeps_ == rigid_sweeps && largest(solution.rigid) > 2 * largest(solution.displacement))
+    solution.rigid =
+        data_.null_vectors * least_norm_solution(data_.null_vectors, solution.displacement);
 }
 
 VectorXd Refining::push(const VectorXd& pushed) {

@@ -66,7 +66,8 @@ struct Refinement {
 ///
 /// With rigid modes K is singular, and `solve_stiffness` and `condensed` belong to the grounded K_g of
 /// add_rigid_modes(). Residuals are still those of K; the amplitudes take up what only a rigid
-/// motion feels of them, so that no spring takes part.
+/// motion feels of them, so that no spring takes part. A rigid part of u that has grown larger than u, because
+/// forces out of balance took a body far away on its springs and back, becomes the motion nearest to u.
 /// \param data     the problem
 /// \param start    u, and the forces that it belongs to: none, if u is still that without contact
 /// \param force    of all rows of A, to begin with; those that the motions exclude are dropped [force]

@@ -11,6 +11,7 @@
 #include "signorini/programme/road.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
+#include "signorini/scene/end_words.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/scene/steps_limit.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -46,68 +47,9 @@ std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorX
   return bodies;
 }
 
-/// How bodies move along a direction that nothing stops.
-std::string escape_in_words(const Model& model, const VectorXd& escape) {
-  std::string words;
-  const double most = largest(escape);
-  for (Index k = 0; k < escape.size(); ++k)
-    if (std::abs(escape(k)) > 1e-6 * most)
-      words += (words.empty() ? "" : "; ") + model.modes[static_cast<std::size_t>(k)].sentence;
-  return words;
-}
-
-/// Where a pair is: its node, if it has one, and the place.
-std::string pair_in_words(const Model& model, Index pair) {
-  const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
-  std::string words = text("pair ", pair);
-  if (node >= 0) {
-    std::size_t b = model.bodies.size() - 1;
-    while (model.bodies[b].first_node > node) --b;
-    words += text(" of node ", node - model.bodies[b].first_node, " of body '",
-                  model.bodies[b].mesh.name, '\'');
-  }
-  return text(words, " at (", model.pairs.position(pair, 0), ", ", model.pairs.position(pair, 1),
-              ')');
-}
-
-/// The warning of several solutions: which pair it rests on, and from which friction on it holds.
-std::string doubt_in_words(const Model& model, const Doubt& doubt) {
-  const std::string warning =
-      "friction: there may be other solutions of the same loads, this is one of them";
-  const FrictionLaw& law = model.law;
-  const auto found = std::find(law.pair.begin(), law.pair.end(), doubt.pair);
-  if (found == law.pair.end())
-    return text(warning,
-                ": the determinant of the pairs that slide, normalised to 1 without friction, is ",
-                doubt.determinant, ", and below 0 there are several");
-  const double mu = law.coefficient(found - law.pair.begin());
-  return text(warning, ": the determinant of ", pair_in_words(model, doubt.pair),
-              ", normalised to 1 without its friction, is ", doubt.determinant,
-              ", and several solutions begin below 0, from a friction coefficient of ",
-              mu / (1 - doubt.determinant), " on; there it is ", mu);
-}
-
 /// A share of the largest force. Where forces are known better no note is worth reading, for no length, modulus or load
 /// was measured so well; a larger share would keep silent about some of the six digits that are printed.
 constexpr double known_well = 1e-6;
-
-/// The note on forces that rounding of the gaps may have moved.
-std::string force_doubt_in_words(const Model& model, const ForceDoubt& doubt) {
-  const std::string contact =
-      model.contacts.empty()
-          ? ""
-          : text("contact '",
-                 model.contacts[model.contact_of[static_cast<std::size_t>(doubt.pair)]], "': ");
-  const std::string share =
-      doubt.share < 0.99
-          ? text("known only to ", number(100 * doubt.share, "%.2g"), " % of the largest")
-          : std::string("not known at all");
-  return text(contact, "contact forces of single pairs are ", share, ", such as that of ",
-              pair_in_words(model, doubt.pair),
-              ": the gaps are rounded, and some pattern of forces moves hardly more than that, "
-              "mostly plus and minus in turns where a stiff source presses on a softer side. "
-              "Loads and forces still balance; take the softer or coarser side as source");
-}
 
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
 void note_open_motions(const Model& model, const VectorXd& force, Solution& solution) {
@@ -222,6 +164,7 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
     solution.notes.push_back(doubt_in_words(model, contact.doubt));
   if (contact.report.status == Status::Solved && end.doubt.share > known_well)
     solution.notes.push_back(force_doubt_in_words(model, end.doubt));
+  if (contact.report.status == Status::Ray) solution.contact.reason = ray_in_words(model);
   solution.escape = escape_in_words(model, contact.escape);
   if (contact.escape.size() > 0 && !model.law.pair.empty() && model.parts.empty())
     solution.limit = balanced_share(condensed.problem, VectorXd::Zero(contact.escape.size()));

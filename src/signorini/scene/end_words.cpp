@@ -1,0 +1,93 @@
+#include "signorini/scene/end_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/core/table.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Where a pair is: its node, if it has one, and the place.
+std::string pair_in_words(const Model& model, Index pair) {
+  const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
+  std::string words = text("pair ", pair);
+  if (node >= 0) {
+    std::size_t b = model.bodies.size() - 1;
+    while (model.bodies[b].first_node > node) --b;
+    words += text(" of node ", node - model.bodies[b].first_node, " of body '",
+                  model.bodies[b].mesh.name, '\'');
+  }
+  return text(words, " at (", model.pairs.position(pair, 0), ", ", model.pairs.position(pair, 1),
+              ')');
+}
+
+}  // namespace
+
+std::string escape_in_words(const Model& model, const VectorXd& escape) {
+  std::string words;
+  const double most = largest(escape);
+  for (Index k = 0; k < escape.size(); ++k)
+    if (std::abs(escape(k)) > 1e-6 * most)
+      words += (words.empty() ? "" : "; ") + model.modes[static_cast<std::size_t>(k)].sentence;
+  return words;
+}
+
+std::string doubt_in_words(const Model& model, const Doubt& doubt) {
+  const std::string warning =
+      "friction: there may be other solutions of the same loads, this is one of them";
+  const FrictionLaw& law = model.law;
+  const auto found = std::find(law.pair.begin(), law.pair.end(), doubt.pair);
+  if (found == law.pair.end())
+    return text(warning,
+                ": the determinant of the pairs that slide, normalised to 1 without friction, is ",
+                doubt.determinant, ", and below 0 there are several");
+  const double mu = law.coefficient(found - law.pair.begin());
+  return text(warning, ": the determinant of ", pair_in_words(model, doubt.pair),
+              ", normalised to 1 without its friction, is ", doubt.determinant,
+              ", and several solutions begin below 0, from a friction coefficient of ",
+              mu / (1 - doubt.determinant), " on; there it is ", mu);
+}
+
+std::string ray_in_words(const Model& model) {
+  const FrictionLaw& law = model.law;
+  const std::string end = "Lemke's method ran off along a ray, which proves nothing: ";
+  if (model.modes.empty())
+    return end +
+           "supports and springs hold all bodies, so there is a solution unless pairs depend on "
+           "each other, and rounding hides it; take smaller friction coefficients";
+  const std::string hold = "hold the bodies by a support or a soft spring";
+  if (law.pair.empty()) return end + hold;
+  Index most = 0;
+  const double mu = law.coefficient.maxCoeff(&most);
+  return text(end,
+              "where only contact holds a body, there need be no solution once friction is "
+              "beyond some value. The largest friction coefficient is ",
+              mu, ", of ", pair_in_words(model, law.pair[static_cast<std::size_t>(most)]),
+              ", the largest cohesion of a pair ", law.cohesion.maxCoeff(), "; take less, or ",
+              hold);
+}
+
+std::string force_doubt_in_words(const Model& model, const ForceDoubt& doubt) {
+  const std::string contact =
+      model.contacts.empty()
+          ? ""
+          : text("contact '",
+                 model.contacts[model.contact_of[static_cast<std::size_t>(doubt.pair)]], "': ");
+  const std::string share =
+      doubt.share < 0.99
+          ? text("known only to ", number(100 * doubt.share, "%.2g"), " % of the largest")
+          : std::string("not known at all");
+  return text(contact, "contact forces of single pairs are ", share, ", such as that of ",
+              pair_in_words(model, doubt.pair),
+              ": the gaps are rounded, and some pattern of forces moves hardly more than that, "
+              "mostly plus and minus in turns where a stiff source presses on a softer side. "
+              "Loads and forces still balance; take the softer or coarser side as source");
+}
+
+}  // namespace signorini
