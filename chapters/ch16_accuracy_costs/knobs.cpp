@@ -89,6 +89,7 @@ void digits(const ProgramOptions& run, Results& results) {
                           now.solution.contact.force.norm(),
                       "%.1e")});
     if (slender == 10) results.add("refinement_share", 100 * share, "%");
+    if (slender == 160) results.add("refinement_share_of_160", 100 * share, "%");
   }
   write_file(run.out / "fig_16_7_digits.csv", table.csv());
 }
