@@ -5,8 +5,8 @@ load 'style.gp'
 set style data histograms
 set style histogram rowstacked
 set boxwidth 0.7
-set key outside right top reverse Left invert
-set rmargin 20
+set key outside right top reverse Left invert noopaque
+set rmargin 22
 set bmargin 6
 set ylabel 'seconds / plain solve'
 set label 1 'Hertz' at 1, graph -0.27 center

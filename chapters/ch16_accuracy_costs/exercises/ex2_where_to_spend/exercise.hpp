@@ -19,11 +19,11 @@ struct Spending {
   std::vector<Cause> budget;        ///< after the last halving
   std::vector<std::string> halved;  ///< names, in order, as often as it was done
   bool reached = false;             ///< whether the sum of the errors is at most the target
-  std::string obstacle;             ///< if not: the cause with the largest error; else empty
+  std::string obstacle;             ///< if not: the largest cause that cannot be halved; else empty
 };
 
-/// Halves the largest error that can be halved until the sum is at most the target, or until the largest error of
-/// all is one that cannot be halved.
+/// Halves the largest error that can be halved until the sum is at most the target. Nothing is halved if the errors
+/// that cannot be are the target or more by themselves, and others come on top. Of equal errors the first counts.
 /// \param budget  any
 /// \param target  of the sum of errors, above 0
 /// \return what to do

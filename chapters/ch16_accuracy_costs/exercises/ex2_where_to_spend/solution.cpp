@@ -6,26 +6,37 @@
 
 namespace ex16_2 {
 
+static double sum_of(const std::vector<Cause>& budget, bool fixed_only) {
+  double sum = 0;
+  for (const Cause& cause : budget)
+    if (!fixed_only || cause.growth == 0) sum += cause.error;
+  return sum;
+}
+
+static Cause& largest(std::vector<Cause>& budget, bool fixed) {
+  return *std::max_element(budget.begin(), budget.end(), [&](const Cause& a, const Cause& b) {
+    const bool a_counts = (a.growth == 0) == fixed, b_counts = (b.growth == 0) == fixed;
+    return a_counts == b_counts ? a.error < b.error : b_counts;
+  });
+}
+
 Spending spend(std::vector<Cause> budget, double target) {
   if (!(target > 0)) throw std::invalid_argument("spend: the target must be above 0");
   Spending out;
   out.budget = std::move(budget);
-  while (true) {
-    double sum = 0;
-    for (const Cause& cause : out.budget) sum += cause.error;
-    out.reached = sum <= target;
-    if (out.reached) return out;
-    const auto largest =
-        std::max_element(out.budget.begin(), out.budget.end(),
-                         [](const Cause& a, const Cause& b) { return a.error < b.error; });
-    if (largest->growth == 0) {
-      out.obstacle = largest->name;
-      return out;
-    }
-    largest->error /= 2;
-    largest->cost *= largest->growth;
-    out.halved.push_back(largest->name);
+  out.reached = sum_of(out.budget, false) <= target;
+  if (!out.reached && sum_of(out.budget, true) >= target) {
+    out.obstacle = largest(out.budget, true).name;
+    return out;
   }
+  while (!out.reached) {
+    Cause& cause = largest(out.budget, false);
+    cause.error /= 2;
+    cause.cost *= cause.growth;
+    out.halved.push_back(cause.name);
+    out.reached = sum_of(out.budget, false) <= target;
+  }
+  return out;
 }
 
 }  // namespace ex16_2

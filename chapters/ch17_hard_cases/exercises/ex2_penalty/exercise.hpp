@@ -14,10 +14,10 @@ namespace ex17_2 {
 /// \throws signorini::NotSolved if a hundred sets of closed pairs do not suffice
 [[nodiscard]] Eigen::VectorXd forces_of(const signorini::ContactProblem& problem, double stiffness);
 
-/// The softest springs that are stiff enough.
+/// Springs that are just stiff enough.
 /// \param problem  as above
 /// \param share    of the largest overlap without contact, in (0, 1) [-]
-/// \return the stiffness, to a part in 1e9, at which the largest overlap is that share [force/length]; 0 if nothing overlaps
+/// \return a stiffness, to a part in 1e9, at which the largest overlap is that share [force/length]; 0 if nothing overlaps
 ///   without contact
 [[nodiscard]] double stiffness_for(const signorini::ContactProblem& problem, double share);
 

@@ -17,8 +17,9 @@ TEST_CASE("ex17.3 a slot that is too narrow", "[ex17.3]") {
   CHECK(proves(slot(-0.5), Vector2d(1, 1)));
   CHECK_FALSE(proves(slot(-0.5), Vector2d(1, 0)));  // moves the body
   CHECK_FALSE(proves(slot(-0.5), Vector2d(-1, -1)));
-  CHECK_FALSE(proves(slot(0.5), Vector2d(1, 1)));  // there is room
-  CHECK_FALSE(proves(slot(0), Vector2d(1, 1)));    // it just fits
+  CHECK_FALSE(proves(slot(0.5), Vector2d(1, 1)));    // there is room
+  CHECK_FALSE(proves(slot(0), Vector2d(1, 1)));      // it just fits
+  CHECK_FALSE(proves(slot(0.5), Vector2d(-1, -1)));  // d.y < 0, but weights must not be negative
 }
 
 TEST_CASE("ex17.3 the proof is found", "[ex17.3]") {
