@@ -6,6 +6,7 @@
 #include "signorini/closed_form/hertz.hpp"
 #include "signorini/estimate/accuracy.hpp"
 #include "signorini/estimate/goal_words.hpp"
+#include "signorini/mesh/block.hpp"
 #include "signorini/mesh/split.hpp"
 #include "signorini/refinement/refine.hpp"
 #include "signorini/scene/readings.hpp"
@@ -83,6 +84,28 @@ TEST_CASE(
   Eigen::Index all = 0;
   for (const AccuracyRound& round : result.rounds) all += round.unknowns;
   CHECK(all < 3 * result.rounds.back().unknowns);
+}
+
+TEST_CASE("two meshes that hardly differ do not confirm each other", "[accuracy]") {
+  // The floor reaches the corner where the block is held, of which coarse meshes know little.
+  BlockSpec spec;
+  spec.size = {4, 1};
+  spec.cells_x = 8;
+  spec.cells_y = 3;
+  Scene scene;
+  Body& block = scene.bodies.front();
+  block.mesh = split(make_block(spec));
+  block.element = "t3";
+  block.material = {1000, 0.3, PlaneState::Strain, 1};
+  block.supports = {fixed("left")};
+  block.loads.edges = {{"top", 1, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  const double reference = accurate(scene, "force", 1e-3).rounds.back().value;
+  const double target = GENERATE(0.02, 0.01, 0.005);
+  CAPTURE(target);
+  const AccurateSolution result = accurate(scene, "force", target);
+  REQUIRE(result.met);
+  CHECK(result.rounds.back().value == Approx(reference).epsilon(target).margin(0));
 }
 
 TEST_CASE("triangles and quadratic cells are refined as well", "[accuracy][closed-form]") {
