@@ -183,6 +183,21 @@ TEST_CASE("what cannot be meant is refused by name", "[accuracy]") {
   CHECK_THAT(words("displacement:bean.top.y"), ContainsSubstring("bean"));
 }
 
+TEST_CASE("a width is that of Hertz's contact or none", "[accuracy]") {
+  // Even pressure on a half-model: the ellipse of its second moment is wider than the block.
+  BlockSpec spec;
+  spec.cells_x = spec.cells_y = 10;
+  Scene scene;
+  Body& block = scene.bodies.front();
+  block.mesh = make_block(spec);
+  block.material = {1000, 0.3, PlaneState::Strain, 1};
+  block.supports = {symmetric("left")};
+  block.loads.edges = {{"top", 1, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  CHECK_THAT(problem_message([&] { (void)accurate(scene, "width", 0.01); }),
+             ContainsSubstring("does not press as Hertz's does"));
+}
+
 TEST_CASE("the usual goal is the contact force unless equilibrium says what that is",
           "[accuracy]") {
   const Scene held = cantilever("q4", 10, 2);
