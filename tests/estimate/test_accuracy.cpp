@@ -144,6 +144,10 @@ TEST_CASE("what stands in the way is named", "[accuracy]") {
   const AccurateSolution exact = solve_to_accuracy(scene, wanted);
   CHECK_FALSE(exact.met);
   CHECK_THAT(exact.verdict, ContainsSubstring("algebraic"));
+  Scene open = scene;
+  open.bodies[0].loads.edges.clear();
+  wanted = {0.01, {"force", ContactForce{}}};
+  CHECK_THAT(solve_to_accuracy(open, wanted).verdict, ContainsSubstring("no contact closes"));
 }
 
 TEST_CASE("triangles that the arc of a curved side would leave are named", "[accuracy]") {

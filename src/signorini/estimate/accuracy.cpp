@@ -143,7 +143,9 @@ class Loop {
       return stop("the problem is not solved on this mesh");
     if (now.error) {
       const double target = wanted_.target * std::abs(now.value);
-      if (target == 0) return stop("the value is 0, which no error can be compared with");
+      if (target == 0)
+        return stop(text("the value is 0, which no error can be compared with",
+                         nothing_closes() ? "; no contact closes" : ""));
       if (safety * now.algebraic > target)
         return stop(
             "algebraic: rounding of the equations alone may do so much; a finer mesh makes it "
@@ -170,6 +172,10 @@ class Loop {
   [[nodiscard]] std::ptrdiff_t estimated() const {
     return std::count_if(run_.rounds.begin(), run_.rounds.end(),
                          [](const AccuracyRound& round) { return round.error.has_value(); });
+  }
+
+  [[nodiscard]] bool nothing_closes() const {
+    return !run_.scene.contacts.empty() && run_.solution.contact.active.empty();
   }
 
   /// Whether the last mesh is so much finer than one that was estimated that what both overlook would show.
