@@ -111,7 +111,7 @@ expect 0 'accuracy: met' solve "$examples/punch.toml" --accuracy 1%
 sed '/^target = "footing/a operator = "gauss_points"' "$examples/footing.toml" > gauss.toml
 expect 2 'gauss.toml:[0-9]+: estimate: pairs are Gauss points' solve gauss.toml --accuracy 1%
 expect 2 '--accuracy: .*to_and_fro.toml has load steps' solve "$examples/to_and_fro.toml" --accuracy 1%
-expect 2 "--accuracy: expected a part above 0, such as 0\.5% or 0\.005, got '-1'" solve "$cantilever" --accuracy=-1%
+expect 2 "--accuracy: expected a part above 0, such as 0\.5% or 0\.005, got '-1%'" solve "$cantilever" --accuracy=-1%
 expect 2 "--accuracy: expected a part above 0, .* got '0\.x%'" solve "$cantilever" --accuracy 0.x%
 expect 2 "--accuracy: expected less than 100%, got '50'; did you mean '50%'" solve "$cantilever" --accuracy 50
 expect 0 'force within 0\.5 %' solve "$cantilever" --accuracy '0.5 %'
