@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -11,28 +12,32 @@
 #include "signorini/core/table.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/estimate/goal_words.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace command_line {
 namespace {
 
 using namespace signorini;
 
-/// A number above 0, the whole of a word.
-double positive(const std::string& option, const std::string& word, const std::string& expected) {
+/// A number above 0 that is the whole of a word; nothing if the word is none.
+std::optional<double> positive(const std::string& word) {
   double value = 0;
   const char* const end = word.data() + word.size();
   const auto [rest, failed] = std::from_chars(word.data(), end, value);
-  pose(failed == std::errc() && rest == end && value > 0 && std::isfinite(value), option,
-       ": expected ", expected, ", got ", in_quotes(word));
+  if (failed != std::errc() || rest != end || !(value > 0) || !std::isfinite(value)) return {};
   return value;
 }
 
 double target_of(const std::string& word) {
   const bool percent = !word.empty() && word.back() == '%';
-  const double value = positive("--accuracy", percent ? word.substr(0, word.size() - 1) : word,
-                                "a part above 0, such as 0.5% or 0.005");
-  const double part = percent ? value / 100 : value;
-  pose(part < 1, "--accuracy: expected less than 100%, got ", in_quotes(word));
+  std::string digits = percent ? word.substr(0, word.size() - 1) : word;
+  if (percent && !digits.empty() && digits.back() == ' ') digits.pop_back();
+  const std::optional<double> value = positive(digits);
+  pose(value.has_value(), "--accuracy: expected a part above 0, such as 0.5% or 0.005, got ",
+       in_quotes(word));
+  const double part = percent ? *value / 100 : *value;
+  pose(part < 1, "--accuracy: expected less than 100%, got ", in_quotes(word),
+       !percent && *value < 100 ? text("; did you mean '", word, "%'?") : "");
   return part;
 }
 
@@ -42,12 +47,10 @@ double seconds(const std::vector<AccuracyRound>& rounds) {
       [](double sum, const AccuracyRound& round) { return sum + round.seconds; });
 }
 
-/// The error of a round by its value, in percent.
-double percent(const AccuracyRound& round) { return 100 * *round.error / std::abs(round.value); }
-
-/// A part of an error by a value, with its sign.
-std::string in_percent(double part, double value) {
-  return number(100 * part / std::abs(value), "%.2g") + " %";
+/// A part of an error by a value, with its sign; of a value of 0 in the unit of the goal.
+std::string by_value(double part, double value, bool column = false) {
+  if (value == 0) return number(part, column ? "%16.2g" : "%.2g");
+  return number(100 * part / std::abs(value), column ? "%14.2g" : "%.2g") + " %";
 }
 
 }  // namespace
@@ -55,8 +58,15 @@ std::string in_percent(double part, double value) {
 AccuracyRun understood(const AccuracyWish& wish, const SceneRun& run) {
   AccuracyRun accuracy{{}, {}};
   accuracy.wanted.target = target_of(wish.target);
-  accuracy.wanted.most_unknowns = static_cast<Eigen::Index>(
-      std::min(1e15, positive("--unknowns", wish.unknowns, "a number above 0")));
+  if (!wish.unknowns.empty()) {
+    const std::optional<double> most = positive(wish.unknowns);
+    pose(most.has_value(), "--unknowns: expected a number above 0, got ", in_quotes(wish.unknowns));
+    accuracy.wanted.most_unknowns = static_cast<Eigen::Index>(std::min(1e15, *most));
+    const Eigen::Index first = count_unknowns(run.plan.bodies);
+    pose(first <= accuracy.wanted.most_unknowns, "--unknowns: the mesh of ", run.file.name, " has ",
+         first, " already, more than ", in_quotes(wish.unknowns),
+         "; allow more, or begin with a coarser mesh");
+  }
   pose(!run.file.scene.path, "--accuracy: ", run.file.name,
        " has load steps, and the error of a path is not estimated; leave the option or the steps "
        "out");
@@ -103,7 +113,7 @@ void print_round(std::ostream& out, const AccuracyRun& accuracy) {
   out << columns(static_cast<double>(accuracy.rounds.size()), "%6.0f")
       << columns(static_cast<double>(round.unknowns), "%11.0f");
   if (round.error)
-    out << columns(round.value, "%15.6g") << columns(2 * percent(round), "%14.2g") << " %";
+    out << columns(round.value, "%15.6g") << by_value(2 * *round.error, round.value, true);
   else
     out << "        not yet: contact closes too few pairs";
   out << columns(round.seconds, "%11.2g")
@@ -115,10 +125,14 @@ void print_verdict(std::ostream& out, const AccuracyRun& accuracy) {
   out << '\n'
       << (accuracy.met ? "accuracy: " : "accuracy NOT met: ") << accuracy.verdict << " ("
       << number(seconds(accuracy.rounds), "%.2g") << " s in all)\n";
+  const AccuracyRound& last = accuracy.rounds.back();
+  if (last.error && *last.error == last.overlooked && last.overlooked > 0)
+    out << "  change: " << by_value(last.overlooked, last.value)
+        << " (used); what the value changed by from mesh to mesh and no estimate foresaw\n";
   for (const BudgetLine& line : accuracy.budget)
     out << "  " << line.source << ": "
-        << (line.amount ? in_percent(*line.amount, accuracy.rounds.back().value) : "not estimated")
-        << "; " << line.meaning << '\n';
+        << (line.amount ? by_value(*line.amount, last.value) : "not estimated") << "; "
+        << line.meaning << '\n';
   out << '\n';
 }
 
@@ -134,6 +148,7 @@ void write(Json& json, const AccuracyRun& accuracy) {
       json.key("interior").value(round.parts.interior).key("gap").value(round.parts.gap);
       json.key("reading").value(round.parts.reading);
       json.key("free_boundary").value(round.parts.free_boundary);
+      json.key("overlooked").value(round.overlooked);
       json.key("algebraic").value(round.algebraic);
     }
     json.key("seconds").value(round.seconds).key("estimating").value(round.estimating).end();

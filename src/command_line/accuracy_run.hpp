@@ -13,9 +13,9 @@ namespace command_line {
 
 /// What the command line asks for, as it was written.
 struct AccuracyWish {
-  std::string target;               ///< such as `0.5%`; empty: nothing is asked for
-  std::string goal;                 ///< see signorini::goal_in_words(); empty: the usual one
-  std::string unknowns = "400000";  ///< that a mesh may have
+  std::string target;    ///< such as `0.5%`; empty: nothing is asked for
+  std::string goal;      ///< see signorini::goal_in_words(); empty: the usual one
+  std::string unknowns;  ///< that a mesh may have; empty: what signorini::Accuracy allows
 };
 
 /// What became of it.

@@ -1,5 +1,7 @@
 #include "command_line/options.hpp"
 
+#include "signorini/core/errors.hpp"
+
 namespace command_line {
 namespace {
 
@@ -85,20 +87,22 @@ void declare(CLI::App& app, Request& request) {
       ->add_option(
           "--accuracy", request.accuracy.target,
           "refines the meshes until twice the estimated error of --goal is at most that part of "
-          "its value, such as 0.5%; if that cannot be, says what stands in the way")
+          "its value, such as 0.5%; if that cannot be, says what stands in the way; "
+          "price is the seconds so far by those of the first mesh")
       ->type_name("PART");
   solve
       ->add_option("--goal", request.accuracy.goal,
-                   "what --accuracy is about: force, peak or width of a contact, with :CONTACT if "
+                   "what --accuracy is about: force, peak or width (both as of Hertz's "
+                   "contact) of a contact, with :CONTACT if "
                    "there are several, or displacement:BODY.boundary.y; without it the contact "
                    "force, or, if "
                    "equilibrium alone says what that is, the displacement of the loaded boundary")
       ->type_name("GOAL");
   solve
       ->add_option("--unknowns", request.accuracy.unknowns,
-                   "how many of them --accuracy may spend on one mesh")
-      ->type_name("NUMBER")
-      ->capture_default_str();
+                   signorini::text("how many of them --accuracy may spend on one mesh; without it ",
+                                   signorini::Accuracy{}.most_unknowns))
+      ->type_name("NUMBER");
   add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
   add_problem(
       app, "friction",

@@ -183,6 +183,8 @@ int solve_scene(const Request& request, const Team* team) {
   if (!output.plot.empty()) static_cast<void>(command_line::picture_kind(output.plot));
   pose(!request.accuracy.target.empty() || request.accuracy.goal.empty(),
        "--goal: say how accurate it is to be, as in --accuracy 0.5%");
+  pose(!request.accuracy.target.empty() || request.accuracy.unknowns.empty(),
+       "--unknowns: says how far --accuracy may refine; give it one, as in --accuracy 0.5%");
   if (run.file.scene.path && request.accuracy.target.empty()) return solve_path(request, run);
   pose(run.file.scene.path || (output.state.empty() && request.from.empty()),
        output.state.empty() ? "--from" : "--state", ": ", run.file.name,

@@ -111,8 +111,13 @@ expect 0 'accuracy: met' solve "$examples/punch.toml" --accuracy 1%
 sed '/^target = "footing/a operator = "gauss_points"' "$examples/footing.toml" > gauss.toml
 expect 2 'gauss.toml:[0-9]+: estimate: pairs are Gauss points' solve gauss.toml --accuracy 1%
 expect 2 '--accuracy: .*to_and_fro.toml has load steps' solve "$examples/to_and_fro.toml" --accuracy 1%
-expect 2 "--accuracy: expected a part above 0, such as 0\.5% or 0\.005, got '-1'" solve "$cantilever" --accuracy=-1%
+expect 2 "--accuracy: expected a part above 0, such as 0\.5% or 0\.005, got '-1%'" solve "$cantilever" --accuracy=-1%
+expect 2 "--accuracy: expected a part above 0, .* got '0\.x%'" solve "$cantilever" --accuracy 0.x%
+expect 2 "--accuracy: expected less than 100%, got '50'; did you mean '50%'" solve "$cantilever" --accuracy 50
+expect 0 'force within 0\.5 %' solve "$cantilever" --accuracy '0.5 %'
 expect 2 "--unknowns: expected a number above 0, got 'few'" solve "$cantilever" --accuracy 1% --unknowns few
+expect 2 '--unknowns: the mesh of .* has 2200 already' solve "$cantilever" --accuracy 1% --unknowns 10
+expect 2 '--unknowns: says how far --accuracy may refine' solve "$cantilever" --unknowns 1000
 expect 2 "unknown goal 'peek'; did you mean 'peak'" solve "$cantilever" --accuracy 1% --goal peek
 expect 2 '--goal: say how accurate it is to be' solve "$cantilever" --goal force
 expect 1 "not solved: .*'stone'.*Turn the load round" solve lifted.toml --vtu outputs/a.vtu --csv outputs/a.csv --plot outputs/a.svg

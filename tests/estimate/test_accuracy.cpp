@@ -6,6 +6,7 @@
 #include "signorini/closed_form/hertz.hpp"
 #include "signorini/estimate/accuracy.hpp"
 #include "signorini/estimate/goal_words.hpp"
+#include "signorini/mesh/block.hpp"
 #include "signorini/mesh/split.hpp"
 #include "signorini/refinement/refine.hpp"
 #include "signorini/scene/readings.hpp"
@@ -85,6 +86,28 @@ TEST_CASE(
   CHECK(all < 3 * result.rounds.back().unknowns);
 }
 
+TEST_CASE("two meshes that hardly differ do not confirm each other", "[accuracy]") {
+  // The floor reaches the corner where the block is held, of which coarse meshes know little.
+  BlockSpec spec;
+  spec.size = {4, 1};
+  spec.cells_x = 8;
+  spec.cells_y = 3;
+  Scene scene;
+  Body& block = scene.bodies.front();
+  block.mesh = split(make_block(spec));
+  block.element = "t3";
+  block.material = {1000, 0.3, PlaneState::Strain, 1};
+  block.supports = {fixed("left")};
+  block.loads.edges = {{"top", 1, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  const double reference = accurate(scene, "force", 1e-3).rounds.back().value;
+  const double target = GENERATE(0.02, 0.01, 0.005);
+  CAPTURE(target);
+  const AccurateSolution result = accurate(scene, "force", target);
+  REQUIRE(result.met);
+  CHECK(result.rounds.back().value == Approx(reference).epsilon(target).margin(0));
+}
+
 TEST_CASE("triangles and quadratic cells are refined as well", "[accuracy][closed-form]") {
   HertzProblem problem = coarse_hertz();
   problem.element = GENERATE("t3", "t6", "q8", "q4_bbar");
@@ -121,6 +144,10 @@ TEST_CASE("what stands in the way is named", "[accuracy]") {
   const AccurateSolution exact = solve_to_accuracy(scene, wanted);
   CHECK_FALSE(exact.met);
   CHECK_THAT(exact.verdict, ContainsSubstring("algebraic"));
+  Scene open = scene;
+  open.bodies[0].loads.edges.clear();
+  wanted = {0.01, {"force", ContactForce{}}};
+  CHECK_THAT(solve_to_accuracy(open, wanted).verdict, ContainsSubstring("no contact closes"));
 }
 
 TEST_CASE("triangles that the arc of a curved side would leave are named", "[accuracy]") {
@@ -158,6 +185,21 @@ TEST_CASE("what cannot be meant is refused by name", "[accuracy]") {
   CHECK_THAT(words("displacement:top"), ContainsSubstring("displacement:BODY.boundary.x"));
   CHECK_THAT(words("displacement:beam.tip.y"), ContainsSubstring("no boundary 'tip'"));
   CHECK_THAT(words("displacement:bean.top.y"), ContainsSubstring("bean"));
+}
+
+TEST_CASE("a width is that of Hertz's contact or none", "[accuracy]") {
+  // Even pressure on a half-model: the ellipse of its second moment is wider than the block.
+  BlockSpec spec;
+  spec.cells_x = spec.cells_y = 10;
+  Scene scene;
+  Body& block = scene.bodies.front();
+  block.mesh = make_block(spec);
+  block.material = {1000, 0.3, PlaneState::Strain, 1};
+  block.supports = {symmetric("left")};
+  block.loads.edges = {{"top", 1, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  CHECK_THAT(problem_message([&] { (void)accurate(scene, "width", 0.01); }),
+             ContainsSubstring("does not press as Hertz's does"));
 }
 
 TEST_CASE("the usual goal is the contact force unless equilibrium says what that is",

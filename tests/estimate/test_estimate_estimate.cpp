@@ -5,6 +5,7 @@
 #include "signorini/closing/closing.hpp"
 #include "signorini/estimate/contact_edges.hpp"
 #include "signorini/estimate/estimate.hpp"
+#include "signorini/refinement/refine.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/effectivity.hpp"
 #include "support/message.hpp"
@@ -216,6 +217,37 @@ TEST_CASE("nothing is factored or solved for an estimate but two right-hand side
   CHECK(ledger.counted("estimate", "solves") == 2);
   for (const LedgerEntry& entry : ledger.entries())
     CHECK(entry.path.find("factor") == std::string::npos);
+}
+
+TEST_CASE("one contact of two feet is estimated as two contacts", "[estimate]") {
+  Scene two = pressed("q4");
+  Mesh& mesh = two.bodies[0].mesh;
+  mesh = refined(refined(mesh));
+  const std::vector<CellSide> bottom = mesh.boundaries.at(two.contacts[0].source.boundary);
+  const std::ptrdiff_t third = static_cast<std::ptrdiff_t>(bottom.size() / 3);
+  const std::vector<CellSide> left(bottom.begin(), bottom.begin() + third);
+  const std::vector<CellSide> right(bottom.end() - third, bottom.end());
+  mesh.boundaries["left foot"] = left;
+  mesh.boundaries["right foot"] = right;
+  mesh.boundaries["feet"] = left;
+  mesh.boundaries["feet"].insert(mesh.boundaries["feet"].end(), right.begin(), right.end());
+  const double R = 80;
+  two.contacts[0].target =
+      profile([&](double x) { return -x * x / (2 * R); }, [&](double x) { return -x / R; });
+  Scene one = two;
+  one.contacts[0].source.boundary = "feet";
+  two.contacts.push_back(two.contacts[0]);
+  two.contacts[0].source.boundary = "left foot";
+  two.contacts[1].source.boundary = "right foot";
+  const SolvedScene together = solved(one, "feet");
+  const SolvedScene apart = solved(two, "foot and foot");
+  const std::vector<ContactEdge> edges = contact_edges(together.model);
+  CHECK(edges.size() == contact_edges(apart.model).size());
+  CHECK(edges.size() == left.size() + right.size());
+  const auto part = [](const SolvedScene& run) {
+    return gap_between_nodes(run.model, contact_edges(run.model), run.model.pairs.weight);
+  };
+  CHECK(part(together) == Approx(part(apart)).epsilon(1e-12).margin(0));
 }
 
 TEST_CASE("what a parabola lies below its chords is the part of the gap",

@@ -55,7 +55,9 @@ Fit fitted(const std::vector<double>& x, const std::vector<double>& pressure, do
     fit.line = fit_line(x, pressure, fit.reach);
     const Line& line = fit.line;
     require(line.nodes >= 2 && line.slope > 0 && line.height > 0, "Hertz fit: the pressure of ",
-            line.nodes, " nodes is no ellipse; more nodes in the contact are needed");
+            line.nodes,
+            " nodes is no ellipse: this contact does not press as Hertz's does, for which ask for "
+            "force or displacement, or has too few nodes");
     if (line.nodes == before) break;
   }
   return fit;

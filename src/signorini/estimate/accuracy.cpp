@@ -30,6 +30,9 @@ constexpr double most_left = 0.7;
 /// A round aims at so much of the target: at more, many fall short by a little and need another round; at less, the last
 /// mesh is finer than it need be.
 constexpr double aim = 0.7;
+/// A mesh confirms an earlier one if it has so many times its unknowns: with fewer, two meshes that overlook the same agree;
+/// with more, confirming costs more than solving.
+constexpr double confirming = 1.5;
 /// So many times the unknowns should leave a quarter of the error even at a corner...
 constexpr Index patience = 16;
 /// ... and so many meshes should close enough pairs.
@@ -41,12 +44,16 @@ double size_of(const ErrorParts& parts) {
          std::abs(parts.free_boundary);
 }
 
-/// Size of an error: that of its parts; but if the value has changed since the last mesh by more than both estimates
-/// allow for, something was overlooked that falls by halves at best, and as much is left as has changed.
-double size_of(const AccuracyRound& last, const AccuracyRound& now) {
-  const double change = std::abs(now.value - last.value);
+/// What the estimates overlook, as the last change of the value shows it: nothing while that is within what both allow
+/// for. What was overlooked falls by halves at best, and so is not forgotten at once.
+double overlooked_since(const AccuracyRound& last, const AccuracyRound& now, bool is_signed) {
+  const auto sum = [](const ErrorParts& parts) {
+    return parts.interior + parts.gap + parts.reading + parts.free_boundary;
+  };
+  const double foreseen = is_signed ? sum(last.parts) - sum(now.parts) : 0;
+  const double change = std::abs(now.value - last.value - foreseen);
   const double allowed = size_of(last.parts) + size_of(now.parts);
-  return change > allowed ? change : size_of(now.parts);
+  return std::max(change > allowed ? change : 0, last.overlooked / 2);
 }
 
 /// Which part of the error is the largest, and what would make it smaller.
@@ -124,8 +131,9 @@ class Loop {
     round.parts = run_.estimate->parts;
     round.algebraic = run_.estimate->algebraic;
     round.estimating = run_.solution.ledger.seconds("estimate");
-    const bool again = !run_.rounds.empty() && run_.rounds.back().error;
-    round.error = again ? size_of(run_.rounds.back(), round) : size_of(round.parts);
+    if (!run_.rounds.empty() && run_.rounds.back().error)
+      round.overlooked = overlooked_since(run_.rounds.back(), round, run_.estimate->is_signed);
+    round.error = std::max(size_of(round.parts), round.overlooked);
   }
 
   /// Says how it stands. \return whether meshes were refined and are to be solved
@@ -135,15 +143,20 @@ class Loop {
       return stop("the problem is not solved on this mesh");
     if (now.error) {
       const double target = wanted_.target * std::abs(now.value);
-      if (target == 0) return stop("the value is 0, which no error can be compared with");
+      if (target == 0)
+        return stop(text("the value is 0, which no error can be compared with",
+                         nothing_closes() ? "; no contact closes" : ""));
       if (safety * now.algebraic > target)
         return stop(
             "algebraic: rounding of the equations alone may do so much; a finer mesh makes it "
             "worse");
-      run_.met = safety * *now.error <= target && estimated() > 1;
+      const bool small = safety * *now.error <= target;
+      run_.met = small && confirmed();
       if (run_.met) return stop("met");
       if (stagnates()) return stop("refinement no longer helps: " + largest_part(run_));
-      const double part = std::clamp(aim * target / (safety * *now.error), least_left, most_left);
+      const double part =
+          small ? least_left
+                : std::clamp(aim * target / (safety * *now.error), least_left, most_left);
       marks_ = marks_for(run_.model, run_.solution, *run_.estimate, part);
     } else if (stagnates()) {
       return stop("refinement does not close more pairs of a contact: it touches at points");
@@ -161,10 +174,26 @@ class Loop {
                          [](const AccuracyRound& round) { return round.error.has_value(); });
   }
 
-  /// Whether `patience` has not halved the largest error since then, or contact is still not resolved.
+  [[nodiscard]] bool nothing_closes() const {
+    return !run_.scene.contacts.empty() && run_.solution.contact.active.empty();
+  }
+
+  /// Whether the last mesh is so much finer than one that was estimated that what both overlook would show.
+  [[nodiscard]] bool confirmed() const {
+    const auto unknowns = static_cast<double>(run_.rounds.back().unknowns);
+    return std::any_of(run_.rounds.begin(), run_.rounds.end(), [&](const AccuracyRound& round) {
+      return round.error && confirming * static_cast<double>(round.unknowns) <= unknowns;
+    });
+  }
+
+  /// Whether the value hardly moves and `patience` has not halved the largest error since then, or contact is still not
+  /// resolved.
   [[nodiscard]] bool stagnates() const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
     if (!rounds.back().error) return rounds.size() >= most_unresolved;
+    if (estimated() > 1 && std::abs(rounds.back().value - rounds[rounds.size() - 2].value) >
+                               wanted_.target * std::abs(rounds.back().value))
+      return false;
     double largest = 0;
     for (auto round = rounds.rbegin(); round != rounds.rend(); ++round) {
       largest = std::max(largest, round->error.value_or(0));

@@ -15,17 +15,19 @@ namespace signorini {
 struct Accuracy {
   double target = 0.01;                  ///< largest error of the goal by its value, above 0 [-]
   Goal goal;                             ///< what is to be so accurate
-  Eigen::Index most_unknowns = 1000000;  ///< that a mesh may have
+  Eigen::Index most_unknowns = 400000;  ///< that a mesh may have
 };
 
 /// What one mesh came to.
 struct AccuracyRound {
   Eigen::Index unknowns = 0;  ///< of all bodies
   double value = 0;  ///< of the goal; nothing is read or estimated before `closed` is enough for it
-  /// Estimate of the size of the error: the sum of the sizes of its parts, and no less than the last change says, see
-  /// solve_to_accuracy(). Nothing if contact is not resolved yet.
+  /// Estimate of the size of the error: the sum of the sizes of its parts, and no less than `overlooked`. Nothing if
+  /// contact is not resolved yet.
   std::optional<double> error = {};
   ErrorParts parts = {};  ///< of the error of discretisation
+  /// What the parts leave out, as changes from mesh to mesh have shown it, see solve_to_accuracy(); 0: nothing was seen
+  double overlooked = 0;
   double algebraic = 0;   ///< see Estimate
   double seconds = 0;     ///< wall time of the round, the estimate with it [s]
   double estimating = 0;  ///< of these, for the estimate [s]
@@ -51,9 +53,11 @@ struct AccurateSolution {
 /// gaps overlook between nodes falls to the sides of the source that are closed, the free boundary to those where
 /// contact ends.
 ///
-/// It ends when twice the size of the error is at most the target, on the second mesh at the earliest. The size is the
-/// sum of the sizes of the parts of the estimate; but if the value has changed from the mesh before by more than
-/// both estimates allow for, the change. An estimate is no bound, see estimates().
+/// It ends when twice the size of the error is at most the target, on a mesh of 1.5 times the unknowns of the first estimated one
+/// at the earliest. The size is the
+/// sum of the sizes of the parts of the estimate; but if the value has changed from the mesh before otherwise than the
+/// estimates of both foresee, and by more than both allow for, it is no less than that difference, and in each later round
+/// no less than half of what it was for that before. An estimate is no bound, see estimates().
 /// \param scene    without load steps
 /// \param wanted   what is asked for
 /// \param observe  called after every round

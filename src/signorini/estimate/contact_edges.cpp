@@ -1,6 +1,8 @@
 #include "signorini/estimate/contact_edges.hpp"
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "signorini/elasticity/matter.hpp"
 
@@ -34,17 +36,43 @@ bool presses_one_node(const Model& model, const BodyModel& source, Index pair) {
 }  // namespace
 
 std::vector<ContactEdge> contact_edges(const Model& model) {
+  std::vector<std::map<std::pair<Index, Index>, CellSide>> sides(model.bodies.size());
+  for (std::size_t b = 0; b < sides.size(); ++b) {
+    const Mesh& mesh = model.bodies[b].mesh;
+    for (const auto& [name, list] : mesh.boundaries)
+      for (const CellSide& side : list) {
+        const std::vector<Index> nodes = mesh.side_nodes(side);
+        for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+          sides[b].insert({{nodes[k], nodes[k + 1]}, side});
+          sides[b].insert({{nodes[k + 1], nodes[k]}, side});
+        }
+      }
+  }
   std::vector<ContactEdge> edges;
-  for (Index pair = 0; pair + 1 < model.pairs.weight.size(); ++pair) {
-    const auto k = static_cast<std::size_t>(pair);
-    if (model.contact_of[k] != model.contact_of[k + 1]) continue;
-    const BodyModel& body = source_of(model, pair);
-    const Eigen::RowVector2d from = model.pairs.position.row(pair);
-    const Eigen::RowVector2d to = model.pairs.position.row(pair + 1);
+  const auto join = [&](Index first, Index second) {
+    const BodyModel& body = source_of(model, first);
+    const auto b = static_cast<std::size_t>(&body - model.bodies.data());
+    const auto node = [&](Index pair) {
+      return model.pairs.node[static_cast<std::size_t>(pair)] - body.first_node;
+    };
+    const auto side = sides[b].find({node(first), node(second)});
+    if (side == sides[b].end()) return;
+    const Eigen::RowVector2d from = model.pairs.position.row(first);
+    const Eigen::RowVector2d to = model.pairs.position.row(second);
     edges.push_back(
-        {pair, pair + 1, (to - from).norm(), depth_of(body.material).at((from.x() + to.x()) / 2),
-         body.mesh.order(),
-         body.mesh.order() == MeshOrder::Linear || !presses_one_node(model, body, pair)});
+        {first, second, side->second, (to - from).norm(),
+         depth_of(body.material).at((from.x() + to.x()) / 2), body.mesh.order(),
+         body.mesh.order() == MeshOrder::Linear || !presses_one_node(model, body, first)});
+  };
+  const Index count = model.pairs.weight.size();
+  Index begin = 0;  // of the contact
+  for (Index pair = 0; pair < count; ++pair) {
+    const std::size_t contact = model.contact_of[static_cast<std::size_t>(pair)];
+    const bool last =
+        pair + 1 == count || model.contact_of[static_cast<std::size_t>(pair + 1)] != contact;
+    if (!last) join(pair, pair + 1);
+    if (last && pair - begin > 1) join(pair, begin);  // as on a closed ring
+    if (last) begin = pair + 1;
   }
   return edges;
 }
@@ -54,14 +82,15 @@ double gap_between_nodes(const Model& model, const std::vector<ContactEdge>& edg
   const VectorXd& gap = model.pairs.initial_gap;
   VectorXd curvature = VectorXd::Zero(gap.size());  // at the pairs
   Eigen::VectorXi known = Eigen::VectorXi::Zero(gap.size());
-  for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
-    const ContactEdge& before = edges[e];
-    const ContactEdge& after = edges[e + 1];
-    if (before.to != after.from) continue;
-    curvature(before.to) = 2 / (before.length + after.length) *
-                           ((gap(after.to) - gap(after.from)) / after.length -
-                            (gap(before.to) - gap(before.from)) / before.length);
-    known(before.to) = 1;
+  std::vector<const ContactEdge*> ending(static_cast<std::size_t>(gap.size()), nullptr);
+  for (const ContactEdge& edge : edges) ending[static_cast<std::size_t>(edge.to)] = &edge;
+  for (const ContactEdge& after : edges) {
+    const ContactEdge* const before = ending[static_cast<std::size_t>(after.from)];
+    if (before == nullptr) continue;
+    curvature(after.from) = 2 / (before->length + after.length) *
+                            ((gap(after.to) - gap(after.from)) / after.length -
+                             (gap(before->to) - gap(before->from)) / before->length);
+    known(after.from) = 1;
   }
   double sum = 0;
   for (const ContactEdge& edge : edges) {

@@ -7,10 +7,11 @@
 
 namespace signorini {
 
-/// Two pairs of one contact that follow each other on the source, both of nodes.
+/// Two pairs of one contact whose nodes are neighbours on a side of a cell of the source.
 struct ContactEdge {
   Eigen::Index from;  ///< number of the first pair
   Eigen::Index to;    ///< number of the second
+  CellSide side;      ///< of the source, which both nodes lie on
   double length;      ///< between their nodes, straight [length]
   double depth;       ///< across the plane, in the middle [length]
   MeshOrder order;    ///< of the source: of three nodes per side, two edges make one
@@ -20,7 +21,8 @@ struct ContactEdge {
 };
 
 /// \param model  from build(), all of whose pairs have nodes
-/// \return the edges of all contacts, in walking order
+/// \return the edges of all contacts, in walking order; none across a piece without pairs, and of a closed ring also the
+///   one from its last pair to its first
 [[nodiscard]] std::vector<ContactEdge> contact_edges(const Model& model);
 
 /// The body that the source of a pair belongs to.

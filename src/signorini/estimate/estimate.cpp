@@ -155,7 +155,7 @@ std::vector<BudgetLine> error_budget(const Estimate& estimate, const ComparedWit
            "stresses inside the bodies and the end of the contact: finer cells, or better ones"},
           {"domain", difference(compared.domain), "where the bodies were cut off: a larger domain"},
           {"model", difference(compared.model),
-           "what was left out: large movements, friction, the third dimension"}};
+           "what the scene leaves out, such as large movements or the third dimension"}};
 }
 
 }  // namespace signorini

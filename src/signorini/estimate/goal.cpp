@@ -105,6 +105,20 @@ double mean_around(const std::vector<double>& x, std::size_t node, const HertzFi
   return sum / weight;
 }
 
+/// No ellipse of pressure is wider than where it presses: than the nodes beside the outermost that press.
+void require_closed_to(const Profile& read, double half_width, const Goal& goal) {
+  const std::vector<double>& x = read.line.x;
+  double reach = 0;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    for (std::size_t beside = k == 0 ? 0 : k - 1; beside < std::min(k + 2, x.size()); ++beside)
+      if (read.force[beside] > 0) reach = std::max(reach, std::abs(x[k]));
+  pose(half_width <= reach, "goal '", goal.name,
+       "': an ellipse of these forces has the half-width ", half_width,
+       ", and contact reaches only ", reach,
+       " from its middle: it does not press as Hertz's does; ask for its force or for a "
+       "displacement");
+}
+
 /// Runs a reading of Hertz's contact, whose own errors blame its caller.
 template <typename Read>
 auto readable(const Goal& goal, Read&& read) {
@@ -189,7 +203,9 @@ double value(const Model& model, const Solution& solution, const Goal& goal) {
     }
     const auto& width = std::get<HalfWidth>(goal.quantity);
     const Profile read = profile(model, solution, width.contact, width.middle);
-    return half_width_of_forces(read.line.x, read.force, read.trace);
+    const double half_width = half_width_of_forces(read.line.x, read.force, read.trace);
+    require_closed_to(read, half_width, goal);
+    return half_width;
   });
 }
 

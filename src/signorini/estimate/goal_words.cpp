@@ -36,7 +36,7 @@ std::string contact_in_words(const std::string& word, const std::string& name, c
   bool known = name.empty();
   for (const std::string& contact : plan.contacts) known = known || contact == name;
   pose(known, "goal ", in_quotes(word), ": unknown contact ", in_quotes(name),
-       suggestion(name, plan.contacts), ". There are ", listed(plan.contacts));
+       suggestion(name, plan.contacts));
   return name;
 }
 

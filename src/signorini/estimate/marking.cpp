@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <queue>
 #include <tuple>
 
@@ -36,20 +35,10 @@ struct PairSide {
 
 std::vector<PairSide> pair_sides(const Model& model, const std::vector<MarkedEdges>& marks) {
   std::vector<PairSide> sides;
-  std::vector<std::map<std::pair<Index, Index>, Index>> found(model.bodies.size());
-  for (std::size_t b = 0; b < marks.size(); ++b)
-    for (const auto& [name, list] : model.bodies[b].mesh.boundaries)
-      for (const CellSide& side : list) {
-        const std::vector<Index> nodes = model.bodies[b].mesh.side_nodes(side);
-        for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
-          found[b][{nodes[k], nodes[k + 1]}] = marks[b].edges.at(side);
-      }
   for (const ContactEdge& pairs : contact_edges(model)) {
     const BodyModel& body = source_of(model, pairs.from);
     const auto b = static_cast<std::size_t>(&body - model.bodies.data());
-    const auto side = found[b].find({model.pairs.node[at(pairs.from)] - body.first_node,
-                                     model.pairs.node[at(pairs.to)] - body.first_node});
-    if (side != found[b].end()) sides.push_back({b, side->second, pairs});
+    sides.push_back({b, marks[b].edges.at(pairs.side), pairs});
   }
   return sides;
 }
