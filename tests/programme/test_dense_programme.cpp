@@ -114,3 +114,26 @@ TEST_CASE("neither a solution nor a proof that a solver claims is believed unsee
   possible.initial_gap.setZero();
   CHECK(solve(possible, recites).report.status == Status::Solved);  // u = 0
 }
+
+TEST_CASE("a system beside one that is 1e14 times larger is solved as if it were alone",
+          "[dense_programme]") {
+  const DenseProgramme one = small_programme();
+  for (const double weak : {0.0, 0x1p-100}) {
+    DenseProgramme both{MatrixXd::Zero(6, 6), VectorXd(6), MatrixXd::Zero(6, 6), VectorXd(6)};
+    for (const Index at : {0, 3}) {
+      both.stiffness.block(at, at, 3, 3) = one.stiffness;
+      both.A.block(at, at, 3, 3) = one.A;
+    }
+    both.stiffness(0, 3) = both.stiffness(3, 0) = weak;
+    both.load << one.load, 0x1p-47 * one.load;
+    both.initial_gap << one.initial_gap, 0x1p-47 * one.initial_gap;
+    for (const char* name : {"quasi_active_set", "primal_dual_active_set", "goldfarb_idnani"}) {
+      const DenseSolution solution = solve(both, find_solver(name));
+      CAPTURE(name, weak);
+      REQUIRE(solution.report.status == Status::Solved);
+      CHECK(solution.certificate.holds());
+      CHECK((solution.refined.force.head(3) - Eigen::Vector3d(2, 3, 0)).norm() < 1e-12);
+      CHECK((0x1p47 * solution.refined.force.tail(3) - Eigen::Vector3d(2, 3, 0)).norm() < 1e-12);
+    }
+  }
+}
