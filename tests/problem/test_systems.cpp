@@ -82,3 +82,23 @@ TEST_CASE("an error of a small system is not measured by a large one", "[systems
   CHECK(certify(programme, solution).equilibrium == Approx(1e-3).epsilon(2e-3));
   CHECK(certify(programme, solution, Index{2}).equilibrium == Approx(1e-3).epsilon(2e-3));
 }
+
+TEST_CASE("an entry of K that is rounding connects nothing, and what it carries is a load",
+          "[systems][certificate]") {
+  MatrixXd K = MatrixXd::Identity(2, 2);
+  K(0, 0) = 0x1p40;  // and all forces there are so many times larger
+  K(0, 1) = K(1, 0) = 0x1p-80;
+  QuadraticProgramme programme{K.sparseView(), VectorXd(2),
+                               MatrixXd(MatrixXd::Identity(2, 2)).sparseView(), VectorXd::Ones(2)};
+  programme.A.coeffRef(1, 1) = -1;
+  programme.load << 0x1p40, 0;  // the second unknown moves by what the weak entry carries
+  PrimalDual solution{Eigen::Vector2d(1, -0x1p-80), {}, VectorXd::Zero(2)};
+  CHECK(unconnected_systems(programme, {}, {}).empty());
+  CHECK(unconnected_systems(programme, {}, {}, 0x1p-100).size() == 2);
+  CHECK(unconnected_systems(programme, {}, {}, 0x1p-101).empty());
+  CHECK(certify(programme, solution).holds());
+  solution.displacement(1) *= 1 + 1e-3;
+  CHECK(certify(programme, solution).equilibrium == Approx(1e-3));
+  solution.displacement(1) = 0;  // as if nothing connected them
+  CHECK(certify(programme, solution).equilibrium == Approx(1));
+}

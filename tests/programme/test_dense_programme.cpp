@@ -114,3 +114,21 @@ TEST_CASE("neither a solution nor a proof that a solver claims is believed unsee
   possible.initial_gap.setZero();
   CHECK(solve(possible, recites).report.status == Status::Solved);  // u = 0
 }
+
+TEST_CASE("a chain beside one that is loaded 1e14 times more is solved", "[dense_programme]") {
+  for (const double weak : {0.0, 1e-30}) {
+    DenseProgramme both{MatrixXd::Zero(12, 12), VectorXd::Ones(12), MatrixXd::Zero(6, 12),
+                        VectorXd(6)};
+    both.stiffness.diagonal().setConstant(2);
+    for (Index i = 0; i < 11; ++i)
+      if (i != 5) both.stiffness(i, i + 1) = both.stiffness(i + 1, i) = -1;
+    both.stiffness(0, 6) = both.stiffness(6, 0) = weak;
+    both.load.tail(6) << 1e-14, 1.1e-14, 1.2e-14, 1.3e-14, 1.4e-14, 1.5e-14;
+    both.A(0, 1) = both.A(1, 7) = both.A(2, 3) = both.A(3, 9) = both.A(4, 4) = both.A(5, 10) = 1;
+    both.initial_gap << 2.3, 2.3e-14, 2.9, 2.9e-14, 3.2, 3.2e-14;
+    const DenseSolution solution = solve(both, find_solver("quasi_active_set"));
+    CAPTURE(weak);
+    REQUIRE(solution.report.status == Status::Solved);
+    CHECK(solution.refined.displacement(10) <= 3.2e-14 * (1 + 1e-12));
+  }
+}

@@ -187,11 +187,17 @@ double duality_gap(const QuadraticProgramme& programme, const PrimalDual& soluti
   return ratio(std::abs(energy.value()), std::max(energies, least));
 }
 
+/// What a solution leaves of K, p, A and g.
+struct Left {
+  Eigen::VectorXd residual;  ///< of the equilibrium
+  Eigen::VectorXd movement;  ///< gaps, then slips
+};
+
 /// The certificate of one system: gaps, of which some are equations, and slips.
 Certificate figures_of_system(const QuadraticProgramme& programme, const PrimalDual& solution,
-                              const FrictionLaw& law, Index equations) {
-  const Eigen::VectorXd residual = equilibrium_residual(programme, solution);
-  const Eigen::VectorXd movement = gaps(programme, solution);
+                              const Left& left, const FrictionLaw& law, Index equations) {
+  const Eigen::VectorXd& residual = left.residual;
+  const Eigen::VectorXd& movement = left.movement;
   // An entry of K, p, A or g that is not finite leaves none of its sums finite, whatever it is multiplied by.
   if (!residual.allFinite() || !movement.allFinite() || !solution.displacement.allFinite() ||
       !solution.force.allFinite() || !solution.displacement_low.allFinite() ||
@@ -215,11 +221,31 @@ Eigen::VectorXd entries(const Eigen::VectorXd& v, const std::vector<Index>& plac
   return v.size() == 0 ? v : Eigen::VectorXd(v(places));
 }
 
+/// An entry of K up to this share of sqrt(K_ii K_jj) adds to no energy more than rounding does.
+constexpr double weak = epsilon;
+
+/// p and what displacements of other systems add to it through entries of K that are weak.
+Eigen::VectorXd loads_of_systems(const QuadraticProgramme& programme, const PrimalDual& solution,
+                                 const std::vector<SystemParts>& systems) {
+  const Eigen::VectorXd u = strained(solution);
+  std::vector<std::size_t> system(static_cast<std::size_t>(u.size()));
+  for (std::size_t k = 0; k < systems.size(); ++k)
+    for (const Index unknown : systems[k].unknowns) system[static_cast<std::size_t>(unknown)] = k;
+  Eigen::VectorXd load = programme.load;
+  for (Index j = 0; j < u.size(); ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(programme.stiffness, j); it; ++it)
+      if (system[static_cast<std::size_t>(it.row())] != system[static_cast<std::size_t>(j)])
+        load(it.row()) -= it.value() * u(j);
+  return load;
+}
+
 /// The worst figures of all systems, each measured by its own lengths and forces.
 Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& solution,
                         const FrictionLaw& law, Index equations) {
-  const std::vector<SystemParts> systems = unconnected_systems(programme, law, {});
-  if (systems.empty()) return figures_of_system(programme, solution, law, equations);
+  const Left left{equilibrium_residual(programme, solution), gaps(programme, solution)};
+  const std::vector<SystemParts> systems = unconnected_systems(programme, law, {}, weak);
+  if (systems.empty()) return figures_of_system(programme, solution, left, law, equations);
+  const Eigen::VectorXd load = loads_of_systems(programme, solution, systems);
   const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
   Certificate worst;
   for (const SystemParts& parts : systems) {
@@ -228,9 +254,11 @@ Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& s
                           entries(solution.force, parts.rows),
                           entries(solution.rigid, parts.unknowns)};
     const auto own = std::lower_bound(parts.rows.begin(), parts.rows.end(), equations);
+    QuadraticProgramme alone = part_of(programme, parts);
+    alone.load = load(parts.unknowns);
     const Certificate now =
-        figures_of_system(part_of(programme, parts), part, part_of(law, pairs, parts),
-                          static_cast<Index>(own - parts.rows.begin()));
+        figures_of_system(alone, part, {left.residual(parts.unknowns), left.movement(parts.rows)},
+                          part_of(law, pairs, parts), static_cast<Index>(own - parts.rows.begin()));
     for (double Certificate::*figure :
          {&Certificate::penetration, &Certificate::tension, &Certificate::complementarity,
           &Certificate::equilibrium, &Certificate::duality_gap, &Certificate::cone,

@@ -1,6 +1,7 @@
 #include "signorini/problem/systems.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace signorini {
@@ -43,23 +44,27 @@ Index first_unknown(const RowMatrix& A, Index row) {
   return -1;
 }
 
-/// Joins each unknown with those before it that it has an entry of K with: the first of them, or all.
-void join_columns(const Eigen::SparseMatrix<double>& K, bool all, Joined& sets) {
+/// Joins each unknown with those before it that it has an entry of K with: the first of them, or all. Entries that
+/// are no more than the share `weak` of what the diagonal holds join nothing.
+void join_columns(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& root, double weak,
+                  bool all, Joined& sets) {
   for (Index j = 0; j < K.cols() && sets.count() > 1; ++j)
     for (Eigen::SparseMatrix<double>::InnerIterator it(K, j); it && it.row() < j; ++it) {
-      if (it.value() == 0) continue;
+      if (std::abs(it.value()) <= weak * root(it.row()) * root(j)) continue;
       sets.join(it.row(), j);
       if (!all) break;
     }
 }
 
 Joined joined(const QuadraticProgramme& programme, const FrictionLaw& law,
-              const Eigen::MatrixXd& null_vectors) {
+              const Eigen::MatrixXd& null_vectors, double weak) {
   const Index n = programme.load.size();
+  const Eigen::VectorXd root =
+      Eigen::VectorXd(programme.stiffness.diagonal()).cwiseMax(0).cwiseSqrt();
   const RowMatrix& A = programme.A;
   const Index pairs = A.rows() - static_cast<Index>(law.pair.size());
   Joined sets(n);
-  join_columns(programme.stiffness, false, sets);  // on most meshes that is enough
+  join_columns(programme.stiffness, root, weak, false, sets);  // on most meshes that is enough
   for (Index row = 0; row < A.rows() && sets.count() > 1; ++row) {
     const Index first = first_unknown(A, row);
     for (RowMatrix::InnerIterator entry(A, row); entry; ++entry)
@@ -78,7 +83,7 @@ Joined joined(const QuadraticProgramme& programme, const FrictionLaw& law,
       sets.join(first, i);
     }
   }
-  join_columns(programme.stiffness, true, sets);
+  join_columns(programme.stiffness, root, weak, true, sets);
   return sets;
 }
 
@@ -86,8 +91,8 @@ Joined joined(const QuadraticProgramme& programme, const FrictionLaw& law,
 
 std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme,
                                              const FrictionLaw& law,
-                                             const Eigen::MatrixXd& null_vectors) {
-  Joined sets = joined(programme, law, null_vectors);
+                                             const Eigen::MatrixXd& null_vectors, double weak) {
+  Joined sets = joined(programme, law, null_vectors, weak);
   if (sets.count() < 2) return {};
   const Index n = programme.load.size();
   const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
@@ -129,7 +134,8 @@ QuadraticProgramme part_of(const QuadraticProgramme& programme, const SystemPart
   for (Index j = 0; j < n; ++j)
     for (Eigen::SparseMatrix<double>::InnerIterator it(programme.stiffness, parts.unknowns[at(j)]);
          it; ++it)
-      if (it.value() != 0) entries.emplace_back(place[at(it.row())], j, it.value());
+      if (it.value() != 0 && place[at(it.row())] >= 0)
+        entries.emplace_back(place[at(it.row())], j, it.value());
   part.stiffness.resize(n, n);
   part.stiffness.setFromTriplets(entries.begin(), entries.end());
   entries.clear();

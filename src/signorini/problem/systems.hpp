@@ -22,14 +22,16 @@ struct SystemParts {
 /// \param programme     K, p, A, g, slips in the last rows of A
 /// \param law           of the pairs that rub
 /// \param null_vectors  N `n x n_r`, or nothing
+/// \param weak          entries with |K_ij| <= weak sqrt(K_ii K_jj) connect nothing [-]
 /// \return the systems by their first unknowns, rows without an entry in the first one; empty if all is connected
 [[nodiscard]] std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme,
                                                            const FrictionLaw& law,
-                                                           const Eigen::MatrixXd& null_vectors);
+                                                           const Eigen::MatrixXd& null_vectors,
+                                                           double weak = 0);
 
 /// \param programme  K, p, A, g
 /// \param parts      one of its systems
-/// \return the programme of that system alone
+/// \return the programme of that system alone, without what connects it weakly with others
 [[nodiscard]] QuadraticProgramme part_of(const QuadraticProgramme& programme,
                                          const SystemParts& parts);
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/systems.hpp"
 #include "signorini/programme/floating_programme.hpp"
 #include "signorini/programme/programme_rows.hpp"
 
@@ -123,6 +125,41 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
   }
 }
 
+/// Solves by itself each system that nothing but rounding connects with the others. Nothing if all is connected or one
+/// of them has no solution.
+std::optional<DenseSolution> separate_solution(const DenseProgramme& programme,
+                                               const Solver& solver, SolverOptions options) {
+  const std::vector<SystemParts> systems = unconnected_systems(sparse(programme), {}, {}, epsilon);
+  if (systems.empty()) return {};
+  options.start.clear();
+  DenseSolution whole;
+  whole.report.status = Status::Solved;
+  whole.gap.setZero(programme.initial_gap.size());
+  whole.refined.force = whole.gap;
+  whole.refined.displacement.setZero(programme.load.size());
+  whole.refined.displacement_low = whole.refined.displacement;
+  for (const SystemParts& parts : systems) {
+    const auto own = std::lower_bound(parts.rows.begin(), parts.rows.end(), programme.equations);
+    const DenseSolution part =
+        solve({programme.stiffness(parts.unknowns, parts.unknowns), programme.load(parts.unknowns),
+               programme.A(parts.rows, parts.unknowns), programme.initial_gap(parts.rows),
+               static_cast<Index>(own - parts.rows.begin())},
+              solver, options);
+    if (part.report.status != Status::Solved) return {};
+    append(whole.report, part.report);
+    whole.gap(parts.rows) = part.gap;
+    whole.refined.force(parts.rows) = part.refined.force;
+    whole.refined.displacement(parts.unknowns) = part.refined.displacement;
+    if (part.refined.displacement_low.size() > 0)
+      whole.refined.displacement_low(parts.unknowns) = part.refined.displacement_low;
+    for (const Index row : part.active)
+      whole.active.push_back(parts.rows[static_cast<std::size_t>(row)]);
+  }
+  std::sort(whole.active.begin(), whole.active.end());
+  whole.certificate = certify(programme, whole.refined);
+  return whole;
+}
+
 }  // namespace
 
 DenseCondensed condense(const DenseProgramme& programme) {
@@ -150,7 +187,16 @@ DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
   for (Index i = programme.equations; i < solution.refined.force.size(); ++i)
     solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
   solution.certificate = certify(programme, solution.refined);
-  if (!solution.certificate.holds()) solution.report.status = Status::Breakdown;
+  if (solution.certificate.holds()) return solution;
+  solution.report.status = Status::Breakdown;
+  try {
+    auto separate = separate_solution(programme, solver, options);
+    if (!separate || !separate->certificate.holds()) return solution;
+    append(solution.report, separate->report);
+    separate->report = std::move(solution.report);
+    return std::move(*separate);
+  } catch (const ProblemError&) {  // its numbers would be those of a system
+  }
   return solution;
 }
 

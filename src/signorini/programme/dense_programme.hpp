@@ -42,7 +42,8 @@ struct DenseSolution {
 /// Condenses, solves, recovers u, refines from the original data, and certifies.
 ///
 /// If the refined solution shows that rounding had misplaced a row, the condensed problem is solved
-/// again with free gaps from the refined solution.
+/// again with free gaps from the refined solution. If the certificate refutes it, each system that nothing
+/// but rounding connects is solved by itself, see unconnected_systems().
 /// \param programme  K, p, A, g
 /// \param solver     a member of solvers()
 /// \param options    handed to it
