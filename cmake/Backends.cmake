@@ -1,14 +1,15 @@
 # Back ends that need other libraries: src/backends/NAME.cpp, and a line here with what it is linked with.  Neither the library
 # nor the program `signorini` is: those that are found go into a second program beside it, signorini-backends, as which
 # `signorini` goes on when one of them is asked for.  So nobody else waits for MPI, and find_package(signorini) needs Eigen alone.
-find_path(CHOLMOD_HEADERS cholmod.h PATH_SUFFIXES suitesparse)
-find_library(CHOLMOD_LIBRARY cholmod)
-find_path(MUMPS_HEADERS dmumps_c.h)
-find_library(MUMPS_LIBRARY dmumps)
-mark_as_advanced(CHOLMOD_HEADERS CHOLMOD_LIBRARY MUMPS_HEADERS MUMPS_LIBRARY)
+include(cmake/Factors.cmake)
 set(SIGNORINI_WITH_CHOLMOD AUTO CACHE STRING "The back end cholmod: ON, OFF, or AUTO, where it is found")
 set(SIGNORINI_WITH_MUMPS AUTO CACHE STRING "The back end mumps: ON, OFF, or AUTO, where it and MPI are found")
 set_property(CACHE SIGNORINI_WITH_CHOLMOD SIGNORINI_WITH_MUMPS PROPERTY STRINGS AUTO ON OFF)
+foreach(option SIGNORINI_WITH_CHOLMOD SIGNORINI_WITH_MUMPS)
+  if(NOT "${${option}}" MATCHES "^(AUTO|ON|OFF)$")
+    message(FATAL_ERROR "${option} is '${${option}}', expected ON, OFF or AUTO: set it with -D${option}=AUTO")
+  endif()
+endforeach()
 
 set(found_MUMPS OFF)
 if(SIGNORINI_WITH_MUMPS AND MUMPS_HEADERS AND MUMPS_LIBRARY)
