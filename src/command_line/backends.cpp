@@ -34,11 +34,10 @@ int help(const Team& team, const std::string& file) {
   });
 }
 
-void count_members(const Team& team, SceneRun& run) {
-  if (!run.solution) return;
-  Ledger& ledger = run.solution->ledger;
+void count_members(const Team* team, Ledger& ledger) {
+  if (team == nullptr) return;
   int process = 0;
-  for (const TeamMember& member : team.members()) {
+  for (const TeamMember& member : team->members()) {
     const Ledger::Phase phase(ledger, text("process ", process++));
     ledger.count("peak bytes", member.peak_bytes);
     ledger.count("stiffness entries", member.stiffness_entries);

@@ -21,9 +21,9 @@ bool has_backend(const std::string& name);
 /// \return the exit code
 int help(const signorini::Team& team, const std::string& file);
 
-/// Adds to the ledger of a run what every process of its team did.
-/// \param team  of which this is process 0
-/// \param run   that solve_scene() has finished with
-void count_members(const signorini::Team& team, SceneRun& run);
+/// Tells what every process of a team did.
+/// \param team    of which this is process 0; null if the back end works alone
+/// \param ledger  of a run that is solved, gets a phase for each of them
+void count_members(const signorini::Team* team, signorini::Ledger& ledger);
 
 }  // namespace command_line

@@ -135,7 +135,7 @@ int plan_scene(const Request& request) {
 }
 
 /// Solves a scene with load steps; what is asked for is in run.
-int solve_path(const Request& request, command_line::SceneRun& run) {
+int solve_path(const Request& request, const Team* team, command_line::SceneRun& run) {
   if (!request.from.empty()) command_line::go_on(run, request.from);
   command_line::PathFiles files(run, request.file);
   command_line::PathTeller teller(std::cout, request.json, files.late());
@@ -143,19 +143,21 @@ int solve_path(const Request& request, command_line::SceneRun& run) {
     files.add(model, step);
     teller.tell(run, model, step);
   });
+  if (run.solution) command_line::count_members(team, run.processes);
   teller.end(run);
   if (run.solution) files.finish(run);
   return run.solved() ? solved : not_solved;
 }
 
 /// Solves a scene to an accuracy, and says so before the rest.
-int solve_accurately(const Request& request, command_line::SceneRun& run) {
+int solve_accurately(const Request& request, const Team* team, command_line::SceneRun& run) {
   command_line::AccuracyRun accuracy = command_line::understood(request.accuracy, run);
   command_line::Drafts drafts(command_line::files_of(run.file.output), request.file);
   if (!request.json) command_line::print_wish(std::cout, accuracy);
   command_line::solve_to_accuracy(run, accuracy, [&](const command_line::AccuracyRun& so_far) {
     if (!request.json) command_line::print_round(std::cout, so_far);
   });
+  command_line::count_members(team, run.solution->ledger);
   if (request.json) {
     Json json;
     json.object();
@@ -183,14 +185,14 @@ int solve_scene(const Request& request, const Team* team) {
   if (!output.plot.empty()) static_cast<void>(command_line::picture_kind(output.plot));
   pose(!request.accuracy.target.empty() || request.accuracy.goal.empty(),
        "--goal: say how accurate it is to be, as in --accuracy 0.5%");
-  if (run.file.scene.path && request.accuracy.target.empty()) return solve_path(request, run);
+  if (run.file.scene.path && request.accuracy.target.empty()) return solve_path(request, team, run);
   pose(run.file.scene.path || (output.state.empty() && request.from.empty()),
        output.state.empty() ? "--from" : "--state", ": ", run.file.name,
        " has no load steps: leave it out, or give the scene [[steps]]");
-  if (!request.accuracy.target.empty()) return solve_accurately(request, run);
+  if (!request.accuracy.target.empty()) return solve_accurately(request, team, run);
   command_line::Drafts drafts(command_line::files_of(output), request.file);
   command_line::solve_scene(run);
-  if (team != nullptr) command_line::count_members(*team, run);
+  if (run.solution) command_line::count_members(team, run.solution->ledger);
   const int code = tell(request, run, command_line::print_solution);
   if (code == solved) command_line::write_outputs(run, drafts);
   return code;
