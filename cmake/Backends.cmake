@@ -38,6 +38,7 @@ function(signorini_backend name packages headers)  # name in the table, packages
   target_sources(other_backends INTERFACE $<TARGET_OBJECTS:backend_${name}>)
   target_link_libraries(other_backends INTERFACE ${ARGN})
 endfunction()
+# The packages stand in factor/backend.cpp too, which names them where the back ends are missing.
 signorini_backend(cholmod "libsuitesparse-dev" "${CHOLMOD_HEADERS}" "${CHOLMOD_LIBRARY}")
 signorini_backend(mumps "libmumps-dev and libopenmpi-dev" "${MUMPS_HEADERS}" "${MUMPS_LIBRARY}" MPI::MPI_CXX)
 

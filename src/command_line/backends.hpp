@@ -15,6 +15,15 @@ void become_whole(char** argv);
 /// \param name  of a back end \return whether this program has it
 bool has_backend(const std::string& name);
 
+/// How a starter of several processes, such as mpirun, started this one.
+struct Launch {
+  int rank = 0;  ///< number of this process
+  int size = 1;  ///< how many there are
+};
+
+/// \return what Open MPI or the process manager of MPICH says; one process where nobody says anything
+Launch launched();
+
 /// Of a process that is not number 0: works for that one. What goes wrong here process 0 says.
 /// \param team     of all processes
 /// \param file     of the scene, whose text process 0 tells

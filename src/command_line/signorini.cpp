@@ -207,7 +207,13 @@ int solve_with_backend(const Request& request, std::function<void(int)>& end) {
       throw ProblemError(text("--backend: ", error.what()));
     }
   }();
-  if (backend.team == nullptr) return solve_scene(request, nullptr);
+  if (backend.team == nullptr) {
+    const int processes = command_line::launched().size;
+    pose(processes == 1, "--backend ", backend.name, ": it works on one process, here are ",
+         processes, ", and each would solve the same and write the same files: start signorini ",
+         "without mpirun, or give --backend mumps");
+    return solve_scene(request, nullptr);
+  }
   const Team team = backend.team();
   if (team.rank > 0) return command_line::help(team, request.file);
   end = team.end;
@@ -296,7 +302,8 @@ int guarded_run(int argc, char** argv, std::function<void(int)>& end) {
     finish_printing();
     return code;
   } catch (const ProblemError& error) {
-    std::cerr << "signorini: " << error.what() << '\n';
+    // What is wrong with the input all processes find, and one says it.
+    if (command_line::launched().rank == 0) std::cerr << "signorini: " << error.what() << '\n';
     return bad_input;
   } catch (const std::exception& error) {
     std::cerr << "signorini: stopped by an error of its own: " << error.what() << '\n';

@@ -86,6 +86,7 @@ wrong 1 "not solved: .*'stone'.*Turn the load round" lifted.toml
 wrong 2 'missing: there is no such file' missing
 wrong 2 'negative_modulus.toml:[0-9]+: ' "$data/scenes/wrong/negative_modulus.toml"
 wrong 2 '--accuracy: the 2 processes that --backend mumps .* without mpirun' "$cantilever" --accuracy 1%
+wrong 2 "unknown option '--colour'" "$cantilever" --colour
 wrong 2 "cannot write|no such folder|there is no folder" "$cantilever" --csv nowhere/a.csv
 # The text of the scene goes to all, the files that it names do not.
 cat > "$folder/meshed.toml" << 'END'
