@@ -1,7 +1,6 @@
 // What others need for the same: Hertz's contact by whole programs, random programmes of known solution, contact of a body.
 // Run:  make peers     Reads: nothing     Writes: hertz.md, hertz.csv, linear.md, peers.md, peers.csv, contact.md
 // Without --full small problems, and of the solvers of programmes only ours: a test of this program, not a measurement.
-#include <cmath>
 #include <iostream>
 #include <map>
 

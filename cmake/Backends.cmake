@@ -1,14 +1,15 @@
 # Back ends that need other libraries: src/backends/NAME.cpp, and a line here with what it is linked with.  Neither the library
 # nor the program `signorini` is: those that are found go into a second program beside it, signorini-backends, as which
 # `signorini` goes on when one of them is asked for.  So nobody else waits for MPI, and find_package(signorini) needs Eigen alone.
-find_path(CHOLMOD_HEADERS cholmod.h PATH_SUFFIXES suitesparse)
-find_library(CHOLMOD_LIBRARY cholmod)
-find_path(MUMPS_HEADERS dmumps_c.h)
-find_library(MUMPS_LIBRARY dmumps)
-mark_as_advanced(CHOLMOD_HEADERS CHOLMOD_LIBRARY MUMPS_HEADERS MUMPS_LIBRARY)
+include(cmake/Factors.cmake)
 set(SIGNORINI_WITH_CHOLMOD AUTO CACHE STRING "The back end cholmod: ON, OFF, or AUTO, where it is found")
 set(SIGNORINI_WITH_MUMPS AUTO CACHE STRING "The back end mumps: ON, OFF, or AUTO, where it and MPI are found")
 set_property(CACHE SIGNORINI_WITH_CHOLMOD SIGNORINI_WITH_MUMPS PROPERTY STRINGS AUTO ON OFF)
+foreach(option SIGNORINI_WITH_CHOLMOD SIGNORINI_WITH_MUMPS)
+  if(NOT "${${option}}" MATCHES "^(AUTO|ON|OFF)$")
+    message(FATAL_ERROR "${option} is '${${option}}', expected ON, OFF or AUTO: set it with -D${option}=AUTO")
+  endif()
+endforeach()
 
 set(found_MUMPS OFF)
 if(SIGNORINI_WITH_MUMPS AND MUMPS_HEADERS AND MUMPS_LIBRARY)
@@ -37,6 +38,7 @@ function(signorini_backend name packages headers)  # name in the table, packages
   target_sources(other_backends INTERFACE $<TARGET_OBJECTS:backend_${name}>)
   target_link_libraries(other_backends INTERFACE ${ARGN})
 endfunction()
+# The packages stand in factor/backend.cpp too, which names them where the back ends are missing.
 signorini_backend(cholmod "libsuitesparse-dev" "${CHOLMOD_HEADERS}" "${CHOLMOD_LIBRARY}")
 signorini_backend(mumps "libmumps-dev and libopenmpi-dev" "${MUMPS_HEADERS}" "${MUMPS_LIBRARY}" MPI::MPI_CXX)
 

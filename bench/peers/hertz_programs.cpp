@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <numeric>
 #include <sstream>
 
 #include "bench/peers/child.hpp"

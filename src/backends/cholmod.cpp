@@ -2,7 +2,6 @@
 #include <cholmod.h>
 
 #include <Eigen/SparseCore>
-#include <algorithm>
 #include <memory>
 #include <new>
 

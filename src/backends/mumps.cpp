@@ -160,6 +160,10 @@ class Session {
     mumps_->nrhs = 1;
     mumps_->lrhs = mumps_->n;
     call(3);
+    if (error() < 0)
+      throw ProblemError(text("back end mumps: MUMPS could not solve with its factor, error ",
+                              error(), " of its manual, with ", mumps_->infog[1],
+                              ": start it on more processes, or leave out --backend"));
     return both.head(load.size());
   }
 
@@ -414,11 +418,14 @@ class MumpsFactor {
     return scale_ * Session::the().solve(load);
   }
 
-  /// That of the rows that were factored is there, once; of others it takes a solve per row.
-  [[nodiscard]] MatrixXd compliance(const Factor::Rows& A) {
+  /// That of the rows that were factored is there, once, and its operations are those of the factor; of others it takes a
+  /// solve per row.
+  [[nodiscard]] MatrixXd compliance(const Factor::Rows& A, double one_solve, Ledger& ledger) {
+    const bool known = A.rows() == G_.rows() && Factor::Rows(A - rows_).norm() == 0;
+    ledger.count("operations",
+                 known ? 0 : static_cast<long long>(one_solve) * static_cast<long long>(A.rows()));
     if (A.rows() == 0) return {};
-    if (A.rows() == G_.rows() && Factor::Rows(A - rows_).norm() == 0)
-      return std::exchange(G_, MatrixXd());
+    if (known) return std::exchange(G_, MatrixXd());
     MatrixXd G(A.rows(), A.rows());
     for (Index k = 0; k < A.rows(); ++k) G.col(k) = A * solve(VectorXd(A.row(k).transpose()));
     return 0.5 * (G + MatrixXd(G.transpose()));
@@ -449,13 +456,16 @@ Factor factored(const Stiffness& K, Ledger& ledger) {
   };
   check_held(K, solve);
   const double nonzeros = session.nonzeros();
+  const double one_solve = 4 * nonzeros;
   const Ledger::Phase phase(ledger, "numeric");
   ledger.count("nonzeros", static_cast<long long>(nonzeros));
   ledger.count("operations", static_cast<long long>(session.operations()));
   ledger.bytes(static_cast<long long>(nonzeros * sizeof(double)));
   return {solve,
-          [factor](const Factor::Rows& A, Ledger& /*counted*/) { return factor->compliance(A); },
-          {K.matrix.cols(), static_cast<Index>(nonzeros), session.operations(), 4 * nonzeros}};
+          [factor, one_solve](const Factor::Rows& A, Ledger& counts) {
+            return factor->compliance(A, one_solve, counts);
+          },
+          {K.matrix.cols(), static_cast<Index>(nonzeros), session.operations(), one_solve}};
 }
 
 Team team() {

@@ -3,7 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdlib>
 #include <filesystem>
+#include <string_view>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -12,6 +15,20 @@ namespace command_line {
 
 using namespace signorini;
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Puts the number that one of two variables of the environment holds in the place of another.
+void read_variable(const char* first, const char* second, int& number) {
+  for (const char* const name : {first, second})
+    if (const char* const value = std::getenv(name)) {
+      const std::string_view digits(value);
+      std::from_chars(digits.data(), digits.data() + digits.size(), number);
+      return;
+    }
+}
+
+}  // namespace
 
 void become_whole(char** argv) {
   std::error_code unknown;
@@ -27,6 +44,13 @@ bool has_backend(const std::string& name) {
                      [&](const Backend& member) { return member.name == name; });
 }
 
+Launch launched() {
+  Launch launch;
+  read_variable("OMPI_COMM_WORLD_RANK", "PMI_RANK", launch.rank);
+  read_variable("OMPI_COMM_WORLD_SIZE", "PMI_SIZE", launch.size);
+  return launch;
+}
+
 int help(const Team& team, const std::string& file) {
   return team.help([&](const std::string& content) {
     const SceneFile scene = parse_scene(content, file, folder_of(file));
@@ -34,11 +58,10 @@ int help(const Team& team, const std::string& file) {
   });
 }
 
-void count_members(const Team& team, SceneRun& run) {
-  if (!run.solution) return;
-  Ledger& ledger = run.solution->ledger;
+void count_members(const Team* team, Ledger& ledger) {
+  if (team == nullptr) return;
   int process = 0;
-  for (const TeamMember& member : team.members()) {
+  for (const TeamMember& member : team->members()) {
     const Ledger::Phase phase(ledger, text("process ", process++));
     ledger.count("peak bytes", member.peak_bytes);
     ledger.count("stiffness entries", member.stiffness_entries);

@@ -15,15 +15,24 @@ void become_whole(char** argv);
 /// \param name  of a back end \return whether this program has it
 bool has_backend(const std::string& name);
 
+/// How a starter of several processes, such as mpirun, started this one.
+struct Launch {
+  int rank = 0;  ///< number of this process
+  int size = 1;  ///< how many there are
+};
+
+/// \return what Open MPI or the process manager of MPICH says; one process where nobody says anything
+Launch launched();
+
 /// Of a process that is not number 0: works for that one. What goes wrong here process 0 says.
 /// \param team     of all processes
 /// \param file     of the scene, whose text process 0 tells
 /// \return the exit code
 int help(const signorini::Team& team, const std::string& file);
 
-/// Adds to the ledger of a run what every process of its team did.
-/// \param team  of which this is process 0
-/// \param run   that solve_scene() has finished with
-void count_members(const signorini::Team& team, SceneRun& run);
+/// Tells what every process of a team did.
+/// \param team    of which this is process 0; null if the back end works alone
+/// \param ledger  of a run that is solved, gets a phase for each of them
+void count_members(const signorini::Team* team, signorini::Ledger& ledger);
 
 }  // namespace command_line

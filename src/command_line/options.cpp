@@ -46,9 +46,9 @@ CLI::App* add_problem(CLI::App& app, const char* name, const char* title, Reques
 void declare(CLI::App& app, Request& request) {
   app.footer(
       "0 if the problem is solved and everything is written; 1 if it is not solved, and then no "
-      "file is written, but of load steps what was good before, or if --accuracy is not met; 2 if "
-      "the input is wrong, or what "
-      "was found could not be printed or written.");
+      "file is written, but of load steps what was good before, or if --accuracy is not met, and "
+      "then the files are those of the last mesh; 2 if the input is wrong, or what was found could "
+      "not be printed or written.");
   app.add_flag("--list", "the solvers, on which problems each may fail, and the back ends");
   app.add_flag("--keys", "the keys of scene files, in Markdown");
   app.add_flag("--man", "this help as a manual page");

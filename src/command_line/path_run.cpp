@@ -367,6 +367,7 @@ void PathTeller::end(const SceneRun& run) {
     json_.key("reason").value(reason).key("time").value(end.state.time);
     json_.key("halvings").value(end.halvings);
     if (end.limit) json_.key("limit").value(*end.limit);
+    if (!run.processes.entries().empty()) write_ledger(json_, "processes", run.processes);
     out_ << json_.end().text();
     return;
   }
@@ -380,6 +381,7 @@ void PathTeller::end(const SceneRun& run) {
   if (!run.solution) return;
   out_ << "\nat time " << end.state.time << "\ncertificate: " << run.solution->certificate << '\n';
   print_result(out_, run);
+  if (!run.processes.entries().empty()) out_ << '\n' << run.processes;
   out_ << '\n' << confront(run.prediction, run.ledgers);
 }
 

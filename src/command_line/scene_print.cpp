@@ -129,19 +129,6 @@ void write_bodies(Json& json, const Model& model, const Solution& solution) {
   json.end();
 }
 
-void write_ledger(Json& json, const Ledger& ledger) {
-  json.key("ledger").array();
-  for (const LedgerEntry& entry : ledger.entries()) {
-    json.object().key("phase").value(entry.path).key("seconds").value(entry.seconds);
-    json.key("calls").value(static_cast<Index>(entry.calls));
-    json.key("bytes").value(static_cast<Index>(entry.bytes));
-    for (const auto& [what, amount] : entry.counts)
-      json.key(what).value(static_cast<Index>(amount));
-    json.end();
-  }
-  json.end();
-}
-
 }  // namespace
 
 void print_head(std::ostream& out, const SceneRun& run) {
@@ -167,6 +154,19 @@ void print_solution(std::ostream& out, const SceneRun& run) {
   out << '\n' << run.solution->ledger << '\n' << confront(run.prediction, run.ledgers);
 }
 
+void write_ledger(Json& json, const char* key, const Ledger& ledger) {
+  json.key(key).array();
+  for (const LedgerEntry& entry : ledger.entries()) {
+    json.object().key("phase").value(entry.path).key("seconds").value(entry.seconds);
+    json.key("calls").value(static_cast<Index>(entry.calls));
+    json.key("bytes").value(static_cast<Index>(entry.bytes));
+    for (const auto& [what, amount] : entry.counts)
+      json.key(what).value(static_cast<Index>(amount));
+    json.end();
+  }
+  json.end();
+}
+
 void write_head(Json& json, const SceneRun& run) {
   json.key("file").value(run.file.name).key("title").value(run.file.title);
   write_plan(json, run);
@@ -188,7 +188,7 @@ void write_result(Json& json, const std::string& solver, const Model& model,
     write_contacts(json, model, solution, state);
     write_bodies(json, model, solution);
   }
-  write_ledger(json, solution.ledger);
+  write_ledger(json, "ledger", solution.ledger);
 }
 
 void write_keys(Json& json, const SceneRun& run) {

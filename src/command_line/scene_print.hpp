@@ -27,6 +27,12 @@ void print_result(std::ostream& out, const SceneRun& run);
 /// \param run  that solve_scene() has finished with, solved or not
 void print_solution(std::ostream& out, const SceneRun& run);
 
+/// Writes phases, as a key of an object that is open.
+/// \param json    the document
+/// \param key     of the array
+/// \param ledger  with the phases
+void write_ledger(signorini::Json& json, const char* key, const signorini::Ledger& ledger);
+
 /// Writes what a file calls for, as keys of an object that is open: file, title and plan.
 /// \param json  the document
 /// \param run   that is planned

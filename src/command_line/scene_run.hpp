@@ -70,6 +70,8 @@ struct SceneRun {
       solution;  ///< after solve_scene(); of load steps, of the last good one
   std::optional<signorini::PathEnd> end;        ///< of load steps, after solve_scene()
   std::vector<signorini::Ledger> ledgers = {};  ///< of the solution, or of all load steps
+  /// Of load steps: what every process did, empty if the back end works alone.
+  signorini::Ledger processes = {};
 
   /// \return whether there is a solution, of load steps of all of them
   [[nodiscard]] bool solved() const;

@@ -135,7 +135,7 @@ int plan_scene(const Request& request) {
 }
 
 /// Solves a scene with load steps; what is asked for is in run.
-int solve_path(const Request& request, command_line::SceneRun& run) {
+int solve_path(const Request& request, const Team* team, command_line::SceneRun& run) {
   if (!request.from.empty()) command_line::go_on(run, request.from);
   command_line::PathFiles files(run, request.file);
   command_line::PathTeller teller(std::cout, request.json, files.late());
@@ -143,19 +143,21 @@ int solve_path(const Request& request, command_line::SceneRun& run) {
     files.add(model, step);
     teller.tell(run, model, step);
   });
+  if (run.solution) command_line::count_members(team, run.processes);
   teller.end(run);
   if (run.solution) files.finish(run);
   return run.solved() ? solved : not_solved;
 }
 
 /// Solves a scene to an accuracy, and says so before the rest.
-int solve_accurately(const Request& request, command_line::SceneRun& run) {
+int solve_accurately(const Request& request, const Team* team, command_line::SceneRun& run) {
   command_line::AccuracyRun accuracy = command_line::understood(request.accuracy, run);
   command_line::Drafts drafts(command_line::files_of(run.file.output), request.file);
   if (!request.json) command_line::print_wish(std::cout, accuracy);
   command_line::solve_to_accuracy(run, accuracy, [&](const command_line::AccuracyRun& so_far) {
     if (!request.json) command_line::print_round(std::cout, so_far);
   });
+  command_line::count_members(team, run.solution->ledger);
   if (request.json) {
     Json json;
     json.object();
@@ -185,14 +187,14 @@ int solve_scene(const Request& request, const Team* team) {
        "--goal: say how accurate it is to be, as in --accuracy 0.5%");
   pose(!request.accuracy.target.empty() || request.accuracy.unknowns.empty(),
        "--unknowns: says how far --accuracy may refine; give it one, as in --accuracy 0.5%");
-  if (run.file.scene.path && request.accuracy.target.empty()) return solve_path(request, run);
+  if (run.file.scene.path && request.accuracy.target.empty()) return solve_path(request, team, run);
   pose(run.file.scene.path || (output.state.empty() && request.from.empty()),
        output.state.empty() ? "--from" : "--state", ": ", run.file.name,
        " has no load steps: leave it out, or give the scene [[steps]]");
-  if (!request.accuracy.target.empty()) return solve_accurately(request, run);
+  if (!request.accuracy.target.empty()) return solve_accurately(request, team, run);
   command_line::Drafts drafts(command_line::files_of(output), request.file);
   command_line::solve_scene(run);
-  if (team != nullptr) command_line::count_members(*team, run);
+  if (run.solution) command_line::count_members(team, run.solution->ledger);
   const int code = tell(request, run, command_line::print_solution);
   if (code == solved) command_line::write_outputs(run, drafts);
   return code;
@@ -207,7 +209,13 @@ int solve_with_backend(const Request& request, std::function<void(int)>& end) {
       throw ProblemError(text("--backend: ", error.what()));
     }
   }();
-  if (backend.team == nullptr) return solve_scene(request, nullptr);
+  if (backend.team == nullptr) {
+    const int processes = command_line::launched().size;
+    pose(processes == 1, "--backend ", backend.name, ": it works on one process, here are ",
+         processes, ", and each would solve the same and write the same files: start signorini ",
+         "without mpirun, or give --backend mumps");
+    return solve_scene(request, nullptr);
+  }
   const Team team = backend.team();
   if (team.rank > 0) return command_line::help(team, request.file);
   end = team.end;
@@ -296,7 +304,8 @@ int guarded_run(int argc, char** argv, std::function<void(int)>& end) {
     finish_printing();
     return code;
   } catch (const ProblemError& error) {
-    std::cerr << "signorini: " << error.what() << '\n';
+    // What is wrong with the input all processes find, and one says it.
+    if (command_line::launched().rank == 0) std::cerr << "signorini: " << error.what() << '\n';
     return bad_input;
   } catch (const std::exception& error) {
     std::cerr << "signorini: stopped by an error of its own: " << error.what() << '\n';

@@ -132,6 +132,10 @@ cp "$program" alone # without the program beside it that has the others
 whole=$program program=./alone
 expect 2 "unknown back end 'mumps'.* needs libmumps-dev and libopenmpi-dev: install them with tools/setup.sh parallel" solve "$cantilever" --backend mumps
 expect 2 "unknown back end 'cholmod'.* needs libsuitesparse-dev" solve "$cantilever" --backend cholmod
+expect 2 "unknown back end 'munps'; did you mean 'mumps'\?" solve "$cantilever" --backend munps
+export OMPI_COMM_WORLD_SIZE=2
+expect 2 '^signorini: --backend frontal: it works on one process, here are 2, ' solve "$cantilever"
+unset OMPI_COMM_WORLD_SIZE
 program=$whole
 expect 2 'missing: there is no such file' solve missing
 expect 2 'this looks like a complementarity problem; run: signorini lcp immovable' solve immovable

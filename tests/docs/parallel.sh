@@ -61,8 +61,11 @@ on 3 "$cantilever"
 [ "$(grep -c '^certificate: penetration' said)" -eq 1 ] || fail "said more than once, or not at all"
 [ "$(grep -Ec '^process [0-2] .*peak bytes [1-9]' said)" -eq 3 ] || fail "no memory of three processes: $(grep '^process' said)"
 [ "$(grep -Ec '^process [12] .*stiffness entries [1-9]' said)" -eq 2 ] || fail "a process did not assemble: $(grep '^process' said)"
+on 2 "$examples/to_and_fro.toml"
+[ "$(grep -Ec '^process [01] .*peak bytes [1-9]' said)" -eq 2 ] || fail "load steps without the memory of two processes: $(grep '^process' said)"
 on 1 "$cantilever" --accuracy 1%
-[ $status -eq 0 ] && grep -q '^accuracy: met' said || fail "--accuracy on one process: status $status: $(cat errors)"
+[ $status -eq 0 ] && grep -q '^accuracy: met' said && grep -q '^process 0 .*peak bytes [1-9]' said ||
+    fail "--accuracy on one process: status $status: $(cat errors)"
 on 2 - < "$cantilever"
 [ $status -eq 0 ] && grep -q '^certificate: penetration' said || fail "from standard input: status $status"
 
@@ -83,6 +86,7 @@ wrong 1 "not solved: .*'stone'.*Turn the load round" lifted.toml
 wrong 2 'missing: there is no such file' missing
 wrong 2 'negative_modulus.toml:[0-9]+: ' "$data/scenes/wrong/negative_modulus.toml"
 wrong 2 '--accuracy: the 2 processes that --backend mumps .* without mpirun' "$cantilever" --accuracy 1%
+wrong 2 "unknown option '--colour'" "$cantilever" --colour
 wrong 2 "cannot write|no such folder|there is no folder" "$cantilever" --csv nowhere/a.csv
 # The text of the scene goes to all, the files that it names do not.
 cat > "$folder/meshed.toml" << 'END'

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "signorini/closed_form/hertz_fit.hpp"
 #include "signorini/core/errors.hpp"

@@ -1,7 +1,6 @@
 #include "signorini/estimate/goal_words.hpp"
 
 #include <cmath>
-#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/wording.hpp"

@@ -10,10 +10,12 @@ namespace signorini {
 
 /// Marks the cheapest chords whose halving leaves a part of the error.
 ///
-/// Halving a chord leaves a quarter of what falls to it, for as many new nodes as it has edges. Chords are taken by
-/// what they lose for a node, also for the second and further times, until no more than `part` is left. The interior part falls to cells by the sizes of their shares, and from these to their chords by
-/// Estimate::first_direction, of triangles to their longest side; what gap and reading add, to the closed sides of the sources by the third power of their
-/// lengths; the free boundary, to the sides where contact ends.
+/// Halving a chord leaves a quarter of what falls to it, for as many new nodes as it has edges. Chords
+/// are taken by what they lose for a node, also for the second and further times, until no more than
+/// `part` is left. The interior part falls to cells by the sizes of their shares, and from these to
+/// their chords by Estimate::first_direction, of triangles to their longest side; what gap and reading
+/// add, to the closed sides of the sources by the third power of their lengths; the free boundary, to
+/// the sides where contact ends.
 /// \param model     that was solved
 /// \param solution  of it
 /// \param estimate  of the goal

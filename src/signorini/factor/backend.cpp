@@ -1,11 +1,13 @@
 #include "signorini/factor/backend.hpp"
 
 #include <map>
+#include <set>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/wording.hpp"
 
 namespace signorini {
 
@@ -25,13 +27,20 @@ Eigen::MatrixXd Factor::compliance(const Rows& A, Ledger& ledger) const {
 }
 
 const Backend& find_backend(const std::string& name) {
+  // Those of cmake/Backends.cmake, here too for programs that are built without them.
   static const std::map<std::string, const char*> packages = {
       {"cholmod", "libsuitesparse-dev"}, {"mumps", "libmumps-dev and libopenmpi-dev"}};
   try {
     return find_member(backends(), name, "back end");
   } catch (const ProblemError& error) {
     const auto known = packages.find(name);
-    if (known == packages.end()) throw;
+    if (known == packages.end()) {
+      std::set<std::string> names;
+      for (const Backend& backend : backends()) names.insert(backend.name);
+      for (const auto& [other, needed] : packages) names.insert(other);
+      throw ProblemError(text("unknown back end ", in_quotes(name),
+                              suggestion(name, {names.begin(), names.end()})));
+    }
     throw ProblemError(text(error.what(), ". It needs ", known->second,
                             ": install them with tools/setup.sh parallel, then type make"));
   }

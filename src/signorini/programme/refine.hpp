@@ -19,10 +19,12 @@ void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
 /// \param change    `n` [length]
 void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change);
 
-/// Where K u goes that does work along rigid motions: it should not, but the entries of K are rounded.
+/// K u should do no work along rigid motions, but the entries of K are rounded: who carries the work
+/// that it does.
 enum class Imbalance {
-  Carried,  ///< into contact forces, and without these into the unknowns that ground the bodies in K^-1
-  /// Over all unknowns that move, along motions that no contact force holds which is more than that
+  /// The contact forces; where there are none, the unknowns that ground the bodies in K^-1.
+  Carried,
+  /// All unknowns that move, along the motions that no contact force larger than it holds.
   Spread
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "signorini/core/errors.hpp"
 #include "signorini/refinement/halved_edges.hpp"
 
 namespace signorini {

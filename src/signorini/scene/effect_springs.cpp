@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
