@@ -15,8 +15,7 @@ namespace signorini {
 /// contact force on an unknown; rows of A are scaled to norm 1. So no figure changes with units or with the
 /// scaling of a row, and terms that cancel hide nothing. Lengths that are rounding of displacements along the sides are
 /// measured by these. Where no load acts, contact forces of rounding size are measured by the forces that the displacements could make. Of a programme, each of the unconnected_systems() is
-/// measured by itself, and the worst figures count; entries of K that are rounding beside its diagonal,
-/// |K_ij| <= epsilon sqrt(K_ii K_jj), are no connection, but what they carry is a load.
+/// measured by itself, and the worst figures count.
 struct Certificate {
   double penetration = 0;      ///< largest overlap / length
   double tension = 0;          ///< largest tensile contact force / force
