@@ -421,10 +421,10 @@ class MumpsFactor {
   /// That of the rows that were factored is there, once, and its operations are those of the factor; of others it takes a
   /// solve per row.
   [[nodiscard]] MatrixXd compliance(const Factor::Rows& A, double one_solve, Ledger& ledger) {
+    if (A.rows() == 0) return {};
     const bool known = A.rows() == G_.rows() && Factor::Rows(A - rows_).norm() == 0;
     ledger.count("operations",
                  known ? 0 : static_cast<long long>(one_solve) * static_cast<long long>(A.rows()));
-    if (A.rows() == 0) return {};
     if (known) return std::exchange(G_, MatrixXd());
     MatrixXd G(A.rows(), A.rows());
     for (Index k = 0; k < A.rows(); ++k) G.col(k) = A * solve(VectorXd(A.row(k).transpose()));
