@@ -1,7 +1,6 @@
 #include "bench/peers/hertz_comparison.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <numeric>
@@ -13,6 +12,7 @@
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/scene/readings.hpp"
+#include "support/folder.hpp"
 
 namespace signorini::bench {
 namespace {
@@ -30,29 +30,6 @@ struct Answer {
   [[nodiscard]] double error() const {
     return std::max(std::abs(q0), std::min(std::abs(b), std::abs(b_fit)));
   }
-};
-
-/// A folder for what the programs read and write, which nobody needs afterwards.
-class Folder {
- public:
-  Folder() {
-    std::string name = std::filesystem::temp_directory_path() / "signorini-peers-XXXXXX";
-    if (mkdtemp(name.data()) == nullptr)
-      throw ProblemError(text("peers: cannot make the folder ", name));
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  Folder(Folder&&) = delete;
-  Folder& operator=(Folder&&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
 };
 
 HertzCase hertz_case(Eigen::Index part, const std::filesystem::path& folder) {
@@ -191,7 +168,7 @@ bool compare_hertz(const std::vector<Program>& programs, const std::vector<Hertz
   Table curves = curves_of(programs);
   for (const Program& program : programs)
     if (!program.missing.empty()) std::cout << program.name << ": " << program.missing << std::endl;
-  const Folder folder;
+  const signorini_test::Folder folder;
   bool good = true;
   std::vector<Answer> before(programs.size());
   double last_nodes = std::numeric_limits<double>::infinity();
