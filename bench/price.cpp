@@ -12,9 +12,9 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/mesh/block.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/scene/scene.hpp"
+#include "support/cantilever.hpp"
 
 namespace {
 
@@ -24,19 +24,7 @@ using Eigen::Index;
 
 /// The cantilever of chapter 6: ten times longer than high, its whole lower side a candidate.
 Scene cantilever(Index cells_y) {
-  Scene scene;
-  Body& body = scene.bodies[0];
-  BlockSpec spec;
-  spec.name = "cantilever";
-  spec.size = {50, 5};
-  spec.cells_x = 10 * cells_y;
-  spec.cells_y = cells_y;
-  body.mesh = make_block(spec);
-  body.material = {2.1e4, 0.29, PlaneState::Stress, 1};
-  body.supports = {fixed("left")};
-  body.loads.edges = {{"top", 3.6, {}}};
-  scene.contacts = {{{"bottom"}, half_plane({0, -1}, {0, 1})}};
-  return scene;
+  return signorini_test::cantilever("q4_incompatible", 10 * cells_y, cells_y);
 }
 
 /// Scenes that differ in size.

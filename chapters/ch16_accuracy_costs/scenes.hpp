@@ -3,8 +3,8 @@
 #pragma once
 #include <string>
 
+#include "../../tests/support/cantilever.hpp"
 #include "runs.hpp"
-#include "signorini/mesh/block.hpp"
 
 namespace ch16 {
 
@@ -14,19 +14,7 @@ inline Scene hertz(Index cells) { return signorini_test::hertz(meshes(cells, cel
 /// The cantilever of chapter 6: ten times longer than high, its whole lower side a candidate.
 /// \param cells  over its height \return the scene, in kN and cm
 inline Scene cantilever(Index cells) {
-  BlockSpec spec;
-  spec.name = "cantilever";
-  spec.size = {50, 5};
-  spec.cells_x = 10 * cells;
-  spec.cells_y = cells;
-  Scene scene;
-  Body& body = scene.bodies[0];
-  body.mesh = make_block(spec);
-  body.material = {2.1e4, 0.29, PlaneState::Stress, 1};
-  body.supports = {fixed("left")};
-  body.loads.edges = {{"top", 3.6, {}}};
-  scene.contacts = {{{"bottom"}, half_plane({0, -1}, {0, 1})}};
-  return scene;
+  return signorini_test::cantilever("q4_incompatible", 10 * cells, cells);
 }
 
 /// \param cells  over its height \return its K, p, A, g
