@@ -99,16 +99,15 @@ TEST_CASE("the figures of a programme are what their definitions say",
   // u = (2, -1, 2), lambda = (2, 3, -1): gaps (-1, 0, 3), p - K u - A^T lambda = (-3, -1, -1).
   const Certificate forged = certificate_of({2, -1, 2}, {2, 3, -1});
   const double root = std::sqrt(2.0);  // norm of every row
-  // A^T lambda = (1, 5, 4). The second pair sets the length: |a||u|, and what load and contact force would
-  // move its two unknowns by alone.
-  const double length = (1 + 2 + (5 + 5) / 3.0 + (6 + 4) / 2.0) / root;
+  // The pair of the unknowns that move 2 each sets the length: more than 6 / 5, the force over the largest K_jj.
+  const double length = 4 / root;
   const double force = 6;  // the largest load; the largest net contact force is 5
   CHECK(forged.penetration == Approx(1 / root / length).epsilon(1e-14));
   CHECK(forged.tension == Approx(root / force).epsilon(1e-14));
   CHECK(forged.complementarity == Approx(3 / (length * force)).epsilon(1e-14));
   CHECK(forged.equilibrium == Approx(3 / force).epsilon(1e-14));
-  // lambda . gap - u . residual = -5 + 7; the terms |p u| and |lambda g| sum to 33, length x force is more.
-  CHECK(forged.duality_gap == Approx(2 / (length * force)).epsilon(1e-14));
+  // lambda . gap - u . residual = -5 + 7; the terms |p u| and |lambda g| sum to 33, length x force is less.
+  CHECK(forged.duality_gap == Approx(2 / 33.0).epsilon(1e-14));
 }
 
 TEST_CASE("in the duality gap friction forces are loads", "[certificate][friction]") {

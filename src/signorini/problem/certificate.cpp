@@ -102,36 +102,28 @@ Eigen::VectorXd row_norms(const RowMatrix& A) {
   return norm;
 }
 
-/// The largest net force on an unknown, and the largest length: of a displacement towards the obstacle, or
-/// of what the forces at hand would move a node by if its neighbours stood still. Neither counts what
-/// may be large without meaning anything: the gap of a far obstacle, or contact forces that cancel.
+/// The largest net force on an unknown, and the largest length: of a displacement towards the obstacle, or of what
+/// that force would move the stiffest unknown by. Neither counts what may be large without meaning anything: the
+/// gap of a far obstacle, contact forces that cancel, or how far a load would move what contact holds.
 Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution,
                  const Eigen::VectorXd& norm) {
   const Eigen::VectorXd contact = programme.A.transpose() * solution.force;
+  const Eigen::VectorXd diagonal = programme.stiffness.diagonal();
   Eigen::VectorXd u = solution.displacement;
   if (has_low(solution)) u += solution.displacement_low;
   Scales scale;
-  for (Index j = 0; j < programme.load.size(); ++j)
-    scale.force = std::max({scale.force, std::abs(programme.load(j)), std::abs(contact(j))});
+  scale.force = std::max(largest(programme.load), largest(contact));
+  scale.length = ratio(scale.force, largest(diagonal));
   for (Index pair = 0; pair < programme.A.rows(); ++pair) {
     double length = 0;
-    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry) {
-      const Index j = entry.col();
-      length += std::abs(entry.value() * u(j));
-      const double diagonal = programme.stiffness.coeff(j, j);
-      if (diagonal > 0)
-        length += std::abs(entry.value()) * (std::abs(programme.load(j)) + std::abs(contact(j))) /
-                  diagonal;
-    }
+    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
+      length += std::abs(entry.value() * u(entry.col()));
     scale.length = std::max(scale.length, length / norm(pair));
   }
-  // Where bodies move along their sides only, what their displacements add to a gap is rounding of those.
-  const double moved = largest(strained(solution));
-  if (scale.length <= static_cast<double>(u.size()) * epsilon * moved) scale.length = moved;
   // Without a load, contact forces that u in two doubles cannot resolve are measured by those that the
   // displacements could make.
   if (largest(programme.load) == 0) {
-    const double inside = largest(Eigen::VectorXd(programme.stiffness.diagonal()).cwiseProduct(u));
+    const double inside = largest(diagonal.cwiseProduct(u));
     const double half = 0.5 * epsilon;  // what rounding takes of a number
     if (scale.force <= half * half * inside) scale.force = inside;
   }

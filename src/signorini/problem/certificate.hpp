@@ -10,11 +10,11 @@ namespace signorini {
 
 /// How far a claimed solution is from satisfying each condition, made free of units; 0 is perfect.
 ///
-/// Lengths are divided by the largest |a_i|(|u| + |v|) of a row, where v is how far load and contact
-/// forces would move each node if its neighbours stood still, and forces by the largest load or net
-/// contact force on an unknown; rows of A are scaled to norm 1. So no figure changes with units or with the
-/// scaling of a row, and terms that cancel hide nothing. Lengths that are rounding of displacements along the sides are
-/// measured by these. Where no load acts, contact forces of rounding size are measured by the forces that the displacements could make. Of a programme, each of the unconnected_systems() is
+/// Lengths are divided by the largest |a_i||u| of a row, or by what the force that forces are measured by would move the
+/// stiffest unknown by, if that is larger: it is all there is where bodies bear without moving. Forces are divided by the
+/// largest load or net contact force on an unknown; rows of A are scaled to norm 1. So no figure changes with units or with
+/// the scaling of a row, and what cancels hides nothing: neither forces in a row nor a load that contact holds, however
+/// far it would move a soft unknown. Where no load acts, contact forces of rounding size are measured by the forces that the displacements could make. Of a programme, each of the unconnected_systems() is
 /// measured by itself, and the worst figures count.
 struct Certificate {
   double penetration = 0;      ///< largest overlap / length

@@ -173,8 +173,9 @@ void ProgrammeRows::judge(const ClosedBasis& basis, Refined& refined, const Work
   base_.noalias() = basis.directions() * basis.coordinates();
   gap_ = programme_.initial_gap;
   gap_.noalias() -= programme_.A * displacement_;
-  // What the row moves is at most |D^-1/2 a_i| |D^1/2 u|, and was so before contact pushed back.
-  stretch_ = std::max(stretch_, displacement_.cwiseProduct(root_).norm());
+  // What the row moves is at most |D^-1/2 a_i| |D^1/2 u|; how far u went before contact pushed back is in no digit
+  // of a refined u.
+  stretch_ = displacement_.cwiseProduct(root_).norm();
   for (Index i = 0; i < count(); ++i) floor_(i) = one_rounding(i, stretch_);
   refined.tension.setZero(k);
   refined.solution.force.setZero(count());
@@ -190,11 +191,14 @@ void ProgrammeRows::judge(const ClosedBasis& basis, Refined& refined, const Work
   for (Index i = equations(); i < count(); ++i) {
     if (std::abs(gap_(i)) < terms * floor_(i)) {
       ExactSum sum(programme_.initial_gap(i));
+      double size = std::abs(programme_.initial_gap(i));  // of the row's own terms
       for (Index j = 0; j < unknowns(); ++j) {
         sum.add_product(-programme_.A(i, j), displacement_(j));
         sum.add(-programme_.A(i, j) * refined.solution.displacement_low(j));
+        size += std::abs(programme_.A(i, j) * displacement_(j));
       }
       gap_(i) = sum.value();
+      floor_(i) = 4 * epsilon * size;
     }
     if (gap_(i) < -floor_(i)) ++refined.violated;
   }

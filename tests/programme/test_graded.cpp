@@ -1,0 +1,133 @@
+// Programmes with stiffnesses and forces of very different size, whose exact solution is known: nothing wrong is certified.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "catch_compat.hpp"
+#include "signorini/core/exact_sum.hpp"
+#include "signorini/core/random.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/programme/dense_programme.hpp"
+#include "signorini/solvers/solvers.hpp"
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using namespace signorini;
+
+namespace {
+
+/// A programme and its only solution, both without rounding.
+struct Graded {
+  DenseProgramme programme;
+  VectorXd u;
+  VectorXd force;
+};
+
+/// p = K u + A^T lambda. \return whether all sums are doubles
+bool balance(Graded& graded) {
+  DenseProgramme& programme = graded.programme;
+  programme.load.resize(graded.u.size());
+  for (Index j = 0; j < graded.u.size(); ++j) {
+    ExactSum sum;
+    sum.add_product(programme.stiffness(j, j), graded.u(j));
+    for (Index i = 0; i < graded.force.size(); ++i)
+      sum.add_product(programme.A(i, j), graded.force(i));
+    programme.load(j) = sum.high();
+    if (sum.low() != 0) return false;
+  }
+  return true;
+}
+
+/// K diagonal with powers of two; rows of whole numbers, the first n of them independent and some of them closed, with
+/// powers of two as forces; u of whole numbers, or 0.
+Graded draw(std::uint64_t seed) {
+  for (Random random(seed);;) {
+    const int n = random.whole(2, 6);
+    const int m = random.whole(1, n + 2);
+    const int span = random.whole(4, 30);
+    const bool even = random.whole(0, 1) == 0;
+    const bool chained = random.whole(0, 1) == 0;
+    const int most = random.whole(0, span);
+    const int size = random.whole(0, 5) == 0 ? 0 : 3;
+    Graded graded;
+    MatrixXd& A = graded.programme.A;
+    graded.programme.stiffness.setZero(n, n);
+    A.setZero(m, n);
+    graded.u.resize(n);
+    graded.force.setZero(m);
+    for (int j = 0; j < n; ++j) {
+      const int power = even ? 2 * span * j / (n - 1) : random.whole(0, 2 * span);
+      graded.programme.stiffness(j, j) = std::ldexp(1, power - span);
+      graded.u(j) = random.whole(-size, size);
+    }
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j <= std::min(i, n - 1); ++j)
+        A(i, j) = i >= n ? random.whole(-2, 2) : chained || i == j ? 1 : random.whole(-1, 1);
+    graded.programme.initial_gap = A * graded.u;
+    for (int i = 0; i < m; ++i) {
+      if (i < n && random.whole(0, 1) == 0)
+        graded.force(i) = std::ldexp(1, random.whole(-most / 2, most));
+      else if (i >= n || random.whole(0, 1) == 0)
+        graded.programme.initial_gap(i) += std::ldexp(1, random.whole(-8, 3));
+    }
+    if (balance(graded)) return graded;
+  }
+}
+
+/// The three stiffnesses 2^-22, 1, 2^22 behind chained rows.
+Graded three_chained() {
+  Graded graded;
+  graded.programme.stiffness = Eigen::Vector3d(0x1p-22, 1, 0x1p22).asDiagonal();
+  graded.programme.A = MatrixXd(MatrixXd::Ones(3, 3).triangularView<Eigen::Lower>());
+  graded.programme.initial_gap = Eigen::Vector3d(1, 2, 3);
+  graded.u.setOnes(3);
+  graded.force = Eigen::Vector3d(1, 1, 0x1p20);
+  REQUIRE(balance(graded));
+  return graded;
+}
+
+/// How far a solution is from the exact one: of the gaps, and of the forces.
+double error(const Graded& exact, const DenseSolution& found) {
+  const DenseProgramme& programme = exact.programme;
+  const VectorXd moved = programme.A * (found.refined.displacement - exact.u);
+  const double length = largest(programme.A.cwiseAbs() * exact.u.cwiseAbs());
+  return std::max(largest(moved) / (length > 0 ? length : 1),
+                  ratio(largest(found.refined.force - exact.force), largest(programme.load)));
+}
+
+}  // namespace
+
+TEST_CASE("a soft unknown that contact holds dwarfs no overlap", "[dense_programme][certificate]") {
+  const Graded exact = three_chained();
+  // The second pair open: it overlaps by 2.4e-7, and what it carried is a millionth of the third one's force.
+  const PrimalDual other{Eigen::Vector3d(1, 1 + 0x1p-22, 1 - 0x1p-22),
+                         {},
+                         Eigen::Vector3d(1 + 0x1p-22, 0, 0x1p20 + 1)};
+  CHECK(certify(exact.programme, other).equilibrium < 1e-12);
+  CHECK(certify(exact.programme, other).penetration > 1e-8);
+  CHECK(certify(exact.programme, {exact.u, {}, exact.force}).worst() == 0);
+  for (const char* name : {"quasi_active_set", "goldfarb_idnani", "primal_dual_active_set"}) {
+    CAPTURE(name);
+    const DenseSolution found = solve(exact.programme, find_solver(name));
+    REQUIRE(found.report.status == Status::Solved);
+    CHECK(found.active == std::vector<Index>{0, 1, 2});
+    CHECK(error(exact, found) < 1e-15);
+  }
+}
+
+TEST_CASE("of graded programmes with an exact solution none is certified and wrong",
+          "[dense_programme][certificate]") {
+  for (const Solver& solver : solvers()) {
+    const bool exact_rows = solver.solve_programme != nullptr;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+      const Graded exact = draw(seed);
+      const DenseSolution found = solve(exact.programme, solver);
+      const bool solved = found.report.status == Status::Solved;
+      CAPTURE(solver.name, seed, to_string(found.report.status));
+      if (exact_rows) CHECK(solved);
+      if (solved) CHECK(error(exact, found) < 1e-9);  // 1e-12, and what rows do to each other
+    }
+  }
+}
