@@ -106,6 +106,29 @@ TEST_CASE("every back end: solutions and the compliance are those of ours",
     }
 }
 
+TEST_CASE("every back end: what it solves of a part is what it solves of all",
+          "[conformance][backends]") {
+  const Placed body = block({fixed("left")});
+  const Placed two = beside(body, body);
+  const Index n = body.K.cols();
+  std::vector<Index> second;
+  for (Index k = n; k < 2 * n; ++k) second.push_back(k);
+  VectorXd load = VectorXd::Zero(2 * n);
+  load.tail(n) = some_load(n);
+  for (const Backend& backend : chosen(backends())) {
+    CAPTURE(backend.name);
+    Ledger ledger;
+    const Factor factor = factored(backend, two, random_rows(1, 2 * n, 1), ledger);
+    const std::optional<Factor::Part> part = factor.part(second);
+    if (!part) continue;  // it is then asked for all
+    const VectorXd u = factor.solve(load).tail(n);
+    CHECK((part->solve(load.tail(n)) - u).norm() <= 1e-14 * u.norm());
+    CHECK(part->solve_operations < factor.solve_operations());
+  }
+  Ledger ledger;
+  CHECK(factored(reference(), two, random_rows(1, 2 * n, 1), ledger).part(second).has_value());
+}
+
 TEST_CASE("every back end: units of force change no digit that counts", "[conformance][backends]") {
   const Placed body = block({fixed("left")});
   const Rows A = random_rows(9, body.K.cols(), 3);

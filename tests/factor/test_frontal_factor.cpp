@@ -115,6 +115,45 @@ TEST_CASE("the same numbers each time, and in all units, to the last bit", "[fac
   }
 }
 
+// Parts of one place share fronts; those that are apart share few, so that all parts cost about what the whole does.
+TEST_CASE("a part that nothing joins with others is solved alone to the same bits",
+          "[factor][part]") {
+  const Placed a =
+      signorini_test::stiffness("a", signorini_test::block_for(q4(), {3, 2}, 9, 7), q4(), {});
+  for (const double apart : {0.0, 5.0}) {
+    Placed all = a;
+    const Index count = a.K.cols();
+    const Index bodies = 12;
+    for (Index k = 1; k < bodies; ++k) {
+      Placed moved = a;
+      moved.positions.col(0).array() += apart * static_cast<double>(k);
+      all = signorini_test::beside(all, moved);
+    }
+    for (Index k = 0; k < all.K.cols(); ++k) all.K.coeffRef(k, k) *= 1.01;
+    const FrontalFactor factor = factored(all);
+    double operations = 0;
+    for (Index k = 0; k < bodies; ++k) {
+      CAPTURE(apart, k);
+      std::vector<Index> unknowns;
+      for (Index i = 0; i < count; ++i) unknowns.push_back(k * count + i);
+      const FrontalFactor::Part part = factor.part(unknowns);
+      operations += part.solve_operations;
+      const VectorXd load = random_vector(count, static_cast<std::uint64_t>(k));
+      VectorXd whole = VectorXd::Zero(all.K.cols());
+      whole.segment(k * count, count) = load;
+      const VectorXd u = factor.solve(part, load);
+      CHECK(u == factor.solve(whole).segment(k * count, count));
+      CHECK((u.array() != 0).all());
+    }
+    CHECK(operations >= factor.solve_operations());
+    if (apart > 0) CHECK(operations <= 1.2 * factor.solve_operations());
+  }
+  const FrontalFactor factor = factored(signorini_test::random_matrix(9, 1, 1));
+  CHECK_THROWS_AS(factor.part({9}), std::invalid_argument);
+  CHECK_THROWS_AS(factor.part({-1}), std::invalid_argument);
+  CHECK_THROWS_AS(factor.solve(factor.part({0, 1}), VectorXd::Zero(9)), std::invalid_argument);
+}
+
 TEST_CASE("a free body is found out on every mesh, whatever rounding leaves of the last pivot",
           "[factor]") {
   int found = 0;

@@ -30,6 +30,22 @@ Scene pressed_block() {
   return scene;
 }
 
+/// So many of them side by side, which nothing connects.
+Scene row_of_blocks(int count) {
+  Scene scene = pressed_block();
+  const Body first = scene.bodies[0];
+  scene.bodies.clear();
+  scene.contacts.clear();
+  for (int k = 0; k < count; ++k) {
+    scene.bodies.push_back(first);
+    scene.bodies.back().mesh =
+        named_block("square " + std::to_string(k), {3.0 * k, 0}, {2, 2}, 20, 20);
+    scene.contacts.push_back(
+        {{"bottom", scene.bodies.back().mesh.name}, half_plane({0, 0}, {0, 1})});
+  }
+  return scene;
+}
+
 /// Two blocks, of which only contact holds the upper one.
 Scene floating_block() {
   Scene scene = two_blocks(named_block("lower", {0, 0}, {4, 2}, 24, 12),
@@ -67,7 +83,8 @@ const std::map<std::string, std::function<Scene()>>& scenes() {
       {"floating", floating_block},
       {"floating, friction", rubbing_blocks},
       {"cantilever, friction", rubbing_cantilever},
-      {"without contact", without_contact}};
+      {"without contact", without_contact},
+      {"four blocks", [] { return row_of_blocks(4); }}};
   return all;
 }
 
@@ -101,6 +118,32 @@ TEST_CASE("what is said to be exact is so, and the operations of a run are withi
       return static_cast<double>(solution.ledger.counted(phase, "operations"));
     });
     CHECK(predicted == Approx(measured).epsilon(0.1));
+  }
+}
+
+TEST_CASE("bodies that nothing connects cost as many solves as there are, each of its own part",
+          "[prediction][separate]") {
+  const auto refinement = [](const Solution& solution, const char* what) {
+    return static_cast<double>(solution.ledger.counted("refinement", what));
+  };
+  const Solution alone = solve(row_of_blocks(1));
+  for (const int count : {2, 16, 64}) {
+    CAPTURE(count);
+    const Scene scene = row_of_blocks(count);
+    const Prediction prediction = predict(plan(scene));
+    const Solution solution = solve(scene);
+    REQUIRE(solution.contact.report.status == Status::Solved);
+    CHECK(refinement(solution, "solves") == count * refinement(alone, "solves"));
+    CHECK(prediction.amount("refinement", "solves") ==
+          Approx(refinement(solution, "solves")).epsilon(0.5));
+    CHECK(refinement(solution, "operations") <= 1.5 * count * refinement(alone, "operations"));
+    CHECK(prediction.amount("refinement", "operations") ==
+          Approx(refinement(solution, "operations")).epsilon(0.5));
+    const Eigen::Index pairs = alone.contact.force.size();
+    for (int k = 0; k < count; ++k)
+      CHECK((solution.contact.force.segment(k * pairs, pairs) - alone.contact.force)
+                .cwiseAbs()
+                .maxCoeff() <= 1e-13 * alone.contact.force.maxCoeff());
   }
 }
 

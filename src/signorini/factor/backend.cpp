@@ -20,6 +20,11 @@ VectorXd Factor::solve(const Eigen::Ref<const VectorXd>& load) const {
   return solve_(load);
 }
 
+std::optional<Factor::Part> Factor::part(const std::vector<Index>& unknowns) const {
+  if (!parts_) return {};
+  return parts_(unknowns);
+}
+
 Eigen::MatrixXd Factor::compliance(const Rows& A, Ledger& ledger) const {
   require(A.cols() == size(), "Factor::compliance: A must have ", size(),
           " columns (one per unknown), got ", A.cols());

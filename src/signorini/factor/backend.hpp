@@ -5,6 +5,7 @@
 #pragma once
 #include <Eigen/SparseCore>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,13 @@ class Factor {
   using Solve = std::function<Eigen::VectorXd(const Eigen::Ref<const Eigen::VectorXd>&)>;
   /// A K^-1 A^T, counted.
   using Compliance = std::function<Eigen::MatrixXd(const Rows&, Ledger&)>;
+  /// Unknowns that no entry of K joins with others, alone.
+  struct Part {
+    Solve solve;                  ///< u of K u = p, both of these unknowns
+    double solve_operations = 0;  ///< of one solve()
+  };
+  /// Finds the part of unknowns, each of them once.
+  using Parts = std::function<Part(const std::vector<Eigen::Index>&)>;
   /// What it takes.
   struct Size {
     Eigen::Index unknowns = 0;    ///< n
@@ -48,14 +56,24 @@ class Factor {
   /// \param solve       u of K u = p
   /// \param compliance  A K^-1 A^T
   /// \param size        what it takes
-  Factor(Solve solve, Compliance compliance, const Size& size)
-      : solve_(std::move(solve)), compliance_(std::move(compliance)), size_(size) {}
+  /// \param parts       solves of a part alone; empty if the back end has none
+  Factor(Solve solve, Compliance compliance, const Size& size, Parts parts = {})
+      : solve_(std::move(solve)),
+        compliance_(std::move(compliance)),
+        size_(size),
+        parts_(std::move(parts)) {}
 
   /// Solves K u = p.
   /// \param load  `n` p [force]
   /// \return `n` u [length]
   /// \throws std::invalid_argument unless there is one entry per unknown
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& load) const;
+  /// Solves that walk through their own part of the factor, and only that; the same numbers as solve() without other
+  /// loads. A back end without such solves has to be asked for all unknowns.
+  /// \param unknowns  each once, that no entry of K joins with others
+  /// \return what solves for them; nothing if the back end cannot
+  /// \throws std::invalid_argument if there is no such unknown
+  [[nodiscard]] std::optional<Part> part(const std::vector<Eigen::Index>& unknowns) const;
   /// A K^-1 A^T.
   /// \param A       `n_c x n` [-]
   /// \param ledger  receives the count `operations`
@@ -76,6 +94,7 @@ class Factor {
   Solve solve_;
   Compliance compliance_;
   Size size_;
+  Parts parts_;
 };
 
 /// What one process of a team did and took.

@@ -16,7 +16,14 @@ Factor factored(const Stiffness& K, Ledger& ledger) {
       std::make_shared<const FrontalFactor>(K.matrix, tree, ledger, K.describe, K.grounded);
   return {[factor](const Eigen::Ref<const Eigen::VectorXd>& load) { return factor->solve(load); },
           [factor](const Factor::Rows& A, Ledger& counts) { return factor->compliance(A, counts); },
-          {factor->size(), factor->nonzeros(), factor->operations(), factor->solve_operations()}};
+          {factor->size(), factor->nonzeros(), factor->operations(), factor->solve_operations()},
+          [factor](const std::vector<Eigen::Index>& unknowns) {
+            const FrontalFactor::Part part = factor->part(unknowns);
+            return Factor::Part{[factor, part](const Eigen::Ref<const Eigen::VectorXd>& load) {
+                                  return factor->solve(part, load);
+                                },
+                                part.solve_operations};
+          }};
 }
 
 }  // namespace

@@ -83,11 +83,9 @@ class FrontalFactor::Elimination {
   }
 
   [[nodiscard]] double pivot(Index place) const {
-    const auto front = std::upper_bound(
-        factor_.fronts_.all.begin(), factor_.fronts_.all.end(), place,
-        [](Index p, const Front& f) { return p < f.separator.first + f.separator.own; });
-    const Index column = place - front->separator.first;
-    return factor_.columns(*front)(column, column) / factor_.scale_;
+    const Front& front = factor_.fronts_.front(factor_.fronts_.front_at(static_cast<int>(place)));
+    const Index column = place - front.separator.first;
+    return factor_.columns(front)(column, column) / factor_.scale_;
   }
 
  private:
@@ -160,6 +158,8 @@ FrontalFactor::FrontalFactor(const Matrix& stiffness, const SeparatorTree& tree,
   {
     const Ledger::Phase phase(ledger, "symbolic");
     fronts_ = fronts_of(stiffness, tree);
+    whole_ = {fronts_.place, std::vector<int>(fronts_.all.size()), fronts_.solve_operations()};
+    std::iota(whole_.fronts.begin(), whole_.fronts.end(), 0);
   }
   const auto name = [&](Index unknown) {
     return text(unknown, describe ? " (" + describe(unknown) + ")" : "");
@@ -202,9 +202,25 @@ FrontalFactor::Columns FrontalFactor::columns(const Front& front) const {
   return {entries_.data() + front.begin, front.rows(), front.own()};
 }
 
-void FrontalFactor::forward(VectorXd& x) const {
+FrontalFactor::Part FrontalFactor::part(const std::vector<Index>& unknowns) const {
+  Part part;
+  for (const Index unknown : unknowns) {
+    require(unknown >= 0 && unknown < size(), "FrontalFactor::part: unknowns are 0 to ", size() - 1,
+            ", got ", unknown);
+    part.places.push_back(fronts_.place[static_cast<std::size_t>(unknown)]);
+    part.fronts.push_back(fronts_.front_at(part.places.back()));
+  }
+  std::sort(part.fronts.begin(), part.fronts.end());
+  part.fronts.erase(std::unique(part.fronts.begin(), part.fronts.end()), part.fronts.end());
+  for (const int number : part.fronts)
+    part.solve_operations += fronts_.front(number).solve_operations();
+  return part;
+}
+
+void FrontalFactor::forward(VectorXd& x, const std::vector<int>& fronts) const {
   VectorXd numbers(fronts_.tallest);
-  for (const Front& front : fronts_.all) {
+  for (const int number : fronts) {
+    const Front& front = fronts_.front(number);
     Eigen::Ref<VectorXd> own = x.segment(front.separator.first, front.own());
     if ((own.array() == 0).all()) continue;  // nothing to hand on
     Eigen::Ref<VectorXd> rows = numbers.head(front.rows());
@@ -216,30 +232,43 @@ void FrontalFactor::forward(VectorXd& x) const {
   }
 }
 
-void FrontalFactor::backward(VectorXd& x) const {
+void FrontalFactor::backward(VectorXd& x, const std::vector<int>& fronts) const {
   VectorXd numbers(fronts_.tallest);
-  for (auto front = fronts_.all.rbegin(); front != fronts_.all.rend(); ++front) {
-    Eigen::Ref<VectorXd> own = x.segment(front->separator.first, front->own());
-    Eigen::Ref<VectorXd> rows = numbers.head(front->rows());
-    rows.head(front->own()) = own;
-    for (std::size_t k = 0; k < front->boundary.size(); ++k)
-      rows(front->own() + static_cast<Index>(k)) = x(front->boundary[k]);
-    if (front + 1 != fronts_.all.rend()) fetch(columns(front[1]));
-    solve_lower_transposed(columns(*front), rows);
-    own = rows.head(front->own());
+  for (auto number = fronts.rbegin(); number != fronts.rend(); ++number) {
+    const Front& front = fronts_.front(*number);
+    Eigen::Ref<VectorXd> own = x.segment(front.separator.first, front.own());
+    Eigen::Ref<VectorXd> rows = numbers.head(front.rows());
+    rows.head(front.own()) = own;
+    for (std::size_t k = 0; k < front.boundary.size(); ++k)
+      rows(front.own() + static_cast<Index>(k)) = x(front.boundary[k]);
+    if (number + 1 != fronts.rend()) fetch(columns(fronts_.front(number[1])));
+    solve_lower_transposed(columns(front), rows);
+    own = rows.head(front.own());
   }
 }
 
 VectorXd FrontalFactor::solve(const Eigen::Ref<const VectorXd>& load) const {
   require(load.size() == size(), "FrontalFactor::solve: load must have ", size(),
           " entries (one per unknown), got ", load.size());
-  VectorXd x(size());
-  for (Index k = 0; k < size(); ++k) x(k) = load(fronts_.order[static_cast<std::size_t>(k)]);
-  forward(x);
-  backward(x);
-  VectorXd solution(size());
-  for (Index k = 0; k < size(); ++k)
-    solution(fronts_.order[static_cast<std::size_t>(k)]) = scale_ * x(k);
+  return solve(whole_, load);
+}
+
+VectorXd FrontalFactor::solve(const Part& part, const Eigen::Ref<const VectorXd>& load) const {
+  const Index count = static_cast<Index>(part.places.size());
+  require(load.size() == count, "FrontalFactor::solve: load must have ", count,
+          " entries (one per unknown of the part), got ", load.size());
+  VectorXd x(size());  // of which only what the fronts know is ever looked at
+  for (const int number : part.fronts) {
+    const Front& front = fronts_.front(number);
+    x.segment(front.separator.first, front.own()).setZero();
+    for (const int place : front.boundary) x(place) = 0;
+  }
+  for (Index k = 0; k < count; ++k) x(part.places[static_cast<std::size_t>(k)]) = load(k);
+  forward(x, part.fronts);
+  backward(x, part.fronts);
+  VectorXd solution(count);
+  for (Index k = 0; k < count; ++k)
+    solution(k) = scale_ * x(part.places[static_cast<std::size_t>(k)]);
   return solution;
 }
 

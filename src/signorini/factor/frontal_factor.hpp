@@ -44,6 +44,25 @@ class FrontalFactor {
   /// \throws std::invalid_argument unless there is one entry per unknown
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& load) const;
 
+  /// Some unknowns, and what of the factor has to do with them.
+  struct Part {
+    std::vector<int> places;      ///< of the unknowns in the order of elimination
+    std::vector<int> fronts;      ///< that eliminate one of them, rising
+    double solve_operations = 0;  ///< of one solve() with these fronts
+  };
+  /// Finds the fronts of unknowns that no entry of K joins with others.
+  /// \param unknowns  each once
+  /// \return the part
+  /// \throws std::invalid_argument if there is no such unknown
+  [[nodiscard]] Part part(const std::vector<Eigen::Index>& unknowns) const;
+  /// Solves K u = p for a part, whose fronts alone it walks through: the same bits as solve() with no other load.
+  /// \param part  from part()
+  /// \param load  p of its unknowns [force]
+  /// \return u of them [length]
+  /// \throws std::invalid_argument unless there is one entry per unknown of the part
+  [[nodiscard]] Eigen::VectorXd solve(const Part& part,
+                                      const Eigen::Ref<const Eigen::VectorXd>& load) const;
+
   /// A K^-1 A^T, in one walk up the tree with the rows of A.
   ///
   /// With \f$ H = L^{-1} P A^T \f$ it is \f$ H^T H \f$, the sum of \f$ H_f^T H_f \f$ over the fronts;
@@ -68,7 +87,7 @@ class FrontalFactor {
   /// \return multiplications, additions, divisions and roots of the factorisation
   [[nodiscard]] double operations() const { return fronts_.operations(); }
   /// \return multiplications, additions and divisions of one solve()
-  [[nodiscard]] double solve_operations() const { return fronts_.solve_operations(); }
+  [[nodiscard]] double solve_operations() const { return whole_.solve_operations; }
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -79,10 +98,11 @@ class FrontalFactor {
 
   void number_rows(const Front& front, std::vector<int>& row) const;
   [[nodiscard]] Columns columns(const Front& front) const;
-  void forward(Eigen::VectorXd& x) const;
-  void backward(Eigen::VectorXd& x) const;
+  void forward(Eigen::VectorXd& x, const std::vector<int>& fronts) const;
+  void backward(Eigen::VectorXd& x, const std::vector<int>& fronts) const;
 
   Fronts fronts_;
+  Part whole_;
   Eigen::VectorXd entries_;  // of L, front by front
   double scale_ = 1;         // L L^T = scale K, a power of two: no unit of force changes a bit of L
 };

@@ -69,6 +69,13 @@ Fronts fronts_of(const Matrix& matrix, const SeparatorTree& tree) {
   return fronts;
 }
 
+int Fronts::front_at(int position) const {
+  const auto found = std::upper_bound(
+      all.begin(), all.end(), position,
+      [](int p, const Front& front) { return p < front.separator.first + front.separator.own; });
+  return static_cast<int>(found - all.begin());
+}
+
 Index Fronts::nonzeros() const {
   Index sum = 0;
   for (const Front& front : all)
@@ -84,8 +91,7 @@ double Fronts::operations() const {
 
 double Fronts::solve_operations() const {
   double sum = 0;
-  for (const Front& front : all)
-    sum += 2 * static_cast<double>(front.own() * (front.own() + 2 * front.rim()));
+  for (const Front& front : all) sum += front.solve_operations();
   return sum;
 }
 

@@ -20,6 +20,10 @@ struct Front {
   [[nodiscard]] Eigen::Index rim() const { return static_cast<Eigen::Index>(boundary.size()); }
   /// \return rows of its columns of L
   [[nodiscard]] Eigen::Index rows() const { return own() + rim(); }
+  /// \return operations of its share of one solve: two walks through its columns of L
+  [[nodiscard]] double solve_operations() const {
+    return 2 * static_cast<double>(own() * (own() + 2 * rim()));
+  }
 };
 
 /// All that the pattern of K and a tree say of the factor of K. The factor works by it, and it can be asked
@@ -37,6 +41,8 @@ struct Fronts {
   [[nodiscard]] const Front& front(int number) const {
     return all[static_cast<std::size_t>(number)];
   }
+  /// \param position  in the order \return number of the front that eliminates the unknown there
+  [[nodiscard]] int front_at(int position) const;
   /// \return entries of L with the diagonal, also those that are zero in a front
   [[nodiscard]] Eigen::Index nonzeros() const;
   /// \return operations of the factorisation, see elimination_operations()

@@ -37,6 +37,13 @@ class Joined {
   Index left_;
 };
 
+/// Where a number is among rising ones, which may be few of many; -1 if it is not.
+Index place_among(const std::vector<Index>& rising, Index number) {
+  const auto found = std::lower_bound(rising.begin(), rising.end(), number);
+  return found == rising.end() || *found != number ? -1
+                                                   : static_cast<Index>(found - rising.begin());
+}
+
 /// The unknown that stands for a row of A; -1 if the row is empty.
 Index first_unknown(const RowMatrix& A, Index row) {
   for (RowMatrix::InnerIterator entry(A, row); entry; ++entry)
@@ -127,22 +134,21 @@ std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme
 
 QuadraticProgramme part_of(const QuadraticProgramme& programme, const SystemParts& parts) {
   const Index n = static_cast<Index>(parts.unknowns.size());
-  std::vector<Index> place(at(programme.load.size()), -1);
-  for (Index i = 0; i < n; ++i) place[at(parts.unknowns[at(i)])] = i;
   std::vector<Eigen::Triplet<double>> entries;
   QuadraticProgramme part;
   for (Index j = 0; j < n; ++j)
     for (Eigen::SparseMatrix<double>::InnerIterator it(programme.stiffness, parts.unknowns[at(j)]);
          it; ++it)
-      if (it.value() != 0 && place[at(it.row())] >= 0)
-        entries.emplace_back(place[at(it.row())], j, it.value());
+      if (const Index i = place_among(parts.unknowns, it.row()); it.value() != 0 && i >= 0)
+        entries.emplace_back(i, j, it.value());
   part.stiffness.resize(n, n);
   part.stiffness.setFromTriplets(entries.begin(), entries.end());
   entries.clear();
   const Index rows = static_cast<Index>(parts.rows.size());
   for (Index i = 0; i < rows; ++i)
     for (RowMatrix::InnerIterator it(programme.A, parts.rows[at(i)]); it; ++it)
-      if (it.value() != 0) entries.emplace_back(i, place[at(it.col())], it.value());
+      if (it.value() != 0)
+        entries.emplace_back(i, place_among(parts.unknowns, it.col()), it.value());
   part.A.resize(rows, n);
   part.A.setFromTriplets(entries.begin(), entries.end());
   part.load = programme.load(parts.unknowns);
@@ -153,13 +159,10 @@ QuadraticProgramme part_of(const QuadraticProgramme& programme, const SystemPart
 FrictionLaw part_of(const FrictionLaw& law, Index pairs, const SystemParts& parts) {
   std::vector<Index> slips;
   FrictionLaw part;
-  std::vector<Index> place(at(pairs), -1);
-  Index next = 0;
   for (const Index row : parts.rows) {
-    if (row < pairs) place[at(row)] = next++;
     if (row < pairs) continue;
     slips.push_back(row - pairs);
-    part.pair.push_back(place[at(law.pair[at(row - pairs)])]);
+    part.pair.push_back(place_among(parts.rows, law.pair[at(row - pairs)]));
   }
   part.coefficient = law.coefficient(slips);
   part.cohesion = law.cohesion(slips);

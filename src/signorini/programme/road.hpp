@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <functional>
+#include <vector>
 
 #include "signorini/core/ledger.hpp"
 #include "signorini/programme/known_forces.hpp"
@@ -17,6 +18,11 @@ struct CondensedProgramme {
   const Eigen::VectorXd& free_displacement;  ///< u0 = K^-1 p `n` [length]
   /// K^-1 applied to a vector [force] -> [length]; with rigid modes that of the grounded K
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> solve_stiffness;
+  /// The same for unknowns that no entry of K joins with others, of load and displacement of these alone, at a cost that does
+  /// not grow with the others; without it, or if it returns nothing, solve_stiffness is asked with no other load
+  std::function<std::function<Eigen::VectorXd(const Eigen::VectorXd&)>(
+      const std::vector<Eigen::Index>&)>
+      solve_part = {};
 };
 
 /// Where the road ends. Unless `state.report.status` is Solved, the numbers are those of the best set that could

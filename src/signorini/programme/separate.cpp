@@ -47,12 +47,14 @@ class Separate {
       for (const Index pair : gaps_) start.push_back(options.start[at(pair)]);
       options.start = std::move(start);
     }
-    const CondensedProgramme small{
-        problem_, free_, [&](const VectorXd& load) {
-          VectorXd all;
-          put(load, parts_.unknowns, condensed.free_displacement.size(), all);
-          return VectorXd(condensed.solve_stiffness(all)(parts_.unknowns));
-        }};
+    CondensedProgramme small{problem_, free_, {}};
+    if (condensed.solve_part) small.solve_stiffness = condensed.solve_part(parts_.unknowns);
+    if (!small.solve_stiffness)
+      small.solve_stiffness = [&](const VectorXd& load) {
+        VectorXd all;
+        put(load, parts_.unknowns, condensed.free_displacement.size(), all);
+        return VectorXd(condensed.solve_stiffness(all)(parts_.unknowns));
+      };
     return certified_end(programme_, small, modes_, solver, options, ledger);
   }
 

@@ -8,6 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/elasticity/along_boundary.hpp"
 #include "signorini/factor/front_speed.hpp"
+#include "signorini/problem/systems.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -113,11 +114,32 @@ Sampled sampled(const Plan& plan, Index stiffness_entries) {
 struct Symbolic {
   Eigen::SparseMatrix<double> stiffness;
   NodalRows rows;
+  std::vector<SystemParts> systems;  // one at least
   Fronts fronts;
   RowPaths paths;
   double ordering = 0;  // [s]
   double analysis = 0;  // [s]
 };
+
+/// The systems that a plan falls into, as far as the patterns of K and A tell.
+std::vector<SystemParts> systems_of(const Plan& plan, Symbolic& known) {
+  QuadraticProgramme pattern;
+  pattern.stiffness.swap(known.stiffness);
+  pattern.A.swap(known.rows);
+  pattern.stiffness.coeffs().setOnes();
+  pattern.load.setZero(pattern.stiffness.cols());
+  std::vector<SystemParts> systems =
+      unconnected_systems(pattern, plan.law, mode_shapes(plan.modes));
+  pattern.stiffness.swap(known.stiffness);
+  pattern.A.swap(known.rows);
+  if (systems.empty()) {
+    systems.resize(1);
+    systems[0].unknowns.resize(static_cast<std::size_t>(known.stiffness.cols()));
+    systems[0].rows.resize(static_cast<std::size_t>(known.rows.rows()));
+    systems[0].modes.resize(plan.modes.size());
+  }
+  return systems;
+}
 
 constexpr const char* all_phases = "all phases";
 constexpr const char* later_step = "a later step";
@@ -138,6 +160,7 @@ Symbolic symbolic(const Plan& plan) {
     blocks.push_back(stiffness_pattern(body.mesh, body.unknowns));
   put_along_diagonal(plan.bodies, blocks, known.stiffness);
   known.rows = contact_rows(plan.gaps, plan.law);
+  known.systems = systems_of(plan, known);
   SeparatorTree tree;
   known.ordering =
       seconds_of([&] { tree = separator_tree(known.stiffness, unknown_positions(plan.bodies)); });
@@ -233,26 +256,42 @@ class Figures {
   void contact() {
     if (rows_ == 0) return;
     const char* const phase = "contact";
-    const double size = rows_ + static_cast<double>(plan_.modes.size());
-    const double iterations = 5 * steps_;
-    add(Built::PerIteration, phase, "iterations", iterations, Trust::Estimate);
-    const double closed = size / 2;
-    seconds(Built::PerIteration, phase,
-            iterations * (over(closed * closed * closed / 3, speed_.elimination) +
-                          over(2 * number * size * size, speed_.memory)));
+    const double iterations = 5 * steps_;  // of every system
+    double all_iterations = 0;
+    double all_seconds = 0;
+    for (const SystemParts& system : known_.systems) {
+      if (system.rows.empty()) continue;
+      const double size = static_cast<double>(system.rows.size() + system.modes.size());
+      const double closed = size / 2;
+      all_iterations += iterations;
+      all_seconds += iterations * (over(closed * closed * closed / 3, speed_.elimination) +
+                                   over(2 * number * size * size, speed_.memory));
+    }
+    add(Built::PerIteration, phase, "iterations", all_iterations, Trust::Estimate);
+    seconds(Built::PerIteration, phase, all_seconds);
   }
 
   void refinement() {
     const char* const phase = "refinement";
     // A solve mends u without contact. Contact forces move it, a sweep mends both, and what it changes of the forces moves
     // u again; rigid motions take two sweeps more.
-    const double solves = (rows_ == 0 ? 1 : plan_.modes.empty() ? 3 : 5) * steps_;
-    add(Built::PerIteration, phase, "solves", solves, Trust::Estimate);
-    add(Built::PerIteration, phase, "operations", solves * known_.fronts.solve_operations(),
+    // Every system has its own, which walk through its own part of the factor.
+    double all_solves = 0;
+    double walks = 0;
+    double residuals = known_.systems.size() > 1 ? steps_ : 0;  // of the certificate of all
+    for (const SystemParts& system : known_.systems) {
+      const double part = static_cast<double>(system.unknowns.size()) /
+                          static_cast<double>(std::max<Index>(1, plan_.unknowns.count));
+      const double solves = (system.rows.empty() ? 1 : system.modes.empty() ? 3 : 5) * steps_;
+      all_solves += solves;
+      walks += part * solves;
+      // A residual for every solve that mends, and one for the certificate.
+      residuals += part * (system.rows.empty() ? 2 * steps_ : solves - steps_);
+    }
+    add(Built::PerIteration, phase, "solves", all_solves, Trust::Estimate);
+    add(Built::PerIteration, phase, "operations", walks * known_.fronts.solve_operations(),
         Trust::Estimate);
-    // A residual for every solve that mends, and one for the certificate.
-    const double residuals = rows_ == 0 ? 2 * steps_ : solves - steps_;
-    seconds(Built::PerIteration, phase, solves * solve() + residuals * sample_.residual);
+    seconds(Built::PerIteration, phase, walks * solve() + residuals * sample_.residual);
   }
 
   /// Seconds of one solve: two walks through L.

@@ -60,7 +60,7 @@ struct Prediction {
 /// than ours those of the factor are estimates. How often
 /// contact and refinement go round depends on the numbers, so what hangs on that is an estimate: five contact
 /// iterations if there are gaps, with half of the rows closed, and one refinement of the set that they end with, all
-/// that for every load step.
+/// that for every load step and every system that nothing connects with others.
 /// Seconds come from the speed of this machine on fronts of these sizes, on a walk through the memory and on the
 /// first cells of every body, measured now in some milliseconds.
 /// \param plan  from plan()

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -140,12 +142,21 @@ Condensed condense(const Model& model, Ledger& ledger) {
 
 Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
                Ledger ledger, const SolverOptions& options) {
-  const long long operations = one_solve(condensed);
-  const CondensedProgramme small{condensed.problem, condensed.free_displacement,
-                                 [&](const VectorXd& load) {
-                                   ledger.count("operations", operations);
-                                   return condensed.factor.solve(load);
-                                 }};
+  const auto counted = [&ledger](double operations, Factor::Solve solve_for) {
+    return [&ledger, operations, solve_for = std::move(solve_for)](const VectorXd& load) {
+      ledger.count("operations", static_cast<long long>(operations));
+      return solve_for(load);
+    };
+  };
+  using Solve = std::function<VectorXd(const VectorXd&)>;
+  const CondensedProgramme small{
+      condensed.problem, condensed.free_displacement,
+      counted(condensed.factor.solve_operations(),
+              [&](const Eigen::Ref<const VectorXd>& load) { return condensed.factor.solve(load); }),
+      [&](const std::vector<Index>& unknowns) {
+        const std::optional<Factor::Part> part = condensed.factor.part(unknowns);
+        return part ? Solve(counted(part->solve_operations, part->solve)) : Solve();
+      }};
   CertifiedEnd end = [&] {
     try {
       return certified_end(model.programme, small, mode_shapes(model.modes), find_solver(solver),
