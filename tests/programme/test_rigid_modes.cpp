@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/solvers/springs.hpp"
@@ -168,6 +169,24 @@ TEST_CASE("a way that a body went and came back is no strain of it", "[rigid]") 
     const double left = equilibrium_residual(body.programme, whole).cwiseAbs().maxCoeff();
     CHECK(left / (epsilon * terms.maxCoeff()) <= 2);
   }
+}
+
+TEST_CASE("what is left of motions that cancel is a motion", "[rigid]") {
+  // Entries of no common pattern: sums and products are rounded everywhere.
+  MatrixXd N(20, 3);
+  for (Eigen::Index node = 0; node < 10; ++node) {
+    const double x = std::sin(1.0 + static_cast<double>(node)), y = std::cos(3.0 * x);
+    N.row(2 * node) << 1, 0, -y;
+    N.row(2 * node + 1) << 0, 1, x;
+  }
+  const Eigen::Vector3d far(0.3, -0.7, 1.1);
+  PrimalDual u{VectorXd::Zero(20), {}, {}};
+  add_rigid(u, N, far);
+  add_rigid(u, N, (0x1p-40 - 1) * far);
+  const VectorXd motion = N * least_norm_solution(N, u.rigid);
+  CHECK(u.rigid.cwiseAbs().maxCoeff() >= 0x1p-42);
+  CHECK((u.rigid - motion).cwiseAbs().maxCoeff() <= 1e-14 * u.rigid.cwiseAbs().maxCoeff());
+  CHECK((u.displacement - 0x1p-40 * N * far).cwiseAbs().maxCoeff() <= 4 * epsilon);
 }
 
 TEST_CASE("a rigid part that strains a body is refused", "[rigid]") {

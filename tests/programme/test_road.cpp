@@ -37,15 +37,18 @@ ContactState claim(Status status, const VectorXd& force, const std::vector<Eigen
 
 /// The road of a body with K = I.
 CertifiedEnd end_of_road(const VectorXd& load, const MatrixXd& A, const VectorXd& gap,
-                         std::vector<ContactState> answers) {
+                         std::vector<ContactState> answers,
+                         const std::vector<const char*>& others = {},
+                         const SolverOptions& options = {}) {
   recital = {std::move(answers)};
   const Eigen::Index n = load.size();
   const QuadraticProgramme programme{MatrixXd::Identity(n, n).sparseView(), load, A.sparseView(),
                                      gap};
   const ContactProblem problem{A * A.transpose(), gap - A * load};
   Ledger ledger;
+  const Solver solver = {"recital", "says what it was told to", recite};
   return certified_end(programme, {problem, load, [](const VectorXd& force) { return force; }}, {},
-                       {"recital", "says what it was told to", recite}, {}, ledger);
+                       solver.before(others), options, ledger);
 }
 
 // {0} asks for {0, 1}, in which 0 pulls; the solution is {1}.
@@ -94,6 +97,24 @@ TEST_CASE("what is proved of a corrected problem is not proved of the one that w
                   {claim(Status::Solved, Eigen::Vector2d(1, 0), {0}), escaped});
   CHECK(third.state.report.status == Status::Breakdown);
   CHECK(third.state.escape.size() == 0);
+}
+
+TEST_CASE("where a method breaks down the first of the others that arrives has the word",
+          "[road]") {
+  ContactState lost = claim(Status::Breakdown, Eigen::Vector2d::Zero(), {});
+  lost.escape = VectorXd::Ones(1);  // is not refined
+  const auto ends = [&](const std::vector<const char*>& others, Eigen::Index limit = 0) {
+    SolverOptions options;
+    options.iteration_limit = limit;
+    return end_of_road(pull, step, Eigen::Vector2d::Zero(), {lost}, others, options);
+  };
+  CHECK(ends({}).state.report.status == Status::Breakdown);
+  const CertifiedEnd end = ends({"goldfarb_idnani", "lemke"});
+  CHECK(end.state.report.status == Status::Solved);
+  CHECK(end.state.active == std::vector<Eigen::Index>{1});
+  CHECK(end.certificate.holds());
+  // Who limits the iterations of a method wants that method.
+  CHECK(ends({"goldfarb_idnani"}, 100).state.report.status == Status::Breakdown);
 }
 
 TEST_CASE("pairs whose set was never confirmed are named by their numbers", "[road]") {

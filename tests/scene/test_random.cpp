@@ -124,6 +124,21 @@ TEST_CASE("refinement ends neither before its forces are exact nor with loads th
   }
 }
 
+TEST_CASE("bodies that nothing pushes rest where they only touch, with no force of rounding size",
+          "[random]") {
+  // Of the frictional ones all but the first two, of the others all have no load.
+  const auto rests = [](std::uint64_t seed, RandomScenes kind) {
+    const Trial trial = try_scene(seed, kind);
+    CAPTURE(seed, trial.text);
+    CHECK((trial.outcome == Outcome::Solved || trial.outcome == Outcome::Hovers));
+    CHECK(trial.errors.worst() <= 1e-14);
+  };
+  for (const std::uint64_t seed : {3116, 12380, 11337, 16772, 17444, 18041, 21250})
+    rests(seed, RandomScenes::Frictional);
+  for (const std::uint64_t seed : {3650, 5185, 10038, 14974, 18825, 20276})
+    rests(seed, RandomScenes::Frictionless);
+}
+
 // A check that sees no fault of a millionth is none. Scenes without forces, gaps or slips, or with small ones
 // beside the loads and displacements, stay right.
 TEST_CASE("the check of random scenes sees a millionth of any number, and false names",

@@ -46,7 +46,8 @@ const std::vector<Solver>& all_solvers() {
              primal_dual_active_set)
           .may_fail_on({Trait::Asymmetric})
           .with_friction(Takes::Also)
-          .with_rigid_modes(),
+          .with_rigid_modes()
+          .before({"fischer_burmeister", "lemke"}),
       member("enumerate", "tries every set of closed pairs; the oracle of the tests", enumerate)
           .up_to(largest_enumeration)
           .may_fail_on({Trait::Infeasible}),

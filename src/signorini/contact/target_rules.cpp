@@ -85,8 +85,10 @@ Projection TargetSearch::at_vertex(Index number, int end, const Query& query) co
   const Vector2d two = between ? side(next).normal(-end) : normal_beyond(number, end);
   const double a = cross(arm, one);
   const double b = cross(arm, two);
-  // The share of the second normal in the one along the arm.
-  const double share = std::abs(a - b) > query.rounding ? std::clamp(a / (a - b), 0.0, 1.0) : 0.5;
+  // The share of the second normal in the one along the arm. An arm that rounding cannot tell from the middle has half: the
+  // direction of a short one is mostly rounding, which would hold a ring that turns in another.
+  const bool middle = std::min(std::abs(a - b), std::abs(a + b)) <= query.rounding;
+  const double share = middle ? 0.5 : std::clamp(a / (a - b), 0.0, 1.0);
   found.normal = ((1 - share) * one + share * two).normalized();
   found.gap = arm.dot(found.normal);
   return found;

@@ -162,11 +162,10 @@ VectorXd Refining::spread(const VectorXd& residual) const {
 }
 
 void Refining::move(const VectorXd& amplitude) {
-  const VectorXd moved = data_.null_vectors * amplitude;
   result_.amplitude += amplitude;
   PrimalDual& solution = result_.solution;
-  if (sweeps_ > rigid_sweeps) return add_displacement(solution, moved);
-  add_rigid(solution, moved);
+  if (sweeps_ > rigid_sweeps) return add_displacement(solution, data_.null_vectors * amplitude);
+  add_rigid(solution, data_.null_vectors, amplitude);
   // A body that forces out of balance took far away on its springs came back: K, whose entries are rounded, would strain
   // it by the way, once as rigid and once as not. What is left is rigid as far as a motion comes near to it.
   if (sweeps_ == rigid_sweeps && largest(solution.rigid) > 2 * largest(solution.displacement))
@@ -259,13 +258,16 @@ void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
     add_to(solution.displacement(i), solution.displacement_low(i), change(i));
 }
 
-void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change) {
-  const Index n = change.size();
+void add_rigid(PrimalDual& solution, const MatrixXd& null_vectors, const VectorXd& amplitude) {
+  const Index n = null_vectors.rows();
   if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
   if (solution.rigid.size() == 0) solution.rigid.setZero(n);
   const VectorXd last = solution.rigid;
-  solution.rigid += change;
-  add_displacement(solution, solution.rigid - last);
+  solution.rigid += null_vectors * amplitude;
+  const VectorXd added = solution.rigid - last;
+  if (2 * largest(solution.rigid) < largest(last))
+    solution.rigid = null_vectors * least_norm_solution(null_vectors, solution.rigid);
+  add_displacement(solution, added);
 }
 
 VectorXd resultant_left(const QuadraticProgramme& programme, const PrimalDual& solution,

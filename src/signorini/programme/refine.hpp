@@ -14,10 +14,13 @@ namespace signorini {
 /// \param change    `n` [length]
 void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
 
-/// u += change by a motion that strains nothing: the part of u that is kept as such grows too.
-/// \param solution  whose displacement grows
-/// \param change    `n` [length]
-void add_rigid(PrimalDual& solution, const Eigen::VectorXd& change);
+/// u += N a, a motion that strains nothing: the part of u that is kept as such grows too. A part that shrinks, because
+/// motions cancel, is left with the rounding of what it was, which strains: it becomes the motion nearest to it.
+/// \param solution      whose displacement grows
+/// \param null_vectors  N `n x n_r`
+/// \param amplitude     a `n_r`
+void add_rigid(PrimalDual& solution, const Eigen::MatrixXd& null_vectors,
+               const Eigen::VectorXd& amplitude);
 
 /// K u should do no work along rigid motions, but the entries of K are rounded: who carries the work
 /// that it does.

@@ -43,6 +43,11 @@ class Road {
   /// Refines a claim and changes pairs while fewer and fewer are wrong. \return whether all signs are right,
   /// or nothing new can be tried
   bool settle(const ContactState& claim);
+  /// The same for a claim without any force, whose closed pairs only touch: where closing them exactly takes forces, which
+  /// are nothing but rounding, none is closed. \return as above
+  bool settle_idle(std::vector<Motion> motions);
+  /// Refines a set, and those that it asks for. \return as above
+  bool exchange(std::vector<Motion> motions, VectorXd force);
   /// Says what the pairs do by what they do: a set whose equations depend on each other, or contradict each
   /// other by as little as the certificate allows, need not be that of its numbers.
   void read_off();
@@ -123,9 +128,28 @@ bool Road::settle(const ContactState& claim) {
   force << claim.force, claim.friction;
   // A motion that the closed pairs leave open must begin where the claim has it.
   if (modes_.cols() > 0 && claim.report.status == Status::Solved) {
-    add_rigid(now_, modes_ * (claim.amplitude - amplitude_));
-    amplitude_ = claim.amplitude;
+    const bool moves = largest(modes_ * claim.amplitude) >= smallest_movement;
+    const VectorXd amplitude = moves ? claim.amplitude : VectorXd::Zero(amplitude_.size());
+    add_rigid(now_, modes_, amplitude - amplitude_);
+    amplitude_ = amplitude;
+    if (force.isZero(0)) return settle_idle(std::move(motions));
   }
+  return exchange(std::move(motions), std::move(force));
+}
+
+bool Road::settle_idle(std::vector<Motion> motions) {
+  const PrimalDual start = now_;
+  const VectorXd amplitude = amplitude_;
+  const VectorXd none = VectorXd::Zero(start.force.size());
+  const std::vector<Motion> open = motions_of({}, problem_.free_gap.size());
+  const bool settled = exchange(std::move(motions), none);
+  if (end_.certificate.holds() || !seen_.insert(open).second) return settled;
+  now_ = start;
+  amplitude_ = amplitude;
+  return look(open, none).confirmed || settled;
+}
+
+bool Road::exchange(std::vector<Motion> motions, VectorXd force) {
   for (Index last = std::numeric_limits<Index>::max();;) {
     if (!seen_.insert(motions).second) return last == std::numeric_limits<Index>::max();
     Judgement verdict = look(motions, force);
@@ -270,7 +294,20 @@ CertifiedEnd certified_end(const QuadraticProgramme& programme, const CondensedP
       unconnected_systems(programme, condensed.problem.law, null_vectors);
   if (!systems.empty())
     return separate_ends(programme, condensed, null_vectors, systems, solver, options, ledger);
-  return Road(programme, condensed, null_vectors, ledger).run(solver, options);
+  CertifiedEnd end = Road(programme, condensed, null_vectors, ledger).run(solver, options);
+  for (const char* const name : solver.others) {
+    if (end.state.report.status != Status::Breakdown || options.iteration_limit > 0) break;
+    CertifiedEnd other =
+        Road(programme, condensed, null_vectors, ledger).run(find_solver(name), options);
+    Report both = end.state.report;
+    append(both, other.state.report);
+    if (other.state.report.status == Status::Solved)
+      end = std::move(other);
+    else
+      both.status = end.state.report.status;
+    end.state.report = std::move(both);
+  }
+  return end;
 }
 
 }  // namespace signorini

@@ -43,7 +43,8 @@ struct CertifiedEnd {
 /// when all signs are right; when a set of pairs comes back, between which rounding cannot decide; when
 /// refinement does not settle; or at the second pass in a row that does not halve the worst figure of the
 /// certificate. The best certificate then says whether that matters. A method that ends without a solution
-/// is asked the same way: what it looked at last may be right.
+/// is asked the same way: what it looked at last may be right. Where a member breaks down, the others that its line in
+/// the table names go the same road from the start, and the first solution counts.
 /// \param programme     K, p, A, g as they were posed; slips in the last rows of A
 /// \param condensed     made of it
 /// \param null_vectors  N `n x n_r`, or nothing

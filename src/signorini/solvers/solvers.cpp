@@ -65,6 +65,12 @@ Solver Solver::with_rigid_modes() const {
   return member;
 }
 
+Solver Solver::before(std::vector<const char*> names) const {
+  Solver member = *this;
+  member.others = std::move(names);
+  return member;
+}
+
 Solver Solver::on_programmes(decltype(solve_programme) function) const {
   Solver member = *this;
   member.solve_programme = function;

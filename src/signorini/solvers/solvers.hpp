@@ -53,6 +53,9 @@ struct Solver {
   /// The same from K, p, A and g to the refined end, or null: then the programme is condensed.
   DenseSolution (*solve_programme)(const DenseProgramme& programme,
                                    const SolverOptions& options) = nullptr;
+  /// Members that certified_end() asks one by one where this one breaks down: rounding that leads one method astray
+  /// mostly does not meet the other
+  std::vector<const char*> others = {};
 
   /// \param pairs  most that it accepts \return the member with it
   [[nodiscard]] Solver up_to(Eigen::Index pairs) const;
@@ -62,6 +65,8 @@ struct Solver {
   [[nodiscard]] Solver with_friction(Takes takes) const;
   /// \return the member, taking rigid modes
   [[nodiscard]] Solver with_rigid_modes() const;
+  /// \param names  of the members to ask after it \return the member with them
+  [[nodiscard]] Solver before(std::vector<const char*> names) const;
   /// \param function  for `solve_programme` \return the member with it
   [[nodiscard]] Solver on_programmes(decltype(solve_programme) function) const;
 };
