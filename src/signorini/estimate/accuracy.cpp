@@ -23,18 +23,16 @@ constexpr std::size_t fewest_closed = 6;
 /// What a round leaves of the error at least: with less, estimates of coarse meshes make meshes far finer than asked for;
 /// with more, there are more rounds.
 constexpr double least_left = 0.25;
-/// And at most: with more, a round is hardly worth its seconds.
-constexpr double most_left = 0.7;
 /// A round aims at so much of the target: at more, many fall short by a little and need another round; at less, the last
 /// mesh is finer than it need be.
-constexpr double aim = 0.7;
+constexpr double aim = 0.85;
 /// A mesh confirms an earlier one if it has so many times its unknowns: with fewer, two meshes that overlook the same agree;
 /// with more, confirming costs more than solving.
 constexpr double confirming = 1.5;
 /// So many times the unknowns should leave a quarter of the error even at a corner...
 constexpr Index patience = 16;
-/// ... and so many meshes should close enough pairs.
-constexpr std::size_t most_unresolved = 12;
+/// ... and so many halvings should close enough pairs.
+constexpr int most_unresolved = 12;
 
 double sum_of(const ErrorParts& parts) {
   return parts.interior + parts.gap + parts.reading + parts.free_boundary;
@@ -47,11 +45,12 @@ double size_of(const ErrorParts& parts) {
 }
 
 /// What the estimates overlook, as the last change of the value shows it: nothing while that is within what both allow
-/// for. What was overlooked falls by halves at best, and so is not forgotten at once.
+/// for. What was overlooked falls by halves at best, and no faster than unknowns grow: it is not forgotten at once.
 double overlooked_since(const AccuracyRound& last, const AccuracyRound& now) {
   const double change = std::abs(now.value - last.value);
   const double allowed = size_of(last.parts) + size_of(now.parts);
-  return std::max(change > allowed ? change : 0, last.overlooked / 2);
+  const double coarser = static_cast<double>(last.unknowns) / static_cast<double>(now.unknowns);
+  return std::max(change > allowed ? change : 0, std::max(0.5, coarser) * last.overlooked);
 }
 
 bool any_marked(const std::vector<MarkedEdges>& marks) {
@@ -157,7 +156,8 @@ class Loop {
       if (run_.met) return stop("met");
       if (reads_what_is_not_there(target)) return stop(hindrance(run_));
       if (stagnates()) return stop("refinement no longer helps: " + hindrance(run_));
-      const double part = small ? 1 : std::clamp(aim * target / *now.error, least_left, most_left);
+      const double size = size_of(now.parts);
+      const double part = size <= target ? 1 : std::max(aim * target / size, least_left);
       marks_ = marks_for(run_.model, run_.solution, *run_.estimate, part, confirming);
     } else if (stagnates()) {
       return stop("refinement does not close more pairs of a contact: it touches at points");
@@ -199,7 +199,7 @@ class Loop {
   /// resolved.
   [[nodiscard]] bool stagnates() const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
-    if (!rounds.back().error) return rounds.size() >= most_unresolved;
+    if (!rounds.back().error) return halvings_ >= most_unresolved;
     if (estimated() > 1 && std::abs(rounds.back().value - rounds[rounds.size() - 2].value) >
                                wanted_.target * std::abs(rounds.back().value))
       return false;
@@ -230,6 +230,7 @@ class Loop {
         marks_[b] = std::move(halved[b].marks);
       }
       finer = true;
+      ++halvings_;
     }
     next = run_.scene;
     for (std::size_t b = 0; b < bodies.size(); ++b) next.bodies[b].mesh = std::move(bodies[b].mesh);
@@ -258,6 +259,7 @@ class Loop {
   const Accuracy& wanted_;
   AccurateSolution run_;
   std::vector<MarkedEdges> marks_;
+  int halvings_ = 0;
 };
 
 }  // namespace
