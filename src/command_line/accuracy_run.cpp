@@ -104,7 +104,7 @@ void print_wish(std::ostream& out, const AccuracyRun& accuracy) {
   out << "asked for: " << accuracy.wanted.goal.name << " within "
       << number(100 * accuracy.wanted.target, "%.3g") << " %"
       << (accuracy.why.empty() ? "" : "; " + accuracy.why) << "\n\n"
-      << "  mesh   unknowns          value     twice error    seconds     price\n";
+      << "  mesh   unknowns          value           error    seconds     price\n";
 }
 
 void print_round(std::ostream& out, const AccuracyRun& accuracy) {
@@ -113,9 +113,9 @@ void print_round(std::ostream& out, const AccuracyRun& accuracy) {
   out << columns(static_cast<double>(accuracy.rounds.size()), "%6.0f")
       << columns(static_cast<double>(round.unknowns), "%11.0f");
   if (round.error)
-    out << columns(round.value, "%15.6g") << by_value(2 * *round.error, round.value, true);
+    out << columns(round.value, "%15.6g") << by_value(*round.error, round.value, true);
   else
-    out << "        not yet: contact closes too few pairs";
+    out << "        too coarse for an estimate    ";
   out << columns(round.seconds, "%11.2g")
       << columns(seconds(accuracy.rounds) / accuracy.rounds.front().seconds, " %9.4g") << '\n'
       << std::flush;
@@ -126,9 +126,16 @@ void print_verdict(std::ostream& out, const AccuracyRun& accuracy) {
       << (accuracy.met ? "accuracy: " : "accuracy NOT met: ") << accuracy.verdict << " ("
       << number(seconds(accuracy.rounds), "%.2g") << " s in all)\n";
   const AccuracyRound& last = accuracy.rounds.back();
+  if (last.error)
+    out << "  " << accuracy.wanted.goal.name << ": " << number(last.value, "%.8g") << " = "
+        << number(last.of_mesh, "%.8g") << " of the last mesh and "
+        << number(last.value - last.of_mesh, "%.2g") << " that the estimate says is missing\n";
   if (last.error && *last.error == last.overlooked && last.overlooked > 0)
     out << "  change: " << by_value(last.overlooked, last.value)
         << " (used); what the value changed by from mesh to mesh and no estimate foresaw\n";
+  if (last.misfit > 0)
+    out << "  misfit: " << by_value(last.misfit, last.value)
+        << "; between fits of the middle of the pressure and of half of that\n";
   for (const BudgetLine& line : accuracy.budget)
     out << "  " << line.source << ": "
         << (line.amount ? by_value(*line.amount, last.value) : "not estimated") << "; "
@@ -144,11 +151,16 @@ void write(Json& json, const AccuracyRun& accuracy) {
   for (const AccuracyRound& round : accuracy.rounds) {
     json.object().key("unknowns").value(round.unknowns);
     if (round.error) {
-      json.key("value").value(round.value).key("error").value(*round.error);
+      json.key("value")
+          .value(round.value)
+          .key("of_mesh")
+          .value(round.of_mesh)
+          .key("error")
+          .value(*round.error);
       json.key("interior").value(round.parts.interior).key("gap").value(round.parts.gap);
       json.key("reading").value(round.parts.reading);
       json.key("free_boundary").value(round.parts.free_boundary);
-      json.key("overlooked").value(round.overlooked);
+      json.key("overlooked").value(round.overlooked).key("misfit").value(round.misfit);
       json.key("algebraic").value(round.algebraic);
     }
     json.key("seconds").value(round.seconds).key("estimating").value(round.estimating).end();

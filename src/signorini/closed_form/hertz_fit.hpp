@@ -8,6 +8,9 @@
 
 namespace signorini {
 
+/// Part of the half-width that a fit counts, unless it is told another [-].
+constexpr double fitted_part = 0.9;
+
 /// An ellipse of pressure.
 struct HertzFit {
   double peak_pressure;  ///< q_0 [force/length^2]
@@ -28,7 +31,7 @@ struct HertzFit {
 /// \throws std::invalid_argument if the lists differ in length, fewer than two different distances
 ///   have pressure or lie inside, or the pressure does not fall with the distance
 [[nodiscard]] HertzFit fit_hertz(const std::vector<double>& x, const std::vector<double>& pressure,
-                                 double inner = 0.9);
+                                 double inner = fitted_part);
 
 /// How the peak of fit_hertz() changes with each pressure while the nodes that count stay the same.
 /// \param x         of the nodes [length]
@@ -38,7 +41,7 @@ struct HertzFit {
 /// \throws std::invalid_argument as fit_hertz()
 [[nodiscard]] std::vector<double> peak_pressure_gradient(const std::vector<double>& x,
                                                          const std::vector<double>& pressure,
-                                                         double inner = 0.9);
+                                                         double inner = fitted_part);
 
 /// How displacements vary between the nodes of a boundary.
 enum class Trace {

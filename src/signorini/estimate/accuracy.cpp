@@ -7,6 +7,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/estimate/facing_marks.hpp"
+#include "signorini/estimate/hindrance.hpp"
 #include "signorini/estimate/marking.hpp"
 #include "signorini/refinement/refine.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -17,26 +18,25 @@ namespace {
 
 using Eigen::Index;
 
-/// Estimates are within a factor of two: with less, errors of some problems are above the target; with more, meshes are
-/// finer than they need be.
-constexpr double safety = 2;
 /// A contact of fewer closed pairs is not resolved: with fewer, estimates mislead; with more, the first meshes cost more.
 constexpr std::size_t fewest_closed = 6;
 /// What a round leaves of the error at least: with less, estimates of coarse meshes make meshes far finer than asked for;
 /// with more, there are more rounds.
 constexpr double least_left = 0.25;
-/// And at most: with more, a round is hardly worth its seconds.
-constexpr double most_left = 0.7;
 /// A round aims at so much of the target: at more, many fall short by a little and need another round; at less, the last
 /// mesh is finer than it need be.
-constexpr double aim = 0.7;
+constexpr double aim = 0.85;
 /// A mesh confirms an earlier one if it has so many times its unknowns: with fewer, two meshes that overlook the same agree;
 /// with more, confirming costs more than solving.
 constexpr double confirming = 1.5;
 /// So many times the unknowns should leave a quarter of the error even at a corner...
 constexpr Index patience = 16;
-/// ... and so many meshes should close enough pairs.
-constexpr std::size_t most_unresolved = 12;
+/// ... and so many halvings should close enough pairs.
+constexpr int most_unresolved = 12;
+
+double sum_of(const ErrorParts& parts) {
+  return parts.interior + parts.gap + parts.reading + parts.free_boundary;
+}
 
 /// Sum of the sizes of the parts, which can cancel by luck.
 double size_of(const ErrorParts& parts) {
@@ -45,38 +45,12 @@ double size_of(const ErrorParts& parts) {
 }
 
 /// What the estimates overlook, as the last change of the value shows it: nothing while that is within what both allow
-/// for. What was overlooked falls by halves at best, and so is not forgotten at once.
-double overlooked_since(const AccuracyRound& last, const AccuracyRound& now, bool is_signed) {
-  const auto sum = [](const ErrorParts& parts) {
-    return parts.interior + parts.gap + parts.reading + parts.free_boundary;
-  };
-  const double foreseen = is_signed ? sum(last.parts) - sum(now.parts) : 0;
-  const double change = std::abs(now.value - last.value - foreseen);
+/// for. What was overlooked falls by halves at best, and no faster than unknowns grow: it is not forgotten at once.
+double overlooked_since(const AccuracyRound& last, const AccuracyRound& now) {
+  const double change = std::abs(now.value - last.value);
   const double allowed = size_of(last.parts) + size_of(now.parts);
-  return std::max(change > allowed ? change : 0, last.overlooked / 2);
-}
-
-/// Which part of the error is the largest, and what would make it smaller.
-std::string largest_part(const AccurateSolution& run) {
-  const ErrorParts& parts = run.rounds.back().parts;
-  const double gap = std::abs(parts.gap) + std::abs(parts.reading);
-  const double edge = std::abs(parts.free_boundary);
-  const double inside = std::abs(parts.interior);
-  if (gap > inside && gap > edge)
-    return "gaps between the nodes of the contact are most of the error";
-  if (edge > inside) return "where contact ends is most of the error";
-  std::size_t body = 0;
-  Index cell = 0;
-  double largest = -1;
-  for (std::size_t b = 0; b < run.estimate->share.size(); ++b) {
-    Index here = 0;
-    const double most = run.estimate->share[b].cwiseAbs().maxCoeff(&here);
-    if (most > largest) std::tie(largest, body, cell) = std::make_tuple(most, b, here);
-  }
-  const Mesh& mesh = run.model.bodies[body].mesh;
-  const Eigen::RowVector2d x = mesh.nodes.row(mesh.cells(cell, 0));
-  return text("stresses inside the bodies are most of the error, most of all in the cell at (",
-              x.x(), ", ", x.y(), ") of body '", mesh.name, '\'');
+  const double coarser = static_cast<double>(last.unknowns) / static_cast<double>(now.unknowns);
+  return std::max(change > allowed ? change : 0, std::max(0.5, coarser) * last.overlooked);
 }
 
 bool any_marked(const std::vector<MarkedEdges>& marks) {
@@ -88,8 +62,8 @@ bool any_marked(const std::vector<MarkedEdges>& marks) {
 
 class Loop {
  public:
-  Loop(Scene scene, const Accuracy& wanted)
-      : wanted_(wanted), run_{std::move(scene), {}, {}, {}, {}, false, {}} {
+  Loop(Scene scene, const Accuracy& wanted) : wanted_(wanted) {
+    run_.scene = std::move(scene);
     pose(wanted.target > 0 && std::isfinite(wanted.target),
          "accuracy: expected a target above 0, got ", wanted.target);
     pose(!run_.scene.path,
@@ -97,47 +71,74 @@ class Loop {
   }
 
   AccurateSolution run(const std::function<void(const AccuracyRound&)>& observe) {
+    Scene next = std::move(run_.scene);
     do {
-      look();
+      if (!look(std::move(next))) break;
       if (observe) observe(run_.rounds.back());
-    } while (go_on());
+    } while (go_on(next));
     return std::move(run_);
   }
 
  private:
-  /// Solves the scene as it is, and estimates the error if contact is resolved.
-  void look() {
+  /// Solves a scene. An answer that there is already outlives what goes wrong with a finer mesh.
+  /// \return whether it is now the last answer
+  bool look(Scene scene) {
+    if (run_.rounds.empty()) return solve(std::move(scene));
+    try {
+      return solve(std::move(scene));
+    } catch (const std::exception& error) {
+      return stop(text("the next mesh gives no answer: ", error.what()));
+    }
+  }
+
+  /// Solves a scene, and estimates the error if its mesh resolves it.
+  bool solve(Scene scene) {
     const auto begin = std::chrono::steady_clock::now();
     Ledger ledger;
     AccuracyRound round;
-    run_.model = build(run_.scene, ledger);
-    round.unknowns = count_unknowns(run_.model.bodies);
-    const Condensed condensed = condense(run_.model, ledger);
-    run_.solution = solve_to_limit(run_.scene, run_.model, condensed, std::move(ledger));
-    run_.estimate.reset();
-    marks_.clear();
-    if (run_.solution.contact.report.status == Status::Solved) {
-      marks_ = marks_where_few_close(run_.model, run_.solution, fewest_closed);
-      if (marks_.empty()) estimate_now(condensed, round);
+    Model model = build(scene, ledger);
+    round.unknowns = count_unknowns(model.bodies);
+    const Condensed condensed = condense(model, ledger);
+    Solution solution = solve_to_limit(scene, model, condensed, std::move(ledger));
+    const bool solved = solution.contact.report.status == Status::Solved;
+    if (!solved && !run_.rounds.empty())
+      return stop(text("the problem is not solved on the next mesh, of ", round.unknowns,
+                       " unknowns: ", to_string(solution.contact.report.status)));
+    std::optional<Estimate> estimated;
+    std::vector<MarkedEdges> coarse;
+    if (solved) {
+      coarse = marks_where_coarse(model, solution, fewest_closed);
+      if (coarse.empty()) {
+        estimated = estimate(model, condensed, solution, wanted_.goal, solution.ledger);
+        round.misfit = misfit(model, solution, wanted_.goal);
+        describe(*estimated, solution.ledger, round);
+      }
     }
+    run_.scene = std::move(scene);
+    run_.model = std::move(model);
+    run_.solution = std::move(solution);
+    run_.estimate = std::move(estimated);
+    marks_ = std::move(coarse);
     round.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     run_.rounds.push_back(round);
+    return true;
   }
 
-  void estimate_now(const Condensed& condensed, AccuracyRound& round) {
-    run_.estimate =
-        estimate(run_.model, condensed, run_.solution, wanted_.goal, run_.solution.ledger);
-    round.value = run_.estimate->value;
-    round.parts = run_.estimate->parts;
-    round.algebraic = run_.estimate->algebraic;
-    round.estimating = run_.solution.ledger.seconds("estimate");
+  void describe(const Estimate& estimated, const Ledger& ledger, AccuracyRound& round) const {
+    round.parts = estimated.parts;
+    round.of_mesh = estimated.value;
+    round.value = round.of_mesh + sum_of(round.parts);
+    round.algebraic = estimated.algebraic;
+    round.estimating = ledger.seconds("estimate");
     if (!run_.rounds.empty() && run_.rounds.back().error)
-      round.overlooked = overlooked_since(run_.rounds.back(), round, run_.estimate->is_signed);
-    round.error = std::max(size_of(round.parts), round.overlooked);
+      round.overlooked = overlooked_since(run_.rounds.back(), round);
+    round.error = std::max({size_of(round.parts), round.overlooked, round.misfit});
   }
 
-  /// Says how it stands. \return whether meshes were refined and are to be solved
-  bool go_on() {
+  /// Says how it stands.
+  /// \param[out] next  scene with finer meshes
+  /// \return whether that is to be solved
+  bool go_on(Scene& next) {
     const AccuracyRound& now = run_.rounds.back();
     if (run_.solution.contact.report.status != Status::Solved)
       return stop("the problem is not solved on this mesh");
@@ -146,22 +147,22 @@ class Loop {
       if (target == 0)
         return stop(text("the value is 0, which no error can be compared with",
                          nothing_closes() ? "; no contact closes" : ""));
-      if (safety * now.algebraic > target)
+      if (now.algebraic > target)
         return stop(
             "algebraic: rounding of the equations alone may do so much; a finer mesh makes it "
             "worse");
-      const bool small = safety * *now.error <= target;
+      const bool small = *now.error <= target;
       run_.met = small && confirmed();
       if (run_.met) return stop("met");
-      if (stagnates()) return stop("refinement no longer helps: " + largest_part(run_));
-      const double part =
-          small ? least_left
-                : std::clamp(aim * target / (safety * *now.error), least_left, most_left);
-      marks_ = marks_for(run_.model, run_.solution, *run_.estimate, part);
+      if (reads_what_is_not_there(target)) return stop(hindrance(run_));
+      if (stagnates()) return stop("refinement no longer helps: " + hindrance(run_));
+      const double size = size_of(now.parts);
+      const double part = size <= target ? 1 : std::max(aim * target / size, least_left);
+      marks_ = marks_for(run_.model, run_.solution, *run_.estimate, part, confirming);
     } else if (stagnates()) {
       return stop("refinement does not close more pairs of a contact: it touches at points");
     }
-    return refine();
+    return refine(next);
   }
 
   bool stop(const std::string& verdict) {
@@ -186,11 +187,19 @@ class Loop {
     });
   }
 
+  /// Whether all but the misfit of a reading is small enough, and a finer mesh has not halved that.
+  [[nodiscard]] bool reads_what_is_not_there(double target) const {
+    const std::vector<AccuracyRound>& rounds = run_.rounds;
+    const AccuracyRound& now = rounds.back();
+    return now.misfit > target && *now.error == now.misfit && size_of(now.parts) <= target &&
+           rounds.size() > 1 && now.misfit > rounds[rounds.size() - 2].misfit / 2;
+  }
+
   /// Whether the value hardly moves and `patience` has not halved the largest error since then, or contact is still not
   /// resolved.
   [[nodiscard]] bool stagnates() const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
-    if (!rounds.back().error) return rounds.size() >= most_unresolved;
+    if (!rounds.back().error) return halvings_ >= most_unresolved;
     if (estimated() > 1 && std::abs(rounds.back().value - rounds[rounds.size() - 2].value) >
                                wanted_.target * std::abs(rounds.back().value))
       return false;
@@ -204,8 +213,8 @@ class Loop {
   }
 
   /// Halves what is marked, once and again. What cannot be done the second time is left for the next round.
-  bool refine() {
-    if (!any_marked(marks_)) return stop("no cell has a share of the error; " + largest_part(run_));
+  bool refine(Scene& next) {
+    if (!any_marked(marks_)) return stop("no cell has a share of the error; " + hindrance(run_));
     std::vector<BodyModel> bodies = run_.model.bodies;
     bool finer = false;
     while (any_marked(marks_)) {
@@ -221,9 +230,10 @@ class Loop {
         marks_[b] = std::move(halved[b].marks);
       }
       finer = true;
+      ++halvings_;
     }
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      run_.scene.bodies[b].mesh = std::move(bodies[b].mesh);
+    next = run_.scene;
+    for (std::size_t b = 0; b < bodies.size(); ++b) next.bodies[b].mesh = std::move(bodies[b].mesh);
     return true;
   }
 
@@ -243,12 +253,13 @@ class Loop {
     }
     if (unknowns <= wanted_.most_unknowns) return {};
     return text("budget of unknowns: the next mesh would have about ", unknowns, ", and ",
-                wanted_.most_unknowns, " are allowed; ", largest_part(run_));
+                wanted_.most_unknowns, " are allowed; ", hindrance(run_));
   }
 
   const Accuracy& wanted_;
   AccurateSolution run_;
   std::vector<MarkedEdges> marks_;
+  int halvings_ = 0;
 };
 
 }  // namespace

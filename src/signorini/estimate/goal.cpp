@@ -284,4 +284,18 @@ double overlooked(const Model& model, const Solution& solution, const Goal& goal
   return sum;
 }
 
+double misfit(const Model& model, const Solution& solution, const Goal& goal) {
+  require_numbers(solution, goal);
+  const auto* peak = std::get_if<PeakPressure>(&goal.quantity);
+  if (peak == nullptr) return 0;
+  const Profile read = profile(model, solution, peak->contact, peak->middle);
+  const double all =
+      readable(goal, [&] { return fit_hertz(read.line.x, read.pressure).peak_pressure; });
+  try {
+    return std::abs(fit_hertz(read.line.x, read.pressure, fitted_part / 2).peak_pressure - all);
+  } catch (const std::invalid_argument&) {
+    return all;
+  }
+}
+
 }  // namespace signorini

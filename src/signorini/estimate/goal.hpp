@@ -78,6 +78,16 @@ struct GoalGradient {
 /// \throws ProblemError as value()
 [[nodiscard]] double overlooked(const Model& model, const Solution& solution, const Goal& goal);
 
+/// What a reading may be wrong by because pressure is not what it takes it for: of a PeakPressure, how far the peak of half
+/// of the middle that is fitted is from that of all of it; the whole peak if that half cannot be fitted. Of Hertz's
+/// contact it vanishes as the mesh is refined.
+/// \param model     from build()
+/// \param solution  of it
+/// \param goal      any
+/// \return its size, 0 of all others
+/// \throws ProblemError as value()
+[[nodiscard]] double misfit(const Model& model, const Solution& solution, const Goal& goal);
+
 /// The pairs of one contact.
 /// \param model    from build()
 /// \param contact  its name, or nothing if there is one only

@@ -1,6 +1,7 @@
 #include "signorini/estimate/marking.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <queue>
@@ -101,6 +102,37 @@ void add_contact(const Model& model, const Solution& solution, const Estimate& e
       });
 }
 
+/// Marks what is one cell thick, see marks_where_coarse(). \return whether there is such a place
+bool mark_thin(const Mesh& mesh, MarkedEdges& marks) {
+  const std::vector<std::array<CellSide, 2>>& sides = marks.edges.sides;
+  std::vector<char> outside(at(mesh.n_nodes()), 0);
+  for (const std::array<CellSide, 2>& edge : sides)
+    if (edge[1].cell < 0)
+      for (const Index node : mesh.side_nodes(edge[0])) outside[at(node)] = 1;
+  const auto any_corner = [&](Index cell, auto&& holds) {
+    for (int k = 0; k < mesh.corners(cell); ++k)
+      if (holds(mesh.cells(cell, k))) return true;
+    return false;
+  };
+  std::vector<char> reached(at(mesh.n_nodes()), 0);  // corners of cells that have one inside
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    if (any_corner(cell, [&](Index node) { return outside[at(node)] == 0; }))
+      for (int k = 0; k < mesh.corners(cell); ++k) reached[at(mesh.cells(cell, k))] = 1;
+  bool any = false;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    if (any_corner(cell, [&](Index node) { return reached[at(node)] != 0; })) continue;
+    any = true;
+    const auto inside = [&](int side) {
+      return sides[at(marks.edges.at({cell, side}))][1].cell >= 0;
+    };
+    bool alone = true;
+    for (int side = 0; side < mesh.corners(cell); ++side) alone = alone && !inside(side);
+    for (int side = 0; side < mesh.corners(cell); ++side)
+      if (alone || inside(side)) marks.halved[at(marks.edges.at({cell, side}))] = 1;
+  }
+  return any;
+}
+
 /// A chord that may be halved.
 struct Candidate {
   double gain;  ///< what it loses for a new node
@@ -117,7 +149,7 @@ struct Candidate {
 }  // namespace
 
 std::vector<MarkedEdges> marks_for(const Model& model, const Solution& solution,
-                                   const Estimate& estimate, double part) {
+                                   const Estimate& estimate, double part, double growth) {
   std::vector<MarkedEdges> marks = unmarked(model);
   EdgeShares shares;
   for (const MarkedEdges& body : marks) shares.emplace_back(body.edges.size(), 0.0);
@@ -126,7 +158,9 @@ std::vector<MarkedEdges> marks_for(const Model& model, const Solution& solution,
   std::vector<std::vector<Index>> chord_of;
   std::priority_queue<Candidate> queue;
   double left = 0;
+  double missing = 0;  // new nodes
   for (std::size_t b = 0; b < marks.size(); ++b) {
+    missing += (growth - 1) * static_cast<double>(model.bodies[b].mesh.n_nodes());
     chord_of.push_back(chords(model.bodies[b].mesh, marks[b].edges));
     const std::size_t count = at(1 + *std::max_element(chord_of[b].begin(), chord_of[b].end()));
     std::vector<double> share(count, 0);
@@ -143,9 +177,11 @@ std::vector<MarkedEdges> marks_for(const Model& model, const Solution& solution,
   std::vector<std::vector<char>> taken;  // how often
   for (const auto& list : chord_of) taken.emplace_back(list.size(), 0);
   const double enough = part * left;
-  while (left > enough && !queue.empty()) {
+  while ((left > enough || missing > 0) && !queue.empty()) {
     Candidate next = queue.top();
+    if (next.share == 0) break;
     queue.pop();
+    missing -= next.nodes;
     char& times = taken[next.body][at(next.chord)];
     ++times;
     left -= 0.75 * next.share;
@@ -160,19 +196,26 @@ std::vector<MarkedEdges> marks_for(const Model& model, const Solution& solution,
   return marks;
 }
 
-std::vector<MarkedEdges> marks_where_few_close(const Model& model, const Solution& solution,
-                                               std::size_t few) {
+std::vector<MarkedEdges> marks_where_coarse(const Model& model, const Solution& solution,
+                                            std::size_t few) {
+  std::vector<MarkedEdges> marks = unmarked(model);
+  bool any = false;
+  for (std::size_t b = 0; b < marks.size(); ++b)
+    any = mark_thin(model.bodies[b].mesh, marks[b]) || any;
   std::vector<std::size_t> count(model.contacts.size(), 0);
   for (const Index pair : solution.contact.active) ++count[model.contact_of[at(pair)]];
-  if (std::none_of(count.begin(), count.end(), [&](std::size_t n) { return n > 0 && n < few; }))
-    return {};
-  std::vector<MarkedEdges> marks = unmarked(model);
   const std::vector<char> closed = closed_pairs(model, solution);
   for (const PairSide& side : pair_sides(model, marks)) {
-    const std::size_t own = count[model.contact_of[at(side.pairs.from)]];
     const bool presses = closed[at(side.pairs.from)] != 0 || closed[at(side.pairs.to)] != 0;
-    if (own < few && presses) marks[side.body].halved[at(side.edge)] = 1;
+    char times = 0;
+    for (std::size_t own = count[model.contact_of[at(side.pairs.from)]]; presses && own < few;
+         own *= 2)
+      ++times;
+    char& mark = marks[side.body].halved[at(side.edge)];
+    mark = std::max(mark, times);
+    any = any || times > 0;
   }
+  if (!any) marks.clear();
   return marks;
 }
 
