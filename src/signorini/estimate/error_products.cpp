@@ -60,7 +60,8 @@ struct Place {
 
 }  // namespace
 
-Eigen::MatrixXd error_products(const Fields& fields, const SmoothStress& stress) {
+Eigen::MatrixXd error_products(const Fields& fields, const SmoothStress& stress,
+                               const Eigen::VectorXd& counted) {
   check_fields(fields);
   const Index n_fields = static_cast<Index>(fields.displacements.size());
   Eigen::MatrixXd products = Eigen::MatrixXd::Zero(fields.mesh.n_cells(), n_fields - 1);
@@ -71,6 +72,7 @@ Eigen::MatrixXd error_products(const Fields& fields, const SmoothStress& stress)
   visit_strains(fields.mesh, fields.element, fields.matter,
                 [&](const Cell& cell, const StrainPoints& points) {
                   const std::size_t layer = layer_of.empty() ? 0 : layer_of[at(cell.number)];
+                  const double difference = counted.size() > 0 ? counted(cell.number) : 1;
                   warmth.look(cell, points);
                   with_rows(cell.body.D.rows(), [&](auto n_rows) {
                     const auto C = fixed_rows<n_rows>(inverse[layer]);
@@ -80,8 +82,8 @@ Eigen::MatrixXd error_products(const Fields& fields, const SmoothStress& stress)
                       for (Index f = 1; f < n_fields; ++f) {
                         const Seen<n_rows> z = place.look<n_rows>(fields, stress, warmth, f);
                         products(cell.number, f - 1) +=
-                            place.point.volume * (u.error.dot(C * z.error) + u.smooth.dot(z.modes) +
-                                                  z.smooth.dot(u.modes));
+                            place.point.volume * (difference * u.error.dot(C * z.error) +
+                                                  u.smooth.dot(z.modes) + z.smooth.dot(u.modes));
                       }
                     }
                   });

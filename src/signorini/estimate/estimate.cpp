@@ -1,10 +1,11 @@
 #include "signorini/estimate/estimate.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/estimate/contact_edges.hpp"
+#include "signorini/estimate/contact_ends.hpp"
 #include "signorini/estimate/directions.hpp"
 #include "signorini/estimate/dual.hpp"
 #include "signorini/estimate/error_products.hpp"
@@ -38,40 +39,6 @@ struct Residuals {
   }
 };
 
-/// A place where contact ends: a closed pair, and the open one beside it.
-struct End {
-  Index closed, open;
-  double force;  // that the open one would carry
-  double gap;    // that the closed one would have
-};
-
-std::vector<End> ends_of(const std::vector<ContactEdge>& edges, const Solution& solution,
-                         const Dual& dual) {
-  const std::vector<Index>& active = solution.contact.active;
-  const auto closed = [&](Index pair) {
-    return std::binary_search(active.begin(), active.end(), pair);
-  };
-  std::vector<End> ends;
-  for (const ContactEdge& edge : edges) {
-    if (closed(edge.from) == closed(edge.to)) continue;
-    End end{edge.from, edge.to, 0, 0};
-    if (!closed(edge.from)) std::swap(end.closed, end.open);
-    end.force = dual.force_to_close(end.open);
-    end.gap = dual.gap_without(end.closed);
-    if (std::isfinite(end.force) && std::isfinite(end.gap)) ends.push_back(end);
-  }
-  return ends;
-}
-
-/// V of one end.
-double vertex(const End& end, double per_force, double per_gap) {
-  const double out = per_force * end.force, in = -per_gap * end.gap;
-  const double bend = (out + in) / 2, slope = (out - in) / 2;
-  if (bend == 0) return 0;
-  const double offset = slope / (2 * bend);
-  return -bend * std::min(1.0, offset * offset);
-}
-
 }  // namespace
 
 std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
@@ -91,7 +58,8 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
   const QuadraticProgramme& programme = model.programme;
   const Residuals residuals(programme, solution.refined);
   const std::vector<ContactEdge> edges = contact_edges(model);
-  const std::vector<End> ends = dual.slides() ? std::vector<End>() : ends_of(edges, solution, dual);
+  const std::vector<ContactEnd> ends =
+      dual.slides() ? std::vector<ContactEnd>() : contact_ends(edges, solution, dual);
   std::vector<Estimate> all;
   std::vector<DualSolution> duals;
   for (const Goal& goal : goals) {
@@ -106,8 +74,8 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
     one.parts.reading = overlooked(model, solution, goal);
     VectorXd per_force = -(programme.A * (z.displacement + z.rigid));
     if (change.force.size() > 0) per_force += change.force;
-    for (const End& end : ends)
-      one.parts.free_boundary += vertex(end, per_force(end.open), z.force(end.closed));
+    for (const ContactEnd& end : ends)
+      one.parts.free_boundary += free_boundary(end, per_force(end.open), z.force(end.closed));
     all.push_back(std::move(one));
   }
   const VectorXd strains = strained(solution.refined);
@@ -121,7 +89,8 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
       return recovered(fields);
     }();
     const Ledger::Phase weighing(ledger, "weighing");
-    const Eigen::MatrixXd products = error_products(fields, smooth);
+    const Eigen::MatrixXd products =
+        error_products(fields, smooth, away_from_ends(ends, model, body));
     const Eigen::MatrixXd first = share_of_first_direction(fields, smooth);
     for (std::size_t k = 0; k < all.size(); ++k) {
       all[k].share.emplace_back(products.col(static_cast<Index>(k)));
@@ -131,9 +100,8 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
   }
   for (Estimate& one : all) {
     const ErrorParts& p = one.parts;
-    one.error = one.is_signed ? p.interior + p.gap + p.reading + p.free_boundary
-                              : std::abs(p.interior) + std::abs(p.gap) + std::abs(p.reading) +
-                                    std::abs(p.free_boundary);
+    const Eigen::Vector4d parts(p.interior, p.gap, p.reading, p.free_boundary);
+    one.error = one.is_signed ? parts.sum() : parts.stableNorm();
   }
   return all;
 }

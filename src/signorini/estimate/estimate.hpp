@@ -27,8 +27,8 @@ struct Estimate {
   std::string goal;  ///< its name
   double value = 0;  ///< of the goal, as solved
   ErrorParts parts;  ///< of the error of discretisation
-  /// Estimate of the true value minus the value. Of a peak or a width, whose parts have been seen to cancel by luck, the sum
-  /// of the sizes of the parts, and no sign.
+  /// Estimate of the true value minus the value: the sum of the parts. Of a peak or a width, whose parts cancel by luck as
+  /// often as not, the root of the sum of their squares, and no sign.
   double error = 0;
   bool is_signed = true;  ///< whether `error` has a sign
   /// What residuals of the equations can change the value by at most, to first order: the algebraic error
@@ -47,17 +47,17 @@ struct Estimate {
 ///
 /// \f[ J - J_h \approx \sum_K E_K + \langle\mu, g - I g\rangle + \langle p_h, w - I w\rangle + V, \f]
 ///
-/// where E_K is that of error_products(). V is about the *free boundary*: J does not change to first order when the end of
-/// the contact moves, so with the end one pair further out, \f$ J_+ \f$, and one further in, \f$ J_- \f$, a parabola
-/// through the three has its vertex where the end belongs (left out where pairs slide against friction):
-/// \f$ V = -\ell^2/(4c) \f$, \f$ c = (J_+ + J_-)/2 - J \f$, \f$ \ell = (J_+ - J_-)/2 \f$, the vertex being at most one
-/// pair away.
+/// where E_K is that of error_products(), without the differences of stresses around the ends of contact, and V is about the
+/// *free boundary*: J does not change to first order when the end of the contact moves, so with the end one pair further
+/// out, and one further in, a cubic says what it would be where the end belongs: free_boundary(). V is left out, and nothing
+/// of E_K, where pairs slide against friction.
 ///
 /// *What is promised*, on meshes that resolve the contact (ten closed pairs or more): forces of contact and displacements
 /// within a factor of about two, also where pairs stick or slide; half-widths and peaks of q4 the same, without a sign.
-/// *What is not*: no estimate is a bound. On coarser meshes they are mostly too large, up to ten times. Half-widths and
-/// peaks of other elements, whose errors are smaller, are mostly overestimated, two to seven times; so are errors of q8 and
-/// t6 on curved obstacles, where a few parts in 1e5 are left. A part of the force on a curved contact also misses what its
+/// *What is not*: no estimate is a bound. On coarser meshes they are mostly too large, up to ten times. Half-widths of
+/// q4_incompatible and q4_bbar are overestimated, mostly by less than two and up to five times, because recovery takes the
+/// stresses of the end for those of a contact that ends a fifth of a pair further in; so are peaks, and errors of q8 and t6
+/// on curved obstacles, where a few parts in 1e5 are left. A part of the force on a curved contact also misses what its
 /// polygon is shorter than its arc. Errors of the energy norm, and of stresses and pressures at a point, such as at
 /// corners, are not goals, because recovery knows nothing of singularities between its nodes; how far the domain and the
 /// model are from the truth cannot be seen in one mesh. `make effectivity` measures all this and lists what fails.
