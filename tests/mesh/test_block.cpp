@@ -48,6 +48,17 @@ TEST_CASE("a block has the nodes and cells that its division asks for", "[block]
   CHECK(quadratic.cells.cols() == 8);
 }
 
+TEST_CASE("a block of equal cells takes one line", "[block]") {
+  for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
+    BlockSpec spec = spec_of(order);
+    spec.name = "plinth";
+    const Mesh mesh = signorini::block("plinth", {1, -2}, {6, 3}, 4, 3, order);
+    CHECK(mesh.name == "plinth");
+    CHECK(mesh.nodes == make_block(spec).nodes);
+    CHECK(mesh.cells == make_block(spec).cells);
+  }
+}
+
 TEST_CASE("the cells of a block run counter-clockwise and fill the rectangle", "[block]") {
   for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
     BlockSpec spec = spec_of(order);

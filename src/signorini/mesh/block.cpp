@@ -46,6 +46,11 @@ Mesh make_block(const BlockSpec& spec) {
   return block_of(spec.name, x, y, spec.order);
 }
 
+Mesh block(const std::string& name, const Eigen::Vector2d& corner, const Eigen::Vector2d& size,
+           Index cells_x, Index cells_y, MeshOrder order) {
+  return make_block({name, corner, size, cells_x, cells_y, 1, 1, order});
+}
+
 Eigen::VectorXd stretched(double start, const std::vector<Stretch>& stretches) {
   require(!stretches.empty(), "stretched: need at least one stretch");
   Index cells = 0;

@@ -31,6 +31,18 @@ struct BlockSpec {
 /// \throws std::invalid_argument unless sizes, counts and gradings are positive and finite
 [[nodiscard]] Mesh make_block(const BlockSpec& spec);
 
+/// A rectangle of equal cells, as make_block() makes it.
+/// \param name     what messages call it
+/// \param corner   lower left corner [length]
+/// \param size     width and height [length], positive
+/// \param cells_x  cells along x, at least 1
+/// \param cells_y  cells along y, at least 1
+/// \param order    4 or 8 nodes per cell
+/// \throws std::invalid_argument as make_block()
+[[nodiscard]] Mesh block(const std::string& name, const Eigen::Vector2d& corner,
+                         const Eigen::Vector2d& size, Eigen::Index cells_x, Eigen::Index cells_y,
+                         MeshOrder order = MeshOrder::Linear);
+
 /// Positions whose distances grow geometrically.
 /// \param n        number of steps, at least 1
 /// \param grading  last step / first step [-], positive
