@@ -44,13 +44,8 @@ const double total_force_2d = 71.626;  // limit of our own meshes up to 800 x 80
 Scene cantilever(const BeamOnFoundation& beam, const std::string& element, Index cells) {
   Scene scene;
   Body& body = scene.bodies[0];
-  BlockSpec block;
-  block.name = "cantilever";
-  block.size = {beam.length, beam.height};
-  block.cells_x = cells;
-  block.cells_y = cells / 10;
-  block.order = element == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear;
-  body.mesh = make_block(block);
+  body.mesh = block("cantilever", {0, 0}, {beam.length, beam.height}, cells, cells / 10,
+                    element == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear);
   body.element = element;
   body.material = {beam.youngs_modulus, beam.poisson_ratio, PlaneState::Stress, beam.width};
   body.supports = {fixed("left")};
@@ -239,10 +234,7 @@ void as_printed(const ProgramOptions& run, Results& results) {
 void elimination(const ProgramOptions& run, Results& results) {
   Ledger ledger;
   Scene square = cantilever(paper, "q4", 100);
-  BlockSpec block;
-  block.size = {paper.height, paper.height};
-  block.cells_x = block.cells_y = 24;
-  square.bodies[0].mesh = make_block(block);
+  square.bodies[0].mesh = block("block", {0, 0}, {paper.height, paper.height}, 24, 24);
   const Model body = build(square, ledger);
   const ch06::DrawnTree tree = ch06::drawn_tree(body);
   write_file(run.out / "fig_6_6.csv", ch06::drawn_nodes(tree, body).csv());

@@ -24,13 +24,7 @@ using Eigen::Vector2d;
 /// \param y       cells along y
 inline Mesh cells(const char* name, const Vector2d& corner, const Vector2d& size, Index x,
                   Index y) {
-  BlockSpec spec;
-  spec.name = name;
-  spec.corner = corner;
-  spec.size = size;
-  spec.cells_x = x;
-  spec.cells_y = y;
-  return make_block(spec);
+  return block(name, corner, size, x, y);
 }
 
 /// Who carries the forces.

@@ -36,12 +36,9 @@ inline void touch(Scene& scene, const Side& source, const Side& target, const Sa
 inline Scene blocks(Eigen::Index source_edges, Eigen::Index target_edges, const Sampling& by) {
   Scene scene;
   for (const Eigen::Index edges : {source_edges, target_edges}) {
-    BlockSpec spec;
-    spec.name = scene.bodies.size() == 1 ? "upper" : "lower";
-    spec.size = {2, 1};
-    spec.cells_x = edges;
-    spec.cells_y = 3;
-    scene.bodies.back().mesh = moved(make_block(spec), {0, scene.bodies.size() == 1 ? 1 : 0});
+    scene.bodies.back().mesh =
+        moved(block(scene.bodies.size() == 1 ? "upper" : "lower", {0, 0}, {2, 1}, edges, 3),
+              {0, scene.bodies.size() == 1 ? 1 : 0});
     scene.bodies.back().material = {1000, 0.3, PlaneState::Strain, 1};
     scene.bodies.resize(2);
   }

@@ -17,10 +17,9 @@ struct OnePoint {
 
 /// \PaperEq{LinEtAl, 32} to \PaperEq{LinEtAl, 36}, \PaperEq{LinEtAl, 38} to \PaperEq{LinEtAl, 41}
 inline OnePoint press_one_point() {
-  BlockSpec wide;
-  wide.size = {2, 1};
   // [one point]
-  const Mesh slave = moved(make_block({}), {0.75, 1}), master = make_block(wide);
+  const Mesh slave = moved(make_block({}), {0.75, 1}),
+             master = block("block", {0, 0}, {2, 1}, 1, 1);
   GapOptions options;
   options.n_nodes = slave.n_nodes() + master.n_nodes();
   options.sliding = true;

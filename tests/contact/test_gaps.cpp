@@ -10,11 +10,7 @@ using namespace signorini;
 namespace {
 
 Gaps five_gaps() {
-  BlockSpec spec;
-  spec.size = {4, 1};
-  spec.cells_x = 4;
-  spec.cells_y = 1;
-  const Mesh mesh = make_block(spec);
+  const Mesh mesh = block("block", {0, 0}, {4, 1}, 4, 1);
   const Surface source{mesh, "bottom"};
   GapOptions options;
   options.n_nodes = mesh.n_nodes();

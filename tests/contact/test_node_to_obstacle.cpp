@@ -18,12 +18,7 @@ using signorini_test::problem_message;
 namespace {
 
 Mesh plate(MeshOrder order = MeshOrder::Linear) {
-  BlockSpec spec;
-  spec.size = {4, 1};
-  spec.cells_x = 4;
-  spec.cells_y = 1;
-  spec.order = order;
-  return make_block(spec);
+  return block("block", {0, 0}, {4, 1}, 4, 1, order);
 }
 
 /// The pairs of 'bottom' or another boundary that can still move.

@@ -27,13 +27,7 @@ Mesh ring(Index cells, MeshOrder order, Sector sector = Sector::Full) {
   return make_annulus(spec);
 }
 
-Mesh plate(Index cells) {
-  BlockSpec spec;
-  spec.corner = {0, -1};
-  spec.size = {4, 1};
-  spec.cells_x = cells;
-  return make_block(spec);
-}
+Mesh plate(Index cells) { return block("block", {0, -1}, {4, 1}, cells, 1); }
 
 /// A body of two cells whose top has a vertex at (1, height).
 Mesh roof(double height) {

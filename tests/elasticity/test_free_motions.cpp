@@ -12,14 +12,7 @@ using namespace signorini;
 
 namespace {
 
-Mesh plate() {
-  BlockSpec spec;
-  spec.name = "plate";
-  spec.size = {3, 2};
-  spec.cells_x = 3;
-  spec.cells_y = 2;
-  return make_block(spec);
-}
+Mesh plate() { return block("plate", {0, 0}, {3, 2}, 3, 2); }
 
 /// What free_motions() says, a sentence per motion.
 std::vector<std::string> sentences(const Mesh& mesh, const Unknowns& unknowns) {
@@ -133,12 +126,7 @@ TEST_CASE("a node straight below the pivot does not move up or down", "[free_mot
   for (int k = 0; k < 200; ++k) {
     CAPTURE(k);
     const double x = 0.1 + 0.0137 * k;
-    BlockSpec spec;
-    spec.corner = {x, 1};
-    spec.size = {1, 0.5};
-    spec.cells_x = 4;
-    spec.cells_y = 2;
-    const Mesh mesh = make_block(spec);
+    const Mesh mesh = block("block", {x, 1}, {1, 0.5}, 4, 2);
     const Unknowns unknowns = number_unknowns(mesh, {prescribed_at("top", {x + 1, 1.5}, Axis::X),
                                                      prescribed_at("top", {x, 1.5}, Axis::Y)});
     const std::vector<FreeMotion> motions = free_motions(mesh, unknowns);

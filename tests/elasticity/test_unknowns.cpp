@@ -12,14 +12,7 @@ using signorini_test::problem_message;
 
 namespace {
 
-Mesh plate() {
-  BlockSpec spec;
-  spec.name = "plate";
-  spec.size = {3, 2};
-  spec.cells_x = 3;
-  spec.cells_y = 2;
-  return make_block(spec);
-}
+Mesh plate() { return block("plate", {0, 0}, {3, 2}, 3, 2); }
 
 std::string complaint(const Mesh& mesh, const std::vector<Support>& supports) {
   return problem_message([&] { static_cast<void>(number_unknowns(mesh, supports)); });
@@ -108,10 +101,7 @@ TEST_CASE("a displacement that is not finite is named with its boundary and node
 }
 
 TEST_CASE("a single node can be held, and must exist", "[unknowns]") {
-  signorini::BlockSpec spec;
-  spec.size = {2, 1};
-  spec.cells_x = 2;
-  const signorini::Mesh mesh = signorini::make_block(spec);
+  const signorini::Mesh mesh = signorini::block("block", {0, 0}, {2, 1}, 2, 1);
   const auto held_at = [&](double x) {
     return signorini::number_unknowns(
         mesh, {signorini::prescribed_at("bottom", {x, 0}, signorini::Axis::X, 0.3)});

@@ -15,13 +15,7 @@ using signorini_test::problem_message;
 namespace {
 
 Mesh plate(MeshOrder order = MeshOrder::Linear) {
-  signorini::BlockSpec spec;
-  spec.name = "plate";
-  spec.size = {3, 2};
-  spec.cells_x = 3;
-  spec.cells_y = 2;
-  spec.order = order;
-  return signorini::make_block(spec);
+  return signorini::block("plate", {0, 0}, {3, 2}, 3, 2, order);
 }
 
 std::string complaint(const Mesh& mesh) {

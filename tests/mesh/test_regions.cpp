@@ -13,13 +13,7 @@ using signorini_test::problem_message;
 
 namespace {
 
-Mesh plate() {
-  BlockSpec spec;
-  spec.size = {4, 2};
-  spec.cells_x = 4;
-  spec.cells_y = 2;
-  return make_block(spec);
-}
+Mesh plate() { return block("block", {0, 0}, {4, 2}, 4, 2); }
 
 }  // namespace
 

@@ -14,10 +14,7 @@ namespace {
 /// The bottom of one cell, from (0, 0) to `last`; with its middle at `middle` if it is quadratic.
 SideCurve bottom_side(MeshOrder order, const Vector2d& middle = {1, 0},
                       const Vector2d& last = {2, 0}) {
-  BlockSpec spec;
-  spec.size = {2, 1};
-  spec.order = order;
-  Mesh mesh = make_block(spec);
+  Mesh mesh = block("block", {0, 0}, {2, 1}, 1, 1, order);
   const CellSide side = boundary(mesh, "bottom").front();
   mesh.nodes.row(mesh.side_nodes(side).back()) = last.transpose();
   if (order == MeshOrder::Quadratic) mesh.nodes.row(mesh.side_nodes(side)[1]) = middle.transpose();

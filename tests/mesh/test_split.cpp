@@ -72,9 +72,7 @@ TEST_CASE("the shorter diagonal cuts, of equal ones that from the first corner",
 
 TEST_CASE("diagonals are straight in cells of straight sides, and bend with curved ones",
           "[split]") {
-  BlockSpec spec;
-  spec.order = MeshOrder::Quadratic;
-  Mesh mesh = make_block(spec);
+  Mesh mesh = block("block", {0, 0}, {1, 1}, 1, 1, MeshOrder::Quadratic);
   mesh.nodes.row(mesh.cells(0, 2)) << 1.5, 1.25;
   for (int s = 0; s < 4; ++s)
     mesh.nodes.row(mesh.cells(0, 4 + s)) =

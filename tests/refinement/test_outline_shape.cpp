@@ -14,9 +14,7 @@ namespace {
 
 /// A strip of one row of cells between given tops and y = -5: the line of its tops is the outline.
 Mesh under(const std::vector<Vector2d>& tops) {
-  BlockSpec spec;
-  spec.cells_x = static_cast<Index>(tops.size()) - 1;
-  Mesh mesh = make_block(spec);
+  Mesh mesh = block("block", {0, 0}, {1, 1}, static_cast<Index>(tops.size()) - 1, 1);
   for (std::size_t k = 0; k < tops.size(); ++k) {
     const Index node = static_cast<Index>(k);
     mesh.nodes.row(node) << tops[k].x(), -5;

@@ -35,10 +35,7 @@ std::map<int, double> areas(const std::string& csv) {
 }  // namespace
 
 TEST_CASE("a field is a closed polygon per cell where the body has moved to", "[field_csv]") {
-  BlockSpec spec;
-  spec.size = {2, 1};
-  spec.cells_x = 2;
-  const Mesh mesh = make_block(spec);
+  const Mesh mesh = block("block", {0, 0}, {2, 1}, 2, 1);
   NodeArray u = NodeArray::Zero(6, 2);
   u(1, 1) = -0.25;  // the node at (1, 0)
   CHECK(deformed_cells_csv(mesh, u, Eigen::Vector2d(7, 8), 2) ==
@@ -48,9 +45,7 @@ TEST_CASE("a field is a closed polygon per cell where the body has moved to", "[
 }
 
 TEST_CASE("only the corners of a quadratic cell are drawn", "[field_csv]") {
-  BlockSpec spec;
-  spec.order = MeshOrder::Quadratic;
-  const Mesh mesh = make_block(spec);
+  const Mesh mesh = block("block", {0, 0}, {1, 1}, 1, 1, MeshOrder::Quadratic);
   CHECK(deformed_cells_csv(mesh, NodeArray::Zero(8, 2), Eigen::VectorXd::Constant(1, 0.5)) ==
         "# tolerance rel 1e-4 abs 2e-05\nx,y,value\n"
         "0,0,0.5\n1,0,0.5\n1,1,0.5\n0,1,0.5\n0,0,0.5\n\n");
@@ -72,9 +67,7 @@ TEST_CASE("triangles are drawn with three corners, and cut without a point in th
 }
 
 TEST_CASE("the zero line of a linear field is straight and moves with the body", "[field_csv]") {
-  BlockSpec spec;
-  spec.size = {4, 1};
-  const Mesh mesh = make_block(spec);
+  const Mesh mesh = block("block", {0, 0}, {4, 1}, 1, 1);
   NodeArray u = NodeArray::Zero(4, 2);
   u.col(1).setConstant(0.5);
   const Eigen::VectorXd value = mesh.nodes.col(0).array() - 1;  // negative at the left quarter

@@ -45,15 +45,10 @@ Scene stacked_blocks(const std::string& element, double gap) {
 /// The same as one body.
 Scene one_block(const std::string& element) {
   Scene scene = stacked_blocks(element, 0);
-  BlockSpec spec;
-  spec.name = "both";
-  spec.size = {4, 2};
-  spec.cells_x = 8;
-  spec.cells_y = 4;
-  spec.order = element == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear;
   Scene one = scene;
   one.bodies.resize(1);
-  one.bodies[0].mesh = make_block(spec);
+  one.bodies[0].mesh = block("both", {0, 0}, {4, 2}, 8, 4,
+                             element == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear);
   one.bodies[0].loads = scene.bodies[1].loads;
   one.contacts.clear();
   return one;

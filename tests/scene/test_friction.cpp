@@ -189,14 +189,9 @@ TEST_CASE("slender plates with friction are certified from K, p, A and g",
           "[friction][certificate]") {
   for (const double thickness : {0.05, 0.02, 0.01}) {
     CAPTURE(thickness);
-    BlockSpec spec;
-    spec.name = "plate";
-    spec.size = {1, thickness};
-    spec.cells_x = 60;
-    spec.cells_y = 2;
     Scene scene;
     Body& plate = scene.bodies[0];
-    plate.mesh = make_block(spec);
+    plate.mesh = block("plate", {0, 0}, {1, thickness}, 60, 2);
     plate.material = {1000, 0.3, PlaneState::Strain, 1};
     plate.supports = {fixed("left")};
     plate.loads.edges = {{"top", 0.01, {}}};

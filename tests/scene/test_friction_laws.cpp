@@ -12,14 +12,9 @@ namespace {
 
 /// A block pressed on the ground by 10 and dragged along by 2 at its top.
 Scene dragged(Friction friction) {
-  BlockSpec spec;
-  spec.size = {4, 1};
-  spec.cells_x = 8;
-  spec.cells_y = 2;
-  spec.name = "block";
   Scene scene;
   Body& body = scene.bodies[0];
-  body.mesh = make_block(spec);
+  body.mesh = block("block", {0, 0}, {4, 1}, 8, 2);
   body.material = {1000, 0.3, PlaneState::Strain, 1};
   body.loads.edges = {{"top", 10, [](const Eigen::Vector2d&) { return Eigen::Vector2d(2, 0); }}};
   scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};

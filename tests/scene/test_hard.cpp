@@ -16,13 +16,8 @@ using Eigen::Index;
 Scene beam(double length, double height, Index nx, Index ny, const char* element) {
   Scene scene;
   Body& body = scene.bodies[0];
-  BlockSpec block;
-  block.name = "beam";
-  block.size = {length, height};
-  block.cells_x = nx;
-  block.cells_y = ny;
-  block.order = std::string(element) == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear;
-  body.mesh = make_block(block);
+  body.mesh = block("beam", {0, 0}, {length, height}, nx, ny,
+                    std::string(element) == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear);
   body.element = element;
   body.material = {1e6, 0.3, PlaneState::Stress, 1};
   body.supports = {fixed("left")};

@@ -38,15 +38,10 @@ Scene two_rings(const std::string& element, PlaneState state) {
   Scene scene = scene_of(lining);
   if (state == PlaneState::Axial)
     for (std::size_t ring = 0; ring < 2; ++ring) {
-      BlockSpec spec;
-      spec.name = ring == 0 ? "lining" : "rock";
-      spec.corner = {lining.radii[2 * ring], 0};
-      spec.size = {lining.radii[2 * ring + 1] - lining.radii[2 * ring], 10};
-      spec.cells_x = 6;
-      spec.cells_y = 5;
-      spec.order = element == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear;
       Body& body = scene.bodies[ring];
-      body.mesh = make_block(spec);
+      body.mesh = block(ring == 0 ? "lining" : "rock", {lining.radii[2 * ring], 0},
+                        {lining.radii[2 * ring + 1] - lining.radii[2 * ring], 10}, 6, 5,
+                        element == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear);
       body.supports = {symmetric("bottom")};
       scene.contacts[0].source.boundary = "right";
       std::get<Side>(scene.contacts[0].target).boundary = "left";

@@ -18,15 +18,10 @@ constexpr double height = 1;
 
 /// A block that lies on y = 0 and is held by nothing else; `force` acts on all of it, evenly.
 Scene block(const Vector2d& force, Friction law, const char* element = "q4") {
-  BlockSpec spec;
-  spec.name = "block";
-  spec.size = {length, height};
-  spec.cells_x = 8;
-  spec.cells_y = 3;
-  spec.order = element == std::string("q8") ? MeshOrder::Quadratic : MeshOrder::Linear;
   Scene scene;
   Body& body = scene.bodies[0];
-  body.mesh = make_block(spec);
+  body.mesh = block("block", {0, 0}, {length, height}, 8, 3,
+                    element == std::string("q8") ? MeshOrder::Quadratic : MeshOrder::Linear);
   body.element = element;
   body.material = {1e4, 0.3, PlaneState::Strain, 1};
   body.loads.body_force = [force](const Vector2d&) { return Vector2d(force / (length * height)); };

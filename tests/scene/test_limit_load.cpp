@@ -16,14 +16,9 @@ constexpr double width = 4;
 
 /// A block that rests on the ground by its own weight, 1 per area; so flat that all of it touches.
 Scene resting(Friction friction, double angle = 0, double height = 0.25) {
-  BlockSpec spec;
-  spec.name = "block";
-  spec.size = {width, height};
-  spec.cells_x = 12;
-  spec.cells_y = 3;
   Scene scene;
   Body& body = scene.bodies[0];
-  body.mesh = make_block(spec);
+  body.mesh = block("block", {0, 0}, {width, height}, 12, 3);
   body.material = {1000, 0.3, PlaneState::Strain, 1};
   body.loads.body_force = [angle](const Eigen::Vector2d&) {
     return Eigen::Vector2d(std::sin(angle), -std::cos(angle));

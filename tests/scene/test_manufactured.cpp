@@ -36,13 +36,10 @@ struct Errors {
 };
 
 Errors errors_of(const char* element, Index n) {
-  BlockSpec spec;
-  spec.cells_x = n;
-  spec.cells_y = n;
-  spec.order = std::string(element) == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear;
   Scene scene;
   Body& body = scene.bodies[0];
-  body.mesh = make_block(spec);
+  body.mesh = block("block", {0, 0}, {1, 1}, n, n,
+                    std::string(element) == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear);
   body.element = element;
   body.material = {2.5, 0.25, PlaneState::Strain, 1};
   for (const char* side : {"right", "top", "left"})

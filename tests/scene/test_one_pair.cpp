@@ -30,11 +30,8 @@ Scene disc_on_plane(Eigen::Index cells) {
 /// A block whose weight a pull balances: it hovers.
 Scene hovering_block() {
   Scene scene;
-  BlockSpec block;
-  block.cells_x = block.cells_y = 4;
-  block.corner = {0, 0.5};
   Body& body = scene.bodies[0];
-  body.mesh = make_block(block);
+  body.mesh = block("block", {0, 0.5}, {1, 1}, 4, 4);
   body.supports = {symmetric("left")};
   body.loads.edges = {{"top", -1e-3, {}}};
   body.loads.body_force = [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -1e-3); };

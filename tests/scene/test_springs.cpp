@@ -18,15 +18,10 @@ namespace {
 
 /// A block 4 x 2 without supports, 0.5 thick.
 Scene loose_block(const std::string& element, double unit = 1) {
-  BlockSpec spec;
-  spec.name = "block";
-  spec.size = unit * Vector2d(4, 2);
-  spec.cells_x = 4;
-  spec.cells_y = 3;
-  spec.order = element == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear;
   Scene scene;
   Body& body = scene.bodies[0];
-  body.mesh = make_block(spec);
+  body.mesh = block("block", {0, 0}, unit * Vector2d(4, 2), 4, 3,
+                    element == "q8" ? MeshOrder::Quadratic : MeshOrder::Linear);
   body.element = element;
   body.material = {1000, 0, PlaneState::Stress, 0.5};
   return scene;

@@ -22,12 +22,8 @@ inline signorini::Mesh fitting(const signorini::Mesh& mesh, const signorini::Ele
 /// A rectangle from the origin for the cells of `element`.
 inline signorini::Mesh block_for(const signorini::Element& element, Eigen::Vector2d size,
                                  Eigen::Index cells_x, Eigen::Index cells_y) {
-  signorini::BlockSpec spec;
-  spec.size = size;
-  spec.cells_x = cells_x;
-  spec.cells_y = cells_y;
-  spec.order = order_of(element);
-  return fitting(signorini::make_block(spec), element);
+  return fitting(signorini::block("block", {0, 0}, size, cells_x, cells_y, order_of(element)),
+                 element);
 }
 
 /// Moves the inner corners by up to a fifth of a cell; midside nodes follow, so that sides stay straight.

@@ -28,14 +28,9 @@ Scene slider(const History& pull, const std::vector<double>& times) {
 }
 
 Scene slab(int steps_per_leg, const std::vector<double>& drag) {
-  BlockSpec spec;
-  spec.name = "slab";
-  spec.size = {4, 1};
-  spec.cells_x = 16;
-  spec.cells_y = 4;
   Scene scene;
   Body& body = scene.bodies[0];
-  body.mesh = make_block(spec);
+  body.mesh = block("slab", {0, 0}, {4, 1}, 16, 4);
   body.material = {1000, 0.3, PlaneState::Strain, 1};
   Support pulled = prescribed("right", Axis::X, 0.01);
   pulled.history = "drag";

@@ -11,14 +11,7 @@ namespace signorini_test {
 inline signorini::Mesh named_block(const std::string& name, Eigen::Vector2d corner,
                                    Eigen::Vector2d size, Eigen::Index nx, Eigen::Index ny,
                                    signorini::MeshOrder order = signorini::MeshOrder::Linear) {
-  signorini::BlockSpec spec;
-  spec.name = name;
-  spec.corner = corner;
-  spec.size = size;
-  spec.cells_x = nx;
-  spec.cells_y = ny;
-  spec.order = order;
-  return signorini::make_block(spec);
+  return signorini::block(name, corner, size, nx, ny, order);
 }
 
 /// Two blocks of one material, the bottom of `upper` on the top of `lower`, which stands on its fixed bottom.

@@ -34,12 +34,7 @@ Instances block_on_obstacle() {  // chapter 1: rubber, 40 mm x 20 mm, pressed on
     for (const double push : {0.05, 1.0}) {
       Scene scene;
       Body& body = scene.bodies[0];
-      BlockSpec block;
-      block.corner = {-20, 0};
-      block.size = {40, 20};
-      block.cells_x = cells;
-      block.cells_y = cells / 2;
-      body.mesh = make_block(block);
+      body.mesh = block("block", {-20, 0}, {40, 20}, cells, cells / 2);
       body.material = {10, 0.3, PlaneState::Strain, 1};
       body.supports = {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -push)};
       scene.contacts = {{{"bottom"}, disc({0, -60}, 60)}};

@@ -27,12 +27,7 @@ VectorXd positions(const signorini::Mesh& mesh, const std::string& name) {
 signorini::Scene cantilever(const std::string& element, MeshOrder order, Index cells) {
   signorini::Scene scene;
   signorini::Body& body = scene.bodies[0];
-  signorini::BlockSpec block;
-  block.size = {50, 5};
-  block.cells_x = cells;
-  block.cells_y = cells / 10;
-  block.order = order;
-  body.mesh = signorini::make_block(block);
+  body.mesh = signorini::block("block", {0, 0}, {50, 5}, cells, cells / 10, order);
   body.element = element;
   body.material = {2.1e4, 0.29, signorini::PlaneState::Stress, 1};
   body.supports = {signorini::fixed("left")};

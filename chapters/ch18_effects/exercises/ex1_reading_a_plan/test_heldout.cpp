@@ -18,11 +18,8 @@ namespace {
 
 /// A block in a corner of two walls: below it a rough one, on its right a smooth one.
 Scene in_a_corner(Index cells_x, Index cells_y) {
-  BlockSpec spec;
-  spec.cells_x = cells_x;
-  spec.cells_y = cells_y;
   Scene scene;
-  scene.bodies[0].mesh = make_block(spec);
+  scene.bodies[0].mesh = block("block", {0, 0}, {1, 1}, cells_x, cells_y);
   scene.contacts = {{{"right", "block"}, half_plane({1, 0}, {-1, 0})},
                     {{"bottom", "block"}, half_plane({0, 0}, {0, 1})}};
   scene.contacts[1].friction = Friction{0.5, 0};

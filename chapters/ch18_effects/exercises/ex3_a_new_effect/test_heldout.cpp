@@ -119,14 +119,9 @@ TEST_CASE("ex18.3 held out: only the body that spins is loaded", "[ex18.3]") {
 // A long cylinder about its axis, held at both ends: (3 - 2 nu)/(1 - nu) rho omega^2 R^2 / 8 in its middle,
 // wherever along the axis the centre is.
 TEST_CASE("ex18.3 held out: a body of revolution about its own axis", "[ex18.3]") {
-  BlockSpec spec;
-  spec.size = {50, 10};
-  spec.cells_x = 16;
-  spec.cells_y = 2;
-  spec.order = MeshOrder::Quadratic;
   SpinningScene spinning;
   Body& body = spinning.scene.bodies[0];
-  body.mesh = make_block(spec);
+  body.mesh = block("block", {0, 0}, {50, 10}, 16, 2, MeshOrder::Quadratic);
   body.material = {210e3, 0.3, PlaneState::Axial, 1};
   body.supports = {symmetric("bottom"), symmetric("top")};
   spinning.spin = {Spin{rho, 2000, {0, GENERATE(0.0, 30.0)}}};
