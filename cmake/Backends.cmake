@@ -1,4 +1,4 @@
-# Back ends that need other libraries: src/backends/NAME.cpp, and a line here with what it is linked with.  Neither the library
+# Back ends that need other libraries: src/backends/NAME*.cpp, and a line here with what it is linked with.  Neither the library
 # nor the program `signorini` is: those that are found go into a second program beside it, signorini-backends, as which
 # `signorini` goes on when one of them is asked for.  So nobody else waits for MPI, and find_package(signorini) needs Eigen alone.
 include(cmake/Factors.cmake)
@@ -22,9 +22,12 @@ if(CHOLMOD_HEADERS AND CHOLMOD_LIBRARY)
 endif()
 
 set(backend_names "")
+set(other_backend_packages "")
 add_library(other_backends INTERFACE)
 function(signorini_backend name packages headers)  # name in the table, packages, folder of headers, libraries
   string(TOUPPER ${name} NAME)
+  list(APPEND other_backend_packages "{\"${name}\", \"${packages}\"}")
+  set(other_backend_packages "${other_backend_packages}" PARENT_SCOPE)
   if(SIGNORINI_WITH_${NAME} STREQUAL ON AND NOT found_${NAME})
     message(FATAL_ERROR "SIGNORINI_WITH_${NAME} is ON, but it is not found: install ${packages}, or leave the option at AUTO")
   endif()
@@ -32,15 +35,19 @@ function(signorini_backend name packages headers)  # name in the table, packages
     return()
   endif()
   set(backend_names "${backend_names}, ${name}()" PARENT_SCOPE)
-  add_library(backend_${name} OBJECT ${PROJECT_SOURCE_DIR}/src/backends/${name}.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/backends/${name}*.cpp)
+  add_library(backend_${name} OBJECT ${sources})
   target_include_directories(backend_${name} SYSTEM PRIVATE ${headers})
   target_link_libraries(backend_${name} PRIVATE signorini::signorini signorini_warnings ${ARGN})
   target_sources(other_backends INTERFACE $<TARGET_OBJECTS:backend_${name}>)
   target_link_libraries(other_backends INTERFACE ${ARGN})
 endfunction()
-# The packages stand in factor/backend.cpp too, which names them where the back ends are missing.
 signorini_backend(cholmod "libsuitesparse-dev" "${CHOLMOD_HEADERS}" "${CHOLMOD_LIBRARY}")
 signorini_backend(mumps "libmumps-dev and libopenmpi-dev" "${MUMPS_HEADERS}" "${MUMPS_LIBRARY}" MPI::MPI_CXX)
+# Whoever is built without them is told what they need.
+string(JOIN ", " other_backend_packages ${other_backend_packages})
+set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/signorini/factor/backend.cpp APPEND PROPERTY COMPILE_DEFINITIONS
+             "SIGNORINI_OTHER_BACKENDS=${other_backend_packages}")
 
 if(backend_names)
   add_library(backend_table OBJECT ${PROJECT_SOURCE_DIR}/src/signorini/factor/backends.cpp)

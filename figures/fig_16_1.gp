@@ -1,24 +1,41 @@
-# Figure 16.1 - what an error costs: one line per element, operator and solver, one point per mesh.
-# In: fig_16_1.csv   Out: fig_16_1.svg
-width = 760; height = 520
+# Figure 16.1 - estimated beside true errors of forces and displacements, and of half-widths; grey is half to twice.
+# In: fig_16_1.csv, fig_16_1_width.csv   Out: fig_16_1.svg
+width = 860; height = 540
 load 'style.gp'
 eval LOGLOG
-set xlabel 'seconds, from the scene to certified forces' offset 2,0
-set ylabel 'error of the pressure [% of {/:Italic q}_0]'
-set xrange [3e-4:30]
-set yrange [3e-3:200]
-set key outside right top noopaque
-set rmargin 27
+set format xy '%g'
+set xtics ('10^{-4}' 1e-4, '0.01' 1e-2, '1' 1)
+set ytics ('10^{-4}' 1e-4, '0.001' 1e-3, '0.01' 1e-2, '0.1' 0.1, '1' 1, '10' 10)
+set xrange [1e-5:10]
+set yrange [1e-5:10]
+set samples 2
+set multiplot
+set bmargin at screen 0.36
+set tmargin at screen 0.88
+set xlabel 'true error [%]'
+set key at screen 0.03,0.01 left bottom maxrows 2 samplen 1 width -3 noopaque
+of(name) = strcol('element') eq name ? column('estimate') : NaN
+set lmargin at screen 0.115
+set rmargin at screen 0.49
+set title 'forces and displacements'
+set ylabel 'estimate [%]' offset 1,0
+set label 1 'pin, q8' at 1e-4,0.06 center textcolor rgb RED
 file = data.'/fig_16_1.csv'
-s = "column('seconds ≈')"
-e = "(column('solved') > 0 && column('error') > 0 ? column('error') : NaN)"
-plot 1 with lines ls 8 lw 0.8 notitle, 0.1 with lines ls 8 lw 0.8 notitle, \
-     file every :::0::0 using (@s):@e with linespoints ls 1 title 'q4 incompatible', \
-     '' every :::1::1 using (@s):@e with linespoints ls 3 title 'its nodes meet', \
-     '' every :::2::2 using (@s):@e with linespoints ls 5 title 'q4', \
-     '' every :::3::3 using (@s):@e with linespoints ls 2 title 'q8', \
-     '' every :::4::4 using (@s):@e with linespoints ls 4 title 'nodes on segments', \
-     '' every :::5::5 using (@s):@e with linespoints ls 6 title 'pairs at Gauss points', \
-     '' every :::6::6 using (@s):@e with linespoints lc rgb BLACK lw 1 dt (2,2) pt 8 ps 1.3 title 'the same by sweeps', \
-     '' every :::6::6 using (column('solved') > 0 ? NaN : @s):(100) with points pt 2 ps 1.4 lw 2.5 lc rgb BLACK title 'no solution', \
-     '' every :::7::7 using (@s):@e with linespoints ls 8 lw 2 title 'not condensed'
+plot '+' using 1:($1/2):($1*2) with filledcurves lc rgb LIGHT notitle, x with lines ls 8 lw 0.8 notitle, \
+     file using 'error':(of('q4')) with points pt 7 ps 0.7 lc rgb BLUE title 'q4', \
+     '' using 'error':(of('q4_bbar')) with points pt 9 ps 0.9 lc rgb GREEN title 'q4 bbar', \
+     '' using 'error':(of('q4_incompatible')) with points pt 12 ps 0.9 lw 1.5 lc rgb BLACK title 'q4 incompatible', \
+     '' using 'error':(of('q8')) with points pt 4 ps 0.8 lw 1.5 lc rgb RED title 'q8', \
+     '' using (column('sign') > 0 ? column('error') : NaN):'estimate' with points pt 2 ps 1.6 lw 1.5 lc rgb BLACK title 'wrong sign'
+set lmargin at screen 0.60
+set rmargin at screen 0.975
+set title 'half-width on 25 meshes'
+unset ylabel
+unset label 1
+file = data.'/fig_16_1_width.csv'
+plot '+' using 1:($1/2):($1*2) with filledcurves lc rgb LIGHT notitle, x with lines ls 8 lw 0.8 notitle, \
+     file using 'error':(of('q4')) with points pt 7 ps 0.7 lc rgb BLUE notitle, \
+     '' using 'error':(of('q4_bbar')) with points pt 9 ps 0.9 lc rgb GREEN notitle, \
+     '' using 'error':(of('q4_incompatible')) with points pt 12 ps 0.9 lw 1.5 lc rgb BLACK notitle, \
+     '' using 'error':(of('q8')) with points pt 4 ps 0.8 lw 1.5 lc rgb RED notitle
+unset multiplot

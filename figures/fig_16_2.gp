@@ -1,24 +1,24 @@
-# Figure 16.2 - where the seconds go: phases stacked, in plain solves of the same mesh.
+# Figure 16.2 - what an error costs: one line per element, operator and solver, one point per mesh.
 # In: fig_16_2.csv   Out: fig_16_2.svg
-width = 760; height = 420
+width = 760; height = 520
 load 'style.gp'
-set style data histograms
-set style histogram rowstacked
-set boxwidth 0.7
-set key outside right top reverse Left invert noopaque
-set rmargin 22
-set bmargin 6
-set ylabel 'seconds / plain solve'
-set label 1 'Hertz' at 1, graph -0.27 center
-set label 2 'cantilever' at 4, graph -0.27 center
-set yrange [0:*]
-set grid noxtics
-set xtics scale 0
-set arrow 1 from graph 0, first 1 to graph 1, first 1 nohead lw 1.5 dt (6,4) lc rgb BLACK front
+eval LOGLOG
+set xlabel 'seconds, from the scene to certified forces' offset 2,0
+set ylabel 'error of the pressure [% of {/:Italic q}_0]'
+set xrange [3e-4:30]
+set yrange [3e-3:200]
+set key outside right top noopaque
+set rmargin 27
 file = data.'/fig_16_2.csv'
-plot file using 'ordering ≈':xtic(sprintf("%.0fk", column('unknowns')/1e3)) lc rgb BLUE lw 1 dt 1 fs solid 1 border lc rgb BLACK title 'ordering', \
-     '' using (column('symbolic ≈')+column('numeric ≈')) lc rgb SKY lw 1 dt 1 fs solid 1 border lc rgb BLACK title 'factor', \
-     '' using 'condensation ≈' lc rgb ORANGE lw 1 dt 1 fs pattern 1 border lc rgb BLACK title 'condensation', \
-     '' using 'contact ≈' lc rgb RED lw 1 dt 1 fs solid 1 border lc rgb BLACK title 'contact', \
-     '' using (column('refinement ≈')+column('recovery ≈')) lc rgb GREEN lw 1 dt 1 fs pattern 2 border lc rgb BLACK title 'refinement', \
-     '' using (column('plan ≈')+column('assembly ≈')) lc rgb LIGHT lw 1 dt 1 fs solid 1 border lc rgb BLACK title 'plan, assembly'
+s = "column('seconds ≈')"
+e = "(column('solved') > 0 && column('error') > 0 ? column('error') : NaN)"
+plot 1 with lines ls 8 lw 0.8 notitle, 0.1 with lines ls 8 lw 0.8 notitle, \
+     file every :::0::0 using (@s):@e with linespoints ls 1 title 'q4 incompatible', \
+     '' every :::1::1 using (@s):@e with linespoints ls 3 title 'its nodes meet', \
+     '' every :::2::2 using (@s):@e with linespoints ls 5 title 'q4', \
+     '' every :::3::3 using (@s):@e with linespoints ls 2 title 'q8', \
+     '' every :::4::4 using (@s):@e with linespoints ls 4 title 'nodes on segments', \
+     '' every :::5::5 using (@s):@e with linespoints ls 6 title 'pairs at Gauss points', \
+     '' every :::6::6 using (@s):@e with linespoints lc rgb BLACK lw 1 dt (2,2) pt 8 ps 1.3 title 'the same by sweeps', \
+     '' every :::6::6 using (column('solved') > 0 ? NaN : @s):(100) with points pt 2 ps 1.4 lw 2.5 lc rgb BLACK title 'no solution', \
+     '' every :::7::7 using (@s):@e with linespoints ls 8 lw 2 title 'not condensed'

@@ -1,25 +1,36 @@
-# Figure 16.3 - seconds of every phase on four times the mesh: predicted from this one, and measured.
+# Figure 16.3 - what four programs need for Hertz's contact on the same four meshes, and how well they meet the closed form.
 # In: fig_16_3.csv   Out: fig_16_3.svg
-width = 760; height = 460
+width = 640; height = 430
 load 'style.gp'
-set multiplot layout 1,2
-set logscale x
-set format x '10^{%T}'
-set xrange [1e-4:2]
-set tmargin at screen 0.76
-set bmargin at screen 0.24
-set yrange [8.7:-0.7]
-set border 1
-set ytics scale 0 ('plan' 0, 'assembly' 1, 'ordering' 2, 'symbolic' 3, 'numeric' 4, 'condensation' 5, 'contact' 6, 'refinement' 7, 'recovery' 8)
-set grid noytics
-set xlabel 'seconds'
-file = data.'/fig_16_3.csv'
-do for [k=0:1] {
-  set lmargin at screen (k == 0 ? 0.22 : 0.61)
-  set rmargin at screen (k == 0 ? 0.58 : 0.97)
-  if (k == 1) { unset key; unset ytics } else { set key at screen 0.97, screen 0.98 top right horizontal maxrows 1 }
-  set title (k == 0 ? 'Hertz' : 'cantilever') offset 0,-0.5
-  plot file every :::k::k using 'predicted ≈':($0-0.17):'predicted low ≈':'predicted high ≈' with xerrorbars pt 6 ps 1.1 lw 1.5 lc rgb RED title 'predicted', \
-       '' every :::k::k using 'measured ≈':($0+0.17):'low ≈':'high ≈' with xerrorbars pt 7 ps 0.9 lw 1.5 lc rgb BLUE title 'measured'
-}
+set logscale xy
+set yrange [0.0007:1]
+set format y '%g'
+set format x '%g'
+set grid xtics ytics
+set bmargin at screen 0.36
+set tmargin at screen 0.96
+set lmargin at screen 0.16
+set rmargin at screen 0.55
+set key at screen 0.05,0.02 left bottom maxrows 2 width -6 samplen 2
+set multiplot
+set xlabel 'processor time [s]'
+set ylabel 'larger error of {/:Italic q}_0, {/:Italic b} [%]' offset 1.6,0
+set xrange [0.01:200]
+set label 1 '1399' at 0.02,0.12 left textcolor rgb BLACK
+set label 2 '84 426 nodes' at 1.5,0.0015 right textcolor rgb BLACK
+plot data.'/fig_16_3.csv' using 'signorini_seconds':'signorini_error' with linespoints ls 1 title 'this library', \
+     '' using 'getfem_seconds':'getfem_error' with linespoints ls 2 title 'GetFEM', \
+     '' using 'ccx_surface_seconds':'ccx_surface_error' with linespoints ls 3 title 'CalculiX, surfaces', \
+     '' using 'ccx_node_seconds':'ccx_node_error' with linespoints ls 4 title 'CalculiX, nodes'
+unset label
+set xlabel 'largest memory [MB]'
+unset ylabel
+set format y ''
+set lmargin at screen 0.58
+set rmargin at screen 0.97
+set xrange [5:5000]
+plot data.'/fig_16_3.csv' using 'signorini_MB':'signorini_error' with linespoints ls 1 notitle, \
+     '' using 'getfem_MB':'getfem_error' with linespoints ls 2 notitle, \
+     '' using 'ccx_surface_MB':'ccx_surface_error' with linespoints ls 3 notitle, \
+     '' using 'ccx_node_MB':'ccx_node_error' with linespoints ls 4 notitle
 unset multiplot

@@ -1,17 +1,24 @@
-# Figure 16.4 - the separators of the cantilever as a tree, and the path of the row of one contact.
+# Figure 16.4 - where the seconds go: phases stacked, in plain solves of the same mesh.
 # In: fig_16_4.csv   Out: fig_16_4.svg
-width = 760; height = 400
+width = 760; height = 420
 load 'style.gp'
-set xrange [-1:51]
-set yrange [7.1:-0.6]
-set xlabel 'place along the beam [cm]'
-set ylabel 'depth in the tree'
-set border 1
-set ytics scale 0 0,1,6
-set grid noxtics noytics
-set key outside top center horizontal
+set style data histograms
+set style histogram rowstacked
+set boxwidth 0.7
+set key outside right top reverse Left invert noopaque
+set rmargin 22
+set bmargin 6
+set ylabel 'seconds / plain solve'
+set label 1 'Hertz' at 1, graph -0.27 center
+set label 2 'cantilever' at 4, graph -0.27 center
+set yrange [0:*]
+set grid noxtics
+set xtics scale 0
+set arrow 1 from graph 0, first 1 to graph 1, first 1 nohead lw 1.5 dt (6,4) lc rgb BLACK front
 file = data.'/fig_16_4.csv'
-do for [w=1:8] { set style arrow w nohead lc rgb SKY lw 1.1*w dt 1 }
-plot for [w=1:8] file using (ceil(column('rows')/10.0) == w ? column('x') : NaN):'depth':(column('above_x')-column('x')):(column('above_depth')-column('depth')) with vectors as w title (w == 3 ? 'the thicker, the more rows pass' : ''), \
-     '' using (column('one') > 0 ? column('x') : NaN):'depth':(column('above_x')-column('x')):(column('above_depth')-column('depth')) with vectors nohead lc rgb RED lw 2.5 dt (6,3) title 'the row of one contact', \
-     '' using 'x':'depth':(0.25+0.09*sqrt(column('own'))) with points pt 7 ps variable lc rgb BLUE title 'separator'
+plot file using 'ordering ≈':xtic(sprintf("%.0fk", column('unknowns')/1e3)) lc rgb BLUE lw 1 dt 1 fs solid 1 border lc rgb BLACK title 'ordering', \
+     '' using (column('symbolic ≈')+column('numeric ≈')) lc rgb SKY lw 1 dt 1 fs solid 1 border lc rgb BLACK title 'factor', \
+     '' using 'condensation ≈' lc rgb ORANGE lw 1 dt 1 fs pattern 1 border lc rgb BLACK title 'condensation', \
+     '' using 'contact ≈' lc rgb RED lw 1 dt 1 fs solid 1 border lc rgb BLACK title 'contact', \
+     '' using (column('refinement ≈')+column('recovery ≈')) lc rgb GREEN lw 1 dt 1 fs pattern 2 border lc rgb BLACK title 'refinement', \
+     '' using (column('plan ≈')+column('assembly ≈')) lc rgb LIGHT lw 1 dt 1 fs solid 1 border lc rgb BLACK title 'plan, assembly'

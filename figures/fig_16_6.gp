@@ -1,31 +1,17 @@
-# Figure 16.6 - a leaf spring: what its pairs cost, counted and in seconds, against no condensing.
+# Figure 16.6 - the separators of the cantilever as a tree, and the path of the row of one contact.
 # In: fig_16_6.csv   Out: fig_16_6.svg
 width = 760; height = 400
 load 'style.gp'
-set multiplot
-set logscale xy
-set xrange [100:1600]
-set xtics (120, 240, 480, 960)
-set tmargin at screen 0.85
-set bmargin at screen 0.25
-set xlabel 'pairs'
-set lmargin at screen 0.09
-set rmargin at screen 0.47
-set yrange [0.02:1e6]
-set format y '%g'
-set ytics (0.1, 1, 10, 100)
-set title 'operations / plain solve'
-set key top left
+set xrange [-1:51]
+set yrange [7.1:-0.6]
+set xlabel 'place along the beam [cm]'
+set ylabel 'depth in the tree'
+set border 1
+set ytics scale 0 0,1,6
+set grid noxtics noytics
+set key outside top center horizontal
 file = data.'/fig_16_6.csv'
-plot 1 with lines ls 8 notitle, \
-     file using 'pairs':'factor' with linespoints ls 1 title 'factor of the leaves', \
-     '' using 'pairs':'rows' with linespoints ls 3 title 'rows of contact', \
-     '' using 'pairs':'dense' with linespoints ls 2 title 'one factor of all pairs'
-set lmargin at screen 0.58
-set rmargin at screen 0.97
-set yrange [0.005:10]
-set ytics (0.01, 0.1, 1)
-set title 'seconds'
-plot file using 'pairs':'condensed ≈' with linespoints ls 2 title 'condensed', \
-     '' using 'pairs':'not condensed ≈' with linespoints ls 7 title 'not condensed'
-unset multiplot
+do for [w=1:8] { set style arrow w nohead lc rgb SKY lw 1.1*w dt 1 }
+plot for [w=1:8] file using (ceil(column('rows')/10.0) == w ? column('x') : NaN):'depth':(column('above_x')-column('x')):(column('above_depth')-column('depth')) with vectors as w title (w == 3 ? 'the thicker, the more rows pass' : ''), \
+     '' using (column('one') > 0 ? column('x') : NaN):'depth':(column('above_x')-column('x')):(column('above_depth')-column('depth')) with vectors nohead lc rgb RED lw 2.5 dt (6,3) title 'the row of one contact', \
+     '' using 'x':'depth':(0.25+0.09*sqrt(column('own'))) with points pt 7 ps variable lc rgb BLUE title 'separator'

@@ -1,36 +1,31 @@
-# Figure 16.8 - what four programs need for Hertz's contact on the same four meshes, and how well they meet the closed form.
+# Figure 16.8 - a leaf spring: what its pairs cost, counted and in seconds, against no condensing.
 # In: fig_16_8.csv   Out: fig_16_8.svg
-width = 640; height = 430
+width = 760; height = 400
 load 'style.gp'
-set logscale xy
-set yrange [0.0007:1]
-set format y '%g'
-set format x '%g'
-set grid xtics ytics
-set bmargin at screen 0.36
-set tmargin at screen 0.96
-set lmargin at screen 0.16
-set rmargin at screen 0.55
-set key at screen 0.05,0.02 left bottom maxrows 2 width -6 samplen 2
 set multiplot
-set xlabel 'processor time [s]'
-set ylabel 'larger error of {/:Italic q}_0, {/:Italic b} [%]' offset 1.6,0
-set xrange [0.01:200]
-set label 1 '1399' at 0.02,0.12 left textcolor rgb BLACK
-set label 2 '84 426 nodes' at 1.5,0.0015 right textcolor rgb BLACK
-plot data.'/fig_16_8.csv' using 'signorini_seconds':'signorini_error' with linespoints ls 1 title 'this library', \
-     '' using 'getfem_seconds':'getfem_error' with linespoints ls 2 title 'GetFEM', \
-     '' using 'ccx_surface_seconds':'ccx_surface_error' with linespoints ls 3 title 'CalculiX, surfaces', \
-     '' using 'ccx_node_seconds':'ccx_node_error' with linespoints ls 4 title 'CalculiX, nodes'
-unset label
-set xlabel 'largest memory [MB]'
-unset ylabel
-set format y ''
+set logscale xy
+set xrange [100:1600]
+set xtics (120, 240, 480, 960)
+set tmargin at screen 0.85
+set bmargin at screen 0.25
+set xlabel 'pairs'
+set lmargin at screen 0.09
+set rmargin at screen 0.47
+set yrange [0.02:1e6]
+set format y '%g'
+set ytics (0.1, 1, 10, 100)
+set title 'operations / plain solve'
+set key top left
+file = data.'/fig_16_8.csv'
+plot 1 with lines ls 8 notitle, \
+     file using 'pairs':'factor' with linespoints ls 1 title 'factor of the leaves', \
+     '' using 'pairs':'rows' with linespoints ls 3 title 'rows of contact', \
+     '' using 'pairs':'dense' with linespoints ls 2 title 'one factor of all pairs'
 set lmargin at screen 0.58
 set rmargin at screen 0.97
-set xrange [5:5000]
-plot data.'/fig_16_8.csv' using 'signorini_MB':'signorini_error' with linespoints ls 1 notitle, \
-     '' using 'getfem_MB':'getfem_error' with linespoints ls 2 notitle, \
-     '' using 'ccx_surface_MB':'ccx_surface_error' with linespoints ls 3 notitle, \
-     '' using 'ccx_node_MB':'ccx_node_error' with linespoints ls 4 notitle
+set yrange [0.005:10]
+set ytics (0.01, 0.1, 1)
+set title 'seconds'
+plot file using 'pairs':'condensed ≈' with linespoints ls 2 title 'condensed', \
+     '' using 'pairs':'not condensed ≈' with linespoints ls 7 title 'not condensed'
 unset multiplot

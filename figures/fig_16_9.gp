@@ -1,41 +1,41 @@
-# Figure 16.9 - estimated beside true errors of forces and displacements, and of half-widths; grey is half to twice.
-# In: fig_16_9.csv, fig_16_9_width.csv   Out: fig_16_9.svg
-width = 860; height = 540
+# Figure 16.9 - three knobs: points of the gap, sweeps of a solver, and digits.
+# In: fig_16_9.csv, fig_16_9_sweeps.csv, fig_16_9_digits.csv   Out: fig_16_9.svg
+width = 900; height = 420
 load 'style.gp'
-eval LOGLOG
-set format xy '%g'
-set xtics ('10^{-4}' 1e-4, '0.01' 1e-2, '1' 1)
-set ytics ('10^{-4}' 1e-4, '0.001' 1e-3, '0.01' 1e-2, '0.1' 0.1, '1' 1, '10' 10)
-set xrange [1e-5:10]
-set yrange [1e-5:10]
-set samples 2
 set multiplot
-set bmargin at screen 0.36
-set tmargin at screen 0.88
-set xlabel 'true error [%]'
-set key at screen 0.03,0.01 left bottom maxrows 2 samplen 1 width -3 noopaque
-of(name) = strcol('element') eq name ? column('estimate') : NaN
-set lmargin at screen 0.115
-set rmargin at screen 0.49
-set title 'forces and displacements'
-set ylabel 'estimate [%]' offset 1,0
-set label 1 'pin, q8' at 1e-4,0.06 center textcolor rgb RED
-file = data.'/fig_16_9.csv'
-plot '+' using 1:($1/2):($1*2) with filledcurves lc rgb LIGHT notitle, x with lines ls 8 lw 0.8 notitle, \
-     file using 'error':(of('q4')) with points pt 7 ps 0.7 lc rgb BLUE title 'q4', \
-     '' using 'error':(of('q4_bbar')) with points pt 9 ps 0.9 lc rgb GREEN title 'q4 bbar', \
-     '' using 'error':(of('q4_incompatible')) with points pt 12 ps 0.9 lw 1.5 lc rgb BLACK title 'q4 incompatible', \
-     '' using 'error':(of('q8')) with points pt 4 ps 0.8 lw 1.5 lc rgb RED title 'q8', \
-     '' using (column('sign') > 0 ? column('error') : NaN):'estimate' with points pt 2 ps 1.6 lw 1.5 lc rgb BLACK title 'wrong sign'
-set lmargin at screen 0.60
-set rmargin at screen 0.975
-set title 'half-width on 25 meshes'
-unset ylabel
-unset label 1
-file = data.'/fig_16_9_width.csv'
-plot '+' using 1:($1/2):($1*2) with filledcurves lc rgb LIGHT notitle, x with lines ls 8 lw 0.8 notitle, \
-     file using 'error':(of('q4')) with points pt 7 ps 0.7 lc rgb BLUE notitle, \
-     '' using 'error':(of('q4_bbar')) with points pt 9 ps 0.9 lc rgb GREEN notitle, \
-     '' using 'error':(of('q4_incompatible')) with points pt 12 ps 0.9 lw 1.5 lc rgb BLACK notitle, \
-     '' using 'error':(of('q8')) with points pt 4 ps 0.8 lw 1.5 lc rgb RED notitle
+set logscale y
+set format y '10^{%T}'
+set lmargin at screen 0.09
+set rmargin at screen 0.31
+set bmargin at screen 0.3
+set tmargin at screen 0.82
+set xrange [0.5:10.5]
+set yrange [0.02:200]
+set ytics 0.1, 10, 10
+set xtics 2,2,10
+set xlabel 'Gauss points'
+set title 'error [%]'
+set key at graph 1,1 top right noopaque
+plot data.'/fig_16_9.csv' using 'points':'edges' with linespoints ls 2 title 'edges', '' using 'points':'segments' with linespoints ls 1 title 'segments'
+set lmargin at screen 0.42
+set rmargin at screen 0.65
+set logscale x
+set xrange [0.8:320]
+set xtics (1,4,16,64,256)
+set yrange [1e-20:1e4]
+set ytics 1e-12, 1e4, 1e4
+set xlabel 'sweeps'
+set title 'error [%]'
+set key at graph 0,0.56 left top noopaque
+plot data.'/fig_16_9_sweeps.csv' using 'sweeps':'error' with linespoints ls 1 title 'all', '' using 'sweeps':'of_solver' with linespoints ls 2 title 'sweeps', '' using 'sweeps':'of_mesh' with lines ls 8 title 'mesh'
+set lmargin at screen 0.75
+set rmargin at screen 0.985
+set xrange [8:200]
+set xtics (10,20,40,80,160)
+set yrange [1e-18:1e8]
+set ytics 1e-16, 1e4, 1e-4
+set xlabel 'length / height'
+set title 'certificate'
+set key at graph 0.02,1 left top noopaque
+plot data.'/fig_16_9_digits.csv' using 'slender':'doubles ≈' with linespoints ls 2 title 'plain', '' using 'slender':'refined ≈' with linespoints ls 1 title 'refined'
 unset multiplot

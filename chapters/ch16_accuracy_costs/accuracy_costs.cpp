@@ -1,5 +1,5 @@
 // Chapter 16 - What accuracy costs: error against seconds, and a list of prices.
-// Run:  make ch16     Reads: nothing     Writes: ch16.results, prices.md, fig_16_1.csv
+// Run:  make ch16     Reads: nothing     Writes: ch16.results, prices.md, fig_16_2.csv
 // --full: one mesh more of each way but the last, half a minute more.
 #include <iostream>
 
@@ -14,7 +14,6 @@ namespace {
 using namespace ch16;
 
 // 1. The price of an error: between two meshes, errors and costs are powers of each other.
-// [price]
 double price(const std::vector<Point>& line, double error, double Point::*cost) {
   for (std::size_t k = 1; k < line.size(); ++k) {
     const Point &a = line[k - 1], &b = line[k];
@@ -24,7 +23,6 @@ double price(const std::vector<Point>& line, double error, double Point::*cost) 
   }
   return 0;  // not between any two meshes
 }
-// [price]
 
 // 2. A line of the figure, and its row of the list.
 void follow(const Way& way, const ProgramOptions& run, Table& curves, Table& prices,
@@ -62,7 +60,7 @@ Status chapter(const ProgramOptions& run) {
   Table prices({"", "unknowns for 1 %", "for 0.1 %", "operations ×", "seconds × ≈"});
   if (run.full) std::cout << "--full: one mesh more of each way but the last, half a minute\n";
   for (const Way& way : ways) follow(way, run, curves, prices, results);
-  write_file(run.out / "fig_16_1.csv", curves.csv("rel 1e-4 abs 1e-6"));
+  write_file(run.out / "fig_16_2.csv", curves.csv("rel 1e-4 abs 1e-6"));
   write_file(run.out / "prices.md", prices.markdown());
   std::cout << prices.markdown();
   results.headline("error_1", 0, "closed form, half-planes");

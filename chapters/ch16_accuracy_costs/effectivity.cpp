@@ -1,5 +1,5 @@
 // Chapter 16 - What the estimates are worth: estimated beside true errors.
-// Run:  make ch16     Reads: nothing     Writes: ch16_effectivity.results, effectivity.md, fig_16_9.csv, fig_16_9_width.csv
+// Run:  make ch16     Reads: nothing     Writes: ch16_effectivity.results, effectivity.md, fig_16_1.csv, fig_16_1_width.csv
 // --full: six elements instead of four, and three of the problems with friction, half a minute.
 #include "../../tests/support/effectivity.hpp"
 
@@ -106,8 +106,8 @@ Status chapter(const ProgramOptions& run) {
   std::cout << table.markdown();
   results.print();
   write_file(run.out / "effectivity.md", table.markdown());
-  write_file(run.out / "fig_16_9.csv", curve.csv("rel 1e-3 abs 1e-9"));
-  write_file(run.out / "fig_16_9_width.csv", widths.csv("rel 1e-3 abs 1e-9"));
+  write_file(run.out / "fig_16_1.csv", curve.csv("rel 1e-3 abs 1e-9"));
+  write_file(run.out / "fig_16_1_width.csv", widths.csv("rel 1e-3 abs 1e-9"));
   results.write(run.out);
   return Status::Solved;
 }

@@ -24,7 +24,6 @@ struct EliminationTree {
 };
 
 /// Eliminating a column joins all that it still has below it; the first of these is its parent.
-// [tree]
 inline EliminationTree elimination_tree(const Sparse& K, const Order& order) {
   const int n = static_cast<int>(order.size());
   EliminationTree tree{Order(order.size(), -1), Order(order.size(), 0), {}};
@@ -48,7 +47,6 @@ inline EliminationTree elimination_tree(const Sparse& K, const Order& order) {
   }
   return tree;
 }
-// [tree]
 
 /// \param K  symmetric \return the order of approximate minimum degree, which most libraries begin with
 inline Order minimum_degree(const Sparse& K) {

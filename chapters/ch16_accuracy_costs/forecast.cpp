@@ -1,5 +1,5 @@
 // Chapter 16 - What four times the mesh will take, said before it runs.
-// Run:  make ch16     Reads: nothing     Writes: ch16_forecast.results, fig_16_3.csv
+// Run:  make ch16     Reads: nothing     Writes: ch16_forecast.results, fig_16_5.csv
 // --full: for a mesh that is four times larger still, one minute.
 #include <cmath>
 #include <iostream>
@@ -81,7 +81,7 @@ Status chapter(const ProgramOptions& run) {
     Table unused = table;
     predict_and_run("hertz_full", hertz(128), hertz(256), unused, results);
   }
-  write_file(run.out / "fig_16_3.csv", table.csv());
+  write_file(run.out / "fig_16_5.csv", table.csv());
   results.print();
   results.write(run.out);
   return Status::Solved;

@@ -1,5 +1,5 @@
 // Chapter 16 - Where condensing loses: a spring of more and more leaves.
-// Run:  make ch16     Reads: nothing     Writes: ch16_leaves.results, fig_16_6.csv
+// Run:  make ch16     Reads: nothing     Writes: ch16_leaves.results, fig_16_8.csv
 #include <iostream>
 
 #include "scenes.hpp"
@@ -14,7 +14,6 @@ namespace {
 using namespace ch16;
 
 // 1. One block of cells, cut into leaves that are clamped on the left and pressed on the top of the upper one.
-// [leaves]
 const double pressure = 1e-3;  // on the top [kN/cm^2]
 
 Scene leaf_spring(Index leaves, Index cells_x, Index cells_y) {
@@ -36,7 +35,6 @@ Scene leaf_spring(Index leaves, Index cells_x, Index cells_y) {
   scene.bodies[0].loads.edges = {{"top", pressure, {}}};
   return scene;
 }
-// [leaves]
 
 // 2. What each number of leaves takes: counted up to the first step of contact, and in seconds to the end.
 // [count]
@@ -83,7 +81,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("break_even", std::cbrt(3 * plain), "-");
   if (run.full) std::cout << "--full: 24 leaves: " << price(24).condensed << " s condensed\n";
   std::cout << curve.markdown();
-  write_file(run.out / "fig_16_6.csv", curve.csv());
+  write_file(run.out / "fig_16_8.csv", curve.csv());
   results.print();
   results.write(run.out);
   return Status::Solved;

@@ -1,5 +1,5 @@
 // Chapter 16 - The same contact by other people's programs, as `make peers` measured it on one day.
-// Run:  make ch16     Reads: peers.csv beside it     Writes: ch16_peers.results, peers.md, fig_16_8.csv
+// Run:  make ch16     Reads: peers.csv beside it     Writes: ch16_peers.results, peers.md, fig_16_3.csv
 #include <cmath>
 #include <iostream>
 
@@ -33,7 +33,7 @@ Status chapter(const ProgramOptions& run) {
                  cell(row[2 + 3 * k], "%.0f"), cell(row[3 + 3 * k], "%.4f")});
   std::cout << table.markdown();
   write_file(run.out / "peers.md", table.markdown());
-  write_file(run.out / "fig_16_8.csv", ch16::committed("peers.csv"));
+  write_file(run.out / "fig_16_3.csv", ch16::committed("peers.csv"));
 
   Results results("ch16_peers");  // on the finest mesh, ours over theirs
   const std::vector<double>& finest = rows.back();

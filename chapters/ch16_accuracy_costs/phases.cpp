@@ -1,5 +1,5 @@
 // Chapter 16 - Where the seconds go: every phase, over one plain solve.
-// Run:  make ch16     Reads: nothing     Writes: ch16_phases.results, fig_16_2.csv
+// Run:  make ch16     Reads: nothing     Writes: ch16_phases.results, fig_16_4.csv
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
@@ -30,7 +30,7 @@ Status chapter(const ProgramOptions& run) {
   for (const Index cells : {16, 32, 64}) over_plain("hertz", several(hertz(cells)), bars, results);
   for (const Index cells : {8, 16, 32})
     over_plain("cantilever", several(cantilever(cells)), bars, results);
-  write_file(run.out / "fig_16_2.csv", bars.csv());
+  write_file(run.out / "fig_16_4.csv", bars.csv());
   results.print();
   results.write(run.out);
   return Status::Solved;

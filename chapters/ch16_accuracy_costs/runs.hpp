@@ -59,7 +59,6 @@ inline Pressures pressures(const SolvedScene& run) {
 }
 
 /// The error that most of this chapter pays for.
-// [error]
 /// \param at  nodes \param theory  of the same load \return root mean square over x < 0.7 b, % of q0
 inline double pressure_error(const Pressures& at, const LineContact& theory) {
   double sum = 0;
@@ -68,7 +67,6 @@ inline double pressure_error(const Pressures& at, const LineContact& theory) {
     sum += std::pow(at.pressure[k] - hertz_pressure(theory, at.x[k]), 2);
   return 100 * std::sqrt(sum / static_cast<double>(k)) / hertz_peak_pressure(theory);
 }
-// [error]
 
 /// \param ledger  of a run \return all operations that it counted
 inline double operations(const Ledger& ledger) {

@@ -1,5 +1,5 @@
 // Chapter 16 - The trees that a factor climbs, drawn.
-// Run:  make ch16     Reads: nothing     Writes: ch16_trees.results, fig_16_4.csv, fig_16_5.csv
+// Run:  make ch16     Reads: nothing     Writes: ch16_trees.results, fig_16_6.csv, fig_16_7.csv
 #include <algorithm>
 
 #include "elimination_tree.hpp"
@@ -35,7 +35,7 @@ void draw_trees(const ProgramOptions& run) {
     table.blank_line();
     ++number_of;
   }
-  write_file(run.out / "fig_16_5.csv", table.csv());
+  write_file(run.out / "fig_16_7.csv", table.csv());
 }
 
 // 2. The separators of the cantilever, and which of them the rows of its contacts come through.
@@ -72,7 +72,7 @@ void draw_paths(const ProgramOptions& run, Results& results) {
                static_cast<double>(fronts.all[f].own()), static_cast<double>(paths.rows[f].size()),
                passes ? 1.0 : 0.0});
   }
-  write_file(run.out / "fig_16_4.csv", table.csv());
+  write_file(run.out / "fig_16_6.csv", table.csv());
   results.add("fronts", static_cast<double>(fronts.all.size()), "-");
   results.add("fronts_of_one_row", on_path, "-");
   results.add("rows", static_cast<double>(model.programme.A.rows()), "-");

@@ -13,7 +13,6 @@
 namespace ch16 {
 
 /// What is compared: an element, an operator and a solver each.
-// [ways]
 struct Way {
   std::string name, element, gap_operator, solver;
   int points = 0;     // Gauss points of an operator that wants them
@@ -30,7 +29,6 @@ inline const std::vector<Way> ways = {
     {"two Gauss points", "q4_incompatible", "gauss_points", "quasi_active_set", 2},
     {"the same by sweeps", "q4_incompatible", "gauss_points", "projected_gauss_seidel", 2},
     {"not condensed", "q4_incompatible", "mortar", newton}};
-// [ways]
 
 /// \param cells  of the disc on 1.3 half-widths \return the scene
 inline Scene scene_of(const Way& way, Index cells) {

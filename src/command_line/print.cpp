@@ -165,6 +165,8 @@ void print_family(std::ostream& out) {
   out << "\nback ends, for --backend:\n";
   for (const Backend& backend : backends())
     out << backend.name << "\n    " << backend.summary << '\n';
+  for (const MissingBackend& missing : missing_backends())
+    out << missing.name << "\n    not built; it needs " << missing.needed << '\n';
 }
 
 void print(std::ostream& out, const std::string& title, const FiledProblem& filed, Matrix kind,

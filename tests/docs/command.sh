@@ -133,6 +133,7 @@ whole=$program program=./alone
 expect 2 "unknown back end 'mumps'.* needs libmumps-dev and libopenmpi-dev: install them with tools/setup.sh parallel" solve "$cantilever" --backend mumps
 expect 2 "unknown back end 'cholmod'.* needs libsuitesparse-dev" solve "$cantilever" --backend cholmod
 expect 2 "unknown back end 'munps'; did you mean 'mumps'\?" solve "$cantilever" --backend munps
+expect 0 '^    not built; it needs libmumps-dev and libopenmpi-dev: install them with tools/setup.sh parallel, then type make$' --list
 export OMPI_COMM_WORLD_SIZE=2
 expect 2 '^signorini: --backend frontal: it works on one process, here are 2, ' solve "$cantilever"
 unset OMPI_COMM_WORLD_SIZE

@@ -118,6 +118,8 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports,
       }
     }
   }
+  const Index free = (unknowns.number >= 0).count();
+  unknowns.node_of.reserve(static_cast<std::size_t>(free));
   for (Index node = 0; node < mesh.n_nodes(); ++node)
     for (int axis = 0; axis < 2; ++axis) {
       if (unknowns.number(node, axis) < 0) continue;

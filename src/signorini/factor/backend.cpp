@@ -1,10 +1,8 @@
 #include "signorini/factor/backend.hpp"
 
-#include <map>
-#include <set>
+#include <algorithm>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/core/family.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/wording.hpp"
@@ -31,24 +29,31 @@ Eigen::MatrixXd Factor::compliance(const Rows& A, Ledger& ledger) const {
   return compliance_(A, ledger);
 }
 
+std::vector<MissingBackend> missing_backends() {
+  std::vector<MissingBackend> missing = {SIGNORINI_OTHER_BACKENDS};
+  const auto built = [](const MissingBackend& one) {
+    return std::any_of(backends().begin(), backends().end(),
+                       [&](const Backend& backend) { return backend.name == one.name; });
+  };
+  missing.erase(std::remove_if(missing.begin(), missing.end(), built), missing.end());
+  for (MissingBackend& one : missing)
+    one.needed += ": install them with tools/setup.sh parallel, then type make";
+  return missing;
+}
+
 const Backend& find_backend(const std::string& name) {
-  // Those of cmake/Backends.cmake, here too for programs that are built without them.
-  static const std::map<std::string, const char*> packages = {
-      {"cholmod", "libsuitesparse-dev"}, {"mumps", "libmumps-dev and libopenmpi-dev"}};
-  try {
-    return find_member(backends(), name, "back end");
-  } catch (const ProblemError& error) {
-    const auto known = packages.find(name);
-    if (known == packages.end()) {
-      std::set<std::string> names;
-      for (const Backend& backend : backends()) names.insert(backend.name);
-      for (const auto& [other, needed] : packages) names.insert(other);
-      throw ProblemError(text("unknown back end ", in_quotes(name),
-                              suggestion(name, {names.begin(), names.end()})));
-    }
-    throw ProblemError(text(error.what(), ". It needs ", known->second,
-                            ": install them with tools/setup.sh parallel, then type make"));
+  std::vector<std::string> names;
+  for (const Backend& backend : backends()) {
+    if (backend.name == name) return backend;
+    names.emplace_back(backend.name);
   }
+  std::string needed;
+  for (const MissingBackend& missing : missing_backends()) {
+    if (missing.name == name) needed = ", which is not built; it needs " + missing.needed;
+    names.push_back(missing.name);
+  }
+  throw ProblemError(text("unknown back end ", in_quotes(name),
+                          needed.empty() ? suggestion(name, names) : needed));
 }
 
 void check_held(const Stiffness& stiffness, const Factor::Solve& solve) {

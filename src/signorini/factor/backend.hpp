@@ -138,6 +138,15 @@ struct Backend {
 /// \return all members that this program has, ours first
 [[nodiscard]] const std::vector<Backend>& backends();
 
+/// A member that this program was built without.
+struct MissingBackend {
+  std::string name;    ///< as `--backend` would want it
+  std::string needed;  ///< packages, and how to get them
+};
+
+/// \return the members that this program could have and was built without
+[[nodiscard]] std::vector<MissingBackend> missing_backends();
+
 /// Looks up a member.
 /// \param name  of a back end
 /// \return it

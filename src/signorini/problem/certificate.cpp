@@ -36,25 +36,42 @@ void check_sizes(const QuadraticProgramme& programme, const PrimalDual& solution
           solution.displacement.size(), " and ", solution.force.size());
 }
 
-/// u without its rigid part, as the sum of two vectors.
-struct Strained {
-  Eigen::VectorXd high;
-  Eigen::VectorXd low;
-};
-
-Strained split(const PrimalDual& solution) {
-  const Index n = solution.displacement.size();
-  Strained u{solution.displacement,
-             has_low(solution) ? solution.displacement_low : Eigen::VectorXd::Zero(n)};
-  if (solution.rigid.size() == 0) return u;
-  for (Index i = 0; i < n; ++i) {
-    ExactSum difference(solution.displacement(i));
-    difference.add(-solution.rigid(i));
-    u.high(i) = difference.high();
-    u.low(i) += difference.low();
+/// u without its rigid part, as the sum of two vectors: those of the solution where they serve.
+class Strained {
+ public:
+  explicit Strained(const PrimalDual& solution)
+      : high_(solution.displacement.data()), low_(solution.displacement_low.data()) {
+    const Index n = solution.displacement.size();
+    const bool rigid = solution.rigid.size() > 0;
+    if (rigid || !has_low(solution)) {
+      own_low_ = has_low(solution) ? solution.displacement_low : Eigen::VectorXd::Zero(n);
+      low_ = own_low_.data();
+    }
+    if (!rigid) return;
+    own_high_.resize(n);
+    high_ = own_high_.data();
+    for (Index i = 0; i < n; ++i) {
+      ExactSum difference(solution.displacement(i));
+      difference.add(-solution.rigid(i));
+      own_high_(i) = difference.high();
+      own_low_(i) += difference.low();
+    }
   }
-  return u;
-}
+  ~Strained() = default;
+  Strained(const Strained&) = delete;
+  Strained& operator=(const Strained&) = delete;
+  Strained(Strained&&) = delete;
+  Strained& operator=(Strained&&) = delete;
+
+  [[nodiscard]] double high(Index unknown) const { return high_[unknown]; }
+  [[nodiscard]] double low(Index unknown) const { return low_[unknown]; }
+
+ private:
+  Eigen::VectorXd own_high_;
+  Eigen::VectorXd own_low_;
+  const double* high_;
+  const double* low_;
+};
 
 /// Whether this and the next column of K have entries in the same rows, as the unknowns of a node mostly have.
 bool twins(const Eigen::SparseMatrix<double>& K, Index column) {
@@ -287,7 +304,7 @@ Eigen::VectorXd strained(const PrimalDual& solution) {
 Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,
                                      const PrimalDual& solution) {
   check_sizes(programme, solution);
-  const Strained u = split(solution);
+  const Strained u(solution);
   std::vector<ExactSum> sum;
   sum.reserve(static_cast<std::size_t>(programme.load.size()));
   for (Index i = 0; i < programme.load.size(); ++i)

@@ -198,6 +198,7 @@ Refining::Change Refining::sweep() {
   add_displacement(solution, moved);
   result_.movement = gaps(data_.programme, solution);
   const auto [closes, amplitude] = closed(residual);
+  residual.resize(0);  // the next solve wants the room
   const Forces last = force_;
   for (std::size_t k = 0; k < closing_.rows().size(); ++k) {
     const Index row = closing_.rows()[k];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -30,7 +31,6 @@ class Road {
         modes_(modes),
         ledger_(ledger),
         problem_(condensed.problem),
-        scaled_(equilibrate(problem_)),
         data_{programme, condensed.solve_stiffness, problem_, scaled_, modes},
         now_{condensed.free_displacement, {}, VectorXd::Zero(programme.initial_gap.size())},
         amplitude_(VectorXd::Zero(modes.cols())) {}
@@ -68,10 +68,11 @@ class Road {
   const QuadraticProgramme& programme_;
   const MatrixXd& modes_;
   Ledger& ledger_;
-  ContactProblem problem_;  // condensed, corrected from pass to pass
-  ScaledProblem scaled_;    // as it was condensed; of corrections refinement knows by itself
+  const ContactProblem& problem_;  // as it was condensed; of corrections refinement knows by itself
+  std::optional<ContactProblem> corrected_;  // once there is something to correct, pass by pass
+  ScaledProblem scaled_;  // of problem_, from the first refinement on: a solver has its own
   RefinementData data_;
-  PrimalDual now_;  // before a claim, what the free movements of problem_ belong to
+  PrimalDual now_;  // before a claim, what the free movements of the corrected problem belong to
   VectorXd amplitude_;
   Refinement refined_;
   std::set<std::vector<Motion>> seen_;
@@ -89,12 +90,12 @@ bool Road::usable(const ContactState& claim) const {
 }
 
 Judgement Road::look(const std::vector<Motion>& motions, const VectorXd& force) {
-  refined_ = refine(data_, now_, force, motions);
+  refined_ = refine(data_, std::move(now_), force, motions);
   ledger_.count("sets", 1);
   ledger_.count("solves", refined_.solves);
-  now_ = refined_.solution;
   amplitude_ += refined_.amplitude;
   Judgement verdict = judge(data_, refined_, motions);
+  now_ = std::move(refined_.solution);
   const Certificate certificate = certify(programme_, now_, problem_.law);
   if (verdict.confirmed || !(end_.certificate.worst() <= certificate.worst())) {
     confirmed_ = verdict.confirmed;
@@ -123,6 +124,7 @@ void Road::read_off() {
 
 bool Road::settle(const ContactState& claim) {
   const Ledger::Phase phase(ledger_, "refinement");
+  if (scaled_.scale.size() == 0) scaled_ = equilibrate(problem_);
   std::vector<Motion> motions = all_motions(claim);
   VectorXd force(claim.force.size() + claim.friction.size());
   force << claim.force, claim.friction;
@@ -162,22 +164,23 @@ bool Road::exchange(std::vector<Motion> motions, VectorXd force) {
 }
 
 void Road::correct() {
-  VectorXd free = refined_.movement - problem_.compliance * refined_.solution.force;
-  VectorXd terms = refined_.movement.cwiseAbs() +
-                   problem_.compliance.cwiseAbs() * refined_.solution.force.cwiseAbs();
+  if (!corrected_) corrected_ = problem_;
+  VectorXd free = refined_.movement - problem_.compliance * now_.force;
+  VectorXd terms =
+      refined_.movement.cwiseAbs() + problem_.compliance.cwiseAbs() * now_.force.cwiseAbs();
   if (modes_.cols() > 0) {
     free -= problem_.rigid * amplitude_;
     terms += problem_.rigid.cwiseAbs() * amplitude_.cwiseAbs();
     PrimalDual strained = now_;
     strained.force.setZero();
     const VectorXd left = -resultant_left(programme_, strained, modes_, 0);
-    problem_.resultant = (left.array().abs() >= smallest_resultant).select(left, 0.0);
+    corrected_->resultant = (left.array().abs() >= smallest_resultant).select(left, 0.0);
   }
   // The others are rounding, or of no size that a problem may have.
   free = (free.array().abs() > (epsilon * terms.array()).max(smallest_movement)).select(free, 0.0);
   const Index pairs = problem_.free_gap.size();
-  problem_.free_gap = free.head(pairs);
-  problem_.free_slip = free.tail(free.size() - pairs);
+  corrected_->free_gap = free.head(pairs);
+  corrected_->free_slip = free.tail(free.size() - pairs);
 }
 
 void Road::take_over(const ContactState& claim, bool corrected) {
@@ -205,7 +208,7 @@ CertifiedEnd Road::run(const Solver& solver, const SolverOptions& options) {
     ContactState claim;
     {
       const Ledger::Phase phase(ledger_, "contact");
-      claim = solve(problem_, solver, options);
+      claim = solve(corrected_ ? *corrected_ : problem_, solver, options);
       ledger_.count("iterations", claim.report.iterations);
       ledger_.count("factorisations", claim.report.factorisations);
     }
