@@ -65,7 +65,7 @@ int main(int argc, char** argv) try {
   for (std::size_t k = 0; k < n_outcomes; ++k)
     std::cout << ' ' << outcome_names[k] << ' ' << counts[k];
   std::cout << "; largest error " << worst << "; ";
-  if (kind == RandomScenes::Paths)
+  if (kind == RandomScenes::Paths || kind == RandomScenes::Any)
     std::cout << "work that nobody got, over the most that was done: " << imbalance
               << " (wrong above " << most_imbalance << "); halvings " << halvings << "; ";
   std::cout << seconds << " s, of them " << longest << " for " << slowest << '\n';
