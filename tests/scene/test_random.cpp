@@ -139,6 +139,14 @@ TEST_CASE("bodies that nothing pushes rest where they only touch, with no force 
     rests(seed, RandomScenes::Frictionless);
 }
 
+// A ring under loads in balance rests on a single pair, which carries 1e-28 of the load: how far it comes down is open.
+TEST_CASE("a lone force that is rounding of the loads holds no body", "[random]") {
+  const Trial trial = try_scene(23480, RandomScenes::Any);
+  CAPTURE(trial.text);
+  CHECK(trial.outcome != Outcome::Disputed);
+  CHECK_FALSE(is_fault(trial.outcome));
+}
+
 // A check that sees no fault of a millionth is none. Scenes without forces, gaps or slips, or with small ones
 // beside the loads and displacements, stay right.
 TEST_CASE("the check of random scenes sees a millionth of any number, and false names",

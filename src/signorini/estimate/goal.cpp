@@ -161,9 +161,10 @@ ContactLine line_of(const Model& model, const std::string& contact, const Vector
   Index nearest = -1;
   for (const Index pair : pairs) {
     pose(model.pairs.node[at(pair)] >= 0,
-         "a width or a peak of pressure cannot be read from Gauss points, whose forces are not "
-         "unique; use the "
-         "gap operator mortar or node_to_segment");
+         "a width or a peak of pressure cannot be read from the pairs of ",
+         model.contacts[model.contact_of[at(pair)]],
+         ", which are Gauss points, whose forces are not unique; use the gap operator mortar or "
+         "node_to_segment");
     if (nearest < 0 || away(pair) < away(nearest)) nearest = pair;
   }
   pose(nearest >= 0,
