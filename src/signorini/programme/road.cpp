@@ -191,7 +191,14 @@ void Road::correct() {
 
 void Road::take_over(const ContactState& claim, bool corrected) {
   ContactState& state = end_.state;
+  const Status before = state.report.status;
   append(state.report, claim.report);
+  // What is said of the problem that was posed is more than that a corrected one was not solved.
+  const bool named = corrected && (before == Status::Jump || before == Status::Ray);
+  if (named && claim.report.status == Status::Breakdown) {
+    state.report.status = before;
+    return;
+  }
   state.uniqueness = claim.uniqueness;
   state.doubt = claim.doubt;
   state.reason = claim.reason;
