@@ -122,13 +122,13 @@ void Checked::sum_up() {
 void Checked::measure() {
   for (std::size_t j = 0; j < u_.size(); ++j)
     force_ = std::max({force_, size(given_.load(static_cast<Index>(j))), size(contact_[j])});
+  // What bears without moving is measured by how the force would move the stiffest unknown.
   const Eigen::VectorXd diagonal = given_.stiffness.diagonal();
+  length_ = force_ / diagonal.maxCoeff();
   for (Index row = 0; row < given_.A.rows(); ++row) {
     Wide length = 0;
-    for (NodalRows::InnerIterator it(given_.A, row); it; ++it) {
-      const Wide push = size(given_.load(it.col())) + size(contact_[at(it.col())]);
-      length += size(it.value()) * (size(u_[at(it.col())]) + push / diagonal(it.col()));
-    }
+    for (NodalRows::InnerIterator it(given_.A, row); it; ++it)
+      length += size(it.value()) * size(u_[at(it.col())]);
     length_ = std::max(length_, length / norm_[at(row)]);
   }
   // Without a load, contact forces that u in two doubles cannot resolve are measured by those that it could make.

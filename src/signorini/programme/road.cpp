@@ -290,6 +290,9 @@ void Road::conclude() {
               "certificate allows; hold the bodies by a support or a soft spring"
             : "the forces and displacements found do not fit the original data";
   }
+  if (state.report.status == Status::Breakdown && state.reason.empty())
+    state.reason =
+        "the method ended without a solution, and what the pairs did last does not fit the data";
   if (motions_.empty() && kept_.movement.size() == 0) return;
   const Index pairs = problem_.free_gap.size();
   const Index slips = kept_.movement.size() - pairs;
