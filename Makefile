@@ -57,11 +57,12 @@ figures:                  ## draw every committed picture anew from the committe
 text:                     ## put the committed numbers, tables and code into the text, and list the equations
 	@perl tools/weave.pl $(WOVEN)
 	@perl tools/equations.pl
-lint:                     ## check the text without compiling: quotations, formulas, links
+lint:                     ## check what needs no compiling: quotations, formulas, links, that faults fit the sources
 	@perl tools/weave.pl --check $(WOVEN)
 	@perl tools/equations.pl --check
 	@perl tools/lint-md.pl $(TEXTS) chapters/equations.md tests/reference/claims.md
 	@perl tools/claims.pl
+	@tests/faults/run.pl --check
 book: lint                ## the web pages, build/book/index.html
 	@tools/docs.sh $B/book && echo "open $B/book/index.html"
 browser: book             ## open every page in a browser and check it

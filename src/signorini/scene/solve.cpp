@@ -207,7 +207,8 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   solution.escape = escape_in_words(model, contact.escape);
   if (contact.escape.size() > 0 && !model.law.pair.empty() && model.parts.empty())
     solution.limit = balanced_share(condensed.problem, VectorXd::Zero(contact.escape.size()));
-  if (end.solution.displacement.size() > 0) {
+  // Where all is held there are no unknowns, and a solution.
+  if (contact.report.status == Status::Solved || end.solution.displacement.size() > 0) {
     const Ledger::Phase phase(ledger, "recovery");
     recover(model, std::move(end.solution), solution);
   }
