@@ -156,12 +156,13 @@ bool Road::exchange(std::vector<Motion> motions, VectorXd force) {
     if (!seen_.insert(motions).second) return last == std::numeric_limits<Index>::max();
     const bool first = last == std::numeric_limits<Index>::max();
     Refinement before = first ? Refinement() : std::move(refined_);
+    PrimalDual start = first ? PrimalDual() : now_;
     const VectorXd amplitude = amplitude_;
     Judgement verdict = look(motions, force);
     if (verdict.confirmed || !now_.displacement.allFinite()) return true;
     if (!refined_.settled && before.settled) {  // what came before can be corrected
       refined_ = std::move(before);
-      now_ = refined_.solution;
+      now_ = std::move(start);
       amplitude_ = amplitude;
       return false;
     }
