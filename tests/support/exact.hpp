@@ -3,10 +3,11 @@
 #pragma once
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "fraction.hpp"
+#include "support/fraction.hpp"
 
 namespace exact {
 
@@ -22,6 +23,13 @@ inline Fraction dot(const Vector& a, const Vector& b) {
 inline Vector along(Vector a, Fraction t, const Vector& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = a[i] + t * b[i];
   return a;
+}
+
+/// Such as (1, -7/6).
+inline std::string text_of(const Vector& x) {
+  std::string list;
+  for (const Fraction& f : x) list += (list.empty() ? "(" : ", ") + f.text();
+  return list + ")";
 }
 
 /// The solution of M x = r, or nothing if M is singular.
