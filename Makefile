@@ -7,7 +7,7 @@ MAKEFLAGS += --no-print-directory
 CHAPTERS := $(wildcard chapters/ch[0-9][0-9]_*)
 PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword $(subst _, ,$(notdir $c))))))
 WOVEN := README.md $(wildcard examples/README.md chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
-TEXTS := $(WOVEN) $(wildcard chapters/*/exercises/*/README.md) docs/references.md
+TEXTS := $(WOVEN) $(wildcard chapters/*/exercises/*/README.md docs/instructor.md) docs/references.md
 CHAPTER_OF = $(wildcard chapters/$1_*)
 # Exercises: a wrong answer is no failure of make. With --question it runs only lines that begin with +, and tells
 # by its exit status, without a message, whether a command is left: the one that the verdict holds.
@@ -89,10 +89,12 @@ faults:                   ## put deliberate faults into a copy, one at a time: w
 	@tests/faults/run.pl
 sets:                     ## compare what pairs do by g++, clang, -O0, -O3 and -march=native, in an hour of compiling
 	@JOBS=$(JOBS) tests/tools/same_sets.sh
+grade: configure          ## grade a folder of answers, DIR/student/ex6.1.cpp: build/grade/grades.csv and .xml
+	@JOBS=$(JOBS) perl tools/grade.pl "$(DIR)" $B
 handout:                  ## build/signorini-handout.tar.gz, without solutions and held-out tests
 	@mkdir -p $B && git archive --format=tar.gz --prefix=signorini/ -o $B/signorini-handout.tar.gz HEAD
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
 .PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers effectivity accuracy \
-        fuzz faults sets handout clean
+        fuzz faults sets grade handout clean
