@@ -64,6 +64,8 @@ lint:                     ## check the text without compiling: quotations, formu
 	@perl tools/claims.pl
 book: lint                ## the web pages, build/book/index.html
 	@tools/docs.sh $B/book && echo "open $B/book/index.html"
+book-pdf: book            ## the same as one file to print, build/signorini.pdf, with Chromium
+	@python3 tools/book-pdf.py $B/book $B/signorini.pdf
 browser: book             ## open every page in a browser and check it
 	@python3 tools/check-docs.py --all $B/book
 bench:                    ## what contact costs over one plain linear solve, measured
@@ -93,5 +95,5 @@ handout:                  ## build/signorini-handout.tar.gz, without solutions a
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers effectivity accuracy \
+.PHONY: all help configure run chapters test conformance results figures text lint book book-pdf browser bench peers effectivity accuracy \
         fuzz faults sets handout clean
