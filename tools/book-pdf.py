@@ -17,7 +17,7 @@ sys.dont_write_bytecode = True    # no __pycache__ beside the tools
 from browser import Browser, chromium
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-BEFORE, AFTER = ["index", "chapters"], ["notation", "glossary", "equations", "words", "references"]
+BEFORE, AFTER = ["index", "ways"], ["notation", "glossary", "equations", "words", "references"]
 SECONDS = 900    # for all formulas, on a busy machine
 
 PAGE = """<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"/><title>Signorini</title>
