@@ -7,7 +7,7 @@ MAKEFLAGS += --no-print-directory
 CHAPTERS := $(wildcard chapters/ch[0-9][0-9]_*)
 PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword $(subst _, ,$(notdir $c))))))
 WOVEN := README.md $(wildcard examples/README.md chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
-TEXTS := $(WOVEN) $(wildcard chapters/*/exercises/*/README.md docs/instructor.md) docs/references.md
+TEXTS := $(WOVEN) chapters/README.md $(wildcard chapters/*/exercises/*/README.md docs/instructor.md) docs/references.md
 CHAPTER_OF = $(wildcard chapters/$1_*)
 # Exercises: a wrong answer is no failure of make. With --question it runs only lines that begin with +, and tells
 # by its exit status, without a message, whether a command is left: the one that the verdict holds.
@@ -65,6 +65,8 @@ lint:                     ## check what needs no compiling: quotations, formulas
 	@tests/faults/run.pl --check
 book: lint                ## the web pages, build/book/index.html
 	@tools/docs.sh $B/book && echo "open $B/book/index.html"
+book-pdf: book            ## the same as one file to print, build/signorini.pdf, with Chromium
+	@python3 tools/book-pdf.py $B/book $B/signorini.pdf
 browser: book             ## open every page in a browser and check it
 	@python3 tools/check-docs.py --all $B/book
 bench:                    ## what contact costs over one plain linear solve, measured
@@ -96,5 +98,5 @@ handout:                  ## build/signorini-handout.tar.gz, without solutions a
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test conformance results figures text lint book browser bench peers effectivity accuracy \
+.PHONY: all help configure run chapters test conformance results figures text lint book book-pdf browser bench peers effectivity accuracy \
         fuzz faults sets grade handout clean

@@ -12,13 +12,13 @@ import json
 import os
 import queue
 import re
-import shutil
-import subprocess
 import sys
-import tempfile
 import threading
 import time
 import urllib.parse
+
+sys.dont_write_bytecode = True    # no __pycache__ beside the tools
+from browser import Browser, chromium
 
 # Runs in a page: waits for the formulas, then reports what it finds.
 PROBE = r"""(async () => {
@@ -79,87 +79,6 @@ EVERY = 16   # of the pages of one kind that Doxygen made, the first of this man
 # Doxygen's names of the pages that it makes by the hundred; the part in brackets is the kind.
 MADE = re.compile(r"(struct|class|union|namespace)\w+?(-members)?\.html$|(dir_)[0-9a-f]+\.html$"
                   r"|(functions|globals|namespacemembers)\w*\.html$|.*(_8[a-z]+(?:_source)?)\.html$")
-
-
-class Browser:
-    """A Chromium process and its debugging pipe: JSON messages separated by zero bytes."""
-
-    def __init__(self, program):
-        self.profile = tempfile.mkdtemp()
-        to_browser, self.out = os.pipe()
-        self.inp, from_browser = os.pipe()
-
-        def child():  # Chromium reads from 3 and writes to 4
-            a, b = os.dup(to_browser), os.dup(from_browser)
-            os.dup2(a, 3)
-            os.dup2(b, 4)
-
-        self.process = subprocess.Popen(
-            [program, "--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--no-first-run",
-             "--disable-background-timer-throttling", "--disable-renderer-backgrounding",
-             "--disable-backgrounding-occluded-windows",
-             "--allow-file-access-from-files", "--window-size=1300,900", "--user-data-dir=" + self.profile],
-            pass_fds=(3, 4, to_browser, from_browser), preexec_fn=child,
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(to_browser)
-        os.close(from_browser)
-        self.lock, self.count, self.ended = threading.Lock(), 0, False
-        self.inbox = {None: queue.Queue()}  # messages by session; None is the browser itself
-        threading.Thread(target=self.listen, daemon=True).start()
-
-    def listen(self):
-        buffer = b""
-        while data := os.read(self.inp, 1 << 20):
-            *lines, buffer = (buffer + data).split(b"\0")
-            for message in map(json.loads, lines):
-                with self.lock:
-                    inbox = self.inbox.setdefault(message.get("sessionId"), queue.Queue())
-                inbox.put(message)
-        with self.lock:
-            self.ended = True
-            for inbox in self.inbox.values():
-                inbox.put(None)
-
-    def message(self, session, timeout=120):
-        with self.lock:
-            inbox = self.inbox.setdefault(session, queue.Queue())
-            ended = self.ended
-        try:
-            message = inbox.get(timeout=0.001 if ended else max(0.001, timeout))
-        except queue.Empty:
-            message = None
-            if not ended:
-                raise TimeoutError("Chromium says nothing for %d seconds" % timeout) from None
-        if message is None:
-            raise EOFError("Chromium ended")
-        return message
-
-    def call(self, method, session=None, events=None, **params):
-        with self.lock:
-            self.count += 1
-            request = {"id": self.count, "method": method, "params": params}
-            if session:
-                request["sessionId"] = session
-            os.write(self.out, json.dumps(request).encode() + b"\0")
-        while True:
-            answer = self.message(session)
-            if answer.get("id") == request["id"]:
-                if "error" in answer:
-                    raise RuntimeError(method + ": " + answer["error"]["message"])
-                return answer["result"]
-            if "method" in answer and events is not None:
-                events.append(answer)
-
-    def close(self):
-        try:
-            self.call("Browser.close")
-        except (OSError, EOFError, RuntimeError, TimeoutError):
-            pass
-        try:
-            self.process.wait(10)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-        shutil.rmtree(self.profile, ignore_errors=True)
 
 
 def complaint(event):
@@ -322,8 +241,7 @@ def main():
     words = [word for word in sys.argv[1:] if word != "--all"]
     folder = os.path.abspath(words[0] if words else "build/book")
     word = words[1] if len(words) > 1 else "notation"
-    found = [os.environ.get("CHROMIUM")] + [shutil.which(p) for p in ("chromium", "chromium-browser", "google-chrome")]
-    program = next((p for p in found if p), None)
+    program = chromium()
     if not program:
         sys.exit("check-docs.py: no chromium found, run: tools/setup.sh check")
     pages = sorted(f for f in os.listdir(folder) if f.endswith(".html"))

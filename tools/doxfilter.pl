@@ -45,6 +45,7 @@ sub complain { my ($n, $why) = @_; print STDERR "$file:$n: error: $why\n" }
 sub label {    # the label of a text, given relative to the root
     my ($text) = @_;
     return 'index' if $text eq 'README.md';
+    return 'ways'  if $text eq 'chapters/README.md';
     return "exercise-$1-$2" if $text =~ m{^chapters/ch(\d\d)_[^/]+/exercises/ex(\d+)_[^/]+/README\.md$};
     return "chapter-$1"     if $text =~ m{^chapters/ch(\d\d)_[^/]+/README\.md$};
     return basename($text, '.md');

@@ -3,6 +3,7 @@
 #   build   compiler, libraries, gnuplot: all that ./run.sh needs
 #   book    Doxygen, formulas and look of the web pages
 #   check   a browser that opens every page
+#   print   the same browser and the letters of the book, for make book-pdf
 #   strict  the second compiler of the stricter presets
 #   peers   other people's programs and libraries, for make peers and make bench
 #   parallel  other factors: CHOLMOD, and MUMPS with MPI
@@ -11,6 +12,7 @@ set -eu
 build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl-base"
 book="doxygen libjs-mathjax doxygen-awesome-css"
 check="chromium python3 fonts-dejavu-core"
+print="$check fonts-wqy-microhei"
 strict="clang"
 peers="calculix-ccx python3-getfem r-cran-quadprog libsiconos-numerics-dev libsuitesparse-dev libmumps-seq-dev libopenblas-dev python3-cvxopt"
 parallel="libsuitesparse-dev libmumps-dev libopenmpi-dev openmpi-bin"
@@ -21,10 +23,11 @@ for group in "$@"; do
     build) wanted="$wanted $build" ;;
     book) wanted="$wanted $book" ;;
     check) wanted="$wanted $check" ;;
+    print) wanted="$wanted $print" ;;
     strict) wanted="$wanted $strict" ;;
     peers) wanted="$wanted $peers" ;;
     parallel) wanted="$wanted $parallel" ;;
-    *) echo "setup.sh: unknown group '$group', expected build, book, check, strict, parallel or peers" >&2; exit 2 ;;
+    *) echo "setup.sh: unknown group '$group', expected build, book, check, print, strict, parallel or peers" >&2; exit 2 ;;
     esac
 done
 

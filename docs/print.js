@@ -1,0 +1,197 @@
+// print.js: joins web pages of the book to the one that tools/book-pdf.py prints.
+//
+// join(book) takes {base, brief, version, pictures: {src: svg}, pages: [{name, html}]} and fills the page: title, contents, then a section for
+// each page that begins on a new sheet; exercises follow in the section of their chapter, their hints in one at the end.
+// Links between pages become links within the book, links to what is not in the book become plain words.  Returns what
+// is wrong: places that are linked to and do not exist, or exist twice.
+// typeset() starts the formulas; `ready` is true when all are drawn.
+// number(pages) writes {place: page} behind the entries of the contents and of the index.
+// misfits() lists what is not drawn, and what is wider than the paper.
+"use strict";
+const LONG = 32;            // lines; a longer listing may be broken over two sheets, and a table of a third of these rows
+const TALLEST = 460;        // pixels of a picture
+let ready = false;
+const damaged = [];
+
+function element(tag, attributes = {}, ...children) {
+  const e = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) e.setAttribute(name, value);
+  e.append(...children);
+  return e;
+}
+
+let drawings = 0;
+/// Fills a polygon with the lines of its pattern: browsers print patterns as bitmaps.
+function hatch(svg, polygon, name) {
+  const make = (tag, attributes, ...children) => {
+    const e = document.createElementNS(svg.namespaceURI, tag);
+    for (const [key, value] of Object.entries(attributes)) e.setAttribute(key, value);
+    e.append(...children);
+    return e;
+  };
+  const pattern = svg.querySelector(polygon.getAttribute("fill").slice(4, -1));
+  const size = ["width", "height"].map((side) => Number(pattern.getAttribute(side)));
+  const points = polygon.getAttribute("points").trim().split(/[\s,]+/).map(Number);
+  const range = [0, 1].map((axis) => {
+    const at = points.filter((_, i) => i % 2 === axis);
+    return [Math.floor(Math.min(...at) / size[axis]), Math.ceil(Math.max(...at) / size[axis])];
+  });
+  const lines = make("g", { "clip-path": `url(#${name})` });
+  for (let i = range[0][0]; i < range[0][1]; ++i)
+    for (let j = range[1][0]; j < range[1][1]; ++j)
+      lines.append(make("g", { transform: `translate(${i * size[0]} ${j * size[1]})` }, ...[...pattern.children].map((e) => e.cloneNode(true))));
+  polygon.replaceWith(make("clipPath", { id: name }, make("polygon", { points: polygon.getAttribute("points") })), lines);
+}
+
+/// A picture within the page: browsers turn some that are linked to into bitmaps.  Its names become its own.
+function drawing(picture, words) {
+  const svg = new DOMParser().parseFromString(picture, "image/svg+xml").documentElement, own = `drawing-${++drawings}-`;
+  for (const e of [svg, ...svg.querySelectorAll("*")])
+    for (const { name, value } of [...e.attributes]) {
+      if (name === "id") e.id = own + value;
+      else if (/^#/.test(value) && /href$/.test(name)) e.setAttribute(name, "#" + own + value.slice(1));
+      else if (value.includes("url(#")) e.setAttribute(name, value.replaceAll("url(#", "url(#" + own));
+    }
+  for (const polygon of svg.querySelectorAll("polygon[fill^=url]")) hatch(svg, polygon, own + "clip-" + ++drawings);
+  const [, , width, height] = svg.getAttribute("viewBox").split(/[\s,]+/).map(Number);
+  const scale = Math.min(1, TALLEST / height);
+  svg.setAttribute("width", width * scale);
+  svg.setAttribute("role", "img");
+  svg.setAttribute("aria-label", words);
+  return document.importNode(svg, true);
+}
+
+/// The text of a page of Doxygen, ready for paper, and its title.
+function text_of(page, { base, pictures }) {
+  const from = new DOMParser().parseFromString(page.html, "text/html");
+  const text = from.querySelector(".textblock");
+  if (!text) throw new Error(`${page.name}: no text in this page`);
+  for (const e of text.querySelectorAll(".chapter-nav, .toc, .ttc, script, p:empty")) e.remove();
+  for (const e of text.querySelectorAll("[style]")) e.removeAttribute("style");
+  for (const image of text.querySelectorAll("img")) {
+    const picture = pictures[image.getAttribute("src")];
+    if (picture) image.replaceWith(drawing(picture, image.alt));
+    else image.src = new URL(image.getAttribute("src"), base).href;
+  }
+  for (const table of text.querySelectorAll("table")) {    // the head comes again on each sheet
+    const first = table.querySelector("tr");
+    if (first?.querySelector("th") && !table.tHead) table.createTHead().append(first);
+  }
+  for (const listing of text.querySelectorAll("pre, div.fragment")) {
+    const lines = listing.querySelectorAll("div.line").length || listing.textContent.split("\n").length;
+    if (lines <= LONG) listing.classList.add("short");
+  }
+  for (const table of text.querySelectorAll("table")) if (table.rows.length <= LONG / 3) table.classList.add("short");
+  for (let level = 5; level > 0; --level)    // the title of the page is the only h1
+    for (const old of text.querySelectorAll("h" + level)) {
+      const heading = element("h" + (level + 1));
+      heading.append(...old.childNodes);
+      old.replaceWith(heading);
+    }
+  for (const link of text.querySelectorAll("a[href]"))
+    if (link.getAttribute("href").startsWith("#")) link.setAttribute("href", page.name + ".html" + link.getAttribute("href"));
+  return { title: from.querySelector(".title").textContent.trim(), text };
+}
+
+function title_page(index, book) {
+  const own = [...index.text.children];
+  const take = (what) => index.text.querySelector(what) ?? "";
+  const section = element("section", { id: "title" }, element("h1", {}, index.title), element("div", { class: "brief" }, book.brief),
+      take("div.image"), take("ul"), element("div", { class: "version" }, book.version));
+  const heading = own.filter((e) => e.matches("h2"))[1];    // the first section tells the two commands
+  for (const e of own.slice(own.indexOf(heading))) e.remove();
+  return section;
+}
+
+function contents_of(sections) {
+  const list = element("ol");
+  const add = (heading, kind, place) => list.append(element("li", { class: "contents " + kind },
+      element("a", { href: "#" + place }, heading.textContent.trim()), element("i"), element("span", { class: "page", "data-place": place })));
+  for (const section of sections) {
+    add(section.querySelector("h1"), "part", section.id);
+    for (const heading of section.querySelectorAll("h2")) {
+      const anchor = heading.id || heading.querySelector("a[id]")?.id;
+      if (anchor) add(heading, "within", anchor);
+    }
+  }
+  return element("section", { id: "contents" }, element("h1", {}, "Contents"), list);
+}
+
+function join(book) {
+  const hints = element("section", { id: "hints" }, element("h1", {}, "Hints"));
+  const sections = [];
+  let title;
+  for (const page of book.pages) {
+    const { title: name, text } = text_of(page, book);
+    if (page.name.startsWith("exercise-")) {
+      const folded = [...text.querySelectorAll("details")];
+      if (folded.length) {
+        const place = "hints-" + page.name;
+        hints.append(element("h3", { id: place }, element("a", { href: page.name + ".html" }, name)));
+        for (const one of folded) {
+          const words = one.querySelector("summary").textContent;
+          one.querySelector("summary").remove();
+          hints.append(element("div", { class: "hint" }, element("b", {}, words), ...one.childNodes));
+          one.remove();
+        }
+        text.append(element("p", {}, element("a", { href: "hints.html#" + place }, "Hints")));
+      }
+      sections.at(-1).append(element("h3", { id: page.name }, name), ...text.childNodes);
+      continue;
+    }
+    for (const folded of text.querySelectorAll("details")) folded.setAttribute("open", "");
+    const section = element("section", { id: page.name });
+    if (page.name === "index") title = title_page({ title: name, text }, book);
+    section.append(element("h1", {}, page.name === "index" ? "The book" : name), ...text.childNodes);
+    sections.push(section);
+  }
+  if (hints.children.length > 1) sections.push(hints);
+  document.body.append(title, contents_of(sections), ...sections);
+  document.head.append(element("style", {}, sections.map((s) => `section#${s.id} { page: ${s.id}; } @page ${s.id} { @top-right { content: ${
+      JSON.stringify(s.querySelector("h1").textContent.trim())}; font: 8pt "DejaVu Serif", serif; color: #5b6670; } }`).join("\n")));
+
+  const pages = new Set([...sections.map((s) => s.id), ...book.pages.map((p) => p.name)]);
+  const places = new Map();
+  for (const e of document.querySelectorAll("[id]")) places.set(e.id, (places.get(e.id) ?? 0) + 1);
+  const wrong = new Set();
+  for (const link of document.querySelectorAll("section a[href]")) {
+    const [, page, place] = /^([^#:]*?)(?:\.html)?(?:#(.*))?$/.exec(link.getAttribute("href")) ?? [];
+    if (page === undefined) continue;    // to another site
+    if (page !== "" && !pages.has(page)) { link.replaceWith(...link.childNodes); continue; }
+    const to = place ?? page;
+    link.setAttribute("href", "#" + to);
+    if (page === "index" && !places.has(to)) { link.replaceWith(...link.childNodes); continue; }    // of the part left out
+    if (places.get(to) !== 1) wrong.add(`${link.textContent}: the place #${to} exists ${places.get(to) ?? 0} times`);
+  }
+  return [...wrong];
+}
+
+function typeset() {
+  const scale = MathJax.Hub.config.SVG.scale / 100;    // a numbered formula becomes as wide as the text, over this
+  for (const kind of ["TeX Jax - parse error", "Math Processing Error"])
+    MathJax.Hub.Register.MessageHook(kind, (message) => damaged.push(`${message[1]}: ${message[2]}`));
+  document.body.style.width = `${document.body.clientWidth * scale}px`;
+  MathJax.Hub.Queue(["Typeset", MathJax.Hub], async () => {
+    document.body.style.width = "";
+    await Promise.all([...document.images].map((i) => i.complete || new Promise((done) => { i.onload = i.onerror = done; })));
+    await document.fonts.ready;
+    ready = true;
+  });
+}
+
+function number(pages) {
+  for (const e of document.querySelectorAll(".page")) e.textContent = pages[e.dataset.place] ?? "?";
+}
+
+function misfits() {
+  const wrong = [];
+  const said = (e) => e.textContent.trim().replace(/\s+/g, " ").slice(0, 60);
+  for (const image of document.images) if (!image.naturalWidth) wrong.push("image does not load: " + image.src);
+  for (const error of damaged) wrong.push("formula not drawn: " + error);
+  for (const section of document.querySelectorAll("section")) {
+    const right = section.getBoundingClientRect().right + 1;
+    for (const e of section.querySelectorAll("p, li, img, pre, div.line, table, blockquote, svg"))
+      if (e.getBoundingClientRect().right > right) wrong.push(`${section.id}: wider than the paper: ${e.tagName} ${said(e)}`);
+  }
+  return wrong;
+}

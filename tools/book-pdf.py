@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""book-pdf.py [BOOK] [FILE]
+
+Prints the web pages in BOOK (default build/book) as one book, FILE (default build/signorini.pdf): title, contents with
+page numbers, the chapters with their exercises, notation, lists, references and hints.  Formulas and figures are vectors.
+Ends with status 1, and without a file, if a link of the book leads nowhere, or a formula, a listing, a table or a figure
+would be missing or cut.  Needs python3 and chromium: a browser is where these pages are at home, and it comes without TeX.
+"""
+import base64
+import json
+import os
+import re
+import sys
+import time
+
+sys.dont_write_bytecode = True    # no __pycache__ beside the tools
+from browser import Browser, chromium
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+BEFORE, AFTER = ["index", "ways"], ["notation", "glossary", "equations", "words", "references"]
+SECONDS = 900    # for all formulas, on a busy machine
+
+PAGE = """<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"/><title>Signorini</title>
+<link rel="stylesheet" href="@DOCS@/print.css"/>
+<style>@page { size: A4; margin: 22mm 20mm 20mm; @bottom-center { content: counter(page); font: 9pt "DejaVu Serif", serif; } }
+@page :first { @bottom-center { content: none; } }</style>
+<script type="text/x-mathjax-config">
+MathJax.Hub.Config({ messageStyle: "none", showMathMenu: false, skipStartupTypeset: true,
+  tex2jax: { inlineMath: [["\\\\(","\\\\)"]], displayMath: [["\\\\[","\\\\]"]], processEnvironments: false },
+  TeX: { equationNumbers: { autoNumber: "none" }, noErrors: { disabled: true }, noUndefined: { disabled: true } },
+  SVG: { font: "TeX", scale: 92, blacker: 0, linebreaks: { automatic: true } } });
+</script>
+<script src="@BOOK@/mathjax/MathJax.js?config=TeX-AMS_SVG"></script>
+<script src="@DOCS@/print.js"></script></head><body></body></html>
+"""
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def names(folder):
+    """The pages that make the book, in its order."""
+    there = {f[:-5] for f in os.listdir(folder) if f.endswith(".html")}
+    order = [name for name in BEFORE if name in there]
+    for chapter in sorted(name for name in there if re.fullmatch(r"chapter-\d\d", name)):
+        order.append(chapter)
+        order += sorted(name for name in there if re.fullmatch("exercise" + chapter[7:] + r"-\d+", name))
+    return order + [name for name in AFTER if name in there]
+
+
+class Printer:
+    """One page of a browser, the book in it, and its print."""
+
+    def __init__(self, browser, url):
+        self.browser = browser
+        target = browser.call("Target.createTarget", url="about:blank")["targetId"]
+        self.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        browser.call("Page.enable", self.session)
+        browser.call("Emulation.setEmulatedMedia", self.session, media="print")
+        browser.call("Page.navigate", self.session, url=url)
+        self.wait("document.readyState === 'complete' && !!window.MathJax && MathJax.isReady")
+
+    def ask(self, script):
+        result = self.browser.call("Runtime.evaluate", self.session, expression=script, awaitPromise=True, returnByValue=True)
+        if "exceptionDetails" in result:
+            sys.exit("book-pdf.py: " + result["exceptionDetails"].get("exception", {}).get("description", "the page failed"))
+        return result["result"].get("value")
+
+    def wait(self, condition):
+        end = time.time() + SECONDS
+        while not self.ask(condition):
+            if time.time() > end:
+                sys.exit("book-pdf.py: the browser needs more than %d s for: %s" % (SECONDS, condition))
+            time.sleep(0.1)
+
+    def pdf(self):
+        return base64.b64decode(self.browser.call(
+            "Page.printToPDF", self.session, preferCSSPageSize=True, printBackground=True, generateDocumentOutline=True,
+            generateTaggedPDF=True)["data"])
+
+
+class Pdf:
+    """What a reader of the file needs to know: the number of pages, and the page of every place that is linked to."""
+
+    def __init__(self, data):
+        self.objects = {int(n): body for n, body in re.findall(rb"(?s)(?:^|\n)(\d+) 0 obj\n(.*?)\nendobj", data)}
+        catalog = next(body for body in self.objects.values() if b"/Type /Catalog" in body)
+        self.pages = {number: i + 1 for i, number in enumerate(self.kids(self.reference(catalog, b"Pages")))}
+        places = self.objects.get(self.reference(catalog, b"Dests") or -1, b"")
+        self.places = {name.decode(): self.pages[int(page)] for name, page in re.findall(rb"/([\w.-]+) \[(\d+) 0 R", places)}
+        self.outline = b"/Outlines" in catalog
+        self.bitmaps = sum(b"/Subtype /Image" in body for body in self.objects.values())
+
+    @staticmethod
+    def reference(body, key):
+        match = re.search(rb"/%s (\d+) 0 R" % key, body)
+        return int(match[1]) if match else None
+
+    def kids(self, number):
+        body = self.objects[number]
+        if b"/Type /Pages" not in body:
+            return [number]
+        inside = re.search(rb"(?s)/Kids \[(.*?)\]", body)[1]
+        return [page for kid in re.findall(rb"(\d+) 0 R", inside) for page in self.kids(int(kid))]
+
+
+def main():
+    folder = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "build/book")
+    target = os.path.abspath(sys.argv[2] if len(sys.argv) > 2 else "build/signorini.pdf")
+    program = chromium()
+    if not program:
+        sys.exit("book-pdf.py: no chromium found, run: tools/setup.sh print")
+    if not os.path.exists(os.path.join(folder, "index.html")):
+        sys.exit("book-pdf.py: no pages in %s, run: make book" % folder)
+    if os.path.exists(target):
+        os.remove(target)
+    version = re.search(r"project\(signorini\s+VERSION\s+([\d.]+)", read(os.path.join(ROOT, "CMakeLists.txt")))
+    brief = re.search(r'PROJECT_BRIEF\s*=\s*"(.*)"', read(os.path.join(ROOT, "docs/Doxyfile.in")))
+    book = {"base": "file://" + folder + "/", "brief": brief[1], "version": "Version " + version[1] if version else "",
+            "pages": [{"name": name, "html": read(os.path.join(folder, name + ".html"))} for name in names(folder)]}
+    drawn = {src for page in book["pages"] for src in re.findall(r'<img src="([^":]+\.svg)"', page["html"])}
+    book["pictures"] = {src: read(os.path.join(folder, src)) for src in drawn if os.path.exists(os.path.join(folder, src))}
+    sheet = folder + ".print.html"
+    with open(sheet, "w", encoding="utf-8") as file:
+        file.write(PAGE.replace("@DOCS@", os.path.join(ROOT, "docs")).replace("@BOOK@", folder))
+    browser = Browser(program)
+    try:
+        printer = Printer(browser, "file://" + sheet)
+        wrong = printer.ask("join(%s)" % json.dumps(book))
+        printer.ask("typeset()")
+        printer.wait("ready")
+        wrong += printer.ask("misfits()")
+        first = Pdf(printer.pdf())
+        printer.ask("number(%s)" % json.dumps(first.places))
+        data = printer.pdf()
+        formulas = printer.ask("document.querySelectorAll('.MathJax_SVG').length")
+        asked = printer.ask("[...document.querySelectorAll('.page')].map(e => e.dataset.place)")
+    finally:
+        browser.close()
+        os.remove(sheet)
+    last = Pdf(data)
+    wrong += ["the contents move the page of " + place for place in asked if last.places.get(place) != first.places.get(place)]
+    wrong += ["no page for " + place for place in asked if place not in last.places]
+    wrong += ["no outline"] * (not last.outline) + ["%d bitmaps" % last.bitmaps] * (last.bitmaps > 0)
+    if wrong:
+        sys.exit("\n".join(wrong + ["book-pdf.py: %d problems" % len(wrong)]))
+    with open(target, "wb") as file:
+        file.write(data)
+    print("%s: %d pages, %d formulas, %d places, %.1f MB" % (target, len(last.pages), formulas, len(last.places), len(data) / 1e6))
+
+
+main()
