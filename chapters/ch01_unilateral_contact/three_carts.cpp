@@ -1,5 +1,7 @@
 // Chapter 1 - Three carts and their stops: condensation, and the exchange of wrong pairs.
 // Run:  make ch01     Reads: nothing     Writes: ch01_three_carts.results, condensed.md, exchange.md
+#include "three_carts.hpp"
+
 #include <algorithm>
 #include <iostream>
 
@@ -13,25 +15,12 @@
 
 namespace {
 
-using namespace signorini;
+using namespace ch01;
 using Eigen::Index;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Sets = std::vector<Index>;
 
-// 1. A wall and three carts in a row, joined by springs of 1 N/mm; 4 N pull at the last cart.
-// [carts]
-DenseProgramme three_carts() {
-  DenseProgramme carts;
-  carts.stiffness.resize(3, 3);
-  carts.stiffness << 2, -1, 0, /**/ -1, 2, -1, /**/ 0, -1, 1;  // K [N/mm]
-  carts.load = Vector3d(0, 0, 4);                              // p [N]
-  carts.A = Eigen::Matrix3d::Identity();                       // each cart has its own stop
-  carts.initial_gap = Vector3d(2, 7, 9);                       // g [mm]
-  return carts;
-}
-// [carts]
-
+// 1. What a change of the displacements costs, to first order.
 // \PaperEq{XuanLi2002, 7}, \PaperEq{XuanLi2002, 8}
 double first_order(const DenseProgramme& carts, const VectorXd& u, const VectorXd& w) {
   return (carts.stiffness * u - carts.load).dot(w - u);
@@ -47,7 +36,9 @@ struct Step {
 // [exchange]
 Step close_these(const ContactProblem& problem, const Sets& closed) {
   const Eigen::MatrixXd& G = problem.compliance;
-  Step now{closed, VectorXd::Zero(3), {}, {}, {}, {}};
+  Step now;
+  now.closed = closed;
+  now.force = VectorXd::Zero(3);
   now.force(closed) = CholeskyFactor(G(closed, closed)).solve(-problem.free_gap(closed));
   now.gap = problem.free_gap + G * now.force;
   now.gap(closed).setZero();  // but for rounding they are

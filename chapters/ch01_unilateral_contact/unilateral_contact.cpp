@@ -1,6 +1,6 @@
 // Chapter 1 - The unilateral contact problem (Xuan & Li 2002, sec. 1): a block on an obstacle.
 // Run:  make ch01     Reads: nothing     Writes: ch01.results, fig_1_1.csv, fig_1_1_obstacle.csv,
-//      fig_1_1_nodes.csv, fig_1_4.csv, fig_1_4_obstacle.csv, ch01.vtu
+//      fig_1_1_nodes.csv, fig_1_5.csv, fig_1_5_obstacle.csv, ch01.vtu
 // --full: the mesh of 640 x 320 cells that the headline is compared with.
 #include <cmath>
 
@@ -52,19 +52,20 @@ double half_width(const SolvedScene& block) {
   return x1 + p1 / (p2 - p1) * (x1 - block.model.pairs.position(last - 1, 0));
 }
 
-// 2. Gap and pressure along the base, for figure 1.4, and what the text quotes of them.
+// 2. Gap and pressure along the base, for figure 1.5, and what the text quotes of them.
 void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Results& results) {
   const Pairs& pairs = block.model.pairs;
-  write_file(run.out / "fig_1_4.csv",
+  write_file(run.out / "fig_1_5.csv",
              pressure_csv(block.model, block.solution, "rel 1e-6 abs 1e-8"));
   const Eigen::VectorXd x = pairs.position.col(0);
   const NodeArray moved = pairs.position + block.solution.displacements[0](pairs.node, Eigen::all);
   const Table outline = table_of(
       {{"x", x}, {"obstacle", obstacle_at(x)}, {"base_x", moved.col(0)}, {"base_y", moved.col(1)}});
-  write_file(run.out / "fig_1_4_obstacle.csv", outline.csv("rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_1_5_obstacle.csv", outline.csv("rel 1e-6 abs 1e-8"));
   write_vtu(run.out / "ch01.vtu", block.model, block.solution);
   const Resultants sum = resultants(pairs, block.solution);
   results.add("candidates", static_cast<double>(block.model.programme.A.rows()), "-");
+  results.add("unknowns", static_cast<double>(block.model.programme.load.size()), "-");
   results.add("closed", static_cast<double>(block.solution.contact.active.size()), "-");
   results.add("total_contact_force", sum.force.y(), "N");
   results.add("peak_pressure", sum.peak_pressure, "N/mm^2");
