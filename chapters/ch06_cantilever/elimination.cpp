@@ -1,16 +1,17 @@
-// Figure 6.6: in which order the unknowns of a body are eliminated, and whom the rows of A meet on their way.
-#pragma once
-#include <set>
+// Chapter 6 - Figure 6.6: in which order the unknowns of a body are eliminated, and whom the rows of A meet on their way.
+// Run:  make ch06     Reads: nothing     Writes: fig_6_6.csv, fig_6_6_tree.csv
 #include <vector>
 
+#include "scene.hpp"
+#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/factor/separator_tree.hpp"
+#include "signorini/report/program.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/scene.hpp"
 
-namespace ch06 {
+namespace {
 
-using namespace signorini;
+using namespace ch06;
 
 /// What the picture shows of every separator of a tree.
 struct DrawnTree {
@@ -20,7 +21,7 @@ struct DrawnTree {
   std::vector<bool> visited;  // whether a row of A has an entry in it or below
 };
 
-inline DrawnTree drawn_tree(const Model& model) {
+DrawnTree drawn_tree(const Model& model) {
   DrawnTree drawn{separator_tree(model.programme.stiffness, unknown_positions(model)), {}, {}, {}};
   const auto& separators = drawn.tree.separators;
   drawn.above.assign(separators.size(), -1);
@@ -46,46 +47,8 @@ inline DrawnTree drawn_tree(const Model& model) {
   return drawn;
 }
 
-/// Multiplications for the compliance of all rows of A over those for the factor, front by front: H and what it
-/// hands up, then H^T H; and the dense elimination of the own unknowns.
-inline double price_of_compliance(const DrawnTree& drawn, const Model& model) {
-  const std::vector<Separator>& separators = drawn.tree.separators;
-  const Eigen::SparseMatrix<double> A = model.programme.A;  // by columns
-  std::vector<int> place(drawn.tree.order.size());
-  for (std::size_t k = 0; k < place.size(); ++k)
-    place[static_cast<std::size_t>(drawn.tree.order[k])] = static_cast<int>(k);
-  std::vector<std::set<int>> boundary(separators.size());
-  std::vector<std::set<Eigen::Index>> rows(separators.size());
-  double compliance = 0;
-  double factor = 0;
-  for (std::size_t s = 0; s < separators.size(); ++s) {
-    const int end = separators[s].first + separators[s].own;
-    for (const int below : separators[s].below) {
-      if (below < 0) continue;
-      const std::size_t part = static_cast<std::size_t>(below);
-      boundary[s].insert(boundary[part].lower_bound(end), boundary[part].end());
-      rows[s].insert(rows[part].begin(), rows[part].end());
-    }
-    for (int k = separators[s].first; k < end; ++k) {
-      const int unknown = drawn.tree.order[static_cast<std::size_t>(k)];
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(A, unknown); entry; ++entry)
-        rows[s].insert(entry.row());
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(model.programme.stiffness, unknown);
-           entry; ++entry)
-        if (const int other = place[static_cast<std::size_t>(entry.row())]; other >= end)
-          boundary[s].insert(other);
-    }
-    const double own = separators[s].own;
-    const double rim = static_cast<double>(boundary[s].size());
-    const double carried = static_cast<double>(rows[s].size());
-    factor += own * own * own / 6 + own * own * rim / 2 + own * rim * rim / 2;
-    compliance += carried * (own * own / 2 + own * rim) + own * carried * carried / 2;
-  }
-  return compliance / factor;
-}
-
 /// Where the unknowns of every separator are.
-inline Table drawn_nodes(const DrawnTree& drawn, const Model& model) {
+Table drawn_nodes(const DrawnTree& drawn, const Model& model) {
   Table table({"x", "y", "level", "visited"});
   const auto positions = unknown_positions(model);
   for (std::size_t s = 0; s < drawn.level.size(); ++s) {
@@ -101,7 +64,7 @@ inline Table drawn_nodes(const DrawnTree& drawn, const Model& model) {
 }
 
 /// The tree itself: every separator in the middle over what it parts, with a line to the one above.
-inline Table drawn_branches(const DrawnTree& drawn) {
+Table drawn_branches(const DrawnTree& drawn) {
   const std::size_t count = drawn.level.size();
   std::vector<double> place(count);
   double next = 0;
@@ -120,4 +83,19 @@ inline Table drawn_branches(const DrawnTree& drawn) {
   return table;
 }
 
-}  // namespace ch06
+Status chapter(const ProgramOptions& run) {
+  Ledger ledger;
+  Scene square = cantilever(paper, "q4", 100);
+  square.bodies[0].mesh = block("block", {0, 0}, {paper.height, paper.height}, 24, 24);
+  const Model body = build(square, ledger);
+  const DrawnTree tree = drawn_tree(body);
+  write_file(run.out / "fig_6_6.csv", drawn_nodes(tree, body).csv());
+  write_file(run.out / "fig_6_6_tree.csv", drawn_branches(tree).csv());
+  return Status::Solved;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("ch06_elimination", "Elimination", SIGNORINI_CHAPTER_OUT, argc, argv, chapter);
+}
