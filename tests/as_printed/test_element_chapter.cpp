@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "../chapters/ch09_point_to_surface/contact_element.hpp"
+#include "../chapters/ch09_point_to_surface/round_block.hpp"
 #include "catch_compat.hpp"
+#include "signorini/as_printed/saddle_point_newton.hpp"
+#include "signorini/scene/readings.hpp"
 
 using namespace ch09;
 
@@ -47,5 +50,18 @@ TEST_CASE("with -a the Jacobian of an element is that of its equations, with +a 
     CHECK(jacobian_error(element) < 1e-8);
     element.reaction = 1;
     CHECK(jacobian_error(element) > 1);
+  }
+}
+
+TEST_CASE("the round block has the same forces with all unknowns and with contact forces only",
+          "[saddle-point]") {
+  const SolvedScene condensed = solved(round_block(16, {"mm"}), "round block");
+  const Eigen::VectorXd& force = condensed.solution.contact.force;
+  for (const auto form : {SaddlePointForm::OneUnit, SaddlePointForm::AsPrinted}) {
+    SaddlePointOptions options;
+    options.form = form;
+    const SaddlePointSolution whole = saddle_point_newton(condensed.model.programme, options);
+    REQUIRE(whole.report.status == Status::Solved);
+    CHECK((whole.solution.force - force).norm() < 1e-11 * force.norm());
   }
 }

@@ -1,11 +1,9 @@
-// What the pressures of Gauss points may be while nothing that can be seen of the bodies changes.
+// Which pressures of Gauss points the bodies can tell apart.
 #pragma once
 #include <algorithm>
 #include <vector>
 
 #include "signorini/core/dense.hpp"
-#include "signorini/core/errors.hpp"
-#include "signorini/programme/active_set_programme.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch10 {
@@ -42,43 +40,5 @@ inline ClosedPoints closed_points(const SolvedScene& run) {
   return closed;
 }
 // [closed]
-
-/// The least |y - pull|^2 for which no pressure is negative: a point on a spring between walls.
-/// \return the pressures there
-// [pulled]
-inline Eigen::VectorXd pulled(const ClosedPoints& closed, const Eigen::VectorXd& pull) {
-  const double scale = closed.pressure.maxCoeff();
-  const Eigen::VectorXd start = closed.root.cwiseProduct(closed.pressure) / scale;
-  const Eigen::Index n = pull.size();
-  const DenseProgramme walls{Eigen::MatrixXd::Identity(n, n), pull, -closed.free, start};
-  const DenseSolution state = goldfarb_idnani(walls);
-  if (state.report.status != Status::Solved) throw NotSolved("possible pressures: not found");
-  return scale * state.gap.cwiseQuotient(closed.root);
-}
-
-struct Bounds {
-  Eigen::VectorXd lowest, highest;
-};
-
-inline Bounds possible_pressures(const ClosedPoints& closed) {
-  Bounds bounds{closed.pressure, closed.pressure};
-  if (closed.free.cols() == 0) return bounds;
-  const double far = 1e4 * closed.root.norm();
-  for (Eigen::Index i = 0; i < closed.pressure.size(); ++i) {
-    const Eigen::VectorXd up = far * closed.free.row(i).transpose().normalized();
-    bounds.highest(i) = pulled(closed, up)(i);
-    bounds.lowest(i) = pulled(closed, -up)(i);
-  }
-  return bounds;
-}
-// [pulled]
-
-/// The pressures of least mean square among all that are possible.
-inline Eigen::VectorXd least_pressures(const ClosedPoints& closed) {
-  if (closed.free.cols() == 0) return closed.pressure;
-  const double scale = closed.pressure.maxCoeff();
-  return pulled(closed,
-                -(closed.free.transpose() * closed.root.cwiseProduct(closed.pressure)) / scale);
-}
 
 }  // namespace ch10
