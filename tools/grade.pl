@@ -137,7 +137,7 @@ sub grade {
     if (!tool($folder, 'compiler', @{ $parts->{compile} }, qw(-MD -MF answer.d -o answer.o -c attempt.cpp))) {
         my $said = slurp("$folder/compiler");
         return $is->('does not compile', $said =~ /attempt\.cpp:(\d+)(?::\d+)?: (?:fatal )?error: (.*)/ ? "line $1: $2"
-            : $said =~ /error: (.*)/ ? $1 : "the compiler stopped; it may take $compile{seconds} seconds and $compile{kilobytes} kB");
+            : $said =~ /error: (.*)/i ? $1 : "the compiler stopped; it may take $compile{seconds} seconds and $compile{kilobytes} kB");
     }
     if (my $reason = suspicion($folder, $taken)) { return $is->('fake', $reason) }
     for my $which (qw(tests heldout)) {
@@ -147,7 +147,7 @@ sub grade {
             return $is->('does not compile', slurp("$folder/linker") =~ /((?:undefined reference|multiple definition).*)/ ? $1
                 : 'cannot be linked');
         }
-        my $result = run_tests("$folder/$which", $folder, $reference->{seconds}, $reference->{$which});
+        my $result = run_tests("$folder/$which", $folder, @$reference{qw(seconds reads)}, $reference->{$which});
         rename "$folder/said", "$folder/$which.txt";
         unlink "$folder/$which";
         $row->{seconds} += $result->{seconds};
@@ -246,7 +246,12 @@ for my $exercise (@wanted) {
     my $longest = 0;
     for my $which (qw(tests heldout)) {
         my $program = "$build/bin/$exercise.solution" . ($which eq 'tests' ? '' : '-heldout');
-        my $result = $reference{$exercise}{$which} = run_tests($program, $work, 300);
+        my $result;
+        for my $reads (0, 1) {    # answers may read files only if the reference solution has to
+            $result = $reference{$exercise}{$which} = run_tests($program, $work, 300, $reads);
+            $reference{$exercise}{reads} |= $reads;
+            last if $result->{status} eq 'passed';
+        }
         refuse("the reference solution of $exercise: $result->{status}, $result->{message}") if $result->{status} ne 'passed';
         refuse('answers cannot be enclosed here: this needs Linux on x86-64 or AArch64') if !$result->{enclosed};
         $longest = $result->{seconds} if $result->{seconds} > $longest;

@@ -52,10 +52,10 @@ sub slurp {
 
 # Runs the tests of a program in $folder.  Returns a hash: status (passed, failed, crashed, timed out, out of memory, forbidden,
 # fake), message (the first thing that is wrong), said (all that it printed), seconds, names of the test cases in their order,
-# tests (name => [assertions passed, failed]), enclosed.  With $reference, the result of the reference solution, what passes must
+# tests (name => [assertions passed, failed]), enclosed.  With $reads it may read files.  With $reference, the result of the reference solution, what passes must
 # have ended the same test cases.
 sub run_tests {
-    my ($program, $folder, $seconds, $reference) = @_;
+    my ($program, $folder, $seconds, $reads, $reference) = @_;
     open my $random, '<:raw', '/dev/urandom' or die "no /dev/urandom: $!\n";
     sysread($random, my $bytes, 32) == 32 or die "cannot read /dev/urandom\n";
     my $secret = unpack 'H*', $bytes;
@@ -65,7 +65,7 @@ sub run_tests {
     my $enter = sub {
         POSIX::dup2(fileno $from_judge, 30), POSIX::dup2(fileno $to_judge, 31);
         POSIX::dup2(30, 3), POSIX::dup2(31, 4);
-        %ENV = (PATH => '/usr/bin:/bin', SIGNORINI_JUDGED => "$seconds $memory $most_printed");
+        %ENV = (PATH => '/usr/bin:/bin', SIGNORINI_JUDGED => "$seconds $memory $most_printed $reads");
         chdir $folder;
     };
     my $listen = sub {
@@ -104,7 +104,8 @@ sub run_tests {
     return $judged->('forbidden', 'asks the system for what no answer needs: a process, a signal, a socket or a file to write')
         if $name eq 'SIGSYS';
     return $judged->('forbidden', "prints more than $most_printed bytes") if $name eq 'SIGXFSZ';
-    return $judged->('out of memory', "asks for more than $memory bytes") if $is{said} =~ /^\s*(?:what\(\):\s+)?std::bad_alloc$/m;
+    return $judged->('out of memory', "asks for more than $memory bytes")
+        if ($signal || @failed) && $is{said} =~ /^\s*(?:what\(\):\s+)?std::bad_alloc$/m;
     return $judged->('crashed', "ended by $name" . (@failed ? " in '$failed[-1]'" : ' before the tests were through'))
         if $signal;
     if (!$ended) {
@@ -114,7 +115,7 @@ sub run_tests {
     if (@failed || $code) {
         my $how = '';
         if ($is{said} =~ /FAILED:\n(.*?)\n(?:\n|\z)/s) {
-            $how = $1 =~ s/\nwith expansion:/, that is/r =~ s/\nwith messages?:.*//sr =~ s/\s+/ /gr =~ s/\A //r;
+            $how = $1 =~ s/\nwith expansion:/, that is/r =~ s/\nwith messages?:.*//sr =~ s/\{Unknown expression.*?\}//r =~ s/\s+/ /gr =~ s/\A //r;
         }
         return $judged->('failed', join ': ', @failed ? $failed[0] : "ends with status $code", $how || ());
     }
@@ -143,7 +144,7 @@ sub judge {
     my @when_wrong = ('not yet', 'right on the tests that you see, not yet on the held-out ones');
     my $folder     = tempdir(CLEANUP => 1);
     for my $k (0 .. $#programs) {
-        my $is = run_tests($programs[$k], $folder, 120);
+        my $is = run_tests($programs[$k], $folder, 120, 1);
         next if $is->{status} eq 'passed';
         show($is);
         print "$exercise: $when_wrong[$k]; edit $file, then make $exercise again\n";
@@ -155,7 +156,7 @@ sub judge {
 
 sub starter {
     my ($program) = @_;
-    my $is = run_tests($program, tempdir(CLEANUP => 1), 120);
+    my $is = run_tests($program, tempdir(CLEANUP => 1), 120, 1);
     show($is);
     if ($is->{status} eq 'passed') {
         print "The tests pass: attempt.cpp is no starter.  If it is your own answer, well done; 'git stash' brings\n",

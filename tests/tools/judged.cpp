@@ -1,19 +1,20 @@
 // Linked first into every program of an exercise: tells tools/judge.pl what the tests found, in a way that an answer
 // cannot imitate, and encloses the program before a line of the answer runs.
 //
-// SIGNORINI_JUDGED = "SECONDS BYTES PRINTED" is set by the judge: the limits of processor time, of memory and of what is
-// printed. From file 3 comes a secret of one line; to file 4 goes a line for every test case that ends,
-// "SECRET<tab>passed<tab>failed<tab>name" with the numbers of its assertions, and last "SECRET<tab>end<tab>enclosed", or
-// "open" where the system is none that this file can enclose a program on. File 3 is read and closed before static objects
-// of the answer come to life. Without the variable nothing happens.
+// SIGNORINI_JUDGED = "SECONDS BYTES PRINTED READS" is set by the judge: the limits of processor time, of memory and of what is
+// printed, and 1 if files may be read, else 0. From file 3 comes a secret of one line; to file 4 goes a line for every test
+// case that ends, "SECRET<tab>passed<tab>failed<tab>name" with the numbers of its assertions, and last
+// "SECRET<tab>end<tab>enclosed", or "open" where the system is none that this file can enclose a program on. File 3 is read
+// and closed before static objects of the answer come to life. Without the variable nothing happens.
 //
-// Enclosed means: computing, memory and open files are all there is. A program that starts another one, signals, opens a
-// socket or opens a file for writing is killed by SIGSYS, whatever else it asks for is refused with EPERM.
+// Enclosed means: computing, memory and open files are all there is, and files to read if READS says so. A program that starts
+// another one, signals, opens a socket or opens a file for writing is killed by SIGSYS, whatever else it asks for is refused.
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -87,13 +88,13 @@ class Filter {
     add(BPF_JMP | BPF_JEQ | BPF_K, number, 0, 1);
     end(verdict);
   }
-  /// Opening a file: deadly for writing, refused for reading.
-  void on_open(unsigned number, std::size_t flags) {
+  /// Opening a file: deadly for writing.
+  void on_open(unsigned number, std::size_t flags, unsigned for_reading) {
     add(BPF_JMP | BPF_JEQ | BPF_K, number, 0, 4);
     load(flags);
     add(BPF_JMP | BPF_JSET | BPF_K, O_WRONLY | O_RDWR | O_CREAT | O_TRUNC, 0, 1);
     end(SECCOMP_RET_KILL_PROCESS);
-    end(SECCOMP_RET_ERRNO | EACCES);
+    end(for_reading);
   }
   /// A signal to a thread: only to one's own, which is how a program aborts.
   void on_signal(unsigned number) {
@@ -115,7 +116,8 @@ class Filter {
   std::size_t length_ = 0;
 };
 
-bool enclose() {
+bool enclose(bool reads) {
+  const unsigned reading = reads ? SECCOMP_RET_ALLOW : SECCOMP_RET_ERRNO | EACCES;
   Filter filter;
   filter.load(offsetof(seccomp_data, arch));
   filter.add(BPF_JMP | BPF_JEQ | BPF_K, machine, 1, 0);
@@ -123,16 +125,18 @@ bool enclose() {
   filter.load(offsetof(seccomp_data, nr));
   for (const unsigned number : allowed) filter.on_call(number, SECCOMP_RET_ALLOW);
   for (const unsigned number : deadly) filter.on_call(number, SECCOMP_RET_KILL_PROCESS);
-  filter.on_open(SYS_openat, Filter::argument(2));
-#ifdef SYS_open
-  filter.on_open(SYS_open, Filter::argument(1));
+  filter.on_open(SYS_openat, Filter::argument(2), reading);
+  filter.on_call(SYS_newfstatat, reading);
+#ifdef __x86_64__
+  filter.on_open(SYS_open, Filter::argument(1), reading);
+  filter.on_call(SYS_stat, reading);
 #endif
   filter.on_signal(SYS_tgkill);
   filter.end(SECCOMP_RET_ERRNO | EPERM);
   return filter.install();
 }
 #else
-bool enclose() { return false; }
+bool enclose(bool /*reads*/) { return false; }
 #endif
 
 void begin(int /*argc*/, char** /*argv*/, char** environment) {
@@ -140,7 +144,7 @@ void begin(int /*argc*/, char** /*argv*/, char** environment) {
   const std::size_t n = std::strlen(variable);
   while (*environment != nullptr && std::strncmp(*environment, variable, n) != 0) ++environment;
   if (*environment == nullptr) return;
-  std::array<unsigned long, 3> number{};
+  std::array<unsigned long, 4> number{};
   char* rest = *environment + n;
   for (unsigned long& each : number) each = std::strtoul(rest, &rest, 10);
   const ssize_t length = read(from_judge, secret.data(), secret.size() - 1);
@@ -152,7 +156,7 @@ void begin(int /*argc*/, char** /*argv*/, char** environment) {
   limit(RLIMIT_AS, number[1], number[1]);
   limit(RLIMIT_FSIZE, number[2], number[2]);
   limit(RLIMIT_CORE, 0, 0);
-  enclosed = enclose();
+  enclosed = enclose(number[3] != 0);
 }
 
 // Before any constructor of the program, of whatever priority: those of other files follow in the order of linking.
