@@ -36,10 +36,11 @@ fi
 
 # The order of the input is the order of the sidebar.
 input="\"$root/README.md\""
-for text in "$root"/chapters/README.md "$root"/examples/README.md "$root"/chapters/notation.md "$root"/chapters/equations.md "$root"/chapters/ch[0-9][0-9]_*/README.md; do
+for text in "$root"/chapters/README.md "$root"/examples/README.md "$root"/chapters/notation.md "$root"/chapters/glossary.md \
+    "$root"/chapters/words.md "$root"/chapters/equations.md "$root"/chapters/ch[0-9][0-9]_*/README.md; do
     [ ! -f "$text" ] || input="$input \"$text\""
 done
-input="$input \"$root/docs/references.md\" \"$root/docs/library.dox\" \"$root/src\""
+input="$input \"$root/docs/references.md\" \"$root/CONTRIBUTING.md\" \"$root/CHANGELOG.md\" \"$root/docs/library.dox\" \"$root/src\""
 for file in "$root"/chapters/ch[0-9][0-9]_*/*.cpp "$root"/chapters/ch*/exercises/ex*/README.md; do
     [ ! -f "$file" ] || input="$input \"$file\""
 done

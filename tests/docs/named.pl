@@ -1,0 +1,103 @@
+#!/usr/bin/env perl
+# named.pl ROOT: every file, target of make, group of the set-up, command and option that the guides name exists; every open
+# family of the library has its row in CONTRIBUTING.md, with the table that its source has; and CITATION.cff has the
+# version of CMakeLists.txt.  Then plants a fault in each of these, and expects it to be found.
+use strict;
+use warnings;
+use File::Glob ':bsd_glob';
+
+my ($root) = @ARGV;
+chdir $root or die "named.pl: no folder $root\n";
+my @guides = ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'chapters/README.md');
+my %text;    # file -> what it is taken to say
+
+sub slurp {
+    my ($file) = @_;
+    return $text{$file} if defined $text{$file};
+    open my $in, '<', $file or die "named.pl: $file: $!\n";
+    local $/;
+    return $text{$file} = <$in>;
+}
+
+my $makefile = slurp('Makefile');
+my $options  = join '', map { slurp($_) } glob('src/command_line/*.cpp');
+my %group    = map { $_ => 1 } slurp('tools/setup.sh') =~ /^    (\w+)\) wanted=/mg;
+my %command  = map { $_ => 1 } $options =~ /\bapp,\s*"(\w+)"/g;
+die "named.pl: found no groups or no commands\n" if !%group || !%command;
+
+sub exists_target {
+    my ($target) = @_;
+    return $makefile =~ /^\Q$target\E:/m if $target !~ /^(?:ch(\d\d)|ex(\d+)\.(\d+))$/;
+    my @found = glob(defined $1 ? "chapters/ch$1_*" : sprintf('chapters/ch%02d_*/exercises/ex%d_*', $2, $3));
+    return scalar @found;
+}
+
+sub wrong_words {    # what a piece of code names that does not exist
+    my ($code) = @_;
+    my @bad;
+    push @bad, map { "no target $_ of make" } grep { !/NN/ && !exists_target($_) } $code =~ /(?:^|&& |; )make ([a-z][\w.-]*)/g;
+    if ($code =~ m{^tools/setup\.sh (.*?)(?: &&|$)}) { push @bad, map { "no group $_ of the set-up" } grep { !$group{$_} } split ' ', $1 }
+    if ($code =~ m{^(?:build/bin/)?signorini ([a-z]\w*)}) { push @bad, "no command $1 of signorini" if !$command{$1} }
+    if ($code =~ m{^(?:build/bin/)?signorini |^--}) {
+        push @bad, map { "no option $_ of signorini" } grep { $options !~ /"(?:-\w,)?$_\b/ && !/^--help$/ } $code =~ /(?<!\S)(--[a-z]+)/g;
+    }
+    for my $path ($code =~ m{(?<![\w./-])((?:\./)?(?:src|tests|tools|chapters|examples|figures|docs|cmake|bench|\.ci|\.)/[\w./*-]+)}g) {
+        next if $path =~ /NN|exK|NAME|\.\.\.$/;
+        push @bad, "no file $path" if !grep { -e } glob $path;
+    }
+    return @bad;
+}
+
+sub check {
+    my @found;
+    for my $file (@guides) {
+        my ($fence, $n) = ('', 0);
+        for my $line (split /\n/, slurp($file)) {
+            $n++;
+            if ($line =~ /^\s*(```+)(\w*)/) { $fence = $fence ? '' : $2 || 'text'; next }
+            my @code = $fence eq 'sh' ? $line =~ s/\s+#\s.*//r : $fence ? () : $line =~ /`([^`]+)`/g;
+            push @found, map { "$file:$n: $_" } map { wrong_words($_) } @code;
+        }
+    }
+    my %row;    # file of the table -> its name
+    for (split /\n/, slurp('CONTRIBUTING.md')) {
+        $row{$3} = [$1, $2] if /^\| ([\w ]+) \| .* \| `(\w+)(?:\(\))?` in \[\w+\.cpp\]\(([\w\/.]+)\) \|/;
+    }
+    for my $file (glob 'src/signorini/*/*.cpp') {
+        my ($members) = slurp($file) =~ /static const std::vector<\w+> family = \{\s*(\w*)/ or next;
+        my $row = delete $row{$file};
+        if (!$row) { push @found, "CONTRIBUTING.md has no row for the family of $file"; next }
+        push @found, "CONTRIBUTING.md: no table $row->[1] in $file" if slurp($file) !~ /\b$row->[1]\b/;
+    }
+    push @found, "CONTRIBUTING.md: $_ has no family" for sort keys %row;
+    my $citation = slurp('CITATION.cff');
+    my ($version) = slurp('CMakeLists.txt') =~ /project\(signorini VERSION ([\d.]+)/;
+    push @found, "CITATION.cff has not the version $version" if $citation !~ /^version: \Q$version\E$/m;
+    push @found, "CHANGELOG.md does not tell of $version"    if slurp('CHANGELOG.md') !~ /^## .*\Q$version\E/m;
+    for my $key (qw(cff-version message title authors references)) { push @found, "CITATION.cff has no $key" if $citation !~ /^$key:/m }
+    return @found;
+}
+
+my @found = check();
+print "$_\n" for @found;
+my $failures = @found;
+
+sub fault {    # file, what is replaced, by what, part of the complaint
+    my ($file, $old, $new, $complaint) = @_;
+    my $kept = slurp($file);
+    ($text{$file} = $kept) =~ s/$old/$new/ or do { print "named.pl: '$old' is not in $file\n"; $failures++ };
+    my @now = check();
+    if (!grep { index($_, $complaint) >= 0 } @now) { print "named.pl: nobody misses: $complaint\n"; $failures++ }
+    $text{$file} = $kept;
+}
+fault('CONTRIBUTING.md', qr/make conformance/, 'make conformity', 'no target conformity');
+fault('CONTRIBUTING.md', qr{tools/weave\.pl}, 'tools/weaver.pl', 'no file tools/weaver.pl');
+fault('CONTRIBUTING.md', qr{setup\.sh parallel}, 'setup.sh serial', 'no group serial');
+fault('CONTRIBUTING.md', qr/SIGNORINI_EFFECTS/, 'EFFECTS', 'no table EFFECTS');
+fault('CONTRIBUTING.md', qr/^\| solver .*\n/m, '', 'no row for the family of src/signorini/as_printed/solver_table.cpp');
+fault('CHANGELOG.md', qr/signorini plan/, 'signorini plot', 'no command plot');
+fault('chapters/README.md', qr/--accuracy/, '--exactness', 'no option --exactness');
+fault('chapters/README.md', qr/make ex10\.2/, 'make ex10.9', 'no target ex10.9');
+fault('README.md', qr/make ch06/, 'make ch60', 'no target ch60');
+fault('CITATION.cff', qr/^version: .*/m, 'version: 9.9.9', 'has not the version');
+exit($failures ? 1 : 0);
