@@ -163,8 +163,8 @@ double own_imbalance(const QuadraticProgramme& programme, const PrimalDual& solu
     if (root(j) > 0) stretch = std::max(stretch, epsilon * own(j) / root(j));
   own += stretch * root;
   // Below the smallest normal number there are fewer digits.
-  return largest(residual.cwiseQuotient(
-      (own.array() + std::numeric_limits<double>::min()).matrix()));
+  return largest(
+      residual.cwiseQuotient((own.array() + std::numeric_limits<double>::min()).matrix()));
 }
 
 /// Whether the part of u that is claimed to be rigid strains a body. Rows are measured by the largest motion of
@@ -239,8 +239,8 @@ Certificate figures_of_system(const QuadraticProgramme& programme, const PrimalD
   const Index slips = static_cast<Index>(law.pair.size());
   Certificate certificate =
       pair_figures({solution.force, movement, norm, scale.force, scale.length}, law, equations);
-  certificate.equilibrium = std::max(ratio(largest(residual), scale.force),
-                                     own_imbalance(programme, solution, residual));
+  certificate.equilibrium =
+      std::max(ratio(largest(residual), scale.force), own_imbalance(programme, solution, residual));
   certificate.duality_gap = duality_gap(programme, solution, movement.size() - slips, residual,
                                         movement, scale.length * scale.force);
   return certificate;
