@@ -145,6 +145,25 @@ TEST_CASE("no force on other unknowns hides what an unknown lacks itself",
   }
 }
 
+TEST_CASE("a load that contact holds dwarfs no overlap", "[dense_programme][certificate]") {
+  // Forces of 2^19 on stiffnesses of 2^-17: what is left for the body to carry moves it by 3.
+  DenseProgramme programme;
+  programme.stiffness = MatrixXd(3, 3);
+  programme.stiffness << 1, 1, 0, 1, 5, 4, 0, 4, 4 + 0x1p-8;
+  programme.stiffness *= 0x1p-19;
+  programme.A = MatrixXd(Eigen::Matrix3d::Ones().triangularView<Eigen::Lower>());
+  programme.initial_gap = Eigen::Vector3d(-3, 0, 0);
+  const Eigen::Vector3d u(-3, 3, 0);
+  const Eigen::Vector3d force(0x1p7, 0x1p19, 0x1p18);
+  programme.load = programme.stiffness * u + programme.A.transpose() * force;
+  CHECK(certify(programme, {u, {}, force}).worst() == 0);
+  const double overlap = 0x1p-5;
+  const Certificate inside =
+      certify(programme, {Eigen::Vector3d(-3 + overlap, 3 - overlap, 0), {}, force});
+  CHECK(inside.equilibrium < 1e-10);
+  CHECK(inside.penetration > 1e-3);
+}
+
 TEST_CASE("displacements that are zero are refined until none is rounding of the free ones",
           "[dense_programme][certificate]") {
   DenseProgramme programme;

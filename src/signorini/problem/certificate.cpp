@@ -119,9 +119,10 @@ Eigen::VectorXd row_norms(const RowMatrix& A) {
   return norm;
 }
 
-/// The largest net force on an unknown, and the largest length: of a displacement towards the obstacle, or of what
-/// that force would move the stiffest unknown by. Neither counts what may be large without meaning anything: the
-/// gap of a far obstacle, contact forces that cancel, or how far a load would move what contact holds.
+/// The largest load or net contact force on an unknown, and the largest length: of a displacement towards the obstacle,
+/// or of what the largest sum of both would move the stiffest unknown by; or the force, where those sums are rounding.
+/// Neither counts what may be large without meaning anything: the gap of a far obstacle, contact forces that cancel, or
+/// how far a load would move what contact holds.
 Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution,
                  const Eigen::VectorXd& norm) {
   const Eigen::VectorXd contact = programme.A.transpose() * solution.force;
@@ -130,7 +131,11 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
   if (has_low(solution)) u += solution.displacement_low;
   Scales scale;
   scale.force = std::max(largest(programme.load), largest(contact));
-  scale.length = ratio(scale.force, largest(diagonal));
+  const Eigen::VectorXd sum = programme.load - contact;
+  const double moving = largest(sum) <= static_cast<double>(sum.size()) * epsilon * scale.force
+                            ? scale.force
+                            : largest(sum);
+  scale.length = ratio(moving, largest(diagonal));
   for (Index pair = 0; pair < programme.A.rows(); ++pair) {
     double length = 0;
     for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
