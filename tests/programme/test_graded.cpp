@@ -117,6 +117,72 @@ TEST_CASE("a soft unknown that contact holds dwarfs no overlap", "[dense_program
   }
 }
 
+TEST_CASE("no force on other unknowns hides what an unknown lacks itself",
+          "[dense_programme][certificate]") {
+  Graded exact;
+  exact.programme.stiffness = Eigen::Vector4d(0x1p-14, 0x1p24, 0x1p30, 0x1p-27).asDiagonal();
+  exact.programme.A = MatrixXd(5, 4);
+  exact.programme.A << MatrixXd(MatrixXd::Ones(4, 4).triangularView<Eigen::Lower>()),
+      Eigen::RowVector4d(-2, -2, -2, 1);
+  exact.programme.initial_gap.resize(5);
+  exact.programme.initial_gap << 3, 3, 12, 8, -4;
+  exact.u = Eigen::Vector4d(3, 0, 1, 3);
+  exact.force.setZero(5);
+  exact.force.head(2) << 0x1p30, 0x1p-11;
+  REQUIRE(balance(exact));
+  CHECK(certify(exact.programme, {exact.u, {}, exact.force}).worst() == 0);
+  // The fourth pair touched: its force of -2^-27 is rounding beside 2^30.
+  const Certificate touched =
+      certify(exact.programme, {Eigen::Vector4d(3, 0, 1, 4), {}, exact.force});
+  CHECK(touched.penetration == 0);
+  CHECK(touched.duality_gap < 1e-12);
+  CHECK(touched.equilibrium > 1e-10);
+  for (const Solver& solver : solvers()) {
+    CAPTURE(solver.name);
+    const DenseSolution found = solve(exact.programme, solver);
+    if (found.report.status == Status::Solved)
+      CHECK(largest(found.refined.displacement - exact.u) < 1e-12);
+  }
+}
+
+TEST_CASE("a load that contact holds dwarfs no overlap", "[dense_programme][certificate]") {
+  // Forces of 2^19 on stiffnesses of 2^-17: what is left for the body to carry moves it by 3.
+  DenseProgramme programme;
+  programme.stiffness = MatrixXd(3, 3);
+  programme.stiffness << 1, 1, 0, 1, 5, 4, 0, 4, 4 + 0x1p-8;
+  programme.stiffness *= 0x1p-19;
+  programme.A = MatrixXd(Eigen::Matrix3d::Ones().triangularView<Eigen::Lower>());
+  programme.initial_gap = Eigen::Vector3d(-3, 0, 0);
+  const Eigen::Vector3d u(-3, 3, 0);
+  const Eigen::Vector3d force(0x1p7, 0x1p19, 0x1p18);
+  programme.load = programme.stiffness * u + programme.A.transpose() * force;
+  CHECK(certify(programme, {u, {}, force}).worst() == 0);
+  const double overlap = 0x1p-5;
+  const Certificate inside =
+      certify(programme, {Eigen::Vector3d(-3 + overlap, 3 - overlap, 0), {}, force});
+  CHECK(inside.equilibrium < 1e-10);
+  CHECK(inside.penetration > 1e-3);
+}
+
+TEST_CASE("displacements that are zero are refined until none is rounding of the free ones",
+          "[dense_programme][certificate]") {
+  DenseProgramme programme;
+  programme.stiffness = MatrixXd(2, 2);
+  programme.stiffness << 0x1p-11, 0x1p-11, 0x1p-11, 0x1p11 + 0x1p-11;
+  programme.load = Eigen::Vector2d(128, 0);
+  programme.A = MatrixXd(Eigen::Matrix2d::Ones().triangularView<Eigen::Lower>());
+  programme.initial_gap = Eigen::Vector2d(0, 2);
+  const PrimalDual rounded{Eigen::Vector2d(0, 0x1p-57), {}, Eigen::Vector2d(128, 0)};
+  CHECK(certify(programme, rounded).equilibrium > 1e-6);
+  for (const char* name : {"quasi_active_set", "goldfarb_idnani", "primal_dual_active_set"}) {
+    CAPTURE(name);
+    const DenseSolution found = solve(programme, find_solver(name));
+    REQUIRE(found.report.status == Status::Solved);
+    CHECK(largest(found.refined.displacement) < 1e-28);
+    CHECK(found.refined.force == Eigen::Vector2d(128, 0));
+  }
+}
+
 TEST_CASE("of graded programmes with an exact solution none is certified and wrong",
           "[dense_programme][certificate]") {
   for (const Solver& solver : solvers()) {

@@ -119,9 +119,10 @@ Eigen::VectorXd row_norms(const RowMatrix& A) {
   return norm;
 }
 
-/// The largest net force on an unknown, and the largest length: of a displacement towards the obstacle, or of what
-/// that force would move the stiffest unknown by. Neither counts what may be large without meaning anything: the
-/// gap of a far obstacle, contact forces that cancel, or how far a load would move what contact holds.
+/// The largest load or net contact force on an unknown, and the largest length: of a displacement towards the obstacle,
+/// or of what the largest sum of both would move the stiffest unknown by; or the force, where those sums are rounding.
+/// Neither counts what may be large without meaning anything: the gap of a far obstacle, contact forces that cancel, or
+/// how far a load would move what contact holds.
 Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution,
                  const Eigen::VectorXd& norm) {
   const Eigen::VectorXd contact = programme.A.transpose() * solution.force;
@@ -130,7 +131,11 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
   if (has_low(solution)) u += solution.displacement_low;
   Scales scale;
   scale.force = std::max(largest(programme.load), largest(contact));
-  scale.length = ratio(scale.force, largest(diagonal));
+  const Eigen::VectorXd sum = programme.load - contact;
+  const double moving = largest(sum) <= static_cast<double>(sum.size()) * epsilon * scale.force
+                            ? scale.force
+                            : largest(sum);
+  scale.length = ratio(moving, largest(diagonal));
   for (Index pair = 0; pair < programme.A.rows(); ++pair) {
     double length = 0;
     for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
@@ -145,6 +150,26 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
     if (scale.force <= half * half * inside) scale.force = inside;
   }
   return scale;
+}
+
+/// The largest residual over what its own row has: its load, its contact forces, and what the displacements could make
+/// there, sqrt(K_jj) max_i sqrt(K_ii) |u_i|, of which no term K_ji u_i is more than one. A stable factor leaves no more than
+/// rounding of that, so a larger residual is an error, however large the forces on other unknowns are. Where contact
+/// holds everything, rounding of how far loads and contact forces would move their own unknowns takes the place of u.
+double own_imbalance(const QuadraticProgramme& programme, const PrimalDual& solution,
+                     const Eigen::VectorXd& residual) {
+  const Eigen::VectorXd root = programme.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
+  Eigen::VectorXd own = programme.load.cwiseAbs();
+  for (Index row = 0; row < programme.A.rows(); ++row)
+    for (RowMatrix::InnerIterator entry(programme.A, row); entry; ++entry)
+      own(entry.col()) += std::abs(entry.value() * solution.force(row));
+  double stretch = largest(root.cwiseProduct(strained(solution)));
+  for (Index j = 0; j < own.size(); ++j)
+    if (root(j) > 0) stretch = std::max(stretch, epsilon * own(j) / root(j));
+  own += stretch * root;
+  // Below the smallest normal number there are fewer digits.
+  return largest(
+      residual.cwiseQuotient((own.array() + std::numeric_limits<double>::min()).matrix()));
 }
 
 /// Whether the part of u that is claimed to be rigid strains a body. Rows are measured by the largest motion of
@@ -219,7 +244,8 @@ Certificate figures_of_system(const QuadraticProgramme& programme, const PrimalD
   const Index slips = static_cast<Index>(law.pair.size());
   Certificate certificate =
       pair_figures({solution.force, movement, norm, scale.force, scale.length}, law, equations);
-  certificate.equilibrium = ratio(largest(residual), scale.force);
+  certificate.equilibrium =
+      std::max(ratio(largest(residual), scale.force), own_imbalance(programme, solution, residual));
   certificate.duality_gap = duality_gap(programme, solution, movement.size() - slips, residual,
                                         movement, scale.length * scale.force);
   return certificate;

@@ -138,7 +138,8 @@ bool ProgrammeRows::beyond_doubt(const ClosedBasis& basis, Refined& refined,
   const Index k = basis.size();
   const double terms = static_cast<double>(unknowns());
   const VectorXd& displacement = refined.solution.displacement;
-  const double stretch = std::max(stretch_, displacement.cwiseProduct(root_).norm());
+  const double left = displacement.cwiseProduct(root_).norm();
+  const double stretch = std::max(stretch_, left);
   const double pull = static_cast<double>(k + 1) * epsilon * largest(force.head(k));
   refined.gap = programme_.initial_gap;
   refined.gap.noalias() -= programme_.A * displacement;
@@ -161,6 +162,12 @@ bool ProgrammeRows::beyond_doubt(const ClosedBasis& basis, Refined& refined,
   const double lost = largest(root_) * root_.dot(displacement.cwiseAbs()) * epsilon;
   if (largest(moved_) > terms * epsilon * load || (load > 0 && lost > 0.25e-12 * load))
     return false;
+  for (Index j = 0; j < unknowns(); ++j) {  // as a certificate does, by what the unknown itself has
+    double own = std::abs(programme_.load(j)) + root_(j) * left;
+    if (std::abs(moved_(j)) <= terms * epsilon * own) continue;
+    own += programme_.A.col(j).cwiseAbs().dot(refined.solution.force.cwiseAbs());
+    if (std::abs(moved_(j)) > terms * epsilon * own) return false;
+  }
   for (Index i = 0; i < count(); ++i)
     if (refined.gap(i) < terms * one_rounding(i, stretch)) return false;
   for (const Index row : basis.rows()) refined.gap(row) = 0;
