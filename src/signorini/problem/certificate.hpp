@@ -10,17 +10,17 @@ namespace signorini {
 
 /// How far a claimed solution is from satisfying each condition, made free of units; 0 is perfect.
 ///
-/// Lengths are divided by the largest |a_i||u| of a row, or by what the force that forces are measured by would move the
-/// stiffest unknown by, if that is larger: it is all there is where bodies bear without moving. Forces are divided by the
-/// largest load or net contact force on an unknown; rows of A are scaled to norm 1. So no figure changes with units or with
-/// the scaling of a row, and what cancels hides nothing: neither forces in a row nor a load that contact holds, however
-/// far it would move a soft unknown. Where no load acts, contact forces of rounding size are measured by the forces that the displacements could make. Of a programme, each of the unconnected_systems() is
-/// measured by itself, and the worst figures count.
+/// Lengths are divided by the largest |a_i||u| of a row, or by what the largest entry of p - A^T lambda would move the stiffest
+/// unknown by, if that is larger. Forces are divided by the largest load or net contact force on an unknown; a residual also by
+/// what its own unknown has: load, contact forces, and what displacements could make there. Rows of A are scaled to norm 1. So no
+/// figure changes with units or with the scaling of a row, and what cancels or lies elsewhere hides nothing. Where no load acts,
+/// contact forces of rounding size are measured by the forces that the displacements could make. Of a programme, each of the
+/// unconnected_systems() is measured by itself, and the worst figures count. See chapters/notation.md.
 struct Certificate {
   double penetration = 0;      ///< largest overlap / length
   double tension = 0;          ///< largest tensile contact force / force
   double complementarity = 0;  ///< largest |force * gap| / (length * force)
-  double equilibrium = 0;      ///< largest entry of p - K u - A^T lambda / force
+  double equilibrium = 0;      ///< largest of p - K u - A^T lambda / force, or own force
   double duality_gap = 0;      ///< |primal - dual energy| / their size, see certify()
   double cone = 0;  ///< largest |friction force| beyond its bound / force; 0 without friction
   /// What a pair slides without being resisted: the smaller of |slip| / length and |friction force minus
