@@ -9,12 +9,10 @@
 
 namespace ch04 {
 
-// [problems]
 const exact::Programme corner = {{{0, 1}, {1, -1}}, {0, 0}, {1, 2}};
 const exact::Programme fan = {{{1, -1}, {2, -1}, {1, 1}}, {0, 0, 0}, {1, 0}};
 const exact::Programme four_walls = {
     {{-3, -2, 3}, {1, -3, 3}, {-1, 2, 0}, {2, -3, 3}}, {1, 1, 1, 2}, {0, -1, 6}};
-// [problems]
 
 inline Eigen::VectorXd floating(const exact::Vector& x) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(x.size()));

@@ -40,7 +40,6 @@ bool drop(Rows& rows, const Which& which) {
 }
 
 // 1. Propose: the closed pairs, and the violated ones, worst first, that do not depend on those before.
-// [propose]
 Rows propose(const ContactProblem& problem, const VectorXd& force, const Rows& violated) {
   Rows rows;
   for (Index i = 0; i < force.size(); ++i)
@@ -53,7 +52,6 @@ Rows propose(const ContactProblem& problem, const VectorXd& force, const Rows& v
   }
   return rows;
 }
-// [propose]
 
 // 2. The group joins at once. If that was too bold, the forces grow from the old ones.
 // [group step]

@@ -33,7 +33,6 @@ struct Size {
   std::vector<double> gap, lost, lost_whole;  // over the energy that contact adds, or all energy
 };
 
-// [lost]
 void lose(Size& size, const KnownProgramme& known, const ContactProblem& problem,
           const ContactState& end, const ContactState& best) {
   const double added = -0.5 * best.force.dot(problem.free_gap + best.gap);  // by contact
@@ -42,7 +41,6 @@ void lose(Size& size, const KnownProgramme& known, const ContactProblem& problem
   size.lost.push_back(above / added);
   size.lost_whole.push_back(above / std::abs(known.energy));
 }
-// [lost]
 
 Size try_size(Index n, Index m, std::uint64_t runs) {
   Size size;

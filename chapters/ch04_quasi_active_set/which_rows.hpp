@@ -10,12 +10,10 @@ struct Choice {
   signorini::QuasiActiveRows rows;
   const char* name;
 };
-// [choices]
 constexpr std::array<Choice, 4> choices = {
     {{signorini::QuasiActiveRows::AllViolated, "all violated"},
      {signorini::QuasiActiveRows::IndependentByIndex, "independent, by number"},
      {signorini::QuasiActiveRows::IndependentByViolation, "independent, by overlap"},
      {signorini::QuasiActiveRows::MostViolated, "the most violated"}}};
-// [choices]
 
 }  // namespace ch04

@@ -11,7 +11,6 @@ namespace {
 using namespace signorini;
 
 // The clock of a personal computer ticked 1193182 / 65536 times a second.
-// [clock]
 Status chapter(const ProgramOptions& run) {
   Results results("ch05_clock");
   const double tick = 65536.0 / 1193182.0;  // [s]
@@ -27,7 +26,6 @@ Status chapter(const ProgramOptions& run) {
       in_256ths += std::abs(t - std::round(256 * t) / 256) < 0.51e-4 ? 1 : 0;  // 4 decimals printed
     }
   }
-  // [clock]
   results.add("clock_tick", 1000 * tick, "ms");
   results.add("printed_times", times, "-");
   results.add("times_near_ticks", near_ticks, "-");

@@ -15,7 +15,6 @@ using namespace ch05;
 using Eigen::Index;
 
 // 1. Cost against the number of candidates: y ~ x^exponent, least squares in the logarithms.
-// [growth]
 double exponent(const std::vector<double>& x, const std::vector<double>& y) {
   const auto size = static_cast<Index>(x.size());
   Eigen::ArrayXd a = Eigen::Map<const Eigen::ArrayXd>(x.data(), size).log();
@@ -24,7 +23,6 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y) {
   b -= b(0);  // exactly zero if y does not change
   return (a * b).sum() / a.square().sum();
 }
-// [growth]
 
 template <typename Make>
 std::vector<std::string> growth(const ProgramOptions& run, const std::string& family,

@@ -14,7 +14,6 @@ using namespace ch05;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-// [hard]
 Status chapter(const ProgramOptions& run) {
   Results results("ch05_hard");
   const KnownProgramme base = rosen_suzuki(10, 20, 1);
@@ -32,7 +31,6 @@ Status chapter(const ProgramOptions& run) {
   contradicting.A.row(1) = -A.row(0);
   contradicting.initial_gap(1) = -g(0) - 1;
   const KnownProgramme many = rosen_suzuki(10, 200, 1);
-  // [hard]
   const std::pair<const char*, DenseProgramme> hard[] = {
       {"every row twice", backwards(K, twice, base.displacement, force, gaps).programme},
       {"200 rows, 10 unknowns", many.programme},

@@ -14,7 +14,6 @@ namespace {
 using namespace ch05;
 
 // 1. One size with five seeds: what each of three methods takes.
-// [size]
 struct Runs {
   std::vector<Run> lemke, single, group;
   int right = 0, below_zero = 0;
@@ -35,7 +34,6 @@ Runs five_seeds(Eigen::Index n, Eigen::Index m) {
   }
   return runs;
 }
-// [size]
 
 // 2. Table 1: every size, medians.
 Status chapter(const ProgramOptions& run) {

@@ -13,7 +13,6 @@ namespace {
 
 using namespace ch06;
 
-// [elements]
 Status chapter(const ProgramOptions& run) {
   Results results("ch06_elements");
   const std::vector<std::string> names = {"q4", "q4_bbar", "q4_incompatible", "q8"};
@@ -35,7 +34,6 @@ Status chapter(const ProgramOptions& run) {
     }
     table.row(row);
   }
-  // [elements]
   write_file(run.out / "elements.md", table.markdown());
   results.add("certified_runs", certified, "-");
   results.add("worst_certificate", certificate, "-", Repeats::No);

@@ -1,5 +1,7 @@
 // Chapter 6 - Figure 6.6: in which order the unknowns of a body are eliminated, and whom the rows of A meet on their way.
 // Run:  make ch06     Reads: nothing     Writes: fig_6_6.csv, fig_6_6_tree.csv
+#include <algorithm>
+#include <iostream>
 #include <vector>
 
 #include "scene.hpp"
@@ -89,6 +91,9 @@ Status chapter(const ProgramOptions& run) {
   square.bodies[0].mesh = block("block", {0, 0}, {paper.height, paper.height}, 24, 24);
   const Model body = build(square, ledger);
   const DrawnTree tree = drawn_tree(body);
+  std::cout << tree.level.size() << " fronts, "
+            << std::count(tree.visited.begin(), tree.visited.end(), true)
+            << " of them on the way of a row of A\n";
   write_file(run.out / "fig_6_6.csv", drawn_nodes(tree, body).csv());
   write_file(run.out / "fig_6_6_tree.csv", drawn_branches(tree).csv());
   return Status::Solved;

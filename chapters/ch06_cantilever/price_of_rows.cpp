@@ -44,11 +44,13 @@ double price_of_compliance(const Model& model) {
         if (const int other = place[static_cast<std::size_t>(entry.row())]; other >= end)
           boundary[s].insert(other);
     }
+    // [price]
     const double own = separators[s].own;
     const double rim = static_cast<double>(boundary[s].size());
     const double carried = static_cast<double>(rows[s].size());
     factor += own * own * own / 6 + own * own * rim / 2 + own * rim * rim / 2;
     compliance += carried * (own * own / 2 + own * rim) + own * carried * carried / 2;
+    // [price]
   }
   return compliance / factor;
 }
