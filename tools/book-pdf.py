@@ -4,7 +4,11 @@
 Prints the web pages in BOOK (default build/book) as one book, FILE (default build/signorini.pdf): title, contents with
 page numbers, the chapters with their exercises, notation, lists, references and hints.  Formulas and figures are vectors.
 Ends with status 1, and without a file, if a link of the book leads nowhere, or a formula, a listing, a table or a figure
-would be missing or cut.  Needs python3 and chromium: a browser is where these pages are at home, and it comes without TeX.
+would be missing or cut.  Needs python3 and chromium.
+
+A browser prints, and not TeX, because the pages are at home in it: the formulas, code and figures of the book are those of
+the web pages, one source and one dialect, and the browser is there already where pages are checked.  Pandoc with XeLaTeX
+would be 196 MB more to download (Debian 12, with Chinese), and would need the marks of the texts a second time.
 """
 import base64
 import json
