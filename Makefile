@@ -7,7 +7,7 @@ MAKEFLAGS += --no-print-directory
 CHAPTERS := $(wildcard chapters/ch[0-9][0-9]_*)
 PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword $(subst _, ,$(notdir $c))))))
 WOVEN := README.md $(wildcard examples/README.md chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
-TEXTS := $(WOVEN) chapters/README.md chapters/glossary.md CONTRIBUTING.md CHANGELOG.md $(wildcard chapters/*/exercises/*/README.md) docs/references.md
+TEXTS := $(WOVEN) chapters/README.md chapters/glossary.md CONTRIBUTING.md CHANGELOG.md $(wildcard chapters/*/exercises/*/README.md docs/instructor.md) docs/references.md
 CHAPTER_OF = $(wildcard chapters/$1_*)
 # Exercises: a wrong answer is no failure of make. With --question it runs only lines that begin with +, and tells
 # by its exit status, without a message, whether a command is left: the one that the verdict holds.
@@ -59,12 +59,13 @@ text:                     ## put the committed numbers, tables and code into the
 	@perl tools/weave.pl $(WOVEN)
 	@perl tools/equations.pl
 	@perl tools/words.pl
-lint:                     ## check the text without compiling: quotations, formulas, links
+lint:                     ## check what needs no compiling: quotations, formulas, links, that faults fit the sources
 	@perl tools/weave.pl --check $(WOVEN)
 	@perl tools/equations.pl --check
 	@perl tools/words.pl --check
 	@perl tools/lint-md.pl $(TEXTS) chapters/equations.md chapters/words.md tests/reference/claims.md
 	@perl tools/claims.pl
+	@tests/faults/run.pl --check
 book: lint                ## the web pages, build/book/index.html
 	@tools/docs.sh $B/book && echo "open $B/book/index.html"
 book-pdf: book            ## the same as one file to print, build/signorini.pdf, with Chromium
@@ -93,10 +94,12 @@ faults:                   ## put deliberate faults into a copy, one at a time: w
 	@tests/faults/run.pl
 sets:                     ## compare what pairs do by g++, clang, -O0, -O3 and -march=native, in an hour of compiling
 	@JOBS=$(JOBS) tests/tools/same_sets.sh
+grade: configure          ## grade a folder of answers, DIR/student/ex6.1.cpp: build/grade/grades.csv and .xml
+	@JOBS=$(JOBS) perl tools/grade.pl "$(DIR)" $B
 handout:                  ## build/signorini-handout.tar.gz, without solutions and held-out tests
 	@mkdir -p $B && git archive --format=tar.gz --prefix=signorini/ -o $B/signorini-handout.tar.gz HEAD
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
 .PHONY: all help configure run chapters test conformance results figures text lint book book-pdf browser bench peers effectivity accuracy \
-        fuzz faults sets handout clean
+        fuzz faults sets grade handout clean

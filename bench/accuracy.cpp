@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <optional>
 
 #include "bench/measure.hpp"
 #include "signorini/core/table.hpp"
@@ -16,6 +17,7 @@
 #include "signorini/scene/readings.hpp"
 #include "support/effectivity.hpp"
 #include "support/lining_rings.hpp"
+#include "support/shrink_fit.hpp"
 
 namespace {
 
@@ -61,14 +63,18 @@ std::vector<Problem> hertz_problems() {
           {"Hertz", {"width", HalfWidth{}}, start, hertz_half_width(theory), layouts, cells}};
 }
 
-/// Goals of a problem whose truth is that of fine cells of eight nodes.
+/// Goals of a problem whose truth is that of fine cells of eight nodes, and what is estimated to be missing there: of the
+/// part of the force on the footing, beside its edge, 0.04 %.
 std::vector<Problem> finely(const Measured& measured, Index start, Index fine,
                             const std::vector<Layout>& layouts, const std::vector<Index>& cells) {
   const SolvedScene run = solved(measured.scene("q8", fine), measured.name);
+  Ledger unused;
+  const std::vector<Estimate> missing =
+      estimates(run.model, run.condensed, run.solution, measured.goals, unused);
   std::vector<Problem> problems;
-  for (const Goal& goal : measured.goals)
-    problems.push_back({measured.name, goal, measured.scene("q4_incompatible", start),
-                        value(run.model, run.solution, goal), layouts, cells});
+  for (std::size_t k = 0; k < measured.goals.size(); ++k)
+    problems.push_back({measured.name, measured.goals[k], measured.scene("q4_incompatible", start),
+                        missing[k].value + missing[k].error, layouts, cells});
   return problems;
 }
 
@@ -110,32 +116,19 @@ std::vector<Problem> lining_problems() {
 /// A hub shrunk on a hollow shaft, both turning, in plane stress: its truth is that of one turning ring, and of Lame's
 /// rings for the interference. Nothing in the refinement was chosen for it; it is why errors must meet targets twice over.
 std::vector<Problem> shrunk_problems() {
-  constexpr double bore = 20, radius = 30, outside = 55, modulus = 210e3, ratio = 0.3;
-  constexpr double interference = 0.03, whirl = 7.85e-9 * 900 * 900;  // density times speed squared
+  const struct {
+    double bore = 20, radius = 30, outside = 55, modulus = 210e3, ratio = 0.3, interference = 0.03;
+  } rings{};
+  constexpr double whirl = 7.85e-9 * 900 * 900;  // density times speed squared
   const auto scene = [=](Index cells, Index rows) {
-    Scene rings;
-    rings.bodies.resize(2);
-    const double radii[] = {bore, radius, outside};
-    for (std::size_t ring = 0; ring < 2; ++ring) {
-      AnnulusSpec spec;
-      spec.name = ring == 0 ? "shaft" : "hub";
-      spec.inner_radius = radii[ring];
-      spec.outer_radius = radii[ring + 1];
-      spec.cells_angle = cells;
-      spec.cells_radius = rows;
-      spec.sector = Sector::Quarter;
-      Body& body = rings.bodies[ring];
-      body.mesh = make_annulus(spec);
-      body.material = {modulus, ratio, PlaneState::Stress, 1};
-      body.supports = {symmetric("symmetry"), symmetric("symmetry_y")};
+    Scene turning = bare_fit(rings, {cells, rows, MeshOrder::Linear});
+    for (Body& body : turning.bodies)
       body.loads.body_force = [=](const Eigen::Vector2d& x) -> Eigen::Vector2d {
         return whirl * x;
       };
-    }
-    rings.contacts = {{{"outer", "shaft"}, Side{"inner", "hub"}}};
-    rings.contacts[0].interference = interference;
-    return rings;
+    return turning;
   };
+  const auto [bore, radius, outside, modulus, ratio, interference] = rings;
   const double a2 = bore * bore, b2 = radius * radius, c2 = outside * outside;
   const double fit = modulus * interference * (b2 - a2) * (c2 - b2) / (2 * radius * b2 * (c2 - a2));
   const double pull = (3 + ratio) / 8 * whirl * (a2 + c2 - a2 * c2 / b2 - b2);
@@ -155,25 +148,30 @@ double error_of(const Problem& problem, double value) {
   return std::abs(value / problem.truth - 1);
 }
 
+/// Seconds of processor, the median of three runs.
+template <typename Run>
+double median_seconds(Run&& run) {
+  std::vector<double> seconds;
+  for (int k = 0; k < 3; ++k) {
+    const double begin = processor_seconds();
+    run();
+    seconds.push_back(processor_seconds() - begin);
+  }
+  return median(seconds);
+}
+
 /// One mesh picked by hand.
 struct Picked {
   Index unknowns;
   double error;
-  double seconds;  // of processor, the median of three runs
+  double seconds;
 };
 
 Picked picked(const Problem& problem, const Scene& scene) {
-  Picked result{};
-  std::vector<double> seconds;
-  for (int k = 0; k < 3; ++k) {
-    const double begin = processor_seconds();
-    const SolvedScene run = solved(scene, problem.name);
-    seconds.push_back(processor_seconds() - begin);
-    result.unknowns = run.model.unknowns.count;
-    result.error = error_of(problem, value(run.model, run.solution, problem.goal));
-  }
-  result.seconds = median(seconds);
-  return result;
+  std::optional<SolvedScene> run;
+  const double seconds = median_seconds([&] { run.emplace(solved(scene, problem.name)); });
+  return {run->model.unknowns.count,
+          error_of(problem, value(run->model, run->solution, problem.goal)), seconds};
 }
 
 /// Of each shape the cheapest mesh that meets a target, and not by luck: all finer ones of that shape do too.
@@ -200,9 +198,10 @@ bool add(const Problem& problem, const std::vector<double>& targets, bool by_han
   }
   bool good = true;
   for (const double target : targets) {
-    const double begin = processor_seconds();
-    const AccurateSolution result = solve_to_accuracy(problem.start, {target, problem.goal});
-    const double seconds = processor_seconds() - begin;
+    AccurateSolution result;
+    const double seconds = median_seconds([&] {
+      result = solve_to_accuracy(problem.start, {target, problem.goal});
+    });
     const AccuracyRound& last = result.rounds.back();
     const double error = error_of(problem, last.value);
     good = good && result.met && error < target;

@@ -11,13 +11,17 @@ file(GLOB exercise_headers CONFIGURE_DEPENDS ${exercises_from}/exercise.hpp)
 file(GLOB exercise_heldout CONFIGURE_DEPENDS ${exercises_from}/test_heldout.cpp)
 file(GLOB exercise_solutions CONFIGURE_DEPENDS ${exercises_from}/solution.cpp)
 
+# What their tests found is told to tools/judge.pl.
+add_library(exercise_judge OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/tools/judged.cpp)
+target_link_libraries(exercise_judge PRIVATE signorini_checks signorini_warnings)
+
 function(signorini_exercise_part target source)  # one source file, compiled once
   add_library(${target} OBJECT EXCLUDE_FROM_ALL ${source})
   signorini_checks(${target})
 endfunction()
 
 function(signorini_exercise_program target)  # the parts in ARGN, linked
-  add_executable(${target} EXCLUDE_FROM_ALL)
+  add_executable(${target} EXCLUDE_FROM_ALL $<TARGET_OBJECTS:exercise_judge>)
   foreach(part IN LISTS ARGN)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${part}>)
   endforeach()
@@ -55,16 +59,35 @@ function(signorini_exercise dir)
     add_test(NAME ${ex}/solution COMMAND ${ex}.solution)
     add_test(NAME ${ex}/solution-heldout COMMAND ${ex}.solution-heldout)
     set_tests_properties(${ex}/solution ${ex}/solution-heldout PROPERTIES LABELS exercise TIMEOUT 300)
-    add_test(NAME ${ex}/starter COMMAND ${PROJECT_SOURCE_DIR}/tools/starter.sh $<TARGET_FILE:${ex}.answer>)
+    add_test(NAME ${ex}/starter COMMAND perl ${PROJECT_SOURCE_DIR}/tools/judge.pl starter $<TARGET_FILE:${ex}.answer>)
     set_tests_properties(${ex}/starter PROPERTIES LABELS "exercise;starter" TIMEOUT 120)
   endif()
 
+  set(libraries signorini Catch2::Catch2WithMain)
+  if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
+    list(APPEND libraries Catch2::Catch2)
+  endif()
   file(STRINGS ${dir}/test.cpp asks REGEX "support/problem_classes\\.hpp")
   foreach(program ${ex}.answer ${ex}.answer-heldout ${ex}.solution ${ex}.solution-heldout)
     if(asks AND TARGET ${program})
       target_link_libraries(${program} PRIVATE problem_classes)
     endif()
   endforeach()
+  if(asks)
+    list(PREPEND libraries problem_classes test_problems)
+  endif()
+  if(TARGET ${ex}.solution)  # what tools/grade.pl puts around an answer
+    list(TRANSFORM libraries REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+    string(REPLACE ";" " " libraries "${libraries}")
+    file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/grade/parts/${ex} CONTENT
+"folder ${dir}
+link ${CMAKE_CXX_COMPILER} ${CMAKE_CXX_FLAGS} ${CMAKE_EXE_LINKER_FLAGS}
+judge $<TARGET_OBJECTS:exercise_judge>
+tests $<TARGET_OBJECTS:${ex}_test>
+heldout $<TARGET_OBJECTS:${ex}_heldout>
+libraries ${libraries}
+")
+  endif()
 endfunction()
 
 add_custom_target(exercises ALL)

@@ -1,26 +1,26 @@
-# Figure 1.4 - gap and pressure along the base of the block.   In: fig_1_4.csv, fig_1_4_obstacle.csv   Out: fig_1_4.svg
-height = 640
+# Figure 1.4 - three carts at rest, without their stops, and with them.
+# In: fig_1_4.csv, fig_1_4_springs.csv   Out: fig_1_4.svg
+height = 300
 load 'style.gp'
-set multiplot layout 2,1
-set xrange [-20:20]
-set lmargin 11
-set rmargin 11
-set ylabel 'height [mm]'
-set yrange [-3.6:0.6]
-set ytics 1
-set key bottom center
-plot data.'/fig_1_4_obstacle.csv' using 'x':'obstacle' with filledcurves y1=-3.6 lc rgb LIGHT title 'rigid obstacle', \
-     '' using 'base_x':'base_y' with lines ls 1 title 'base of the block', \
-     '' using 'x':'obstacle' with lines ls 7 lw 1 notitle
-set xlabel 'position {/:Italic x} [mm]'
-set ylabel 'contact pressure [N/mm²]'
-set y2label 'gap [mm]'
-set yrange [0:1.6]
-set y2range [0:4]
-set ytics nomirror 0.4
-set y2tics 1
-set border 11 back ls 100
-set key top center
-plot data.'/fig_1_4.csv' using 'x':'pressure' with lines ls 1 title 'pressure', \
-     '' using 'x':'gap' axes x1y2 with lines ls 2 title 'gap'
-unset multiplot
+unset grid
+unset border
+unset tics
+unset key
+set lmargin 1
+set rmargin 1
+set bmargin 0.5
+set tmargin 0.5
+set xrange [-2:72]
+set yrange [-0.6:2.6]
+set object 1 rectangle from -1.5,-0.45 to 0,2.45 fillstyle pattern 4 border lc rgb BLACK fillcolor rgb BLACK
+do for [k=0:1] { set arrow 1+k from 56-3*k,1.1-k to 62-3*k,1.1-k size screen 0.015,20 filled lc rgb BLACK lw 2 front; set label 1+k '4 N' at 62.7-3*k,1.1-k left front }
+set label 4 'at rest' at 72,2.32 right
+set label 5 'no stops' at 72,1.32 right
+set label 6 'with stops' at 72,0.32 right
+file = data.'/fig_1_4.csv'
+plot data.'/fig_1_4_springs.csv' using 'x':'y' with lines ls 7 lw 1, \
+     file using (0.5*(column('back')+column('front'))):'y':'back':'front':(column('y')-0.22):(column('y')+0.22) with boxxyerror fillstyle solid 1 border lc rgb BLUE fc rgb '#dcebf5' dt 1, \
+     '' using (column('front') > column('stop') ? 0.5*(column('stop')+column('front')) : NaN):'y':'stop':'front':(column('y')-0.22):(column('y')+0.22) with boxxyerror fillstyle solid 1 fc rgb RED, \
+     '' using 'stop':(column('y')-0.32):(0):(0.64) with vectors nohead lw 4 dt 1 lc rgb BLACK, \
+     '' using (column('force') > 0 ? column('stop')+0.3+3*column('force') : NaN):(column('y')-0.1):(-3*column('force')):(0) with vectors size screen 0.015,20 filled lw 2.5 dt 1 lc rgb RED, \
+     '' using (column('force') > 0 ? column('stop')+0.6 : NaN):(column('y')-0.4):(sprintf('%.1f N', column('force'))) with labels left textcolor rgb RED

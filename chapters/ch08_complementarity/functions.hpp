@@ -7,7 +7,6 @@
 
 #include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/core/dense.hpp"
-#include "signorini/core/errors.hpp"
 #include "signorini/problem/problem.hpp"
 
 namespace signorini {
@@ -57,14 +56,6 @@ inline const std::vector<ComplementarityFunction> functions = {
     {"between the two", between, between_slope},
     {"penalised", penalised, penalised_slope},
     {"smooth", smooth, smooth_slope}};
-
-/// \throws NotSolved unless the function is zero on the two half-axes of a grid and nowhere else on it
-inline void require_zeros(const ComplementarityFunction& phi) {
-  for (double a = -2; a <= 2; a += 0.25)
-    for (double b = -2; b <= 2; b += 0.25)
-      if ((std::abs(phi.value(a, b)) < 1e-15) != (std::min(a, b) == 0))
-        throw NotSolved(text(phi.name, ": wrong at ", a, ", ", b));
-}
 
 /// How a run of Newton's method went.
 struct NewtonRun {

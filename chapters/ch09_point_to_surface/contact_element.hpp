@@ -1,17 +1,16 @@
 /// \file
 /// One node of the source over one edge of the target: geometry, forces, equations and their Jacobian.
 #pragma once
-#include <Eigen/LU>
-#include <cmath>
+#include <Eigen/Core>
 
 #include "signorini/closing/complementarity_functions.hpp"
 
 namespace ch09 {
 
-using Eigen::Matrix2d;
-using Eigen::MatrixXd;
 using Eigen::Vector2d;
-using Eigen::VectorXd;
+using signorini::ComplementaritySlope;
+using signorini::fischer_burmeister;
+using signorini::fischer_burmeister_slope;
 using Nodes = Eigen::Matrix<double, 3, 2>;  // points or vectors of the nodes 1, 2 and 3
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Vector10d = Eigen::Matrix<double, 10, 1>;
@@ -76,28 +75,23 @@ struct System {
 /// (30) for one element. \PaperEq{LinEtAl, 21} \PaperEq{LinEtAl, 28} to \PaperEq{LinEtAl, 31}
 // [equations]
 inline System equations(const ContactElement& element, const Vector10d& x) {
-  using signorini::fischer_burmeister;
-  using signorini::fischer_burmeister_slope;
   const Place at = projected(element.X);
   const double fn = x(6), ft = x(7), plus = x(8), minus = x(9), mu = element.bound * element.mu;
   Vector6d a1, a2;  // what opens the gap and what slides, and what unit forces do
   a1 << -at.N1 * at.n, -at.N2 * at.n, at.n;
   a2 << -at.N1 * at.t, -at.N2 * at.t, at.t;
   const Vector6d U = x.head(6);
-  const double gap = at.gap + a1.dot(U), slip = a2.dot(U), B = element.cohesion + mu * fn;
-  const auto n = fischer_burmeister_slope(gap, fn);
-  const auto p = fischer_burmeister_slope(plus, B + ft),
-             m = fischer_burmeister_slope(minus, B - ft);
+  const double gap = at.gap + a1.dot(U), B = element.cohesion + mu * fn;
   System system{Vector10d::Zero(), Matrix10d::Zero()};
-  system.residual.head(6) =
-      element.springs.cwiseProduct(U) - element.load - a1 * fn - a2 * ft;   // (30)
-  system.residual.tail(4) << fischer_burmeister(gap, fn),                   // (28)
-      slip - plus + minus,                                                  // (19)
+  system.residual << element.springs.cwiseProduct(U) - element.load - a1 * fn - a2 * ft,  // (30)
+      fischer_burmeister(gap, fn), a2.dot(U) - plus + minus,                // (28), (19)
       fischer_burmeister(plus, B + ft), fischer_burmeister(minus, B - ft);  // (29)
-  Matrix10d& J = system.jacobian;                                           // (31)
+  const ComplementaritySlope n = fischer_burmeister_slope(gap, fn),
+                             p = fischer_burmeister_slope(plus, B + ft),
+                             m = fischer_burmeister_slope(minus, B - ft);
+  Matrix10d& J = system.jacobian;  // (31)
   J.topLeftCorner(6, 6) = element.springs.asDiagonal();
-  J.block(0, 6, 6, 1) = element.reaction * a1;
-  J.block(0, 7, 6, 1) = element.reaction * a2;
+  J.block(0, 6, 6, 2) << element.reaction * a1, element.reaction * a2;
   J.block(6, 0, 1, 6) = n.a * a1.transpose();
   J(6, 6) = n.b;
   J.block(7, 0, 1, 6) = a2.transpose();
@@ -107,37 +101,5 @@ inline System equations(const ContactElement& element, const Vector10d& x) {
   return system;
 }
 // [equations]
-
-/// Largest error of a column of the Jacobian against central differences, at a place without kinks.
-inline double jacobian_error(const ContactElement& element, const Vector10d& x) {
-  const Matrix10d J = equations(element, x).jacobian;
-  double worst = 0;
-  for (Eigen::Index j = 0; j < 10; ++j) {
-    const Vector10d h = 1e-6 * Vector10d::Unit(j);
-    const Vector10d rise = equations(element, x + h).residual - equations(element, x - h).residual;
-    worst = std::max(worst, (rise / 2e-6 - J.col(j)).norm());
-  }
-  return worst;
-}
-
-/// Where full Newton steps end.
-struct End {
-  Vector10d x;
-  int steps = 0;
-  double residual = 0;
-  bool solved = false;
-};
-
-inline End solved(const ContactElement& element, Vector10d x) {
-  End end;
-  for (int k = 0; k <= 60; ++k) {
-    const System at = equations(element, x);
-    end = {x, k, at.residual.cwiseAbs().maxCoeff(), false};
-    end.solved = end.residual <= 1e-12;
-    if (end.solved || !std::isfinite(end.residual)) break;
-    x -= at.jacobian.fullPivLu().solve(at.residual);
-  }
-  return end;
-}
 
 }  // namespace ch09

@@ -7,7 +7,6 @@
 #include "signorini/closed_form/hertz.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/hertz_meshes.hpp"
-#include "signorini/mesh/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch10 {
@@ -32,25 +31,20 @@ inline void touch(Scene& scene, const Side& source, const Side& target, const Sa
 }
 
 /// Two blocks, 2 wide and 1 high, the upper one under a pressure of 1: so it should be everywhere between them.
-// [blocks]
 inline Scene blocks(Eigen::Index source_edges, Eigen::Index target_edges, const Sampling& by) {
   Scene scene;
-  for (const Eigen::Index edges : {source_edges, target_edges}) {
-    scene.bodies.back().mesh =
-        moved(block(scene.bodies.size() == 1 ? "upper" : "lower", {0, 0}, {2, 1}, edges, 3),
-              {0, scene.bodies.size() == 1 ? 1 : 0});
-    scene.bodies.back().material = {1000, 0.3, PlaneState::Strain, 1};
-    scene.bodies.resize(2);
-  }
+  scene.bodies.resize(2);
   Body& upper = scene.bodies[0];
   Body& lower = scene.bodies[1];
+  upper.mesh = block("upper", {0, 1}, {2, 1}, source_edges, 3);
+  lower.mesh = block("lower", {0, 0}, {2, 1}, target_edges, 3);
+  upper.material = lower.material = {1000, 0.3, PlaneState::Strain, 1};
   upper.supports = {prescribed_at("top", {0, 2}, Axis::X)};  // it floats: contact holds it up
   lower.supports = {prescribed("bottom", Axis::Y, 0), prescribed_at("bottom", {0, 0}, Axis::X)};
   upper.loads.edges = {{"top", 1, {}}};
   touch(scene, {"bottom", "upper"}, {"top", "lower"}, by);
   return scene;
 }
-// [blocks]
 
 /// The disc of section 3.1 of the paper, in closed form.
 inline const LineContact hertz_contact{50, 4000 / (2 * (1 - 0.35 * 0.35)), 41.76};

@@ -94,9 +94,11 @@ void solve_to_accuracy(SceneRun& run, AccuracyRun& accuracy,
   if (result.estimate) accuracy.budget = error_budget(*result.estimate);
   run.file.scene = std::move(result.scene);
   run.plan = plan(run.file.scene);
+  add_notes(run.file.notes, run.plan.notes);
   run.prediction = predict(run.plan);
   run.model = std::move(result.model);
   run.solution = std::move(result.solution);
+  add_notes(run.file.notes, run.solution->notes);
   run.ledgers = {run.solution->ledger};
 }
 

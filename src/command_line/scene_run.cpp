@@ -116,6 +116,10 @@ const char* taken_by(const std::string& command) {
                                  : "scene";
 }
 
+void add_notes(const std::vector<std::string>& some, std::vector<std::string>& notes) {
+  notes.insert(notes.end(), some.begin(), some.end());
+}
+
 bool SceneRun::solved() const {
   if (end) return end->status == Status::Solved;
   return solution && solution->contact.report.status == Status::Solved;
@@ -137,6 +141,7 @@ SceneRun plan_scene(const std::string& file, const Means& means, const char* com
   if (!means.solver.empty()) run.file.scene.solver = means.solver;
   run.file.scene.backend = means.backend;
   run.plan = at_file(run.file, [&] { return plan(run.file.scene); });
+  add_notes(run.file.notes, run.plan.notes);
   run.prediction = run.step([&] { return predict(run.plan); });
   return run;
 }

@@ -95,6 +95,9 @@ struct Means {
       {};  ///< of the back end, is told the text of the file; null if it works alone
 };
 
+/// \param some  notes \param notes  that get them too
+void add_notes(const std::vector<std::string>& some, std::vector<std::string>& notes);
+
 /// Reads a scene file and plans it.
 /// \param file     a name, or `-`
 /// \param means    to solve it with

@@ -22,17 +22,6 @@ constexpr QuasiActiveRows readings[] = {
     QuasiActiveRows::AllViolated, QuasiActiveRows::IndependentByIndex,
     QuasiActiveRows::IndependentByViolation, QuasiActiveRows::MostViolated};
 
-/// A point outside of eight half-spaces that have u = 0 in common.
-ClosestPoint whole_numbers(Random& random) {
-  ClosestPoint made{Eigen::MatrixXd(8, 3), VectorXd(3), VectorXd(8)};
-  do {
-    for (double& a : made.A.reshaped()) a = random.whole(-3, 3);
-    for (double& g : made.g) g = random.whole(0, 3);
-    for (double& p : made.p) p = random.whole(-6, 6);
-  } while (made.problem().free_gap.minCoeff() >= 0);
-  return made;
-}
-
 bool contains(const std::vector<Index>& all, const std::vector<Index>& some) {  // both in order
   return std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
@@ -66,7 +55,7 @@ TEST_CASE("one step or never: with all violated rows a loop ends after one step 
     for (std::uint64_t seed = 1; seed <= 100; ++seed)
       check(condense(rosen_suzuki(n, m, seed).programme).problem);
   Random random(2);
-  for (int sample = 0; sample < 300; ++sample) check(whole_numbers(random).problem());
+  for (int sample = 0; sample < 300; ++sample) check(eight_half_spaces(random).problem());
   CHECK((one > 200 && never > 200));  // both happen
 }
 
@@ -76,7 +65,7 @@ TEST_CASE("a loop ends at a later step only if the last step but one left a viol
   int later = 0;
   bool subsets = true;
   for (int sample = 0; sample < 300; ++sample) {
-    const ContactProblem problem = whole_numbers(random).problem();
+    const ContactProblem problem = eight_half_spaces(random).problem();
     for (const QuasiActiveRows choice : readings) {
       const QuasiActiveRun run = run_quasi_active_set_literal(problem, {}, choice);
       for (const QuasiActiveStep& step : run.steps) {

@@ -82,3 +82,28 @@ TEST_CASE("two pairs: without eta >= 0 the open one wins, with it the one that o
   CHECK(s.pulling == 2);
   CHECK(s.pressing == 0.5);
 }
+
+TEST_CASE("s is not concave, but where it does not rise to first order it does not rise at all",
+          "[surrogate_dual]") {
+  const ContactProblem apart{Eigen::Matrix2d::Identity(), Eigen::Vector2d(-1, 0)};
+  const auto s = [&](double t) {
+    return surrogate_dual_value(apart, Eigen::Vector2d(t, 1 - t));  // t^2 / (2 t^2 + 2 (1 - t)^2)
+  };
+  CHECK(s(0.1) < 0.5 * s(0.2));  // below the chord from t = 0, where s = 0
+  Random random(8);
+  int falls = 0;
+  for (int sample = 0; sample < 400; ++sample) {
+    const ContactProblem problem = random_problem(random, 4);
+    VectorXd from(4), to(4);
+    for (double& weight : from) weight = random.uniform(0, 1);
+    for (double& weight : to) weight = random.uniform(0, 1);
+    from /= from.sum();
+    to /= to.sum();
+    const double here = surrogate_dual_value(problem, from);
+    if (here == 0 || surrogate_dual_gradient(problem, from).dot(to - from) > 0) continue;
+    ++falls;
+    for (int k = 1; k <= 50; ++k)
+      CHECK(surrogate_dual_value(problem, from + k / 50.0 * (to - from)) <= here * (1 + 1e-12));
+  }
+  CHECK(falls > 50);
+}

@@ -146,7 +146,7 @@ TEST_CASE("midway over a concave vertex the vertex is taken, not one of the flan
   CHECK(search.closest({2.01, -0.1}, {0, -1}).normal.x() < -0.2);
 }
 
-TEST_CASE("points that coincide with vertices but for rounding look along the bisector",
+TEST_CASE("points over vertices, or in them, but for rounding look along the bisector",
           "[target_search]") {
   for (Index cells = 8; cells <= 32; cells += 4) {
     const Mesh mesh = ring(cells, MeshOrder::Linear);
@@ -162,6 +162,13 @@ TEST_CASE("points that coincide with vertices but for rounding look along the bi
           CAPTURE(cells, name, node, ulps);
           REQUIRE(place.found);
           CHECK((place.normal - out * x.normalized()).norm() < 1e-14);
+        }
+        // The nearer the point, the more of its direction from the vertex is rounding.
+        for (const double off : {1e-9, 1e-6, 1e-3}) {
+          const Projection place = search.closest((1 + off * out) * x, -out * x);
+          CAPTURE(cells, name, node, off);
+          REQUIRE(place.found);
+          CHECK((place.normal - out * x.normalized()).norm() < 1e-15);
         }
       }
       // Over the vertex between the last side and the first, the first is named.

@@ -109,7 +109,12 @@ expect 0 '"met": true' solve "$cantilever" --accuracy 1% --json
 expect 1 'accuracy NOT met: budget of unknowns: .* 3000 are allowed' solve "$cantilever" --accuracy 0.001% --unknowns 3000
 expect 0 'accuracy: met' solve "$examples/punch.toml" --accuracy 1%
 sed '/^target = "footing/a operator = "gauss_points"' "$examples/footing.toml" > gauss.toml
-expect 2 'gauss.toml:[0-9]+: estimate: pairs are Gauss points' solve gauss.toml --accuracy 1%
+expect 2 'gauss.toml:18: estimate: the pairs of soil.surface on footing.bottom are Gauss points' solve gauss.toml --accuracy 1%
+sed '/^symmetric = "axis"/i layer = { box = [0, -15, 15, -2.7], youngs_modulus = 4e4 }' "$examples/footing.toml" > layered.toml
+for wish in plan solve 'solve --accuracy 5%' 'solve --json'; do
+    # shellcheck disable=SC2086
+    expect 0 'layered.toml:15: the edges of the box .*, -2\.7\] of a layer of .soil. cut [0-9]+ cells' ${wish%% *} layered.toml $(expr "$wish" : '[a-z]* *\(.*\)')
+done
 expect 2 '--accuracy: .*to_and_fro.toml has load steps' solve "$examples/to_and_fro.toml" --accuracy 1%
 expect 2 "--accuracy: expected a part above 0, such as 0\.5% or 0\.005, got '-1%'" solve "$cantilever" --accuracy=-1%
 expect 2 "--accuracy: expected a part above 0, .* got '0\.x%'" solve "$cantilever" --accuracy 0.x%

@@ -199,20 +199,28 @@ expect yes "the second decimal of a line" grep -qF "'M12.3,56.7 L1.2,2.3'" label
 expect yes "two polygons of one colour" grep -qF "<path fill='red' d='M1.0,1.0l1,0 0,1zM2.0,1.0l1,0 0,1.5z'/>" label.svg
 expect yes "a tidy picture" perl "$tools/svgtidy.pl" --check label.svg
 
+# the programs of exercises tell the judge by a secret how many assertions of a test passed and failed
+program() { # file, what it does
+    {
+        printf '#!/bin/sh\nread -r secret <&3\ntab=$(printf "\\t")\n'
+        printf 'tell() { echo "$secret$tab$1$tab$2${tab}a test" >&4; echo "$secret${tab}end${tab}open" >&4; }\n%s\n' "$2"
+    } > "$1" && chmod +x "$1"
+}
+
 # the starter of an exercise
-starter() { printf '#!/bin/sh\n%s\n' "$1" > program && chmod +x program && "$tools/starter.sh" ./program; }
-expect yes "a starter that fails a check" starter 'echo "assertions: 2 | 1 passed | 1 failed"; exit 1'
-expect no "a starter that passes" starter 'echo "All tests passed (2 assertions in 1 test case)"'
-expect no "a starter that crashes" starter 'echo "due to a fatal error condition:"; echo "assertions: 1 | 1 failed"; kill -SEGV $$'
+starter() { program program "$1" && perl "$tools/judge.pl" starter ./program; }
+expect yes "a starter that fails a check" starter 'tell 1 1; exit 1'
+expect no "a starter that passes" starter 'tell 2 0'
+expect no "a starter that passes with a status" starter 'echo "1 failed"; exit 1'
+expect no "a starter that crashes" starter 'tell 0 1; kill -SEGV $$'
 expect no "a starter that ends early" starter 'exit 3'
-expect no "a starter that does not exist" "$tools/starter.sh" ./nowhere
+expect no "a starter that does not exist" perl "$tools/judge.pl" starter ./nowhere
 
 # the answer to an exercise: its last line is a verdict, whatever the tests say
-program() { printf '#!/bin/sh\n%s\n' "$2" > "$1" && chmod +x "$1"; }
 judged() { # last line, status, what, tests, held-out tests or nothing
     program seen "$4"
     program heldout "${5:-}"
-    said=$("$tools/exercise.sh" judge ex3.1 attempt.cpp ./seen ${5:+./heldout} 2>&1)
+    said=$(perl "$tools/judge.pl" ex3.1 attempt.cpp ./seen ${5:+./heldout} 2>&1)
     status=$?
     if [ "$status" -ne "$2" ] || [ "$(printf '%s\n' "$said" | tail -n 1)" != "$1" ]; then
         echo "$3: status $status, said: $said"
@@ -220,12 +228,14 @@ judged() { # last line, status, what, tests, held-out tests or nothing
     fi
 }
 again="edit attempt.cpp, then make ex3.1 again"
-judged "ex3.1: right, also on the held-out tests" 0 "a right answer" 'echo passed' 'echo passed'
+judged "ex3.1: right, also on the held-out tests" 0 "a right answer" 'tell 1 0' 'tell 1 0; echo passed'
 [ "$said" = "ex3.1: right, also on the held-out tests" ] || { echo "a right answer takes more than a line: $said"; failures=$((failures + 1)); }
-judged "ex3.1: right" 0 "a right answer in a hand-out" 'echo passed'
-judged "ex3.1: not yet; $again" 1 "a wrong answer" 'echo "0 == 1"; exit 1' 'echo passed'
+judged "ex3.1: right" 0 "a right answer in a hand-out" 'tell 1 0'
+judged "ex3.1: not yet; $again" 1 "a wrong answer" 'echo "0 == 1"; tell 0 1; exit 1' 'tell 1 0'
 case $said in "0 == 1"*) ;; *) echo "a wrong answer does not learn what failed: $said"; failures=$((failures + 1)) ;; esac
-judged "ex3.1: right on the tests that you see, not yet on the held-out ones; $again" 1 "a memorised answer" 'echo passed' 'exit 1'
-judged "ex3.1: not yet; $again" 1 "an answer that crashes" 'kill -SEGV $$' 'echo passed'
+judged "ex3.1: right on the tests that you see, not yet on the held-out ones; $again" 1 "a memorised answer" 'tell 1 0' 'tell 1 1; exit 1'
+judged "ex3.1: not yet; $again" 1 "an answer that crashes" 'tell 1 0; kill -SEGV $$' 'tell 1 0'
+judged "ex3.1: not yet; $again" 1 "an answer that only says that it passes" 'echo "All tests passed"' 'tell 1 0'
+judged "ex3.1: not yet; $again" 1 "an answer that does not know the secret" 'secret=1; tell 1 0' 'tell 1 0'
 
 [ "$failures" -eq 0 ] || { echo "$failures faults were judged wrongly"; exit 1; }

@@ -7,6 +7,7 @@
 #include "signorini/estimate/contact_edges.hpp"
 #include "signorini/estimate/contact_ends.hpp"
 #include "signorini/estimate/estimate.hpp"
+#include "signorini/estimate/profile.hpp"
 #include "signorini/refinement/refine.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/effectivity.hpp"

@@ -2,7 +2,7 @@
 # run.pl [WORDS...]: puts the faults of list.txt into a copy of the project, one at a time, and says which test notices each.
 # With WORDS only the faults whose line has one of them: a folder, a file, some of what is wrong.  The copy is build/faults; build/faults/results.txt keeps what is
 # known, so a run that was stopped goes on where it was: delete a line to try its fault again, the file to begin anew.
-# Ends with 1 if a fault survives, cannot be put in, or does not compile.
+# Ends with 1 if a fault survives, cannot be put in, or does not compile.  --check only says which faults cannot be put in.
 use strict;
 use warnings;
 use File::Basename;
@@ -16,6 +16,7 @@ my $copy = "$root/build/faults";
 my $known = "$copy/results.txt";
 my $seconds = 300;    # one test program may take; a fault that makes it run for ever is noticed
 my @words = @ARGV;
+my $check = @words == 1 && $words[0] eq '--check';
 
 sub contents { my ($path) = @_; open my $in, '<', $path or die "$path: $!\n"; local $/; return <$in> }
 sub put { my ($path, $text) = @_; open my $out, '>', $path or die "$path: $!\n"; print $out $text; close $out or die "$path: $!\n" }
@@ -32,6 +33,23 @@ while (<$list>) {
     elsif (!/^(#.*)?$/)                { die "list.txt:$.: a line begins with @, -, + or #, got: $_" }
 }
 for (@faults) { if ($_->{to} ne '') { chomp $_->{from}; chomp $_->{to} } }
+
+# Why a fault cannot be put in, empty if it can.
+sub stale {
+    my ($fault) = @_;
+    my $path = "$root/src/signorini/$fault->{file}";
+    return 'there is no such file' if !-f $path;
+    my $times = () = contents($path) =~ /\Q$fault->{from}\E/g;
+    return "its text stands there $times times" if $times != 1;
+    my $programs = contents("$root/tests/CMakeLists.txt");    # those that are no room's
+    my @absent = grep { !-d "$root/tests/$_" && $programs !~ /\btest_$_\b/ } @{$fault->{tests}};
+    return @absent ? "there is no test_$absent[0]" : '';
+}
+if ($check) {
+    my $bad = 0;
+    for (@faults) { my $why = stale($_); $bad |= $why ne '' && print "tests/faults/list.txt: $_->{file} | $_->{what}: $why\n" }
+    exit($bad);
+}
 
 # The copy as the project is now, whatever the last run left; what is as it was keeps its date, and so its objects.
 chdir $root or die "$root: $!\n";
@@ -65,10 +83,9 @@ for my $fault (@faults) {
     my $name = "$fault->{file} | $fault->{what}";
     next if @words && !grep { index("$name | @{$fault->{tests}}", $_) >= 0 } @words;
     next if $result{$name};
+    if (my $why = stale($fault)) { $result{$name} = 'stale'; note("stale $name: by nobody: $why"); next }
     my $path = "$copy/src/signorini/$fault->{file}";
     my $text = contents($path);
-    my $times = () = $text =~ /\Q$fault->{from}\E/g;
-    if ($times != 1) { $result{$name} = 'stale'; note("stale $name: by nobody: its text stands there $times times"); next }
     for my $test (grep { !$sound{$_}++ && !$result{"whole | $_"} } @{$fault->{tests}}) {
         quietly(sub { compiles($test) }) or die "test_$test does not compile, see $copy/build.log\n";
         my $case = failure($test);

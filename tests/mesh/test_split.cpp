@@ -4,9 +4,9 @@
 
 #include "catch_compat.hpp"
 #include "signorini/mesh/block.hpp"
-#include "signorini/mesh/disc.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/mesh/split.hpp"
+#include "support/half_disc.hpp"
 #include "support/mesh_measures.hpp"
 
 using Eigen::Index;
@@ -14,34 +14,19 @@ using Eigen::RowVector2d;
 using namespace signorini;
 using namespace signorini_test;
 
-namespace {
-
-MeshOrder any_order() { return GENERATE(MeshOrder::Linear, MeshOrder::Quadratic); }
-
-Mesh disc(MeshOrder order) {
-  DiscSpec spec;
-  spec.part = DiscPart::Right;
-  spec.order = order;
-  return make_disc(spec);
-}
-
-const std::vector<std::string> rim = {"axis", "rim"};
-
-}  // namespace
-
 TEST_CASE("what is cut keeps its area, its rim and its nodes", "[split]") {
   const MeshOrder order = any_order();
-  const Mesh whole = disc(order);
+  const Mesh whole = half_disc(order);
   std::vector<Index> every_third;
   for (Index cell = 0; cell < whole.n_cells(); cell += 3) every_third.push_back(cell);
   for (const Mesh& mesh : {split(whole), split(whole, every_third)}) {
     CHECK_NOTHROW(check_mesh(mesh));
     CHECK(mesh.order() == order);
     CHECK(area_of(mesh) == Approx(area_of(whole)).epsilon(1e-14));
-    CHECK(is_rim(mesh, rim));
-    CHECK(mesh.n_nodes() == nodes_if_joined(mesh, rim));
+    CHECK(is_rim(mesh, half_disc_rim));
+    CHECK(mesh.n_nodes() == nodes_if_joined(mesh, half_disc_rim));
     CHECK(mesh.nodes.topRows(whole.n_nodes()) == whole.nodes);
-    for (const std::string& name : rim)
+    for (const std::string& name : half_disc_rim)
       CHECK(boundary_nodes(mesh, name) == boundary_nodes(whole, name));
   }
   CHECK(split(whole).n_cells() == 2 * whole.n_cells());
@@ -83,7 +68,7 @@ TEST_CASE("diagonals are straight in cells of straight sides, and bend with curv
 }
 
 TEST_CASE("mixed meshes are mirrored and joined", "[split][reshape]") {
-  const Mesh whole = disc(any_order());
+  const Mesh whole = half_disc(any_order());
   Mesh half = split(whole, {0, 1, 7});
   half.regions["cut"] = {0, 1, 2, 3};
   const Mesh image = mirrored(half, MirrorLine::Upright);

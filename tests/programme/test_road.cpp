@@ -160,3 +160,16 @@ TEST_CASE("where a claim that is not solved has moved the body is not believed",
   CHECK(along(Status::Solved) == 0.25);
   CHECK(std::abs(along(Status::IterationLimit)) < 1e-15);  // rounding of the load along it
 }
+
+TEST_CASE("a method that breaks down without a word still has a reason at the end of the road",
+          "[road]") {
+  const CertifiedEnd end = end_of_road(pull, step, Eigen::Vector2d::Zero(),
+                                       {claim(Status::Breakdown, Eigen::Vector2d::Zero(), {0, 1})});
+  REQUIRE(end.state.report.status != Status::Infeasible);
+  CHECK((end.state.report.status == Status::Solved) == end.state.reason.empty());
+  ContactState nothing = claim(Status::Breakdown, Eigen::Vector2d::Zero(), {});
+  nothing.force.resize(0);  // no numbers to go on with
+  const CertifiedEnd without = end_of_road(pull, step, Eigen::Vector2d::Zero(), {nothing});
+  CHECK(without.state.report.status == Status::Breakdown);
+  CHECK_FALSE(without.state.reason.empty());
+}

@@ -8,13 +8,13 @@
 #include "catch_compat.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/mesh/block.hpp"
-#include "signorini/mesh/disc.hpp"
 #include "signorini/mesh/joints.hpp"
 #include "signorini/mesh/regions.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/mesh/ring.hpp"
 #include "signorini/mesh/split.hpp"
 #include "signorini/refinement/refine.hpp"
+#include "support/half_disc.hpp"
 #include "support/mesh_measures.hpp"
 
 using Eigen::Index;
@@ -23,22 +23,6 @@ using namespace signorini;
 using namespace signorini_test;
 
 namespace {
-
-MeshOrder any_order() { return GENERATE(MeshOrder::Linear, MeshOrder::Quadratic); }
-
-const std::vector<std::string> rim = {"axis", "rim"};
-
-/// The right half of a disc of radius 1: quadrilaterals, triangles, or both.
-Mesh disc(MeshOrder order, int triangles_every) {
-  DiscSpec spec;
-  spec.part = DiscPart::Right;
-  spec.order = order;
-  const Mesh whole = make_disc(spec);
-  std::vector<Index> cut;
-  for (Index cell = 0; triangles_every > 0 && cell < whole.n_cells(); cell += triangles_every)
-    cut.push_back(cell);
-  return split(whole, cut);
-}
 
 std::vector<std::pair<double, double>> places(const NodeArray& nodes) {
   std::vector<std::pair<double, double>> list;
@@ -109,7 +93,7 @@ TEST_CASE("a disc made finer everywhere is a disc, and nothing of it comes apart
   const MeshOrder order = any_order();
   const int triangles_every = GENERATE(0, 1, 3);
   CAPTURE(triangles_every);
-  Mesh mesh = disc(order, triangles_every);
+  Mesh mesh = half_disc(order, triangles_every);
   double before = std::abs(area_of(mesh) - std::acos(-1) / 2);
   for (int round = 0; round < 3; ++round) {
     const Mesh coarse = mesh;
@@ -117,8 +101,8 @@ TEST_CASE("a disc made finer everywhere is a disc, and nothing of it comes apart
     CHECK(mesh.n_cells() == 4 * coarse.n_cells());
     CHECK_NOTHROW(check_mesh(mesh));
     CHECK(mesh.nodes.topRows(coarse.n_nodes()) == coarse.nodes);
-    CHECK(is_rim(mesh, rim));
-    CHECK(mesh.n_nodes() == nodes_if_joined(mesh, rim));
+    CHECK(is_rim(mesh, half_disc_rim));
+    CHECK(mesh.n_nodes() == nodes_if_joined(mesh, half_disc_rim));
     CHECK(outer_sides(mesh).size() == 2 * outer_sides(coarse).size());
     for (const Index node : boundary_nodes(mesh, "axis")) CHECK(mesh.nodes(node, 0) == 0);
     for (const Index node : boundary_nodes(mesh, "rim"))
@@ -182,7 +166,7 @@ TEST_CASE("an edge marked three times becomes eight, and all that is opposite as
 }
 
 TEST_CASE("triangles marked twice have no hanging nodes", "[refine]") {
-  const Mesh whole = disc(any_order(), GENERATE(1, 3));
+  const Mesh whole = half_disc(any_order(), GENERATE(1, 3));
   const MeshEdges all = edges(whole);
   const CellSide side = boundary(whole, "rim")[2];
   std::vector<char> times(all.size(), 0);
@@ -190,7 +174,7 @@ TEST_CASE("triangles marked twice have no hanging nodes", "[refine]") {
   const HalvedMesh once = halved_once(whole, {all, times});
   const HalvedMesh twice = halved_once(once.mesh, once.marks);
   CHECK(*std::max_element(twice.marks.halved.begin(), twice.marks.halved.end()) == 0);
-  CHECK(twice.mesh.n_nodes() == nodes_if_joined(twice.mesh, rim));
+  CHECK(twice.mesh.n_nodes() == nodes_if_joined(twice.mesh, half_disc_rim));
   CHECK(boundary(twice.mesh, "rim").size() >= boundary(whole, "rim").size() + 3);
 }
 
@@ -255,7 +239,7 @@ TEST_CASE("triangles are bisected around one node without flat ones or loose nod
 
 TEST_CASE("regions and boundaries stay where they are", "[refine]") {
   const MeshOrder order = any_order();
-  Mesh mesh = with_region(disc(order, 3), "core", {0, -0.5}, {0.5, 0.5});
+  Mesh mesh = with_region(half_disc(order, 3), "core", {0, -0.5}, {0.5, 0.5});
   const double all = area_of(mesh);
   const auto area_of_core = [](const Mesh& of) {
     Mesh part = of;
@@ -272,7 +256,7 @@ TEST_CASE("regions and boundaries stay where they are", "[refine]") {
 }
 
 TEST_CASE("the same mesh in another order is made finer in the same places", "[refine]") {
-  const Mesh mesh = disc(any_order(), GENERATE(0, 1, 3));
+  const Mesh mesh = half_disc(any_order(), GENERATE(0, 1, 3));
   const RowVector2d pole = mesh.nodes.row(boundary_nodes(mesh, "rim").front());
   const Mesh once = refined_at(refined(mesh), pole);
   const Mesh again = refined_at(refined(mesh), pole);

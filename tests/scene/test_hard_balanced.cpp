@@ -55,6 +55,29 @@ TEST_CASE("a squeezed block above a plane is solved though K feels its rigid mot
   }
 }
 
+// Whether a pair holds a motion is measured in its own system: neither by forces of others, nor by rounding of its own.
+TEST_CASE("a light block is held by its small forces though a heavy one stands beside it",
+          "[contact][hard][floating]") {
+  for (const double small : {1.0, 1e-14, 1e-30}) {
+    CAPTURE(small);
+    Scene scene;
+    scene.bodies.resize(2);
+    for (int b = 0; b < 2; ++b) {
+      Body& body = scene.bodies[static_cast<std::size_t>(b)];
+      body.mesh = named_block(b == 0 ? "heavy" : "light", {2.0 * b, 0}, {1, 1}, 3, 3);
+      body.material = {1e3, 0.25, PlaneState::Strain, 1};
+      body.supports = {symmetric("left")};
+      body.loads.edges = {{"top", b == 0 ? 1 : small, {}}};
+      scene.contacts.push_back({{"bottom", body.mesh.name}, half_plane({0, 0}, {0, 1})});
+    }
+    const SolvedScene run = solved(scene, "the blocks");
+    for (const std::string& note : run.solution.notes)
+      CHECK(note.find("do not determine how far") == std::string::npos);
+    CHECK(run.solution.contact.force.tail(run.solution.contact.force.size() / 2).sum() ==
+          Approx(small).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("where rounding of the stiffness is more than a certificate allows, that is said",
           "[contact][hard][floating]") {
   for (const double length : {1.0, 10.0})

@@ -139,6 +139,28 @@ TEST_CASE("bodies that nothing pushes rest where they only touch, with no force 
     rests(seed, RandomScenes::Frictionless);
 }
 
+// A ring under loads in balance rests on a single pair, which carries 1e-28 of the load: how far it comes down is open.
+TEST_CASE("a lone force that is rounding of the loads holds no body", "[random]") {
+  const Trial trial = try_scene(23480, RandomScenes::Any);
+  CAPTURE(trial.text);
+  CHECK(trial.outcome != Outcome::Disputed);
+  CHECK_FALSE(is_fault(trial.outcome));
+}
+
+TEST_CASE("neither a method that rounding leads astray nor a set that cannot be refined is the end",
+          "[random]") {
+  for (const std::uint64_t seed : {11348, 15570, 21732}) {
+    const Trial trial = try_scene(seed, RandomScenes::Frictionless);
+    CAPTURE(seed, trial.text);
+    CHECK(trial.outcome == Outcome::Solved);
+    CHECK(trial.errors.worst() <= 1e-12);
+  }
+  // Rings, node over node, that only rounding of the normals held.
+  const Trial turns = try_scene(6165, RandomScenes::Frictionless);
+  CAPTURE(turns.text);
+  CHECK(turns.outcome == Outcome::Refused);
+}
+
 // A check that sees no fault of a millionth is none. Scenes without forces, gaps or slips, or with small ones
 // beside the loads and displacements, stay right.
 TEST_CASE("the check of random scenes sees a millionth of any number, and false names",

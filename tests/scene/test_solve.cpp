@@ -6,6 +6,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/scene.hpp"
+#include "signorini/scene/steps.hpp"
 #include "support/cantilever.hpp"
 #include "support/message.hpp"
 #include "support/random.hpp"
@@ -176,6 +177,38 @@ TEST_CASE("a set of closed pairs that wrong condensed data suggest is corrected"
   CHECK((corrected.contact.force - right.contact.force).norm() <
         1e-12 * right.contact.force.norm());
   CHECK(corrected.certificate.holds());
+}
+
+TEST_CASE("a body all of whose nodes are held is where they are held", "[solve]") {
+  Scene scene = cantilever("q4", 4, 1);  // has no node inside
+  scene.contacts.clear();
+  const auto field = [](const Eigen::Vector2d& x) {
+    return Eigen::Vector2d(1e-3 * x.x(), 2e-3 * x.y());
+  };
+  Body& body = scene.bodies[0];
+  body.supports.clear();
+  for (const auto& [name, sides] : body.mesh.boundaries)
+    body.supports.push_back({name, true, true, field});
+  const Solution solution = solve(scene);
+  CHECK(solution.contact.report.status == Status::Solved);
+  CHECK(solution.certificate.holds());
+  CHECK(solution.refined.displacement.size() == 0);
+  REQUIRE(solution.displacements.size() == 1);
+  REQUIRE(solution.displacements[0].rows() == body.mesh.n_nodes());
+  for (Index k = 0; k < body.mesh.n_nodes(); ++k)
+    CHECK(solution.displacements[0].row(k).transpose() ==
+          field(body.mesh.nodes.row(k).transpose()));
+
+  scene.path = Path{};
+  scene.path->times = {1, 2};
+  int steps = 0;
+  const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {
+    WorkMeter meter;
+    if (++steps == 1) meter.add(model, step);
+    CHECK(step.solution.displacements == solution.displacements);
+  });
+  CHECK(end.status == Status::Solved);
+  CHECK(steps == 2);
 }
 
 TEST_CASE("a program that needs a solution stops without one and says why", "[solve]") {

@@ -158,6 +158,27 @@ TEST_CASE("layers have the material of their body but for what they say", "[scen
   CHECK(body.mesh.regions.at(body.layers[0].region) == std::vector<Eigen::Index>{4, 5, 6, 7});
 }
 
+// The cells of the block are squares of 1.
+TEST_CASE("a box of a layer that cuts cells is noted, with what its layer takes", "[scene_file]") {
+  const auto notes = [](const std::string& box) {
+    return parsed(material + "[body]\n" + block + "layer = { box = [" + box +
+                  "], youngs_modulus = 99 }\n")
+        .notes;
+  };
+  for (const char* whole : {"0, 1, 4, 2", "-9, 1, 9, 9", "1, 0, 3, 1", "0, 0.9999999999, 4, 2"})
+    CHECK(notes(whole).empty());
+  const std::vector<std::string> cut = notes("0, 1, 4, 1.75");
+  REQUIRE(cut.size() == 1);
+  CHECK(cut[0] ==
+        "name:4: the edges of the box [0, 1, 4, 1.75] of a layer of 'body' cut 4 cells. A cell is "
+        "in a "
+        "layer whole or not at all, by its middle: the layer takes the cells of [0, 1, 4, 2]. Let "
+        "cells end at the edges of the box if that is not meant");
+  REQUIRE(notes("0.3, 0.3, 0.6, 0.6").size() == 1);  // no corner is inside
+  CHECK(notes("0.3, 0.3, 0.6, 0.6")[0].find("cut 1 cell. ") != std::string::npos);
+  CHECK(notes("0, 1.001, 3, 2")[0].find("cut 3 cells. ") != std::string::npos);  // those it covers
+}
+
 TEST_CASE("contacts of a scene file", "[scene_file]") {
   const ContactSpec rigid =
       contact_of(floor_below + "friction = 0.5\ninterference = 0.125\nadjust = 0.25\n");

@@ -121,6 +121,23 @@ TEST_CASE("nearly dependent pairs are still decided rightly", "[active_set][hard
   CHECK(state.force(2) == Approx(2 / (1 + 1e-9)).epsilon(1e-15));
 }
 
+// A chain of springs of stiffness 1: a force on cart j moves carts 1 to j back by as much as springs lie before it.
+TEST_CASE("three carts: of three that overlap the middle one pulls and is released",
+          "[active_set][closed-form]") {
+  Eigen::Matrix3d G;
+  G << 1, 1, 1, 1, 2, 2, 1, 2, 3;
+  const ContactState state = primal_dual_active_set({G, Vector3d(-2, -1, -3)});
+  REQUIRE(state.report.status == Status::Solved);
+  CHECK(state.active == std::vector<Index>{0, 2});
+  CHECK((state.force - Vector3d(1.5, 0, 0.5)).norm() < 1e-14);
+  CHECK((state.gap - Vector3d(0, 1.5, 0)).norm() < 1e-14);
+  REQUIRE(state.report.history.size() == 2);
+  CHECK(state.report.history[0].active == 3);
+  CHECK(state.report.history[0].changes == 1);
+  CHECK(state.report.history[0].tension == Approx(3).epsilon(1e-14));
+  CHECK(state.report.history[1].active == 2);
+}
+
 TEST_CASE("on a string over a wave the sets shrink to the answer without going back",
           "[active_set]") {
   // The inverse of G has no positive entry off its diagonal: closed pairs never pull others shut, so

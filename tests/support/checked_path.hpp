@@ -24,11 +24,9 @@ class CheckedPath {
   /// \return its errors; `reading` has those of total slips and of the dissipation as well
   SceneErrors add(const signorini::Model& model, const signorini::Step& step);
   /// \return what the work of the loads differs from energy, dissipation and what steps do not resolve, largest over the
-  ///   steps, over the largest of these at any step [-]
+  ///   steps, over the largest of these at any step [-]; 0 if it is no more than rounding of the displacements makes: the
+  ///   last bit of each times the force that moves its unknown alone
   [[nodiscard]] double imbalance() const;
-  /// \return whether that is at most `most_imbalance`, or no more than rounding of the displacements makes: the last bit
-  ///   of each times the force that moves its unknown alone
-  [[nodiscard]] bool balances() const;
 
  private:
   const signorini::Scene& scene_;

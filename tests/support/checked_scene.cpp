@@ -40,7 +40,9 @@ class Checked {
   void look_at_pair(Index pair);
   void look_at_friction(Index k);
   void look_at_rigid_motions();
-  [[nodiscard]] bool carries(Index row) const { return size(force(row)) > 1e-12 * force_; }
+  [[nodiscard]] bool carries(Index row) const {
+    return size(force(row)) > std::max(1e-12 * force_, made_);
+  }
   [[nodiscard]] Wide movement(Index row) const { return movement_[at(row)] / norm_[at(row)]; }
   [[nodiscard]] Wide force(Index row) const {
     return solution_.refined.force(row) * norm_[at(row)];
@@ -59,6 +61,7 @@ class Checked {
   Wide length_;
   Wide force_ = 0;
   Wide inside_ = 0;    // largest |K| |u|
+  Wide made_ = 0;      // that rounding of the entries of K may make along rigid motions
   Wide resolved_ = 0;  // largest rounding of K u: u is known in two doubles
   SceneErrors errors_;
 };
@@ -98,6 +101,7 @@ void Checked::sum_up() {
     for (Eigen::SparseMatrix<double>::InnerIterator it(given_.stiffness, k); it; ++it) {
       const Wide entry = it.value();
       const Wide pull = entry * strained_[at(k)];
+      made_ += size(pull);
       residual_[at(it.row())] -= pull;
       whole[at(it.row())] += size(entry * u_[at(k)]);
       strains[at(it.row())] += entry * rigid_[at(k)];
@@ -105,6 +109,8 @@ void Checked::sum_up() {
       terms[at(it.row())] +=
           Wide(std::sqrt(stiff(it.row()))) * std::sqrt(stiff(k)) * size(rigid_[at(k)]);
     }
+  made_ *= 0x1p-52 * static_cast<double>(given_.stiffness.nonZeros()) /
+           static_cast<double>(std::max<std::size_t>(1, n));
   for (std::size_t j = 0; j < n; ++j) {
     residual_[j] += given_.load(static_cast<Index>(j)) - contact_[j];
     grow(errors_.strain, over(size(strains[j]), terms[j]));
@@ -116,13 +122,13 @@ void Checked::sum_up() {
 void Checked::measure() {
   for (std::size_t j = 0; j < u_.size(); ++j)
     force_ = std::max({force_, size(given_.load(static_cast<Index>(j))), size(contact_[j])});
+  // What bears without moving is measured by how the force would move the stiffest unknown.
   const Eigen::VectorXd diagonal = given_.stiffness.diagonal();
+  length_ = force_ / diagonal.maxCoeff();
   for (Index row = 0; row < given_.A.rows(); ++row) {
     Wide length = 0;
-    for (NodalRows::InnerIterator it(given_.A, row); it; ++it) {
-      const Wide push = size(given_.load(it.col())) + size(contact_[at(it.col())]);
-      length += size(it.value()) * (size(u_[at(it.col())]) + push / diagonal(it.col()));
-    }
+    for (NodalRows::InnerIterator it(given_.A, row); it; ++it)
+      length += size(it.value()) * size(u_[at(it.col())]);
     length_ = std::max(length_, length / norm_[at(row)]);
   }
   // Without a load, contact forces that u in two doubles cannot resolve are measured by those that it could make.

@@ -141,7 +141,7 @@ void try_path(const Scene& scene, void (*change)(Solution& solution), Trial& tri
   trial.imbalance = check.imbalance();
   trial.halvings = end.halvings;
   if (end.status == Status::Solved) {
-    if (!check.balances()) trial.outcome = Outcome::Wrong;
+    if (!(check.imbalance() <= most_imbalance)) trial.outcome = Outcome::Wrong;
     return;
   }
   trial.text += "\n  " + end.reason;

@@ -1,4 +1,4 @@
-// A hub on a hollow shaft as a scene, with a choice of effects, for exercises of chapter 18.
+// A hub on a hollow shaft as a scene, with a choice of effects.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -9,10 +9,17 @@
 
 namespace signorini_test {
 
+/// Cells of each of the two quarters.
+struct FitCells {
+  Eigen::Index angle = 6;
+  Eigen::Index radius = 6;
+  signorini::MeshOrder order = signorini::MeshOrder::Quadratic;
+};
+
 /// Quarters of shaft (body 0) and hub (body 1) with the interference alone.
 /// \tparam Fit  with bore, radius, outside, modulus, ratio, interference
 template <typename Fit>
-signorini::Scene bare_fit(const Fit& fit, Eigen::Index cells_angle = 6) {
+signorini::Scene bare_fit(const Fit& fit, const FitCells& cells = {}) {
   using namespace signorini;
   Scene scene;
   scene.bodies.resize(2);
@@ -22,10 +29,10 @@ signorini::Scene bare_fit(const Fit& fit, Eigen::Index cells_angle = 6) {
     spec.name = ring == 0 ? "shaft" : "hub";
     spec.inner_radius = radii[ring];
     spec.outer_radius = radii[ring + 1];
-    spec.cells_angle = cells_angle;
-    spec.cells_radius = 6;
+    spec.cells_angle = cells.angle;
+    spec.cells_radius = cells.radius;
     spec.sector = Sector::Quarter;
-    spec.order = MeshOrder::Quadratic;
+    spec.order = cells.order;
     Body& body = scene.bodies[ring];
     body.mesh = make_annulus(spec);
     body.material = {fit.modulus, fit.ratio, PlaneState::Stress, 1};

@@ -33,7 +33,6 @@ int main(int argc, char** argv) try {
   double worst = 0;
   double longest = 0;
   double imbalance = 0;
-  int uneven = 0;
   Eigen::Index halvings = 0;
   std::uint64_t slowest = first;
   bool good = true;
@@ -47,7 +46,6 @@ int main(int argc, char** argv) try {
     if (trial.seconds > longest) slowest = seed;
     longest = std::max(longest, trial.seconds);
     imbalance = std::max(imbalance, trial.imbalance);
-    if (trial.imbalance > most_imbalance) ++uneven;
     halvings += trial.halvings;
     if (trial.outcome != Outcome::Wrong) worst = std::max(worst, trial.errors.worst());
     if (lines)
@@ -59,15 +57,18 @@ int main(int argc, char** argv) try {
                 << e.equilibrium << ", strain " << e.strain << ", penetration " << e.penetration
                 << ", tension " << e.tension << ", complementarity " << e.complementarity
                 << ", cone " << e.cone << ", stick " << e.stick << ", sliding " << e.sliding
-                << ", reading " << e.reading << ", imbalance " << trial.imbalance << std::endl;
+                << ", reading " << e.reading << ", work that nobody got " << trial.imbalance
+                << std::endl;
   }
   if (lines) return 0;
   std::cout << argv[1] << ' ' << argv[2] << ' ' << first << " + " << count << ':';
   for (std::size_t k = 0; k < n_outcomes; ++k)
     std::cout << ' ' << outcome_names[k] << ' ' << counts[k];
-  std::cout << "; largest error " << worst << ", imbalance " << imbalance << " (" << uneven
-            << " beyond " << most_imbalance << "); halvings " << halvings << "; " << seconds
-            << " s, of them " << longest << " for " << slowest << '\n';
+  std::cout << "; largest error " << worst << "; ";
+  if (kind == RandomScenes::Paths || kind == RandomScenes::Any)
+    std::cout << "work that nobody got, over the most that was done: " << imbalance
+              << " (wrong above " << most_imbalance << "); halvings " << halvings << "; ";
+  std::cout << seconds << " s, of them " << longest << " for " << slowest << '\n';
   return good ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << "random_scenes: " << error.what() << '\n';

@@ -50,10 +50,10 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
        "scene solved in one step is "
        "estimated: leave the path out, or compare with a finer mesh");
   const Dual dual(model, condensed, solution);
-  for (const Index node : model.pairs.node)
-    pose(node >= 0,
-         "estimate: pairs are Gauss points with forces of their own, whose error is not estimated; "
-         "use the gap "
+  for (std::size_t pair = 0; pair < model.pairs.node.size(); ++pair)
+    pose(model.pairs.node[pair] >= 0, "estimate: the pairs of ",
+         model.contacts[model.contact_of[pair]],
+         " are Gauss points with forces of their own, whose error is not estimated; use the gap "
          "operator mortar or node_to_segment");
   const QuadraticProgramme& programme = model.programme;
   const Residuals residuals(programme, solution.refined);

@@ -55,9 +55,9 @@ struct Estimate {
 /// *What is promised*, on meshes that resolve the contact (ten closed pairs or more): forces of contact and displacements
 /// within a factor of about two, also where pairs stick or slide; half-widths and peaks of q4 the same, without a sign.
 /// *What is not*: no estimate is a bound. On coarser meshes they are mostly too large, up to ten times. Half-widths of
-/// q4_incompatible and q4_bbar are overestimated, mostly by less than two and up to five times, because recovery takes the
-/// stresses of the end for those of a contact that ends a fifth of a pair further in; so are peaks, and errors of q8 and t6
-/// on curved obstacles, where a few parts in 1e5 are left. A part of the force on a curved contact also misses what its
+/// q4_incompatible and q4_bbar are overestimated, mostly by less than two and up to five times where little is left: contact
+/// that ends at a node acts as if it ended about a fifth of a pair further out, which neither recovery nor V sees. So are
+/// peaks of elements other than q4, and errors of q8 and t6 on curved obstacles, of which V is the most. A part of the force on a curved contact also misses what its
 /// polygon is shorter than its arc. Errors of the energy norm, and of stresses and pressures at a point, such as at
 /// corners, are not goals, because recovery knows nothing of singularities between its nodes; how far the domain and the
 /// model are from the truth cannot be seen in one mesh. `make effectivity` measures all this and lists what fails.

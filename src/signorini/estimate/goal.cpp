@@ -9,6 +9,7 @@
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/places.hpp"
 #include "signorini/estimate/contact_edges.hpp"
+#include "signorini/estimate/profile.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
@@ -17,8 +18,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// A goal that is a sum of displacements of the nodes of one body.
 struct NodeSum {
@@ -45,43 +44,6 @@ NodeSum nodes_of(const Model& model, const Displacement& goal, const std::string
          "', where the displacement grows without bound as the mesh is refined; ask for another "
          "point, or spread the force");
   return {body, place.nodes, place.share.head(static_cast<Index>(place.nodes.size()))};
-}
-
-/// What a fit and a second moment are read from.
-struct Profile {
-  ContactLine line;
-  Eigen::MatrixXd
-      nodal;  // of each pair: from forces of the pairs to forces across the line on their nodes
-  VectorXd weight;  // of the nodes: what a uniform pressure does to them
-  std::vector<double> force, pressure;
-  Trace trace;
-};
-
-Profile profile(const Model& model, const Solution& solution, const std::string& contact,
-                const Vector2d& middle) {
-  Profile read{line_of(model, contact, middle), {}, {}, {}, {}, Trace::Linear};
-  const std::vector<Index>& pair = read.line.pair;
-  const Index n = static_cast<Index>(pair.size());
-  const auto nearest =
-      std::min_element(read.line.x.begin(), read.line.x.end(),
-                       [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const Index there = pair[at(nearest - read.line.x.begin())];
-  const Vector2d across = model.pairs.normal.row(there).transpose();
-  if (source_of(model, there).mesh.order() == MeshOrder::Quadratic) read.trace = Trace::Quadratic;
-  std::vector<Index> column(at(model.pairs.opening.cols() / 2), -1);
-  for (Index k = 0; k < n; ++k) column[at(model.pairs.node[at(pair[at(k)])])] = k;
-  read.nodal = Eigen::MatrixXd::Zero(n, n);
-  for (Index k = 0; k < n; ++k)
-    for (NodalRows::InnerIterator entry(model.pairs.opening, pair[at(k)]); entry; ++entry)
-      if (const Index node = column[at(entry.col() / 2)]; node >= 0)
-        read.nodal(node, k) += entry.value() * across(entry.col() % 2);
-  const VectorXd force = read.nodal * solution.contact.force(pair);
-  read.weight = read.nodal * model.pairs.weight(pair);
-  for (Index k = 0; k < n; ++k) {
-    read.force.push_back(force(k));
-    read.pressure.push_back(force(k) / read.weight(k));
-  }
-  return read;
 }
 
 double pressure_at(const HertzFit& fit, double x) {
@@ -138,46 +100,6 @@ double share_at(const ContactForce& goal, const Model& model, Index pair) {
 }
 
 }  // namespace
-
-std::vector<Index> pairs_of(const Model& model, const std::string& contact) {
-  const auto found = std::find(model.contacts.begin(), model.contacts.end(), contact);
-  const bool only = contact.empty() && model.contacts.size() == 1;
-  pose(only || found != model.contacts.end(),
-       contact.empty() ? text("a goal of contact must name one of several contacts: ")
-                       : text("there is no contact ", in_quotes(contact), " for a goal"),
-       contact.empty() ? listed(model.contacts) : suggestion(contact, model.contacts));
-  const std::size_t number = only ? 0 : at(found - model.contacts.begin());
-  std::vector<Index> pairs;
-  for (Index pair = 0; pair < model.pairs.weight.size(); ++pair)
-    if (model.contact_of[at(pair)] == number) pairs.push_back(pair);
-  return pairs;
-}
-
-ContactLine line_of(const Model& model, const std::string& contact, const Vector2d& middle) {
-  std::vector<Index> pairs = pairs_of(model, contact);
-  const auto away = [&](Index pair) {
-    return (model.pairs.position.row(pair).transpose() - middle).squaredNorm();
-  };
-  Index nearest = -1;
-  for (const Index pair : pairs) {
-    pose(model.pairs.node[at(pair)] >= 0,
-         "a width or a peak of pressure cannot be read from Gauss points, whose forces are not "
-         "unique; use the "
-         "gap operator mortar or node_to_segment");
-    if (nearest < 0 || away(pair) < away(nearest)) nearest = pair;
-  }
-  pose(nearest >= 0,
-       "a width or a peak of pressure needs a contact that can close; none of its pairs can move");
-  const Vector2d normal = model.pairs.normal.row(nearest).transpose();
-  const Vector2d along(normal.y(), -normal.x());
-  const auto x_of = [&](Index pair) {
-    return along.dot(model.pairs.position.row(pair).transpose() - middle);
-  };
-  std::stable_sort(pairs.begin(), pairs.end(), [&](Index a, Index b) { return x_of(a) < x_of(b); });
-  ContactLine line{pairs, {}};
-  for (const Index pair : pairs) line.x.push_back(x_of(pair));
-  return line;
-}
 
 double value(const Model& model, const Solution& solution, const Goal& goal) {
   require_numbers(solution, goal);

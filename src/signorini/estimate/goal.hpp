@@ -88,25 +88,4 @@ struct GoalGradient {
 /// \throws ProblemError as value()
 [[nodiscard]] double misfit(const Model& model, const Solution& solution, const Goal& goal);
 
-/// The pairs of one contact.
-/// \param model    from build()
-/// \param contact  its name, or nothing if there is one only
-/// \return their numbers, in walking order of the source
-/// \throws ProblemError listing the contacts if there is none of that name
-[[nodiscard]] std::vector<Eigen::Index> pairs_of(const Model& model, const std::string& contact);
-
-/// The pairs of a contact along the line that it lies on.
-struct ContactLine {
-  std::vector<Eigen::Index> pair;  ///< their numbers, x rising
-  std::vector<double> x;           ///< from the middle, along the tangent there [length]
-};
-
-/// \param model    from build()
-/// \param contact  its name, or nothing if there is one only
-/// \param middle   of the contact [length]
-/// \return its pairs along the tangent of the one nearest to the middle
-/// \throws ProblemError as pairs_of(), or if pairs have no nodes
-[[nodiscard]] ContactLine line_of(const Model& model, const std::string& contact,
-                                  const Eigen::Vector2d& middle);
-
 }  // namespace signorini

@@ -205,7 +205,9 @@ std::vector<MarkedEdges> marks_where_coarse(const Model& model, const Solution& 
   std::vector<std::size_t> count(model.contacts.size(), 0);
   for (const Index pair : solution.contact.active) ++count[model.contact_of[at(pair)]];
   const std::vector<char> closed = closed_pairs(model, solution);
-  for (const PairSide& side : pair_sides(model, marks)) {
+  const std::vector<Index>& node = model.pairs.node;
+  const bool nodal = std::none_of(node.begin(), node.end(), [](Index n) { return n < 0; });
+  for (const PairSide& side : nodal ? pair_sides(model, marks) : std::vector<PairSide>()) {
     const bool presses = closed[at(side.pairs.from)] != 0 || closed[at(side.pairs.to)] != 0;
     char times = 0;
     for (std::size_t own = count[model.contact_of[at(side.pairs.from)]]; presses && own < few;

@@ -132,6 +132,15 @@ std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme
   return systems;
 }
 
+SystemParts whole_system(const QuadraticProgramme& programme, Index modes) {
+  const auto numbers = [](Index count) {
+    std::vector<Index> all(at(count));
+    std::iota(all.begin(), all.end(), Index{0});
+    return all;
+  };
+  return {numbers(programme.load.size()), numbers(programme.A.rows()), numbers(modes)};
+}
+
 QuadraticProgramme part_of(const QuadraticProgramme& programme, const SystemParts& parts) {
   const Index n = static_cast<Index>(parts.unknowns.size());
   std::vector<Eigen::Triplet<double>> entries;

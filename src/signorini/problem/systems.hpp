@@ -30,6 +30,11 @@ struct SystemParts {
                                                            double weak = 0);
 
 /// \param programme  K, p, A, g
+/// \param modes      n_r
+/// \return all of it as one system
+[[nodiscard]] SystemParts whole_system(const QuadraticProgramme& programme, Eigen::Index modes);
+
+/// \param programme  K, p, A, g
 /// \param parts      one of its systems
 /// \return the programme of that system alone, without what connects it weakly with others
 [[nodiscard]] QuadraticProgramme part_of(const QuadraticProgramme& programme,

@@ -125,6 +125,13 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
   }
 }
 
+/// Whether the original data confirm that nothing overlaps or pulls, and that forces balance.
+bool balanced(const DenseProgramme& programme, const PrimalDual& solution) {
+  Certificate certificate = certify(programme, solution);
+  certificate.complementarity = certificate.duality_gap = 0;
+  return certificate.holds();
+}
+
 /// Solves by itself each system that nothing but rounding connects with the others. Nothing if all is connected or one
 /// of them has no solution.
 std::optional<DenseSolution> separate_solution(const DenseProgramme& programme,
@@ -183,6 +190,8 @@ DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
     solution.report.status = Status::Breakdown;
     solution.infeasibility.resize(0);
   }
+  if (solution.report.status == Status::Feasible && !balanced(programme, solution.refined))
+    solution.report.status = Status::Breakdown;
   if (solution.report.status != Status::Solved) return solution;
   for (Index i = programme.equations; i < solution.refined.force.size(); ++i)
     solution.refined.force(i) = std::max(0.0, solution.refined.force(i));

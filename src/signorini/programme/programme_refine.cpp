@@ -174,8 +174,11 @@ void ProgrammeRows::judge(const ClosedBasis& basis, Refined& refined, const Work
   gap_ = programme_.initial_gap;
   gap_.noalias() -= programme_.A * displacement_;
   // What the row moves is at most |D^-1/2 a_i| |D^1/2 u|; how far u went before contact pushed back is in no digit
-  // of a refined u.
-  stretch_ = displacement_.cwiseProduct(root_).norm();
+  // of a refined u. Where nothing moves, a certificate measures by how forces would move the stiffest unknown.
+  const double stiffest = largest(VectorXd(programme_.stiffness.diagonal()));
+  const double most =
+      std::max(largest(programme_.load), largest(work.closed.transpose() * work.raw));
+  stretch_ = std::max(displacement_.cwiseProduct(root_).norm(), ratio(most, std::sqrt(stiffest)));
   for (Index i = 0; i < count(); ++i) floor_(i) = one_rounding(i, stretch_);
   refined.tension.setZero(k);
   refined.solution.force.setZero(count());
@@ -191,7 +194,8 @@ void ProgrammeRows::judge(const ClosedBasis& basis, Refined& refined, const Work
   for (Index i = equations(); i < count(); ++i) {
     if (std::abs(gap_(i)) < terms * floor_(i)) {
       ExactSum sum(programme_.initial_gap(i));
-      double size = std::abs(programme_.initial_gap(i));  // of the row's own terms
+      double size = std::abs(programme_.initial_gap(i)) +  // of its own terms, or of the same
+                    ratio(most, stiffest) * programme_.A.row(i).norm();
       for (Index j = 0; j < unknowns(); ++j) {
         sum.add_product(-programme_.A(i, j), displacement_(j));
         sum.add(-programme_.A(i, j) * refined.solution.displacement_low(j));

@@ -105,7 +105,7 @@ class ProgrammeRows {
   Eigen::VectorXd norm_;
   Eigen::VectorXd moved_;  // what contact takes from displacement_; work space of refine()
   Eigen::VectorXd root_;   // of the diagonal of K
-  double stretch_ = 0;     // |D^1/2 u| of displacement_
+  double stretch_ = 0;     // |D^1/2 u|, or what forces make of the stiffest unknown
 };
 
 }  // namespace signorini

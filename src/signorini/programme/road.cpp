@@ -154,8 +154,18 @@ bool Road::settle_idle(std::vector<Motion> motions) {
 bool Road::exchange(std::vector<Motion> motions, VectorXd force) {
   for (Index last = std::numeric_limits<Index>::max();;) {
     if (!seen_.insert(motions).second) return last == std::numeric_limits<Index>::max();
+    const bool first = last == std::numeric_limits<Index>::max();
+    Refinement before = first ? Refinement() : std::move(refined_);
+    PrimalDual start = first ? PrimalDual() : now_;
+    const VectorXd amplitude = amplitude_;
     Judgement verdict = look(motions, force);
     if (verdict.confirmed || !now_.displacement.allFinite()) return true;
+    if (!refined_.settled && before.settled) {  // what came before can be corrected
+      refined_ = std::move(before);
+      now_ = std::move(start);
+      amplitude_ = amplitude;
+      return false;
+    }
     if (!refined_.settled || verdict.wrong == 0 || verdict.wrong >= last) return false;
     last = verdict.wrong;
     motions = std::move(verdict.motions);
@@ -185,7 +195,14 @@ void Road::correct() {
 
 void Road::take_over(const ContactState& claim, bool corrected) {
   ContactState& state = end_.state;
+  const Status before = state.report.status;
   append(state.report, claim.report);
+  // What is said of the problem that was posed is more than that a corrected one was not solved.
+  const bool named = corrected && (before == Status::Jump || before == Status::Ray);
+  if (named && claim.report.status == Status::Breakdown) {
+    state.report.status = before;
+    return;
+  }
   state.uniqueness = claim.uniqueness;
   state.doubt = claim.doubt;
   state.reason = claim.reason;
@@ -274,6 +291,9 @@ void Road::conclude() {
               "certificate allows; hold the bodies by a support or a soft spring"
             : "the forces and displacements found do not fit the original data";
   }
+  if (state.report.status == Status::Breakdown && state.reason.empty())
+    state.reason =
+        "the method ended without a solution, and what the pairs did last does not fit the data";
   if (motions_.empty() && kept_.movement.size() == 0) return;
   const Index pairs = problem_.free_gap.size();
   const Index slips = kept_.movement.size() - pairs;
@@ -299,7 +319,9 @@ CertifiedEnd certified_end(const QuadraticProgramme& programme, const CondensedP
     return separate_ends(programme, condensed, null_vectors, systems, solver, options, ledger);
   CertifiedEnd end = Road(programme, condensed, null_vectors, ledger).run(solver, options);
   for (const char* const name : solver.others) {
-    if (end.state.report.status != Status::Breakdown || options.iteration_limit > 0) break;
+    const Status status = end.state.report.status;
+    const bool lost = status == Status::Breakdown || status == Status::IterationLimit;
+    if (!lost || options.iteration_limit > 0) break;
     CertifiedEnd other =
         Road(programme, condensed, null_vectors, ledger).run(find_solver(name), options);
     Report both = end.state.report;
@@ -307,7 +329,7 @@ CertifiedEnd certified_end(const QuadraticProgramme& programme, const CondensedP
     if (other.state.report.status == Status::Solved)
       end = std::move(other);
     else
-      both.status = end.state.report.status;
+      both.status = status;
     end.state.report = std::move(both);
   }
   return end;

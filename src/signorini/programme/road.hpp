@@ -39,12 +39,13 @@ struct CertifiedEnd {
 ///
 /// What the pairs do is the claim; displacements and forces follow from the original data, see
 /// refine(). Pairs that are then on the wrong side change, as long as they become fewer. Else the
-/// condensed problem is corrected, so that it gives the refined movements, and solved again. The road ends
-/// when all signs are right; when a set of pairs comes back, between which rounding cannot decide; when
-/// refinement does not settle; or at the second pass in a row that does not halve the worst figure of the
-/// certificate. The best certificate then says whether that matters. A method that ends without a solution
-/// is asked the same way: what it looked at last may be right. Where a member breaks down, the others that its line in
-/// the table names go the same road from the start, and the first solution counts.
+/// condensed problem is corrected, so that it gives the movements of the last set whose refinement settled,
+/// and solved again. The road ends when all signs are right; when a set of pairs comes back, between which
+/// rounding cannot decide; when no refinement of a claim settles; or at the second pass in a row that does not
+/// halve the worst figure of the certificate. The best certificate then says whether that matters. A method that
+/// ends without a solution is asked the same way: what it looked at last may be right. Where a member breaks
+/// down, or ends at its own limit of iterations, the others that its line in the table names go the same road from
+/// the start, and the first solution counts.
 /// \param programme     K, p, A, g as they were posed; slips in the last rows of A
 /// \param condensed     made of it
 /// \param null_vectors  N `n x n_r`, or nothing

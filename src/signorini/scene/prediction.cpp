@@ -130,14 +130,9 @@ std::vector<SystemParts> systems_of(const Plan& plan, Symbolic& known) {
   pattern.load.setZero(pattern.stiffness.cols());
   std::vector<SystemParts> systems =
       unconnected_systems(pattern, plan.law, mode_shapes(plan.modes));
+  if (systems.empty()) systems = {whole_system(pattern, static_cast<Index>(plan.modes.size()))};
   pattern.stiffness.swap(known.stiffness);
   pattern.A.swap(known.rows);
-  if (systems.empty()) {
-    systems.resize(1);
-    systems[0].unknowns.resize(static_cast<std::size_t>(known.stiffness.cols()));
-    systems[0].rows.resize(static_cast<std::size_t>(known.rows.rows()));
-    systems[0].modes.resize(plan.modes.size());
-  }
   return systems;
 }
 

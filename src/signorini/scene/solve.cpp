@@ -9,6 +9,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/problem/systems.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/programme/road.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -53,18 +54,45 @@ std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorX
 /// was measured so well; a larger share would keep silent about some of the six digits that are printed.
 constexpr double known_well = 1e-6;
 
+/// Up to which force a row carries none: a share, which a certificate lets pass, of the largest force and load of the
+/// system that it is in; or what rounding of the entries of K makes along its rigid motions, if that is more.
+VectorXd no_forces(const Model& model, const PrimalDual& refined) {
+  constexpr double passes = 1e-12;
+  const QuadraticProgramme& programme = model.programme;
+  const VectorXd& force = refined.force;
+  const double row = static_cast<double>(programme.stiffness.nonZeros()) /
+                     static_cast<double>(programme.stiffness.rows());
+  const VectorXd rounding =
+      row * epsilon * (programme.stiffness.cwiseAbs() * strained(refined).cwiseAbs());
+  const auto along = [&](Index mode) {
+    const VectorXd shape = model.modes[static_cast<std::size_t>(mode)].shape.cwiseAbs();
+    return shape.dot(rounding) / largest(shape);
+  };
+  std::vector<SystemParts> systems =
+      unconnected_systems(programme, model.law, mode_shapes(model.modes));
+  if (systems.empty()) systems = {whole_system(programme, static_cast<Index>(model.modes.size()))};
+  VectorXd none(force.size());
+  for (const SystemParts& parts : systems) {
+    double most = passes * std::max(largest(VectorXd(force(parts.rows))),
+                                    largest(VectorXd(programme.load(parts.unknowns))));
+    for (const Index mode : parts.modes) most = std::max(most, along(mode));
+    none(parts.rows).setConstant(most);
+  }
+  return none;
+}
+
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
-void note_open_motions(const Model& model, const VectorXd& force, Solution& solution) {
+void note_open_motions(const Model& model, const PrimalDual& refined, Solution& solution) {
   if (model.modes.empty() || solution.contact.report.status != Status::Solved) return;
   const std::vector<Motion> motions = all_motions(solution.contact);
   KnownSet set = known_set(motions, model.law);
   // A pair that touches without a force holds nothing: it stops a motion one way only. Of forces as small as the
   // tension that a certificate lets pass, nobody knows whether they are any.
-  const double nothing = 1e-12 * largest(force);
+  const VectorXd nothing = no_forces(model, refined);
   const auto idle = [&](Index row) {
     const Index pairs = static_cast<Index>(motions.size());
-    return force(row < pairs ? row : model.law.pair[static_cast<std::size_t>(row - pairs)]) <=
-           nothing;
+    const Index gap = row < pairs ? row : model.law.pair[static_cast<std::size_t>(row - pairs)];
+    return refined.force(gap) <= nothing(gap);
   };
   set.closed.erase(std::remove_if(set.closed.begin(), set.closed.end(), idle), set.closed.end());
   NodalRows held(static_cast<Index>(set.closed.size()), model.programme.A.cols());
@@ -77,7 +105,7 @@ void note_open_motions(const Model& model, const VectorXd& force, Solution& solu
 
 /// What the road found, as readers want it.
 void recover(const Model& model, PrimalDual refined, Solution& solution) {
-  note_open_motions(model, refined.force, solution);
+  note_open_motions(model, refined, solution);
   solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
   solution.displacements = displacements_of_bodies(model, refined.displacement);
   solution.refined = std::move(refined);
@@ -179,7 +207,8 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   solution.escape = escape_in_words(model, contact.escape);
   if (contact.escape.size() > 0 && !model.law.pair.empty() && model.parts.empty())
     solution.limit = balanced_share(condensed.problem, VectorXd::Zero(contact.escape.size()));
-  if (end.solution.displacement.size() > 0) {
+  // Where all is held there are no unknowns, and a solution.
+  if (contact.report.status == Status::Solved || end.solution.displacement.size() > 0) {
     const Ledger::Phase phase(ledger, "recovery");
     recover(model, std::move(end.solution), solution);
   }

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <limits>
 #include <utility>
 
@@ -23,6 +24,8 @@ struct Words<PlaneState> {
 };
 
 namespace {
+
+std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 std::vector<std::string> boundary_names(const Mesh& mesh) {
   std::vector<std::string> names;
@@ -114,6 +117,56 @@ std::string region_of_box(const Value& value, const std::vector<double>& box, Me
   return name;
 }
 
+/// The smallest box around the corners of some cells.
+Eigen::AlignedBox2d box_around(const Mesh& mesh, const std::vector<Index>& cells) {
+  Eigen::AlignedBox2d box;
+  for (const Index cell : cells)
+    for (int k = 0; k < mesh.corners(cell); ++k)
+      box.extend(Vector2d(mesh.nodes.row(mesh.cells(cell, k)).transpose()));
+  return box;
+}
+
+/// How many cells the edges of a box cut, by more than the last of six digits that a file of nodes may have.
+Index cells_cut(const Mesh& mesh, const std::vector<double>& box) {
+  Index count = 0;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const Eigen::AlignedBox2d around = box_around(mesh, {cell});
+    const Vector2d& low = around.min();
+    const Vector2d& high = around.max();
+    const Vector2d little = 1e-6 * (high - low);
+    const auto within = [&](int axis, double x) {
+      return x > low(axis) + little(axis) && x < high(axis) - little(axis);
+    };
+    const auto spans = [&](int axis) {
+      return box[at(axis)] < high(axis) - little(axis) &&
+             box[at(axis + 2)] > low(axis) + little(axis);
+    };
+    const auto cut = [&](int axis) {
+      return spans(1 - axis) && (within(axis, box[at(axis)]) || within(axis, box[at(axis + 2)]));
+    };
+    if (cut(0) || cut(1)) ++count;
+  }
+  return count;
+}
+
+/// Says of a box whose edges are not those of cells what became of it.
+void note_on_box(const Value& value, const LayerDraft& layer, BodyDraft& draft) {
+  const Mesh& mesh = draft.body.mesh;
+  const Index cut = cells_cut(mesh, layer.box);
+  if (cut == 0) return;
+  const Eigen::AlignedBox2d taken = box_around(mesh, region(mesh, layer.region));
+  const auto corners = [](double left, double bottom, double right, double top) {
+    return text('[', left, ", ", bottom, ", ", right, ", ", top, ']');
+  };
+  draft.notes.push_back(text(
+      value.origin->name, ":", value.find("box")->line, ": the edges of the box ",
+      corners(layer.box[0], layer.box[1], layer.box[2], layer.box[3]), " of a layer of '",
+      mesh.name, "' cut ", cut, cut == 1 ? " cell" : " cells",
+      ". A cell is in a layer whole or not at all, by its middle: the layer takes the cells of ",
+      corners(taken.min().x(), taken.min().y(), taken.max().x(), taken.max().y()),
+      ". Let cells end at the edges of the box if that is not meant"));
+}
+
 void read_layer(const Value& value, BodyDraft& draft) {
   LayerDraft layer;
   layer.material = draft.body.material;
@@ -122,6 +175,7 @@ void read_layer(const Value& value, BodyDraft& draft) {
   Mesh& mesh = draft.body.mesh;
   if (layer.region.empty()) {
     layer.region = region_of_box(value, layer.box, mesh);
+    note_on_box(value, layer, draft);
   } else if (mesh.regions.find(layer.region) == mesh.regions.end()) {
     std::vector<std::string> names;
     for (const auto& named : mesh.regions) names.push_back(named.first);

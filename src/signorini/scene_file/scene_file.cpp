@@ -24,6 +24,15 @@ bool fails_with(const std::string& message, const Scene& scene) {
   return false;
 }
 
+/// What tables call the contacts; nothing if there is no plan.
+std::vector<std::string> names_of_contacts(const Scene& scene) {
+  try {
+    return plan(scene).contacts;
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
 /// The line that is to blame for an error.
 std::size_t line_of(const SceneFile& file, const std::string& message) {
   const std::vector<Body>& bodies = file.scene.bodies;
@@ -45,6 +54,9 @@ std::size_t line_of(const SceneFile& file, const std::string& message) {
         return file.contact_lines[k];
     }
   }
+  const std::vector<std::string> names = names_of_contacts(file.scene);
+  for (std::size_t k = names.size(); k-- > 0;)  // a later name may have an earlier one in it
+    if (message.find(names[k]) != std::string::npos) return file.contact_lines[k];
   for (std::size_t k = 0; k < bodies.size(); ++k)
     if (message.find("'" + bodies[k].mesh.name + "'") != std::string::npos)
       return file.body_lines[k];

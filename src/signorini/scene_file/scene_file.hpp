@@ -28,6 +28,8 @@ struct SceneFile {
   std::string name;                        ///< of the file, for messages
   std::vector<std::size_t> body_lines;     ///< where each body begins, from 1
   std::vector<std::size_t> contact_lines;  ///< where each contact begins, from 1
+  /// What a user should know of how the file was understood, each with its line: for the notes of a plan.
+  std::vector<std::string> notes = {};
 };
 
 /// Makes a scene of a TOML text. examples/README.md lists the keys, see key_reference().
@@ -51,8 +53,8 @@ struct SceneFile {
 constexpr std::size_t largest_scene_file = std::size_t{1} << 20;
 
 /// Says of an error where in the file its cause stands: at the body that it begins with, or that fails alike by itself; at
-/// the contact that fails alike without the others, or without which the others do not; else at a body that it names, or
-/// at the first.
+/// the contact that fails alike without the others, or without which the others do not; else at a contact that it calls
+/// as tables do, at a body that it names, or at the first.
 /// \param file     whose scene failed
 /// \param message  of the error
 /// \return `NAME:LINE: message`, or the message if it begins like this already

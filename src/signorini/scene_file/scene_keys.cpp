@@ -42,6 +42,7 @@ Body read_body(const Value& value, SceneDraft& scene) {
   if (!draft.material && !scene.material)
     value.fail("the key 'material' is missing, of the body or at the head of the file");
   scene.material_used = scene.material_used || !draft.material;
+  scene.file.notes.insert(scene.file.notes.end(), draft.notes.begin(), draft.notes.end());
   return std::move(draft.body);
 }
 

@@ -22,8 +22,9 @@ struct SceneDraft {
 
 /// A body while it is read.
 struct BodyDraft {
-  Body body;              ///< what was read so far
-  bool material = false;  ///< whether it has one of its own
+  Body body;                            ///< what was read so far
+  bool material = false;                ///< whether it has one of its own
+  std::vector<std::string> notes = {};  ///< on what was read
 };
 
 /// A contact while it is read.

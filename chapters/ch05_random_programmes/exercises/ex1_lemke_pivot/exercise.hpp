@@ -56,8 +56,9 @@ inline Path drive(const signorini::ContactProblem& problem, const Eigen::VectorX
   std::iota(tableau.basic.begin(), tableau.basic.end(), Index{0});
   Path path{true, Eigen::VectorXd::Zero(n)};
   if (problem.free_gap.minCoeff() >= 0) return path;
-  Index entering = 2 * n;
-  Index row = 0;  // where z_0 must be largest; of several, the last
+  // [path]
+  Index entering = 2 * n;  // z_0
+  Index row = 0;           // where z_0 must be largest; of several, the last
   for (Index i = 1; i < n; ++i)
     if (problem.free_gap(i) / c(i) <= problem.free_gap(row) / c(row)) row = i;
   while (row >= 0 && path.pivots < limit) {
@@ -68,6 +69,7 @@ inline Path drive(const signorini::ContactProblem& problem, const Eigen::VectorX
     entering = leaving < n ? leaving + n : leaving - n;  // the partner of what has left
     row = blocking_row(tableau, entering);
   }
+  // [path]
   for (Index i = 0; i < n; ++i) {
     const Index variable = tableau.basic[static_cast<std::size_t>(i)];
     if (variable == 2 * n) path.solved = false;

@@ -37,3 +37,16 @@ TEST_CASE("ex8.2 cohesion holds a closed pair and not an open one", "[ex8.2][Lin
   CHECK(wrong({1, 0.6, 1, 1, 0.5, 0.2}, {0, 0, 0.6, 0}) < 1e-15);
   CHECK(wrong({1, 0.6, 1, 1, 0.5, 0.2}, {0, -0.2, 0.4, 0}) > 0.01);
 }
+
+TEST_CASE("ex8.2 the Jacobian is that of the residuals", "[ex8.2]") {
+  const ex8_2::Pair pair{-1, 0.3, 2, 0.5, 0.5, 0.2};
+  const Vector4d x(1.3, -0.4, 0.3, 0.1);  // closed, away from every kink
+  const Eigen::Matrix4d J = ex8_2::equations(pair, x).jacobian;
+  for (Eigen::Index j = 0; j < 4; ++j) {
+    const Vector4d h = 1e-6 * Vector4d::Unit(j);
+    const Vector4d rise =
+        ex8_2::equations(pair, x + h).residual - ex8_2::equations(pair, x - h).residual;
+    CAPTURE(j);
+    CHECK((rise / 2e-6 - J.col(j)).norm() < 1e-8);
+  }
+}

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "catch_compat.hpp"
@@ -38,4 +39,16 @@ TEST_CASE("ex10.1 a lifted source has a gap, a lowered one overlaps", "[ex10.1][
     CHECK((element.point - Eigen::Vector2d(1.5, 1 + lift)).norm() < 1e-15);
     CHECK(std::abs(element.gap - lift) < 1e-15);
   }
+}
+
+TEST_CASE("ex10.1 if both edges turn, the point and the forces turn with them",
+          "[ex10.1][LinEtAl-36][LinEtAl-41]") {
+  const ex10_1::Edges level = cells(0.25);
+  const ex10_1::Element before = ex10_1::gauss_point(level, 0.5, 1, 3, 1);
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(2.2).toRotationMatrix();
+  const ex10_1::Edges turned{level.source * turn.transpose(), level.target * turn.transpose()};
+  const ex10_1::Element after = ex10_1::gauss_point(turned, 0.5, 1, 3, 1);
+  CHECK(std::abs(after.gap - 0.25) < 1e-14);
+  CHECK((after.point - turn * before.point).norm() < 1e-14);
+  CHECK((after.force - before.force * turn.transpose()).norm() < 1e-14);
 }

@@ -1,0 +1,21 @@
+// Four choices of the rows that a step takes.
+#pragma once
+#include <array>
+
+#include "signorini/as_printed/quasi_active_set_literal.hpp"
+
+namespace ch04 {
+
+struct Choice {
+  signorini::QuasiActiveRows rows;
+  const char* name;
+};
+// [choices]
+constexpr std::array<Choice, 4> choices = {
+    {{signorini::QuasiActiveRows::AllViolated, "all violated"},
+     {signorini::QuasiActiveRows::IndependentByIndex, "independent, by number"},
+     {signorini::QuasiActiveRows::IndependentByViolation, "independent, by overlap"},
+     {signorini::QuasiActiveRows::MostViolated, "the most violated"}}};
+// [choices]
+
+}  // namespace ch04

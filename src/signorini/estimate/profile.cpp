@@ -1,0 +1,89 @@
+#include "signorini/estimate/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/wording.hpp"
+#include "signorini/estimate/contact_edges.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+std::vector<Index> pairs_of(const Model& model, const std::string& contact) {
+  const auto found = std::find(model.contacts.begin(), model.contacts.end(), contact);
+  const bool only = contact.empty() && model.contacts.size() == 1;
+  pose(only || found != model.contacts.end(),
+       contact.empty() ? text("a goal of contact must name one of several contacts: ")
+                       : text("there is no contact ", in_quotes(contact), " for a goal"),
+       contact.empty() ? listed(model.contacts) : suggestion(contact, model.contacts));
+  const std::size_t number = only ? 0 : at(found - model.contacts.begin());
+  std::vector<Index> pairs;
+  for (Index pair = 0; pair < model.pairs.weight.size(); ++pair)
+    if (model.contact_of[at(pair)] == number) pairs.push_back(pair);
+  return pairs;
+}
+
+ContactLine line_of(const Model& model, const std::string& contact, const Vector2d& middle) {
+  std::vector<Index> pairs = pairs_of(model, contact);
+  const auto away = [&](Index pair) {
+    return (model.pairs.position.row(pair).transpose() - middle).squaredNorm();
+  };
+  Index nearest = -1;
+  for (const Index pair : pairs) {
+    pose(model.pairs.node[at(pair)] >= 0,
+         "a width or a peak of pressure cannot be read from the pairs of ",
+         model.contacts[model.contact_of[at(pair)]],
+         ", which are Gauss points, whose forces are not unique; use the gap operator mortar or "
+         "node_to_segment");
+    if (nearest < 0 || away(pair) < away(nearest)) nearest = pair;
+  }
+  pose(nearest >= 0,
+       "a width or a peak of pressure needs a contact that can close; none of its pairs can move");
+  const Vector2d normal = model.pairs.normal.row(nearest).transpose();
+  const Vector2d along(normal.y(), -normal.x());
+  const auto x_of = [&](Index pair) {
+    return along.dot(model.pairs.position.row(pair).transpose() - middle);
+  };
+  std::stable_sort(pairs.begin(), pairs.end(), [&](Index a, Index b) { return x_of(a) < x_of(b); });
+  ContactLine line{pairs, {}};
+  for (const Index pair : pairs) line.x.push_back(x_of(pair));
+  return line;
+}
+
+Profile profile(const Model& model, const Solution& solution, const std::string& contact,
+                const Vector2d& middle) {
+  Profile read{line_of(model, contact, middle), {}, {}, {}, {}, Trace::Linear};
+  const std::vector<Index>& pair = read.line.pair;
+  const Index n = static_cast<Index>(pair.size());
+  const auto nearest =
+      std::min_element(read.line.x.begin(), read.line.x.end(),
+                       [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const Index there = pair[at(nearest - read.line.x.begin())];
+  const Vector2d across = model.pairs.normal.row(there).transpose();
+  if (source_of(model, there).mesh.order() == MeshOrder::Quadratic) read.trace = Trace::Quadratic;
+  std::vector<Index> column(at(model.pairs.opening.cols() / 2), -1);
+  for (Index k = 0; k < n; ++k) column[at(model.pairs.node[at(pair[at(k)])])] = k;
+  read.nodal = Eigen::MatrixXd::Zero(n, n);
+  for (Index k = 0; k < n; ++k)
+    for (NodalRows::InnerIterator entry(model.pairs.opening, pair[at(k)]); entry; ++entry)
+      if (const Index node = column[at(entry.col() / 2)]; node >= 0)
+        read.nodal(node, k) += entry.value() * across(entry.col() % 2);
+  const VectorXd force = read.nodal * solution.contact.force(pair);
+  read.weight = read.nodal * model.pairs.weight(pair);
+  for (Index k = 0; k < n; ++k) {
+    read.force.push_back(force(k));
+    read.pressure.push_back(force(k) / read.weight(k));
+  }
+  return read;
+}
+
+}  // namespace signorini
