@@ -8,7 +8,7 @@ use File::Glob ':bsd_glob';
 
 my ($root) = @ARGV;
 chdir $root or die "named.pl: no folder $root\n";
-my @guides = ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'chapters/README.md');
+my @guides = ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'chapters/README.md', grep { -f } 'docs/instructor.md');
 my %text;    # file -> what it is taken to say
 
 sub slurp {
