@@ -161,7 +161,7 @@ function join(book) {
     const to = place ?? page;
     link.setAttribute("href", "#" + to);
     if (page === "index" && !places.has(to)) { link.replaceWith(...link.childNodes); continue; }    // of the part left out
-    if (link.closest("#words")) link.after(" ", element("span", { class: "page", "data-place": to }));
+    if (link.closest("#words td")) link.after(" ", element("span", { class: "page", "data-place": to }));
     if (places.get(to) !== 1) wrong.add(`${link.textContent}: the place #${to} exists ${places.get(to) ?? 0} times`);
   }
   return [...wrong];

@@ -1,14 +1,14 @@
 #!/usr/bin/env perl
 # named.pl ROOT: every file, target of make, group of the set-up, command and option that the guides name exists; every open
 # family of the library has its row in CONTRIBUTING.md, with the table that its source has; and CITATION.cff has the
-# version of CMakeLists.txt.  Then plants a fault in each of these, and expects it to be found.
+# version of CMakeLists.txt, and the Containerfile runs the commands of the README.  Then plants a fault in each of these, and expects it to be found.
 use strict;
 use warnings;
 use File::Glob ':bsd_glob';
 
 my ($root) = @ARGV;
 chdir $root or die "named.pl: no folder $root\n";
-my @guides = ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'chapters/README.md');
+my @guides = ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'chapters/README.md', grep { -f } 'docs/instructor.md');
 my %text;    # file -> what it is taken to say
 
 sub slurp {
@@ -75,6 +75,15 @@ sub check {
     push @found, "CITATION.cff has not the version $version" if $citation !~ /^version: \Q$version\E$/m;
     push @found, "CHANGELOG.md does not tell of $version"    if slurp('CHANGELOG.md') !~ /^## .*\Q$version\E/m;
     for my $key (qw(cff-version message title authors references)) { push @found, "CITATION.cff has no $key" if $citation !~ /^$key:/m }
+    my ($two) = slurp('README.md') =~ /^## Two commands\n.*?^```sh\n(.*?)^```/ms;
+    my $wanted = join '; ', map { s/\s+#.*//r } grep { /^\.\// } split /\n/, $two // '';
+    my @step = map { /^([A-Z]+) (.+)$/ ? [$1, $2] : () } grep { !/^#/ } split /\n/, slurp('Containerfile');
+    my $runs = join '; ', map { $_->[1] } grep { $_->[0] eq 'RUN' } @step;
+    push @found, "Containerfile runs '$runs', README.md says '$wanted'" if $runs ne $wanted || $wanted eq '';
+    push @found, "Containerfile: the order is FROM WORKDIR COPY RUN RUN ENTRYPOINT CMD" if "@{[map { $_->[0] } @step]}" ne 'FROM WORKDIR COPY RUN RUN ENTRYPOINT CMD';
+    push @found, 'Containerfile: no image of Debian, slim' if slurp('Containerfile') !~ m{^FROM docker\.io/library/debian:\d+-slim$}m;
+    my ($program) = slurp('Containerfile') =~ /^ENTRYPOINT \["([^"]+)"\]$/m;
+    push @found, "Containerfile ends with $program, README.md with another program" if index(slurp('README.md'), "\n$program ") < 0;
     return @found;
 }
 
@@ -100,4 +109,7 @@ fault('chapters/README.md', qr/--accuracy/, '--exactness', 'no option --exactnes
 fault('chapters/README.md', qr/make ex10\.2/, 'make ex10.9', 'no target ex10.9');
 fault('README.md', qr/make ch06/, 'make ch60', 'no target ch60');
 fault('CITATION.cff', qr/^version: .*/m, 'version: 9.9.9', 'has not the version');
+fault('Containerfile', qr/^RUN .*test$/m, 'RUN make test', 'Containerfile runs');
+fault('Containerfile', qr/^RUN/m, 'run', 'Containerfile: the order');
+fault('README.md', qr{^\./run\.sh test}m, './run.sh all', 'Containerfile runs');
 exit($failures ? 1 : 0);
