@@ -38,6 +38,7 @@ struct BlockSpec {
 /// \param cells_x  cells along x, at least 1
 /// \param cells_y  cells along y, at least 1
 /// \param order    4 or 8 nodes per cell
+/// \return a mesh, as make_block()
 /// \throws std::invalid_argument as make_block()
 [[nodiscard]] Mesh block(const std::string& name, const Eigen::Vector2d& corner,
                          const Eigen::Vector2d& size, Eigen::Index cells_x, Eigen::Index cells_y,
