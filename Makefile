@@ -18,7 +18,7 @@ endif
 all: configure            ## compile everything (the default)
 	@cmake --build $B -j $(JOBS)
 help:                     ## list what there is
-	@sed -n 's/^\([a-z][a-zA-Z0-9.%]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | sed 's/ch%/ch06/; s/ex%/ex6.1/' | expand -t 16
+	@sed -n 's/^\([a-z][a-zA-Z0-9.%-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | sed 's/ch%/ch06/; s/ex%/ex6.1/' | expand -t 16
 configure:
 	@cmake --preset release --log-level=NOTICE > /dev/null
 run: $(firstword $(PROGRAMS))  ## run every chapter, draw its figures into build/out, print the summary
