@@ -18,7 +18,7 @@ endif
 all: configure            ## compile everything (the default)
 	@cmake --build $B -j $(JOBS)
 help:                     ## list what there is
-	@sed -n 's/^\([a-z][a-zA-Z0-9.%]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | sed 's/ch%/ch06/; s/ex%/ex6.1/' | expand -t 16
+	@sed -n 's/^\([a-z][a-zA-Z0-9.%-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | sed 's/ch%/ch06/; s/ex%/ex6.1/' | expand -t 16
 configure:
 	@cmake --preset release --log-level=NOTICE > /dev/null
 run: $(firstword $(PROGRAMS))  ## run every chapter, draw its figures into build/out, print the summary
@@ -51,6 +51,7 @@ results: chapters         ## accept what the programs write now: committed numbe
 	@perl tools/weave.pl $(WOVEN)
 	@perl tools/equations.pl
 	@perl tools/words.pl
+	@perl tools/course.pl
 	@for f in figures/fig_*.gp; do tools/figure.sh --check $$f 2> /dev/null || \
 	    { tools/figure.sh $$f $${f%.gp}.svg && echo "drew $${f%.gp}.svg"; } || exit 1; done
 figures:                  ## draw every committed picture anew from the committed curves
@@ -59,10 +60,12 @@ text:                     ## put the committed numbers, tables and code into the
 	@perl tools/weave.pl $(WOVEN)
 	@perl tools/equations.pl
 	@perl tools/words.pl
+	@perl tools/course.pl
 lint:                     ## check what needs no compiling: quotations, formulas, links, that faults fit the sources
 	@perl tools/weave.pl --check $(WOVEN)
 	@perl tools/equations.pl --check
 	@perl tools/words.pl --check
+	@perl tools/course.pl --check
 	@perl tools/lint-md.pl $(TEXTS) chapters/equations.md chapters/words.md tests/reference/claims.md
 	@perl tools/claims.pl
 	@tests/faults/run.pl --check

@@ -12,7 +12,7 @@ for words in "run.sh nonsense" "run.sh test test" "tools/setup.sh nonsense"; do
     fi
 done
 ./run.sh help | grep -q './run.sh test' || { echo "run.sh help does not tell of ./run.sh test"; bad=1; }
-for target in test ch06 ex6.1 grade book results; do
+for target in test ch06 ex6.1 grade book book-pdf results; do
     make help | grep -q "make $target " || { echo "make help does not tell of $target"; bad=1; }
 done
 # cmake --install needs the library and the program `signorini`; what ./run.sh builds must do for that.
