@@ -95,6 +95,12 @@ TEST_CASE("points of integration push the nodes as nodes would, with pressures o
   const double exact =
       rigid_strip_pressure({a, load}, a - (1 - std::sqrt(1 / 3.0)) / 2 * (a - nodal.position(6)));
   CHECK(run.solution.pressure.maxCoeff() > 1.6 * exact);
+  // The corner feels only the last two points, its neighbour those and one more edge, and all press.
+  const double outer = (1 + std::sqrt(1 / 3.0)) / 2, inner = 1 - outer;  // places on the edge
+  const double corner = nodal.force(7), next = nodal.force(6);
+  const double last = run.solution.pressure.maxCoeff() * (a - nodal.position(6)) / 2;
+  CHECK(last <= corner / outer * (1 + 1e-12));
+  CHECK(last >= (outer * corner - inner * next) / (outer * outer - inner * inner) * (1 - 1e-12));
 }
 
 // 1 %: the finite soil and its cells. Balance to rounding.
