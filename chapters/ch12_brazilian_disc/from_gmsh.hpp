@@ -3,7 +3,7 @@
 #pragma once
 #include <filesystem>
 
-#include "reading.hpp"
+#include "scene.hpp"
 #include "signorini/gmsh/gmsh.hpp"
 
 namespace ch12 {

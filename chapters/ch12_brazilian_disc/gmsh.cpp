@@ -2,6 +2,7 @@
 // Run:  make ch12     Reads: disc.msh     Writes: ch12_gmsh.results
 
 #include "from_gmsh.hpp"
+#include "reading.hpp"
 #include "signorini/closed_form/hertz_fit.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../chapters/ch12_brazilian_disc/from_gmsh.hpp"
+#include "../chapters/ch12_brazilian_disc/reading.hpp"
 #include "catch_compat.hpp"
 #include "signorini/closed_form/hertz_fit.hpp"
 
