@@ -7,7 +7,6 @@
 
 #include "hertz_scene.hpp"
 #include "signorini/closing/complementarity_functions.hpp"
-#include "signorini/core/dense.hpp"
 #include "signorini/core/sparse_lu.hpp"
 
 namespace signorini {
@@ -100,19 +99,18 @@ inline PrintedRun run_as_printed(const HertzCase& now, const PrintedEquations& h
 }
 // [printed]
 
-/// Pairs that are closed at the end.
-struct ClosedRows {
-  Eigen::Index count = 0;        ///< pairs without a gap
-  Eigen::Index independent = 0;  ///< combinations of their pressures that the nodes feel
-};
+/// \param points  Gauss points on an edge, 0 for nodes that carry the pressures \param match  whether the meshes do
+/// \return the example with that operator
+inline HertzCase example_with(int points, bool match) {
+  HertzCase now = match ? HertzCase{} : not_matching();
+  now.gap_operator = points > 0 ? "gauss_points" : "mortar";
+  now.points = points;
+  return now;
+}
 
-/// \param run  at its end \return closed pairs and the rank of their rows of A
-inline ClosedRows closed_rows(const PrintedRun& run) {
-  std::vector<Eigen::Index> closed;
-  for (Eigen::Index i = 0; i < run.gap.size(); ++i)
-    if (run.gap(i) < 1e-10) closed.push_back(i);
-  const Eigen::MatrixXd rows = Eigen::MatrixXd(run.model.programme.A)(closed, Eigen::all);
-  return {rows.rows(), column_span(rows.transpose(), 1e-10).rank};
+/// \param now  the case \return a tenth of an edge over E*, to be taken from phi's part of J [mm/MPa]
+inline double mending(const HertzCase& now) {
+  return 0.1 * now.mesh.core / (static_cast<double>(now.mesh.disc_cells) * now.theory().modulus);
 }
 
 }  // namespace signorini

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "hertz_scene.hpp"
 #include "signorini/closed_form/hertz_fit.hpp"
+#include "signorini/core/table.hpp"
 #include "signorini/report/shown.hpp"
 #include "signorini/scene/readings.hpp"
 
@@ -50,6 +52,20 @@ inline HertzRun solve_hertz(const HertzCase& now) {
   return out;
 }
 // [reading]
+
+/// \param x  a number \return with its sign and three decimals, as in all tables of the chapter
+inline std::string percent(double x) { return number(x, "%+.3f"); }
+
+/// Data of a figure. \param out  solved \return x, pressure and its error in percent of q_0, to x = 1.3 mm
+inline std::string nodal_pressures(const HertzRun& out) {
+  const LineContact theory = out.now.theory();
+  Table table({"x", "p", "error"});
+  for (std::size_t k = 0; out.x[k] < 1.3; ++k) {
+    const double error = out.pressure[k] - hertz_pressure(theory, out.x[k]);
+    table.row({out.x[k], out.pressure[k], 100 * error / hertz_peak_pressure(theory)});
+  }
+  return table.csv("rel 1e-6 abs 1e-6");
+}
 
 /// Root mean square of the error of the pressure at the nodes with x < 0.7 b. \param out  solved
 /// \return in percent of q_0

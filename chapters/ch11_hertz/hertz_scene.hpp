@@ -77,20 +77,4 @@ inline HertzCase not_matching() {
   return now;
 }
 
-/// \return 1 % of the load on a mesh for a contact of a tenth of the width: the bodies are larger
-inline HertzCase narrow() {
-  HertzCase now = finer(32, 24, 30);
-  now.load /= 100;
-  now.mesh.core /= 10;
-  return now;
-}
-
-/// What normals along the radii of the disc do to the half-width, formula (c) of the chapter.
-/// \param now  the case \return in percent of b
-inline double radial_normals(const HertzCase& now) {
-  const double drift =
-      (1 - 2 * now.ratio) * (1 + now.ratio) * (1 / now.plate_modulus - 1 / now.disc_modulus);
-  return 100 * 4 / (3 * std::acos(-1.0)) * drift * hertz_peak_pressure(now.theory());
-}
-
 }  // namespace signorini

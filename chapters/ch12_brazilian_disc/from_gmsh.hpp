@@ -3,9 +3,7 @@
 #pragma once
 #include <filesystem>
 
-#include "reading.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
-#include "signorini/core/results.hpp"
+#include "scene.hpp"
 #include "signorini/gmsh/gmsh.hpp"
 
 namespace ch12 {
@@ -19,19 +17,5 @@ inline Scene disc_of_file(const std::filesystem::path& file) {
   return scene;
 }
 // [gmsh]
-
-/// Solves the disc of the file.
-/// \param file     as for disc_of_file()
-/// \param results  receives what it is good for
-inline void solve_file(const std::filesystem::path& file, Results& results) {
-  const SolvedScene run = solved(disc_of_file(file), "the disc of " + file.filename().string());
-  const Contact low = contact_of(run, false);
-  const double peak = fit_hertz(low.x, low.pressure).peak_pressure;
-  results.add("gmsh_nodes", static_cast<double>(run.model.bodies[0].mesh.n_nodes()), "-");
-  results.add("gmsh_middle_error", 100 * (middle(run)[0] / exact_across(R) - 1), "%");
-  results.add("gmsh_peak_error", 100 * (peak / hertz_peak_pressure(plate) - 1), "%");
-  results.add("gmsh_axis_error", 100 * axis_error(run), "%");
-  results.add("gmsh_sign_change", sign_change(diameter_of(run)), "mm");
-}
 
 }  // namespace ch12

@@ -1,6 +1,7 @@
 /// \file
 /// Chapter 12 - the disc between two plates, as a scene.
 #pragma once
+#include <array>
 #include <cmath>
 
 #include "signorini/closed_form/brazilian.hpp"
@@ -45,9 +46,8 @@ const Division for_axis{28, 18, 84, 2};      // cells that grow from the poles t
 // [divisions]
 
 /// \param division  of the bodies
-/// \return right halves of disc, lower and upper plate
-// [scene]
-inline Scene disc_between_plates(const Division& division) {
+/// \return meshes of the right halves of disc, lower and upper plate
+inline std::array<Mesh, 3> three_meshes(const Division& division) {
   PressedDiscSpec round;
   round.core = {1.4, 1.4};  // even cells where the contact will be
   round.core_columns = division.columns;
@@ -63,15 +63,23 @@ inline Scene disc_between_plates(const Division& division) {
   flat.core_rows = std::lround(10 * division.plates);
   flat.layers = std::lround(14 * division.plates);
   flat.layer_grading = 3;
+  const Mesh lower = make_half_space(flat);
+  Mesh upper = moved(mirrored(lower, MirrorLine::Level), {0, 2 * R});
+  upper.name = "upper plate";
+  return {make_pressed_disc(round), lower, upper};
+}
+
+/// \param division  of the bodies
+/// \return right halves of disc, lower and upper plate
+// [scene]
+inline Scene disc_between_plates(const Division& division) {
+  const std::array<Mesh, 3> meshes = three_meshes(division);
   Scene scene;
   scene.bodies.resize(3);
-  scene.bodies[0].mesh = make_pressed_disc(round);
-  scene.bodies[1].mesh = make_half_space(flat);
-  scene.bodies[2].mesh = moved(mirrored(scene.bodies[1].mesh, MirrorLine::Level), {0, 2 * R});
-  scene.bodies[2].mesh.name = "upper plate";
-  for (Body& body : scene.bodies) {
-    body.material = material;
-    body.supports = {symmetric("axis")};
+  for (std::size_t k = 0; k < 3; ++k) {
+    scene.bodies[k].mesh = meshes[k];
+    scene.bodies[k].material = material;
+    scene.bodies[k].supports = {symmetric("axis")};
   }
   scene.bodies[1].supports.push_back(fixed("base"));
   scene.bodies[2].loads.edges = {{"base", P / 2 / size, {}}};

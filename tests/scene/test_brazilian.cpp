@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "../chapters/ch12_brazilian_disc/from_gmsh.hpp"
+#include "../chapters/ch12_brazilian_disc/reading.hpp"
 #include "catch_compat.hpp"
+#include "signorini/closed_form/hertz_fit.hpp"
 
 using Eigen::Index;
 using namespace signorini;

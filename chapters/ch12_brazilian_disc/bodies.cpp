@@ -1,18 +1,19 @@
-/// \file
-/// Chapter 12 - meshes, stress and displacements for figures 12.1 to 12.3.
-#pragma once
-#include <filesystem>
+// Chapter 12 - Meshes, stress and displacements drawn.
+// Run:  make ch12     Reads: nothing     Writes: fig_12_1*.csv, fig_12_2*.csv, fig_12_3*.csv
 
 #include "scene.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/elasticity/stress.hpp"
 #include "signorini/report/field_csv.hpp"
+#include "signorini/report/program.hpp"
 
-namespace ch12 {
+namespace {
 
-/// \param folder  receives a file per body and field, of the first mesh in the table of meshes
-inline void draw(const std::filesystem::path& folder) {
+using namespace ch12;
+
+// A file per body and field, of the first mesh in the table of meshes.
+void draw(const std::filesystem::path& folder) {
   const double times = 50;  // displacements of figure 12.3
   const std::vector<double> stresses = {-12, -6, -3, -1, -0.3, -0.1, 0, 0.1, 0.2};     // [MPa]
   const std::vector<double> across = {-0.002, -0.001, 0, 0.001, 0.002, 0.003, 0.004};  // [mm]
@@ -39,4 +40,14 @@ inline void draw(const std::filesystem::path& folder) {
   }
 }
 
-}  // namespace ch12
+Status chapter(const ProgramOptions& run) {
+  draw(run.out);
+  return Status::Solved;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return signorini::run_program("ch12_bodies", "The bodies drawn", SIGNORINI_CHAPTER_OUT, argc,
+                                argv, chapter);
+}
