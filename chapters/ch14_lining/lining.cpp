@@ -3,6 +3,7 @@
 //                              fig_14_2*.csv, ch14.vtu
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 
 #include "readings.hpp"
