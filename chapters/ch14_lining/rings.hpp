@@ -29,6 +29,9 @@ struct Rings {
 };
 // [data]
 
+/// The paper's example in our radii.
+const Rings paper;
+
 const double quarter_turn = std::acos(0.0);
 
 /// One of the two rings. Turned meshes keep a ray on each line of symmetry.

@@ -1,17 +1,11 @@
 /// \file
 /// A cylinder on rock or on a plate, and what may be switched on besides.
 #pragma once
-#include <filesystem>
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "signorini/closed_form/hertz_fit.hpp"
 #include "signorini/closed_form/moduli.hpp"
-#include "signorini/core/results.hpp"
-#include "signorini/core/table.hpp"
 #include "signorini/mesh/hertz_meshes.hpp"
-#include "signorini/report/field_csv.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace signorini {
@@ -61,7 +55,9 @@ inline Scene with_plate(Scene scene, double thickness = 95) {
   scene.contacts[0].target = Side{"surface", "plate"};
   return scene;
 }
+// [rungs]
 
+// [changes]
 /// 3. Pressed by a load and held by contact alone. \param scene  with a pushed cylinder
 inline Scene floating(Scene scene) {
   scene.bodies[0].supports = {symmetric("axis")};
@@ -80,7 +76,7 @@ inline Scene heated(Scene scene) {
   scene.bodies[0].temperature = Temperature{warmer, {0, 0}};
   return scene;
 }
-// [rungs]
+// [changes]
 
 /// Its own weight. \param scene  any
 inline Scene with_weight(Scene scene) {
@@ -99,73 +95,6 @@ inline double peak_pressure(const SolvedScene& run) {
     pressure.push_back(run.solution.pressure(k));
   }
   return fit_hertz(x, pressure).peak_pressure;
-}
-
-/// Operations of a whole solution. \param ledger  of it \return factor, condensation and all solves
-inline double work(const Ledger& ledger) {
-  double sum = 0;
-  for (const LedgerEntry& entry : ledger.entries())
-    if (const auto found = entry.counts.find("operations"); found != entry.counts.end())
-      sum += static_cast<double>(found->second);
-  return sum;
-}
-
-/// Something that is seldom meant.
-struct Mistake {
-  std::string what;
-  std::function<void(Scene&)> make;
-};
-
-/// \return mistakes to be made in the scene of the floating cylinder on a plate
-// [mistakes]
-inline std::vector<Mistake> mistakes() {
-  return {{"friction that pulls",
-           [](Scene& s) {
-             s.contacts[0].friction = Friction{-0.3, 0};
-           }},
-          {"a body that nothing holds", [](Scene& s) { s.contacts.clear(); }},
-          {"the same contact twice", [](Scene& s) { s.contacts.push_back(s.contacts[0]); }},
-          {"rock on the wrong side",
-           [](Scene& s) {
-             s.contacts[0].target = half_plane({0, 0}, {0, -1});
-           }},
-          {"heat without expansion",
-           [](Scene& s) {
-             s = heated(std::move(s));
-             s.bodies[0].material.expansion = 0;
-           }},
-          {"an element that locks", [](Scene& s) {
-             s.bodies[0].element = "q4";
-             s.bodies[0].material.poisson_ratio = 0.49;
-           }}};
-}
-// [mistakes]
-
-/// Figure 18.1: the two meshes, coarser, and what the plan says where. \param folder  for its data
-inline void draw(const std::filesystem::path& folder, const Plan& planned) {
-  HertzMeshSpec spec;
-  spec.disc_cells = spec.plate_cells = spec.disc_rows = spec.plate_rows = 5;
-  spec.disc_layers = spec.plate_layers = 14;
-  spec.core = 4;
-  const HertzMeshes coarse = make_hertz_meshes(spec);
-  const auto outlines = [](const Mesh& mesh) {
-    return deformed_cells_csv(mesh, NodeArray::Zero(mesh.n_nodes(), 2),
-                              Eigen::VectorXd::Zero(mesh.n_cells()), 0);
-  };
-  write_file(folder / "fig_18_1_disc.csv", outlines(coarse.disc));
-  write_file(folder / "fig_18_1_plate.csv", outlines(coarse.plate));
-  Table table({"y", "from_x", "from_y", "says"});
-  const auto say = [&table](const char* y, const char* x, const char* at, const std::string& what) {
-    table.row({y, x, at, what});
-  };
-  say("56", "46", "54", "load: numbers in p");
-  say("44", "40", "40", text("cylinder: ", planned.bodies[0].unknowns.count, " unknowns"));
-  say("32", "36", "28", "heat: numbers in p");
-  say("20", "24", "12", text("held by contact alone: ", planned.modes.size(), " amplitude"));
-  say("6", "2", "0.3", text("contact: ", planned.gaps.A.rows(), " gaps"));
-  say("-6", "2", "-0.3", text("friction: ", planned.law.pair.size(), " slips"));
-  say("-50", "80", "-50", text("plate: ", planned.bodies[1].unknowns.count, " unknowns"));
-  write_file(folder / "fig_18_1.csv", table.csv());
 }
 
 }  // namespace signorini
