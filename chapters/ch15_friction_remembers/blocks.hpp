@@ -11,13 +11,9 @@ namespace ch15 {
 /// A block, 4 mm x 1 mm, of unit weight per volume, that only friction holds. \param angle  of the incline [rad]
 /// \param law  of friction; c in N/mm^2 \return the scene
 inline Scene incline(double angle, const Friction& law) {
-  BlockSpec spec;
-  spec.size = {4, 1};
-  spec.cells_x = 16;
-  spec.cells_y = 4;
   Scene scene;
   Body& block = scene.bodies[0];
-  block.mesh = make_block(spec);
+  block.mesh = signorini::block("block", {0, 0}, {4, 1}, 16, 4);
   block.material = {1000, 0.3, PlaneState::Strain, 1};
   block.loads.body_force = [angle](const Eigen::Vector2d& /*x*/) {
     return Eigen::Vector2d(std::sin(angle), -std::cos(angle));
@@ -48,12 +44,9 @@ inline double slip_angle_exact(const Friction& law) {
 /// Half of a square block that is pressed on a rough plane and squeezed from its side, in m and Pa, as in SSNV128
 /// of Code_Aster: it sticks, slides and opens. \param steps  in which the loads come \return the scene
 inline Scene square(int steps) {
-  BlockSpec spec;
-  spec.size = {0.04, 0.04};
-  spec.cells_x = spec.cells_y = 32;
   Scene scene;
   Body& block = scene.bodies[0];
-  block.mesh = make_block(spec);
+  block.mesh = signorini::block("block", {0, 0}, {0.04, 0.04}, 32, 32);
   block.material = {1.3e11, 0.2, PlaneState::Strain, 1};
   block.supports = {symmetric("right"), prescribed_at("bottom", {0.04, 0}, Axis::Y)};
   block.loads.edges = {{"top", 5e7, {}}, {"left", 15e7, {}}};

@@ -67,6 +67,13 @@ inline std::vector<double> steps_between(double start, double end, int n) {
   return times;
 }
 
+/// \param n  steps per unit of time \return pressed in one step, then pushed until time 6
+inline std::vector<double> push_times(int n) {
+  std::vector<double> times = {1};
+  for (const double time : steps_between(1, 6, n)) times.push_back(time);
+  return times;
+}
+
 /// \param model  of the cylinder \param step  of it \return shear on the plate at all pairs [MPa]
 inline Eigen::VectorXd shear_of(const Model& model, const Step& step) {
   return -step.solution.contact.friction.cwiseQuotient(model.pairs.weight);

@@ -39,7 +39,6 @@ inline History to_and_fro() { return {"hand", {0, 1, 3, 5}, {0, U, -U, U}}; }
 
 /// One triangle: its root is the hand, its tip rubs on the wall x = 2. By symmetry its stiffness is diagonal; along
 /// the wall it is E / (4 (1 + nu)) = k. \param times  of the steps \return the scene
-// [triangle]
 inline Scene triangle(const std::vector<double>& times) {
   Scene scene;
   Body& spring = scene.bodies[0];
@@ -50,15 +49,16 @@ inline Scene triangle(const std::vector<double>& times) {
   spring.mesh.cells << 0, 1, 2;
   spring.mesh.boundaries = {{"tip", {{0, 0}}}, {"root", {{0, 2}}}};
   spring.material = {100, 0.25, PlaneState::Stress, 1};
+  // [path]
   spring.supports = {prescribed("root", Axis::X, 0), prescribed("root", Axis::Y, 1)};
   spring.supports[1].history = "hand";
   spring.loads.points = {{{2, 0}, {pressed, 0}}};
   scene.contacts = {{{"tip"}, half_plane(/*point*/ {2, 0}, /*normal out of it*/ {-1, 0})}};
   scene.contacts[0].friction = Friction{B / pressed, 0};
   scene.path = Path{times, {to_and_fro()}};
+  // [path]
   return scene;
 }
-// [triangle]
 
 /// What would come out if slip were counted in total: each load for itself, from rest.
 /// \param scene  with load steps \param observe  called for every time of them
