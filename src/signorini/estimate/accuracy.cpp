@@ -130,8 +130,10 @@ class Loop {
     round.value = round.of_mesh + sum_of(round.parts);
     round.algebraic = estimated.algebraic;
     round.estimating = ledger.seconds("estimate");
-    if (!run_.rounds.empty() && run_.rounds.back().error)
-      round.overlooked = overlooked_since(run_.rounds.back(), round);
+    const auto last =
+        std::find_if(run_.rounds.rbegin(), run_.rounds.rend(),
+                     [](const AccuracyRound& other) { return other.error.has_value(); });
+    if (last != run_.rounds.rend()) round.overlooked = overlooked_since(*last, round);
     round.error = std::max({size_of(round.parts), round.overlooked, round.misfit});
   }
 
@@ -170,9 +172,13 @@ class Loop {
     return false;
   }
 
-  [[nodiscard]] std::ptrdiff_t estimated() const {
-    return std::count_if(run_.rounds.begin(), run_.rounds.end(),
-                         [](const AccuracyRound& round) { return round.error.has_value(); });
+  /// How many of the last rounds have an estimate. One that was too coarse shows that the coarser ones before it did not
+  /// resolve contact either, whatever they estimated, as where nothing closed yet: they confirm nothing.
+  [[nodiscard]] std::ptrdiff_t trusted() const {
+    const auto coarse =
+        std::find_if(run_.rounds.rbegin(), run_.rounds.rend(),
+                     [](const AccuracyRound& round) { return !round.error.has_value(); });
+    return coarse - run_.rounds.rbegin();
   }
 
   [[nodiscard]] bool nothing_closes() const {
@@ -182,9 +188,10 @@ class Loop {
   /// Whether the last mesh is so much finer than one that was estimated that what both overlook would show.
   [[nodiscard]] bool confirmed() const {
     const auto unknowns = static_cast<double>(run_.rounds.back().unknowns);
-    return std::any_of(run_.rounds.begin(), run_.rounds.end(), [&](const AccuracyRound& round) {
-      return round.error && confirming * static_cast<double>(round.unknowns) <= unknowns;
-    });
+    return std::any_of(run_.rounds.end() - trusted(), run_.rounds.end(),
+                       [&](const AccuracyRound& round) {
+                         return confirming * static_cast<double>(round.unknowns) <= unknowns;
+                       });
   }
 
   /// Whether all but the misfit of a reading is small enough, and a finer mesh has not halved that.
@@ -192,7 +199,7 @@ class Loop {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
     const AccuracyRound& now = rounds.back();
     return now.misfit > target && *now.error == now.misfit && size_of(now.parts) <= target &&
-           rounds.size() > 1 && now.misfit > rounds[rounds.size() - 2].misfit / 2;
+           trusted() > 1 && now.misfit > rounds[rounds.size() - 2].misfit / 2;
   }
 
   /// Whether the value hardly moves and `patience` has not halved the largest error since then, or contact is still not
@@ -200,13 +207,13 @@ class Loop {
   [[nodiscard]] bool stagnates() const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
     if (!rounds.back().error) return halvings_ >= most_unresolved;
-    if (estimated() > 1 && std::abs(rounds.back().value - rounds[rounds.size() - 2].value) >
-                               wanted_.target * std::abs(rounds.back().value))
+    if (trusted() > 1 && std::abs(rounds.back().value - rounds[rounds.size() - 2].value) >
+                             wanted_.target * std::abs(rounds.back().value))
       return false;
     double largest = 0;
-    for (auto round = rounds.rbegin(); round != rounds.rend(); ++round) {
-      largest = std::max(largest, round->error.value_or(0));
-      if (round->error && patience * round->unknowns <= rounds.back().unknowns)
+    for (auto round = rounds.rbegin(); round != rounds.rbegin() + trusted(); ++round) {
+      largest = std::max(largest, *round->error);
+      if (patience * round->unknowns <= rounds.back().unknowns)
         return *rounds.back().error > largest / 2;
     }
     return false;

@@ -63,7 +63,7 @@ struct AccurateSolution {
 /// contact ends.
 ///
 /// It ends when the size of the error is at most the target, on a mesh of 1.5 times the unknowns of the first estimated one
-/// at the earliest; or with the last answer and the reason if refining does not help, or a finer mesh gives no answer. An
+/// at the earliest, of those since the last that was too coarse; or with the last answer and the reason if refining does not help, or a finer mesh gives no answer. An
 /// estimate is no bound, see estimates().
 /// \param scene    without load steps
 /// \param wanted   what is asked for
