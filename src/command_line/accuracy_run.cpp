@@ -128,10 +128,15 @@ void print_verdict(std::ostream& out, const AccuracyRun& accuracy) {
       << (accuracy.met ? "accuracy: " : "accuracy NOT met: ") << accuracy.verdict << " ("
       << number(seconds(accuracy.rounds), "%.2g") << " s in all)\n";
   const AccuracyRound& last = accuracy.rounds.back();
-  if (last.error)
-    out << "  " << accuracy.wanted.goal.name << ": " << number(last.value, "%.8g") << " = "
-        << number(last.of_mesh, "%.8g") << " of the last mesh and "
-        << number(last.value - last.of_mesh, "%.2g") << " that the estimate says is missing\n";
+  if (last.error) {
+    out << "  " << accuracy.wanted.goal.name << ": " << number(last.value, "%.8g");
+    if (last.value == last.of_mesh)
+      out << " of the last mesh"
+          << (last.of_estimate > 0 ? "; what is missing has no known sign\n" : "\n");
+    else
+      out << " = " << number(last.of_mesh, "%.8g") << " of the last mesh and "
+          << number(last.value - last.of_mesh, "%.2g") << " that the estimate says is missing\n";
+  }
   if (last.error && *last.error == last.overlooked && last.overlooked > 0)
     out << "  change: " << by_value(last.overlooked, last.value)
         << " (used); what the value changed by from mesh to mesh and no estimate foresaw\n";

@@ -86,8 +86,9 @@ void declare(CLI::App& app, Request& request) {
   solve
       ->add_option(
           "--accuracy", request.accuracy.target,
-          "refines the meshes until twice the estimated error of --goal is at most that part of "
-          "its value, such as 0.5%; if that cannot be, says what stands in the way; "
+          "refines the meshes until the estimated error of --goal is at most that part of its "
+          "value, such as 0.5%, and two meshes agree; if that cannot be, says what stands in the "
+          "way; "
           "price is the seconds so far by those of the first mesh")
       ->type_name("PART");
   solve

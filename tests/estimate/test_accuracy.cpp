@@ -1,4 +1,5 @@
 // Scenes refined until a goal is as accurate as asked for.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,7 @@
 #include "signorini/estimate/accuracy.hpp"
 #include "signorini/estimate/goal_words.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/mesh/disc.hpp"
 #include "signorini/mesh/split.hpp"
 #include "signorini/refinement/refine.hpp"
 #include "signorini/scene/readings.hpp"
@@ -44,6 +46,24 @@ Scene pressed_strip(Eigen::Index rows) {
   block.supports = {fixed("left")};
   block.loads.edges = {{"top", 1, {}}};
   scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  return scene;
+}
+
+/// A thin strip of triangles above a floor, on rollers at its left end and held at the other: coarse ones are so stiff that
+/// they do not reach the floor.
+Scene thin_strip(Eigen::Index cells, double gap, double pressure, bool triangles) {
+  BlockSpec spec;
+  spec.size = {10, cells == 20 ? 0.1 : 0.5};
+  spec.cells_x = cells;
+  spec.cells_y = cells == 20 ? 1 : 2;
+  Scene scene;
+  Body& strip = scene.bodies.front();
+  strip.mesh = triangles ? split(make_block(spec)) : make_block(spec);
+  strip.element = triangles ? "t3" : "q4";
+  strip.material = {1e5, 0.3, PlaneState::Strain, 1};
+  strip.supports = {symmetric("left"), fixed("right")};
+  strip.loads.edges = {{"top", pressure, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, -gap}, {0, 1})}};
   return scene;
 }
 
@@ -116,6 +136,70 @@ TEST_CASE("two meshes that hardly differ do not confirm each other", "[accuracy]
   CHECK(result.rounds.back().value == Approx(reference).epsilon(target).margin(0));
 }
 
+TEST_CASE("a mesh too stiff for contact to close confirms nothing", "[accuracy]") {
+  const bool thin = GENERATE(true, false);
+  const Scene scene = thin ? thin_strip(20, 0.5, 0.05, true) : thin_strip(10, 0.7, 8, true);
+  const std::string goal = "displacement:top.y";
+  const double reference = accurate(scene, goal, 0.01).rounds.back().value;
+  const AccurateSolution result = accurate(scene, goal, 0.05);
+  REQUIRE(result.met);
+  REQUIRE(result.rounds.size() > 2);
+  CHECK(std::any_of(result.rounds.begin(), result.rounds.end(), [](const AccuracyRound& round) {
+    return !round.error.has_value();  // contact closed, and was not resolved
+  }));
+  CHECK(result.rounds[result.rounds.size() - 2].error.has_value());
+  CHECK(result.rounds.back().value == Approx(reference).epsilon(0.05).margin(0));
+}
+
+TEST_CASE("coarse meshes that are too stiff are no reason to give up", "[accuracy]") {
+  // Nothing closes on the first mesh that is estimated; of triangles one pair does, however fine its sides are.
+  const bool triangles = GENERATE(true, false);
+  CAPTURE(triangles);
+  const Scene scene = thin_strip(20, 0.5, 0.05, triangles);
+  const AccurateSolution result = accurate(scene, "force", 0.05);
+  INFO(result.verdict);
+  REQUIRE(result.met);
+  Scene fine = thin_strip(20, 0.5, 0.05, false);
+  BlockSpec spec;
+  spec.size = {10, 0.1};
+  spec.cells_x = 400;
+  spec.cells_y = 8;
+  fine.bodies[0].mesh = make_block(spec);
+  fine.bodies[0].element = "q4_incompatible";
+  const SolvedScene run = solved(fine, "fine");
+  const double reference = value(run.model, run.solution, {"force", ContactForce{}});
+  CHECK(result.rounds.back().value == Approx(reference).epsilon(0.05).margin(0));
+}
+
+TEST_CASE("a width and a peak of a whole rim are read where it touches",
+          "[accuracy][closed-form]") {
+  const DiscPart part = GENERATE(DiscPart::Right, DiscPart::Full);
+  const std::string goal = GENERATE("peak", "width");
+  CAPTURE(part, goal);
+  Scene scene;
+  Body& disc = scene.bodies.front();
+  DiscSpec spec;
+  spec.centre = {0, 1};
+  spec.part = part;
+  disc.mesh = make_disc(spec);
+  disc.element = "q4_incompatible";
+  disc.material = {1000, 0.3, PlaneState::Strain, 1};
+  if (part == DiscPart::Right)
+    disc.supports = {symmetric("axis")};
+  else
+    disc.supports = {prescribed_at("rim", {0, 0}, Axis::X, 0),
+                     prescribed_at("rim", {0, 2}, Axis::X, 0)};
+  disc.loads.body_force = [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -3); };
+  scene.contacts = {{{"rim"}, half_plane({0, 0}, {0, 1})}};
+  const AccurateSolution result = accurate(scene, goal, 0.01);
+  INFO(result.verdict);
+  REQUIRE(result.met);
+  const LineContact theory{1, 1000 / (1 - 0.09), 3 * std::acos(-1.0)};
+  const double exact = goal == "peak" ? hertz_peak_pressure(theory) : hertz_half_width(theory);
+  // Hertz's bodies are half planes: a disc differs by the square of half-width over radius.
+  CHECK(result.rounds.back().value == Approx(exact).epsilon(0.02).margin(0));
+}
+
 TEST_CASE("triangles and quadratic cells are refined as well", "[accuracy][closed-form]") {
   HertzProblem problem = coarse_hertz();
   problem.element = GENERATE("t3", "t6", "q8", "q4_bbar");
@@ -166,6 +250,18 @@ TEST_CASE("the answer is the value on the mesh and what the estimate says is mis
   CHECK(last.of_mesh == value(result.model, result.solution, {"force", ContactForce{}}));
   CHECK(last.value == Approx(last.of_mesh + estimated.error).epsilon(1e-14).margin(0));
   CHECK(std::abs(last.value - lining_force()) < std::abs(last.of_mesh - lining_force()));
+}
+
+TEST_CASE("an estimate without a sign corrects nothing, and counts twice", "[accuracy]") {
+  const std::string goal = GENERATE("peak", "width");
+  CAPTURE(goal);
+  const AccurateSolution result = accurate(scene_of(coarse_hertz()), goal, 0.01);
+  const AccuracyRound& last = result.rounds.back();
+  CHECK(last.value == last.of_mesh);
+  CHECK(*last.error >= 2 * result.estimate->error);
+  const ErrorParts& parts = last.parts;
+  CHECK(*last.error >= std::abs(parts.interior) + std::abs(parts.gap) + std::abs(parts.reading) +
+                           std::abs(parts.free_boundary));
 }
 
 TEST_CASE("a finer mesh that gives no answer leaves the one before, and the reason", "[accuracy]") {

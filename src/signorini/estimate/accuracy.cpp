@@ -33,13 +33,14 @@ constexpr double confirming = 1.5;
 constexpr Index patience = 16;
 /// ... and so many halvings should close enough pairs.
 constexpr int most_unresolved = 12;
+/// So often all cells are halved before contact is said not to close: coarse meshes are too stiff.
+constexpr int most_doubts = 2;
 
-double sum_of(const ErrorParts& parts) {
-  return parts.interior + parts.gap + parts.reading + parts.free_boundary;
-}
-
-/// Sum of the sizes of the parts, which can cancel by luck.
-double size_of(const ErrorParts& parts) {
+/// What the answer may be wrong by, if the estimate is within a factor of two: where it has a sign and is added, the sum
+/// of the sizes of the parts, which can cancel by luck; of one without a sign twice it, which is no less.
+double left_by(const Estimate& estimate) {
+  if (!estimate.is_signed) return 2 * estimate.error;
+  const ErrorParts& parts = estimate.parts;
   return std::abs(parts.interior) + std::abs(parts.gap) + std::abs(parts.reading) +
          std::abs(parts.free_boundary);
 }
@@ -48,7 +49,7 @@ double size_of(const ErrorParts& parts) {
 /// for. What was overlooked falls by halves at best, and no faster than unknowns grow: it is not forgotten at once.
 double overlooked_since(const AccuracyRound& last, const AccuracyRound& now) {
   const double change = std::abs(now.value - last.value);
-  const double allowed = size_of(last.parts) + size_of(now.parts);
+  const double allowed = last.of_estimate + now.of_estimate;
   const double coarser = static_cast<double>(last.unknowns) / static_cast<double>(now.unknowns);
   return std::max(change > allowed ? change : 0, std::max(0.5, coarser) * last.overlooked);
 }
@@ -127,12 +128,15 @@ class Loop {
   void describe(const Estimate& estimated, const Ledger& ledger, AccuracyRound& round) const {
     round.parts = estimated.parts;
     round.of_mesh = estimated.value;
-    round.value = round.of_mesh + sum_of(round.parts);
+    round.of_estimate = left_by(estimated);
+    round.value = round.of_mesh + (estimated.is_signed ? estimated.error : 0);
     round.algebraic = estimated.algebraic;
     round.estimating = ledger.seconds("estimate");
-    if (!run_.rounds.empty() && run_.rounds.back().error)
-      round.overlooked = overlooked_since(run_.rounds.back(), round);
-    round.error = std::max({size_of(round.parts), round.overlooked, round.misfit});
+    const auto last =
+        std::find_if(run_.rounds.rbegin(), run_.rounds.rend(),
+                     [](const AccuracyRound& other) { return other.error.has_value(); });
+    if (last != run_.rounds.rend()) round.overlooked = overlooked_since(*last, round);
+    round.error = std::max({round.of_estimate, round.overlooked, round.misfit});
   }
 
   /// Says how it stands.
@@ -144,9 +148,14 @@ class Loop {
       return stop("the problem is not solved on this mesh");
     if (now.error) {
       const double target = wanted_.target * std::abs(now.value);
+      if (target == 0 && nothing_closes() && doubted(doubts_of_none_)) return refine(next);
       if (target == 0)
-        return stop(text("the value is 0, which no error can be compared with",
-                         nothing_closes() ? "; no contact closes" : ""));
+        return stop(
+            text("the value is 0, which no error can be compared with",
+                 nothing_closes()
+                     ? "; no contact closes, also with all cells halved; if these are still too "
+                       "stiff, begin with a finer mesh"
+                     : ""));
       if (now.algebraic > target)
         return stop(
             "algebraic: rounding of the equations alone may do so much; a finer mesh makes it "
@@ -156,13 +165,28 @@ class Loop {
       if (run_.met) return stop("met");
       if (reads_what_is_not_there(target)) return stop(hindrance(run_));
       if (stagnates()) return stop("refinement no longer helps: " + hindrance(run_));
-      const double size = size_of(now.parts);
-      const double part = size <= target ? 1 : std::max(aim * target / size, least_left);
+      const double part =
+          now.of_estimate <= target ? 1 : std::max(aim * target / now.of_estimate, least_left);
       marks_ = marks_for(run_.model, run_.solution, *run_.estimate, part, confirming);
-    } else if (stagnates()) {
-      return stop("refinement does not close more pairs of a contact: it touches at points");
+    } else if (stagnates() && !doubted(doubts_of_few_)) {
+      return stop(
+          "refinement, also of all cells, does not close more pairs of a contact: it touches at "
+          "points, or the meshes are too stiff");
     }
     return refine(next);
+  }
+
+  /// Marks all edges, unless that was done often enough. \return whether they are marked
+  bool doubted(int& doubts) {
+    if (doubts == most_doubts) return false;
+    ++doubts;
+    marks_.clear();
+    for (const BodyModel& body : run_.model.bodies) {
+      MeshEdges all = edges(body.mesh);
+      const std::size_t count = all.size();
+      marks_.push_back({std::move(all), std::vector<char>(count, 1)});
+    }
+    return true;
   }
 
   bool stop(const std::string& verdict) {
@@ -170,9 +194,13 @@ class Loop {
     return false;
   }
 
-  [[nodiscard]] std::ptrdiff_t estimated() const {
-    return std::count_if(run_.rounds.begin(), run_.rounds.end(),
-                         [](const AccuracyRound& round) { return round.error.has_value(); });
+  /// How many of the last rounds have an estimate. One that was too coarse shows that the coarser ones before it did not
+  /// resolve contact either, whatever they estimated, as where nothing closed yet: they confirm nothing.
+  [[nodiscard]] std::ptrdiff_t trusted() const {
+    const auto coarse =
+        std::find_if(run_.rounds.rbegin(), run_.rounds.rend(),
+                     [](const AccuracyRound& round) { return !round.error.has_value(); });
+    return coarse - run_.rounds.rbegin();
   }
 
   [[nodiscard]] bool nothing_closes() const {
@@ -182,17 +210,18 @@ class Loop {
   /// Whether the last mesh is so much finer than one that was estimated that what both overlook would show.
   [[nodiscard]] bool confirmed() const {
     const auto unknowns = static_cast<double>(run_.rounds.back().unknowns);
-    return std::any_of(run_.rounds.begin(), run_.rounds.end(), [&](const AccuracyRound& round) {
-      return round.error && confirming * static_cast<double>(round.unknowns) <= unknowns;
-    });
+    return std::any_of(run_.rounds.end() - trusted(), run_.rounds.end(),
+                       [&](const AccuracyRound& round) {
+                         return confirming * static_cast<double>(round.unknowns) <= unknowns;
+                       });
   }
 
   /// Whether all but the misfit of a reading is small enough, and a finer mesh has not halved that.
   [[nodiscard]] bool reads_what_is_not_there(double target) const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
     const AccuracyRound& now = rounds.back();
-    return now.misfit > target && *now.error == now.misfit && size_of(now.parts) <= target &&
-           rounds.size() > 1 && now.misfit > rounds[rounds.size() - 2].misfit / 2;
+    return now.misfit > target && *now.error == now.misfit && now.of_estimate <= target &&
+           trusted() > 1 && now.misfit > rounds[rounds.size() - 2].misfit / 2;
   }
 
   /// Whether the value hardly moves and `patience` has not halved the largest error since then, or contact is still not
@@ -200,13 +229,13 @@ class Loop {
   [[nodiscard]] bool stagnates() const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
     if (!rounds.back().error) return halvings_ >= most_unresolved;
-    if (estimated() > 1 && std::abs(rounds.back().value - rounds[rounds.size() - 2].value) >
-                               wanted_.target * std::abs(rounds.back().value))
+    if (trusted() > 1 && std::abs(rounds.back().value - rounds[rounds.size() - 2].value) >
+                             wanted_.target * std::abs(rounds.back().value))
       return false;
     double largest = 0;
-    for (auto round = rounds.rbegin(); round != rounds.rend(); ++round) {
-      largest = std::max(largest, round->error.value_or(0));
-      if (round->error && patience * round->unknowns <= rounds.back().unknowns)
+    for (auto round = rounds.rbegin(); round != rounds.rbegin() + trusted(); ++round) {
+      largest = std::max(largest, *round->error);
+      if (patience * round->unknowns <= rounds.back().unknowns)
         return *rounds.back().error > largest / 2;
     }
     return false;
@@ -260,6 +289,8 @@ class Loop {
   AccurateSolution run_;
   std::vector<MarkedEdges> marks_;
   int halvings_ = 0;
+  int doubts_of_none_ = 0;  // how often all cells were halved because nothing closed...
+  int doubts_of_few_ = 0;   // ... or too few pairs
 };
 
 }  // namespace

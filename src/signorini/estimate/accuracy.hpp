@@ -23,11 +23,14 @@ struct AccuracyRound {
   Eigen::Index unknowns = 0;  ///< of all bodies
   double of_mesh =
       0;  ///< the goal as solved; nothing is read or estimated before contact is resolved
-  double value = 0;  ///< the same, and what the estimate says is missing: the answer
-  /// Estimate of the size of the error of `value`: the sum of the sizes of its parts, and no less than `overlooked` and
-  /// `misfit`. Nothing if the mesh is too coarse for an estimate.
+  /// The answer: the same, and what the estimate says is missing; of a peak or a width, whose estimate has no sign, the same
+  double value = 0;
+  /// Estimate of the size of the error of `value`: the largest of `of_estimate`, `overlooked` and `misfit`. Nothing if the
+  /// mesh is too coarse for an estimate.
   std::optional<double> error = {};
   ErrorParts parts = {};  ///< of the error of discretisation
+  double of_estimate =
+      0;  ///< the sum of their sizes; of an estimate without a sign twice its size, which is no less
   /// What the parts leave out, as changes from mesh to mesh have shown it, see solve_to_accuracy(); 0: nothing was seen
   double overlooked = 0;
   double misfit = 0;      ///< of the reading, see signorini::misfit()
@@ -51,7 +54,8 @@ struct AccurateSolution {
 ///
 /// What is estimated is not thrown away: the answer is the value on the mesh and the error that is estimated, with its sign
 /// [\ref BeckerRannacher2001]. An estimate within a factor of two of the error leaves at most itself; so the
-/// size of the error of the answer is the sum of the sizes of the parts of the estimate. But if the answer has changed
+/// size of the error of the answer is the sum of the sizes of the parts of the estimate. That of a peak or a width has no sign:
+/// there the answer is the value on the mesh, and its error up to twice the estimate. But if the answer has changed
 /// from the mesh before by more than both allow for, it is no less than that change, and in each later round
 /// no less than half of what it was for that before; nor is it less than the misfit of a reading.
 ///
@@ -62,8 +66,11 @@ struct AccurateSolution {
 /// goals and gaps overlook between nodes falls to the sides of the source that are closed, the free boundary to those where
 /// contact ends.
 ///
+/// Where no contact closes, or refinement closes no more pairs of one that it does not resolve, all cells are halved,
+/// twice at most for either, before that is the verdict: coarse meshes are too stiff.
+///
 /// It ends when the size of the error is at most the target, on a mesh of 1.5 times the unknowns of the first estimated one
-/// at the earliest; or with the last answer and the reason if refining does not help, or a finer mesh gives no answer. An
+/// at the earliest, of those since the last that was too coarse; or with the last answer and the reason if refining does not help, or a finer mesh gives no answer. An
 /// estimate is no bound, see estimates().
 /// \param scene    without load steps
 /// \param wanted   what is asked for

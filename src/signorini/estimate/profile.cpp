@@ -16,6 +16,29 @@ using Eigen::VectorXd;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
+/// The part of a walk around a body that runs on along a line from one of its pairs, and does not turn back.
+/// \param ring  whether the first pair follows on the last
+template <typename Place>
+std::vector<Index> running_on(const std::vector<Index>& walk, bool ring, Index start,
+                              Place&& x_of) {
+  const std::size_t first = at(std::find(walk.begin(), walk.end(), start) - walk.begin());
+  std::vector<Index> line = {start};
+  const auto run_on = [&](std::size_t step, std::size_t end) {
+    double way = 0;  // of the first step
+    for (std::size_t k = first; line.size() < walk.size() && (ring || k != end);) {
+      const std::size_t next = (k + step) % walk.size();
+      const double by = x_of(walk[next]) - x_of(walk[k]);
+      if (way == 0) way = by;
+      if (!(way * by > 0)) break;
+      line.push_back(walk[next]);
+      k = next;
+    }
+  };
+  run_on(1, walk.size() - 1);
+  run_on(walk.size() - 1, 0);
+  return line;
+}
+
 }  // namespace
 
 std::vector<Index> pairs_of(const Model& model, const std::string& contact) {
@@ -53,6 +76,11 @@ ContactLine line_of(const Model& model, const std::string& contact, const Vector
   const auto x_of = [&](Index pair) {
     return along.dot(model.pairs.position.row(pair).transpose() - middle);
   };
+  const std::vector<ContactEdge> edges = contact_edges(model);
+  const bool ring = std::any_of(edges.begin(), edges.end(), [&](const ContactEdge& edge) {
+    return edge.from == pairs.back() && edge.to == pairs.front();
+  });
+  pairs = running_on(pairs, ring, nearest, x_of);
   std::stable_sort(pairs.begin(), pairs.end(), [&](Index a, Index b) { return x_of(a) < x_of(b); });
   ContactLine line{pairs, {}};
   for (const Index pair : pairs) line.x.push_back(x_of(pair));

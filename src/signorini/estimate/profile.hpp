@@ -26,7 +26,8 @@ struct ContactLine {
 /// \param model    from build()
 /// \param contact  its name, or nothing if there is one only
 /// \param middle   of the contact [length]
-/// \return its pairs along the tangent of the one nearest to the middle
+/// \return its pairs along the tangent of the one nearest to the middle, on both sides as far as the source does not turn
+///   back: of a whole rim the half around the middle
 /// \throws ProblemError as pairs_of(), or if pairs have no nodes
 [[nodiscard]] ContactLine line_of(const Model& model, const std::string& contact,
                                   const Eigen::Vector2d& middle);
