@@ -71,7 +71,8 @@ struct AccurateSolution {
 ///
 /// It ends when the size of the error is at most the target, on a mesh of 1.5 times the unknowns of the first estimated one
 /// at the earliest, of those since the last that was too coarse; or with the last answer and the reason if refining does not help, or a finer mesh gives no answer. An
-/// estimate is no bound, see estimates().
+/// estimate is no bound, see estimates(), and does not see what chords cut off a curved boundary whose mean displacement is
+/// the goal: there a target below a fifth of the square of the angle of a side [rad] may be called met when it is not.
 /// \param scene    without load steps
 /// \param wanted   what is asked for
 /// \param observe  called after every round

@@ -121,6 +121,9 @@ std::vector<BudgetLine> error_budget(const Estimate& estimate, const ComparedWit
           {"gap", p.gap + p.reading, "between the nodes of the contact: finer sides there"},
           {"element", p.interior + p.free_boundary,
            "stresses inside the bodies and the end of the contact: finer cells, or better ones"},
+          {"outline", std::nullopt,
+           "what straight sides cut off curved outlines; a mean displacement of an arc may miss a "
+           "fifth of the square of the angle of a side [rad]: shorter sides, or quadratic cells"},
           {"domain", difference(compared.domain), "where the bodies were cut off: a larger domain"},
           {"model", difference(compared.model),
            "what the scene leaves out, such as large movements or the third dimension"}};
