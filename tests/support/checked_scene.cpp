@@ -124,7 +124,7 @@ void Checked::measure() {
     force_ = std::max({force_, size(given_.load(static_cast<Index>(j))), size(contact_[j])});
   // What bears without moving is measured by how the force would move the stiffest unknown.
   const Eigen::VectorXd diagonal = given_.stiffness.diagonal();
-  length_ = force_ / diagonal.maxCoeff();
+  length_ = std::max<Wide>(length_, force_ / diagonal.maxCoeff());
   for (Index row = 0; row < given_.A.rows(); ++row) {
     Wide length = 0;
     for (NodalRows::InnerIterator it(given_.A, row); it; ++it)
