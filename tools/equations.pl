@@ -9,7 +9,10 @@
 use strict;
 use warnings;
 use utf8;
+use Cwd 'abs_path';
+use File::Basename 'dirname';
 use File::Glob ':bsd_glob';
+require(abs_path(dirname(__FILE__)) . '/listed.pl');
 binmode STDERR, ':utf8';
 
 my $check = @ARGV && $ARGV[0] eq '--check' ? shift @ARGV : '';
@@ -17,13 +20,6 @@ chdir($ARGV[0] // '.') or die "equations.pl: no folder $ARGV[0]\n";
 
 # Paper, its words, last equation, its chapters.
 my @papers = (['XuanLi2002', 'Xuan & Li (2002)', 39, 1, 7], ['LinEtAl', 'Lin et al.', 46, 8, 14]);
-
-sub slurp {
-    my ($file) = @_;
-    open my $in, '<:utf8', $file or die "equations.pl: $file: $!\n";
-    local $/;
-    return <$in>;
-}
 
 sub declared {    # the name that a line of C++ declares, or nothing
     my ($line) = @_;
@@ -120,15 +116,4 @@ for my $paper (@papers) {
     }
 }
 
-my $file = 'chapters/equations.md';
-my $old = -e $file ? slurp($file) : '';
-if ($check) {
-    push @complaints, "$file is not what the tags say: type make text" if $old ne $out;
-} elsif ($old ne $out) {
-    open my $write, '>:utf8', $file or die "equations.pl: $file: $!\n";
-    print $write $out;
-    close $write or die "equations.pl: $file: $!\n";
-    print "wrote $file\n";
-}
-print STDERR "equations.pl: $_\n" for @complaints;
-exit(@complaints ? 1 : 0);
+list_and_exit('equations.pl', 'chapters/equations.md', $out, $check, 'tags', @complaints);

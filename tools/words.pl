@@ -9,7 +9,10 @@
 use strict;
 use warnings;
 use utf8;
+use Cwd 'abs_path';
+use File::Basename 'dirname';
 use File::Glob ':bsd_glob';
+require(abs_path(dirname(__FILE__)) . '/listed.pl');
 binmode STDERR, ':utf8';
 
 my $check = @ARGV && $ARGV[0] eq '--check' ? shift @ARGV : '';
@@ -17,13 +20,6 @@ my ($root, @papers) = @ARGV;
 chdir($root // '.') or die "words.pl: no folder $root\n";
 my $glossary = 'chapters/glossary.md';
 my ($often, $chapters) = (3, 8);
-
-sub slurp {
-    my ($file) = @_;
-    open my $in, '<:utf8', $file or die "words.pl: $file: $!\n";
-    local $/;
-    return <$in>;
-}
 
 sub slug { my $s = lc $_[0]; $s =~ s/[^\w\- ]//g; $s =~ s/ /-/g; return $s }
 
@@ -110,15 +106,4 @@ for my $word (@words) {
     $out .= "| $word | " . join(', ', @links) . " |\n" if @links;
 }
 
-my $file = 'chapters/words.md';
-my $old = -e $file ? slurp($file) : '';
-if ($check) {
-    push @complaints, "$file is not what the chapters say: type make text" if $old ne $out;
-} elsif ($old ne $out) {
-    open my $write, '>:utf8', $file or die "words.pl: $file: $!\n";
-    print $write $out;
-    close $write or die "words.pl: $file: $!\n";
-    print "wrote $file\n";
-}
-print STDERR "words.pl: $_\n" for @complaints;
-exit(@complaints ? 1 : 0);
+list_and_exit('words.pl', 'chapters/words.md', $out, $check, 'chapters', @complaints);
