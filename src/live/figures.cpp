@@ -2,7 +2,9 @@
 // name in this table.
 #define SIGNORINI_LIVE_FIGURES(FIGURE) \
   FIGURE(weights)                      \
-  FIGURE(cantilever)
+  FIGURE(cantilever)                   \
+  FIGURE(hard)                         \
+  FIGURE(effects)
 
 #include "live/figure.hpp"
 
