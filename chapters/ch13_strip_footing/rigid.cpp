@@ -30,5 +30,5 @@ Status chapter(const ProgramOptions& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("ch13_rigid", "Rigid for good", SIGNORINI_CHAPTER_OUT, argc, argv, chapter);
+  return run_program("ch13_rigid", "Rigid from the start", SIGNORINI_CHAPTER_OUT, argc, argv, chapter);
 }
