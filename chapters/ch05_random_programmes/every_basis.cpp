@@ -13,7 +13,7 @@ using Eigen::Index;
 
 Status chapter(const ProgramOptions& run) {
   Results results("ch05_every_basis");
-  Table table({"$`n`$", "bases", "Lemke: pivots", "rows scaled first", "Goldfarb-Idnani: steps",
+  Table table({"pairs", "bases", "Lemke: pivots", "rows scaled first", "Goldfarb-Idnani: steps",
                "ours: steps"});
   Table curve({"n", "lemke", "scaled", "steps"});
   int right = 0;
