@@ -1,4 +1,4 @@
-// Chapter 5 - The problems that make complementary pivoting take every basis there is.
+// Chapter 5 - The problems on which Lemke's method visits every basis there is.
 // Run:  make ch05     Reads: nothing     Writes: ch05_every_basis.results, fathi.md, fig_5_3.csv
 #include "judge.hpp"
 #include "signorini/core/results.hpp"
