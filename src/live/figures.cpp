@@ -3,6 +3,7 @@
 #define SIGNORINI_LIVE_FIGURES(FIGURE) \
   FIGURE(weights)                      \
   FIGURE(cantilever)                   \
+  FIGURE(newton)                       \
   FIGURE(hard)                         \
   FIGURE(effects)
 
