@@ -2,6 +2,7 @@
 // name in this table.
 #define SIGNORINI_LIVE_FIGURES(FIGURE) \
   FIGURE(weights)                      \
+  FIGURE(rules)                        \
   FIGURE(cantilever)                   \
   FIGURE(newton)                       \
   FIGURE(hard)                         \

@@ -73,7 +73,7 @@ Answer go(const Request& now) {
   Panel digits{"How fast", "steps", "residual, and error of the force"};
   digits.log_y = true;
   const VectorXd count = VectorXd::LinSpaced(steps + 1, 0, static_cast<double>(steps));
-  digits.window = {-0.3, static_cast<double>(steps) + 0.3, 1e-17, 10};
+  digits.window = {-0.3, static_cast<double>(steps) + 0.3, 1e-17, 100};
   const VectorXd error = (force.array() - pair.force()).abs();
   digits.curve("residual", Look::Closed, count, VectorXd::Map(run.residuals.data(), steps + 1));
   digits.curve("error of the force [N]", Look::Cross, count, error);
