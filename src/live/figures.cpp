@@ -3,6 +3,7 @@
 #define SIGNORINI_LIVE_FIGURES(FIGURE) \
   FIGURE(weights)                      \
   FIGURE(rules)                        \
+  FIGURE(groups)                       \
   FIGURE(cantilever)                   \
   FIGURE(newton)                       \
   FIGURE(hard)                         \
