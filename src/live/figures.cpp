@@ -6,6 +6,7 @@
   FIGURE(groups)                       \
   FIGURE(cantilever)                   \
   FIGURE(newton)                       \
+  FIGURE(corner)                       \
   FIGURE(hard)                         \
   FIGURE(effects)
 
