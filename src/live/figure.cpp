@@ -124,6 +124,42 @@ void Panel::map(std::string label, const VectorXd& x, const VectorXd& y,
   layers.push_back(std::move(layer));
 }
 
+void Panel::level_lines(std::string label, Look look, const VectorXd& x, const VectorXd& y,
+                        const std::function<double(double, double)>& value,
+                        const std::vector<double>& levels) {
+  using Eigen::Vector3d;
+  MatrixXd values(y.size(), x.size());
+  for (Index i = 0; i < y.size(); ++i)
+    for (Index j = 0; j < x.size(); ++j) values(i, j) = value(x(j), y(i));
+  std::vector<Vector3d> ends;  // of pieces: a line enters and leaves each triangle that it meets
+  const auto corner = [&](Index j, Index i) { return Vector3d(x(j), y(i), values(i, j)); };
+  const auto edge = [&ends](double level, const Vector3d& a, const Vector3d& b) {
+    if ((a.z() > level) != (b.z() > level))
+      ends.push_back(a + (level - a.z()) / (b.z() - a.z()) * (b - a));
+  };
+  for (const double level : levels)
+    for (Index i = 0; i + 1 < y.size(); ++i)
+      for (Index j = 0; j + 1 < x.size(); ++j)
+        for (const Index upper : {0, 1}) {
+          const Vector3d a = corner(j, i);
+          const Vector3d b = corner(j + 1, i + 1);
+          const Vector3d c = corner(j + 1 - upper, i + upper);
+          edge(level, a, b);
+          edge(level, b, c);
+          edge(level, c, a);
+        }
+  if (ends.empty()) return;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  VectorXd at_x = VectorXd::Constant(static_cast<Index>(3 * ends.size() / 2), none);
+  VectorXd at_y = at_x;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const auto place = static_cast<Index>(k + k / 2);  // a break after each piece
+    at_x(place) = ends[k].x();
+    at_y(place) = ends[k].y();
+  }
+  curve(std::move(label), look, at_x, at_y);
+}
+
 void Panel::bodies(const signorini::Model& model, const signorini::Solution& solution,
                    double magnified) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {

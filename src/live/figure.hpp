@@ -113,6 +113,12 @@ struct Panel {
   /// \param x,y  lines of the grid, increasing \param value  at the middle of each cell
   void map(std::string label, const VectorXd& x, const VectorXd& y,
            const std::function<double(double, double)>& value);
+  /// Adds the lines on which a function has certain values, nothing if it has them nowhere. \param label,look  see Layer
+  /// \param x,y  lines of a grid, increasing; on each half of its cells the function is taken as plane
+  /// \param value  at (x, y) \param levels  its values on the lines
+  void level_lines(std::string label, Look look, const VectorXd& x, const VectorXd& y,
+                   const std::function<double(double, double)>& value,
+                   const std::vector<double>& levels);
   /// Adds the deformed bodies of a scene, coloured by von Mises's stress.
   /// \param model  with its bodies \param solution  of it \param magnified  displacements are drawn so many times as large
   void bodies(const signorini::Model& model, const signorini::Solution& solution,

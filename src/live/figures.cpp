@@ -2,7 +2,11 @@
 // name in this table.
 #define SIGNORINI_LIVE_FIGURES(FIGURE) \
   FIGURE(weights)                      \
+  FIGURE(rules)                        \
+  FIGURE(groups)                       \
   FIGURE(cantilever)                   \
+  FIGURE(newton)                       \
+  FIGURE(corner)                       \
   FIGURE(hard)                         \
   FIGURE(effects)
 
