@@ -170,6 +170,11 @@ signorini::Solution Loaded::at(double time) {
   return std::move(step.solution);
 }
 
+signorini::SolvedScene Loaded::scene_at(double time) {
+  signorini::Solution solution = at(time);
+  return {model, path.condensed, std::move(solution)};
+}
+
 namespace {
 
 void describe(const Figure& figure, Json& json) {

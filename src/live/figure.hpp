@@ -187,6 +187,9 @@ struct Loaded {
   /// Its solution under the loads of a time, from rest. \param time  > 0 \return certified
   /// \throws signorini::NotSolved as require_solved()
   [[nodiscard]] signorini::Solution at(double time);
+  /// The same with copies of what it belongs to, for functions that read a solved scene. \param time  > 0
+  /// \return model, condensed problem and solution
+  [[nodiscard]] signorini::SolvedScene scene_at(double time);
 };
 
 /// Answers what a page asks: `figure NAME` tells its controls, `NAME control=value ...` computes.

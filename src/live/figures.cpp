@@ -2,7 +2,8 @@
 // name in this table.
 #define SIGNORINI_LIVE_FIGURES(FIGURE) \
   FIGURE(weights)                      \
-  FIGURE(cantilever)
+  FIGURE(cantilever)                   \
+  FIGURE(hertz)
 
 #include "live/figure.hpp"
 
