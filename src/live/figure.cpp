@@ -124,20 +124,24 @@ void Panel::map(std::string label, const VectorXd& x, const VectorXd& y,
   layers.push_back(std::move(layer));
 }
 
+void Panel::body(const signorini::BodyModel& body, const signorini::NodeArray& displacement,
+                 const signorini::NodeArray& place) {
+  const signorini::StressArray stress =
+      signorini::cell_stress(body.mesh, body.element, body.material, displacement);
+  VectorXd mises(stress.rows());
+  for (Index k = 0; k < stress.rows(); ++k) mises(k) = signorini::von_mises(stress.row(k));
+  Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic> corners(body.mesh.n_cells(), 4);
+  for (Index k = 0; k < body.mesh.n_cells(); ++k)
+    for (Index c = 0; c < 4; ++c)
+      corners(k, c) = body.mesh.cells(k, std::min<Index>(c, body.mesh.corners(k) - 1));
+  cells(body.mesh.name + ", von Mises's stress", place, corners, mises);
+}
+
 void Panel::bodies(const signorini::Model& model, const signorini::Solution& solution,
                    double magnified) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const signorini::BodyModel& body = model.bodies[b];
     const signorini::NodeArray& u = solution.displacements[b];
-    const signorini::StressArray stress =
-        signorini::cell_stress(body.mesh, body.element, body.material, u);
-    VectorXd mises(stress.rows());
-    for (Index k = 0; k < stress.rows(); ++k) mises(k) = signorini::von_mises(stress.row(k));
-    Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic> corners(body.mesh.n_cells(), 4);
-    for (Index k = 0; k < body.mesh.n_cells(); ++k)
-      for (Index c = 0; c < 4; ++c)
-        corners(k, c) = body.mesh.cells(k, std::min<Index>(c, body.mesh.corners(k) - 1));
-    cells(body.mesh.name + ", von Mises's stress", body.mesh.nodes + magnified * u, corners, mises);
+    body(model.bodies[b], u, model.bodies[b].mesh.nodes + magnified * u);
   }
 }
 

@@ -3,7 +3,8 @@
 #define SIGNORINI_LIVE_FIGURES(FIGURE) \
   FIGURE(weights)                      \
   FIGURE(cantilever)                   \
-  FIGURE(hertz)
+  FIGURE(hertz)                        \
+  FIGURE(lining)
 
 #include "live/figure.hpp"
 
