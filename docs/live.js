@@ -198,7 +198,7 @@ onmessage = async ({ data }) => {
     if (about.error) throw new Error(about.error);
     const fields = Object.fromEntries(about.controls.map(c => [c.name, field(name, c)])), all = Object.values(fields);
     const form = el("form", { "aria-label": about.title }, ...all.map(f => f.label), el("button", { type: "reset" }, "as at the beginning"));
-    const panels = el("div", { class: "live-panels" }), numbers = el("dl"), says = el("p", { role: "status", "aria-live": "polite" });
+    const panels = el("div", { class: "live-panels" }), numbers = el("dl"), table = el("table"), says = el("p", { role: "status", "aria-live": "polite" });
     let last, busy = false, wish = null;
     const show = () => {
       if (!last || last.answer.error) return;
@@ -229,6 +229,7 @@ onmessage = async ({ data }) => {
         if (!failed) {
           last = got;
           numbers.replaceChildren(...got.answer.numbers.map(n => el("div", {}, el("dt", {}, n.label), el("dd", {}, `${n.text} ${n.unit}`.trim()))));
+          table.replaceChildren(...got.answer.table.map((row, k) => el("tr", {}, ...row.map(cell => el(k ? "td" : "th", k ? {} : { scope: "col" }, cell)))));
           show();
         }
         live.dispatchEvent(new CustomEvent("answered", { detail: { ...got, total: performance.now() - begin } }));
@@ -239,7 +240,7 @@ onmessage = async ({ data }) => {
     form.addEventListener("input", ask);
     form.addEventListener("reset", () => setTimeout(ask));
     form.addEventListener("submit", event => event.preventDefault());
-    live.append(el("h3", {}, about.title), form, says, panels, numbers);
+    live.append(el("h3", {}, about.title), form, says, panels, numbers, el("div", { class: "live-table" }, table));
     const printed = live.nextElementSibling?.matches(".image") ? live.nextElementSibling : null;
     if (printed) {
       const fold = el("details", { class: "live-printed" }, el("summary", {}, "the figure as printed"));

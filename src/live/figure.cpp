@@ -256,6 +256,8 @@ void write(const Answer& answer, Json& json, std::vector<VectorXd>& arrays) {
   }
   json.end().key("panels").array();
   for (const Panel& panel : answer.panels) write(panel, json, arrays);
+  json.end().key("table").array();
+  for (const std::vector<std::string>& row : answer.table) json.value(row);
   json.end();
 }
 

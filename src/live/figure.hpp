@@ -145,6 +145,7 @@ struct Answer {
   std::vector<Number> numbers;
   std::vector<Set> sets;  ///< which browsers must find exactly as the native program does
   std::vector<Panel> panels;
+  std::vector<std::vector<std::string>> table = {};  ///< its first row names the columns; none if empty
 
   /// Adds a number. \param name,label,value,unit,format  see Number
   void number(std::string name, std::string label, double value, std::string unit = "",

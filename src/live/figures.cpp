@@ -4,7 +4,9 @@
   FIGURE(weights)                      \
   FIGURE(cantilever)                   \
   FIGURE(hertz)                        \
-  FIGURE(lining)
+  FIGURE(lining)                       \
+  FIGURE(hard)                         \
+  FIGURE(effects)
 
 #include "live/figure.hpp"
 

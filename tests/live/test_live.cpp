@@ -8,6 +8,7 @@
 #include "catch_compat.hpp"
 #include "live/figure.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/family.hpp"
 #include "signorini/core/table.hpp"
 
 using namespace live;
@@ -116,6 +117,7 @@ TEST_CASE("a live figure says again what it said, whatever was asked in between"
 
 TEST_CASE("live figures find what the programs of their chapters found") {
   for (const Figure& figure : figures()) {
+    if (figure.name == "hard") continue;  // below
     const std::filesystem::path chapter = chapter_of(figure.name);
     INFO(figure.name);
     REQUIRE_FALSE(chapter.empty());
@@ -143,6 +145,31 @@ TEST_CASE("live figures find what the programs of their chapters found") {
       ++checks;
     }
     CHECK(checks > 0);
+  }
+}
+
+// A row of the table is `| room | exhibit | icon | icon ...`.
+TEST_CASE("visitors of an exhibit get the verdicts of the chapter") {
+  const Figure& figure = signorini::find_member(figures(), "hard", "live figure");
+  const Control& exhibits = signorini::find_member(figure.controls, "exhibit", "control");
+  std::map<std::string, std::string> rows;
+  std::ifstream in(chapter_of("hard") / "results" / "museum.md");
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string bar;
+    std::string room;
+    std::string name;
+    std::string icons;
+    words >> bar >> room >> bar >> name >> bar;
+    for (std::string icon; words >> icon >> bar;) icons += icon;
+    rows[name] = icons;
+  }
+  for (const std::string& name : exhibits.choices) {
+    const Answer answer = figure.answer(Request(figure.controls, "exhibit=" + name));
+    std::string icons;
+    for (std::size_t k = 1; k < answer.table.size(); ++k) icons += answer.table[k][0];
+    INFO(name);
+    CHECK(icons == rows[name]);
   }
 }
 
