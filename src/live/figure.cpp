@@ -91,6 +91,14 @@ void Panel::points(const std::string& label, const VectorXd& x, const VectorXd& 
   }
 }
 
+void Panel::motions(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact) {
+  for (const bool slide : {false, true}) {
+    const std::vector<Index> at = closed_pairs(contact, slide);
+    if (!at.empty())
+      curve(slide ? "slides" : "sticks", slide ? Look::Open : Look::Closed, x(at), y(at));
+  }
+}
+
 void Panel::cells(std::string label, const MatrixXd& corner,
                   const Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic>& cell,
                   const VectorXd& value) {
@@ -145,6 +153,14 @@ void Panel::bodies(const signorini::Model& model, const signorini::Solution& sol
   }
 }
 
+std::vector<Index> closed_pairs(const signorini::ContactState& contact, bool slide) {
+  std::vector<Index> found;
+  for (const Index i : contact.active)
+    if ((contact.motion[static_cast<std::size_t>(i)] != signorini::Motion::Stick) == slide)
+      found.push_back(i);
+  return found;
+}
+
 void Answer::number(std::string name, std::string label, double value, std::string unit,
                     const char* format) {
   numbers.push_back({std::move(name), std::move(label), value, std::move(unit), format});
@@ -162,6 +178,10 @@ void Answer::solution(const signorini::Solution& solved) {
   number("iterations", "iterations", static_cast<double>(contact.report.iterations), "", "%.0f");
   rounding("certificate", "certificate, its worst entry", solved.certificate.worst());
   sets.push_back({"closed", {contact.active.begin(), contact.active.end()}});
+  if (contact.motion.size() == static_cast<std::size_t>(contact.force.size())) {
+    sets.push_back({"stick", closed_pairs(contact, false)});
+    sets.push_back({"slide", closed_pairs(contact, true)});
+  }
   for (const std::string& note : solved.notes) says += " " + note;
 }
 

@@ -104,6 +104,9 @@ struct Panel {
   /// Adds points that are closed where `pressure` > 0 and open elsewhere. \param label,x,y  see Layer \param pressure  `n`
   void points(const std::string& label, const VectorXd& x, const VectorXd& y,
               const VectorXd& pressure);
+  /// Adds the closed pairs of a contact with friction: filled where they stick, hollow where they slide.
+  /// \param x,y  `n_c` \param contact  solved
+  void motions(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact);
   /// Adds cells. \param label  what the value is \param corner  `n x 2` places \param cell  `m x k` numbers of corners,
   ///   anticlockwise \param value  `m`
   void cells(std::string label, const MatrixXd& corner,
@@ -139,6 +142,9 @@ struct Set {
   std::vector<Index> members;
 };
 
+/// \param contact  solved, all its pairs rub \param slide  whether to list those that slide, or that stick \return pairs
+[[nodiscard]] std::vector<Index> closed_pairs(const signorini::ContactState& contact, bool slide);
+
 /// What a figure answers to a request.
 struct Answer {
   std::string says;  ///< in one or two sentences, also for those who do not see the panels
@@ -153,7 +159,8 @@ struct Answer {
   /// Adds a number of the size of rounding. \param name,label,value,unit  see Number
   void rounding(std::string name, std::string label, double value, std::string unit = "");
   /// Adds what every solution shows: closed pairs, iterations and the worst entry of the certificate, the set of closed
-  /// pairs, and the notes behind `says`. \param solution  of the figure's scene
+  /// pairs and, with friction, those that stick and that slide, and the notes behind `says`.
+  /// \param solution  of the figure's scene
   void solution(const signorini::Solution& solution);
 };
 

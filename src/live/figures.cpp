@@ -5,6 +5,7 @@
   FIGURE(cantilever)                   \
   FIGURE(hertz)                        \
   FIGURE(lining)                       \
+  FIGURE(friction)                     \
   FIGURE(hard)                         \
   FIGURE(effects)
 
