@@ -6,6 +6,7 @@
   FIGURE(hertz)                        \
   FIGURE(lining)                       \
   FIGURE(friction)                     \
+  FIGURE(work_precision)               \
   FIGURE(hard)                         \
   FIGURE(effects)
 
