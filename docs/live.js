@@ -1,5 +1,5 @@
-// live.js: figures that compute.  <div class="live" data-figure="NAME"> before a static figure becomes a form and panels, and the
-// static figure moves into a fold below.  Without WebAssembly, workers or engine.js the page stays as it is.
+// live.js: figures that compute.  <div class="live" data-figure="NAME"> before a printed figure becomes a form and panels, and the
+// printed figure may be folded away below.  Without WebAssembly, workers or engine.js the page stays as it is.
 (function () {
   "use strict";
   const el = (tag, attributes = {}, ...inside) => {
@@ -243,7 +243,7 @@ onmessage = async ({ data }) => {
     live.append(el("h3", {}, about.title), form, says, panels, numbers, el("div", { class: "live-table" }, table));
     const printed = live.nextElementSibling?.matches(".image") ? live.nextElementSibling : null;
     if (printed) {
-      const fold = el("details", { class: "live-printed" }, el("summary", {}, "the figure as printed"));
+      const fold = el("details", { class: "live-printed", open: "" }, el("summary", {}, "the figure as printed"));
       printed.replaceWith(fold);
       fold.append(printed);
     }

@@ -68,7 +68,7 @@ inline Answer unrefined(const Posed& posed) {
   return answer;
 }
 
-/// Bodies that only contact holds, made fast by soft springs everywhere: 1e-9 of the largest stiffness.
+/// Bodies that only contact holds, held by soft springs everywhere: 1e-9 of the largest stiffness.
 /// \param posed  a scene that has such bodies \return its answer
 inline Answer soft_springs(const Posed& posed) {
   signorini::Model held = *posed.model;
