@@ -10,6 +10,8 @@ command -v em++ > /dev/null || { echo "engine.sh: not found: em++. Run: tools/se
 [ -d "$eigen/Eigen" ] || { echo "engine.sh: no folder $eigen/Eigen; EIGEN=... names the folder of Eigen's headers" >&2; exit 2; }
 [ -f "$toml/toml++/toml.h" ] || { echo "engine.sh: no file $toml/toml++/toml.h; TOML=... names its folder" >&2; exit 2; }
 toolchain=$(em-config EMSCRIPTEN_ROOT)/cmake/Modules/Platform/Emscripten.cmake
+# Debian keeps the modules that emscripten asks node for where the node of Debian looks.
+export NODE_PATH="${NODE_PATH:-/usr/share/nodejs}"
 launcher=""
 [ -n "${CCACHE_DISABLE:-}" ] || launcher=$(command -v ccache || true)
 cmake -S "$root/cmake/engine" -B "$folder" -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DEIGEN="$eigen" -DTOML="$toml" \

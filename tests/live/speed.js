@@ -15,7 +15,7 @@ const make = new Function("require", "process", "__dirname", "__filename", unpac
   console.log(`engine: ${(fs.statSync(file).size / 1024).toFixed(0)} KiB, there after ${(performance.now() - begin).toFixed(0)} ms`);
   const ask = words => JSON.parse(engine.ccall("live_answer", "string", ["string"], [words]));
   const native = lines => execFileSync(live, { input: lines.join("\n") + "\n", maxBuffer: 1 << 28 }).toString().trim().split("\n").map(l => JSON.parse(l));
-  const names = /There are: (.*)/.exec(ask("no_such_figure").error)[1].split(", ");
+  const names = /there are: (.*)/i.exec(ask("no_such_figure").error)[1].split(", ");
   let bad = 0;
   for (const name of names) {
     const requests = [name];
