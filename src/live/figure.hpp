@@ -104,6 +104,9 @@ struct Panel {
   /// Adds points that are closed where `pressure` > 0 and open elsewhere. \param label,x,y  see Layer \param pressure  `n`
   void points(const std::string& label, const VectorXd& x, const VectorXd& y,
               const VectorXd& pressure);
+  /// Adds the closed pairs of a contact with friction: filled where they stick, hollow where they slide.
+  /// \param x,y  `n_c` \param contact  solved
+  void motions(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact);
   /// Adds cells. \param label  what the value is \param corner  `n x 2` places \param cell  `m x k` numbers of corners,
   ///   anticlockwise \param value  `m`
   void cells(std::string label, const MatrixXd& corner,
@@ -119,6 +122,10 @@ struct Panel {
   void level_lines(std::string label, Look look, const VectorXd& x, const VectorXd& y,
                    const std::function<double(double, double)>& value,
                    const std::vector<double>& levels);
+  /// Adds a body, coloured by von Mises's stress. \param displacement  `n x 2` that makes the stress
+  /// \param place  `n x 2` where to draw its nodes
+  void body(const signorini::BodyModel& body, const signorini::NodeArray& displacement,
+            const signorini::NodeArray& place);
   /// Adds the deformed bodies of a scene, coloured by von Mises's stress.
   /// \param model  with its bodies \param solution  of it \param magnified  displacements are drawn so many times as large
   void bodies(const signorini::Model& model, const signorini::Solution& solution,
@@ -141,6 +148,9 @@ struct Set {
   std::vector<Index> members;  ///< in increasing order
 };
 
+/// \param contact  solved, all its pairs rub \param slide  whether to list those that slide, or that stick \return pairs
+[[nodiscard]] std::vector<Index> closed_pairs(const signorini::ContactState& contact, bool slide);
+
 /// What a figure answers to a request.
 struct Answer {
   std::string says;  ///< in one or two sentences, also for those who do not see the panels
@@ -156,7 +166,8 @@ struct Answer {
   /// Adds a number of the size of rounding. \param name,label,value,unit  see Number
   void rounding(std::string name, std::string label, double value, std::string unit = "");
   /// Adds what every solution shows: closed pairs, iterations and the worst entry of the certificate, the set of closed
-  /// pairs, and the notes behind `says`. \param solution  of the figure's scene
+  /// pairs and, with friction, those that stick and that slide, and the notes behind `says`.
+  /// \param solution  of the figure's scene
   void solution(const signorini::Solution& solution);
 };
 
@@ -195,6 +206,9 @@ struct Loaded {
   /// Its solution under the loads of a time, from rest. \param time  > 0 \return certified
   /// \throws signorini::NotSolved as require_solved()
   [[nodiscard]] signorini::Solution at(double time);
+  /// The same with copies of what it belongs to, for functions that read a solved scene. \param time  > 0
+  /// \return model, condensed problem and solution
+  [[nodiscard]] signorini::SolvedScene scene_at(double time);
 };
 
 /// Answers what a page asks: `figure NAME` tells its controls, `NAME control=value ...` computes.

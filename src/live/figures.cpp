@@ -7,6 +7,10 @@
   FIGURE(cantilever)                   \
   FIGURE(newton)                       \
   FIGURE(corner)                       \
+  FIGURE(hertz)                        \
+  FIGURE(lining)                       \
+  FIGURE(friction)                     \
+  FIGURE(work_precision)               \
   FIGURE(hard)                         \
   FIGURE(effects)
 
