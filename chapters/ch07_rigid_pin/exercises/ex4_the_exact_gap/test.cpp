@@ -39,3 +39,7 @@ TEST_CASE("ex7.4 the linear gap is right to first order, and no further", "[ex7.
     CHECK(off(0.01, theta) == Approx(1e-5 * std::pow(std::sin(theta), 2)).epsilon(0.01));
   }
 }
+
+TEST_CASE("ex7.4 a tiny clearance keeps its digits", "[ex7.4]") {
+  CHECK(gap_at({5, 5e-12, 5e-12}, 0.5).gap == Approx(5e-12 * (1 - std::cos(0.5))).epsilon(1e-9));
+}
