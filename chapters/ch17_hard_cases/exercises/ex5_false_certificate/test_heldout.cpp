@@ -26,7 +26,7 @@ std::vector<std::string> one(const char* name) { return {name}; }
 
 // Each figure in turn is stated a thousand times too small; all others as they are.
 TEST_CASE("ex17.5 held out: one figure of a bad answer at a time", "[ex17.5]") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const signorini::KnownProgramme known = signorini::rosen_suzuki(8, 6, seed);
     const QuadraticProgramme programme = sparse(known.programme);
     VectorXd force = known.force;
