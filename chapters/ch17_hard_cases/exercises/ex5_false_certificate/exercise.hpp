@@ -31,7 +31,7 @@ inline std::vector<Document> documents() {
   using Eigen::Vector2d, Eigen::Vector4d;
   const Vector4d u(1, 2, 2.5, 3);
   return {{"Ada", {u, {}, Vector2d(1, 0)}, {0, 0, 0, 0, 0}},
-          {"Ben", {u, {}, Vector2d(1.25, 0)}, {0, 0, 0, 2.2e-16, 0}},
+          {"Ben", {Vector4d(1.25, 2.5, 3, 3.5), {}, Vector2d(0.75, 0)}, {0, 0, 0, 0, 0}},
           {"Cora", {Vector4d(2, 4, 4.5, 5), {}, Vector2d(0, 0)}, {0.41, 0, 0, 0, 0}},
           {"Dan", {Vector4d(1, 2, 2, 2), {}, Vector2d(0.5, 0)}, {0, 0, 0, 0, 0}},
           {"Eve", {u, {}, Vector2d(1, 0)}, {1e-9, 1e-9, 1e-9, 1e-9, 1e-9}},
