@@ -73,6 +73,13 @@ book: lint                ## the web pages, build/book/index.html
 	@tools/docs.sh $B/book && echo "open $B/book/index.html"
 book-pdf: book            ## the same as one file to print, build/signorini.pdf, with Chromium
 	@python3 tools/book-pdf.py $B/book $B/signorini.pdf
+engine:                   ## compile the library for the pages, with emscripten: then figures of the book compute
+	@JOBS=$(JOBS) tools/engine.sh $B/engine
+live: configure engine    ## the pages with it; move every control of every live figure in Chromium, and ask the engine in node
+	@cmake --build $B -j $(JOBS) --target live
+	@$(MAKE) book
+	@node tests/live/speed.js $B/engine/engine.js $B/bin/live
+	@python3 tools/check-live.py $B/book $B/bin/live $B/live
 browser: book             ## open every page in a browser and check it
 	@python3 tools/check-docs.py --all $B/book
 bench:                    ## what contact costs over one plain linear solve, measured
@@ -104,5 +111,5 @@ handout:                  ## build/signorini-handout.tar.gz, without solutions a
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test conformance results figures text lint book book-pdf browser bench peers effectivity accuracy \
+.PHONY: all help configure run chapters test conformance results figures text lint book book-pdf engine live browser bench peers effectivity accuracy \
         fuzz faults sets grade handout clean

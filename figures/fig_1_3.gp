@@ -22,7 +22,7 @@ set label 2 "i'" at -0.25,0.42 center font ',19' textcolor rgb BLACK front
 set label 3 'i' at n_x-0.05,n_y-0.45 center font ',19' textcolor rgb BLACK front
 set label 4 'n' at -3*t_x+n_x*0.75-0.35,-3*t_y+n_y*0.75 center font ',19' textcolor rgb BLACK front
 set label 5 't' at -1.9*t_x-0.1,-1.9*t_y+0.35 center font ',19' textcolor rgb BLACK front
-set label 6 'd' at 0.3*n_x-0.3*t_x,0.3*n_y-0.3*t_y center font ',19' textcolor rgb RED front
+set label 6 'a_iu' at 0.3*n_x-0.3*t_x,0.3*n_y-0.3*t_y center font ',19' textcolor rgb RED front
 set label 7 'slip' at 0.8*n_x+1.15*t_x,0.8*n_y+1.15*t_y center font ',15' rotate by 25 textcolor rgb BLACK front
 file = data.'/fig_1_3_arrows.csv'
 plot data.'/fig_1_3.csv' using 'x':'y' every :::0::0 with filledcurves closed fc rgb '#dcebf5', \

@@ -1,14 +1,17 @@
-"""browser.py: a headless Chromium, driven through its debugging pipe, for check-docs.py and book-pdf.py.
+"""browser.py: a headless Chromium, driven through its debugging pipe, for check-docs.py, check-live.py and book-pdf.py.
 
 Needs chromium, no further packages of Python.
 """
 import json
 import os
 import queue
+import re
 import shutil
 import subprocess
 import tempfile
 import threading
+import time
+import urllib.parse
 
 
 def chromium():
@@ -96,3 +99,50 @@ class Browser:
         except subprocess.TimeoutExpired:
             self.process.kill()
         shutil.rmtree(self.profile, ignore_errors=True)
+
+
+def complaint(event):
+    """What an event of the browser says about the page, or None."""
+    method, p = event["method"], event["params"]
+    if method == "Runtime.exceptionThrown":
+        return "script error: " + p["exceptionDetails"].get("exception", {}).get("description", "?").split("\n")[0]
+    if method == "Log.entryAdded" and p["entry"]["level"] in ("error", "warning"):
+        return "console: " + p["entry"]["text"]
+    if method == "Runtime.consoleAPICalled" and p["type"] in ("error", "warning"):
+        return "console: " + " ".join(str(a.get("value", "")) for a in p["args"])
+    if method == "Network.requestWillBeSent" and not re.match("file:|data:|blob:", p["request"]["url"]):
+        return "fetches " + p["request"]["url"]
+    if method == "Network.loadingFailed" and not p.get("canceled"):
+        return "a file is missing: " + p["errorText"]
+    return None
+
+
+class Tab:
+    """One of several pages that a browser has open."""
+
+    def __init__(self, browser, folder):
+        self.browser, self.folder, self.page, self.bad = browser, folder, None, set()
+        target = browser.call("Target.createTarget", url="about:blank", newWindow=True)["targetId"]
+        self.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Network", "Log"):
+            browser.call(domain + ".enable", self.session)
+
+    def visit(self, page, script):
+        """Opens a page, notes what the browser complains about, and returns what the script returns."""
+        b, events = self.browser, []
+        b.call("Page.navigate", self.session, events, url="file://" + urllib.parse.quote(os.path.join(self.folder, page)))
+        end = time.time() + 30
+        while not any(e["method"] == "Page.loadEventFired" for e in events) and time.time() < end:
+            event = b.message(self.session, end - time.time())
+            if "method" in event:
+                events.append(event)
+        result = b.call("Runtime.evaluate", self.session, events, expression=script, awaitPromise=True, returnByValue=True)
+        self.page = page
+        self.listen(events)
+        if "exceptionDetails" in result:
+            self.bad.add((page, "the check itself failed: " + json.dumps(result["exceptionDetails"])[:200]))
+        return result["result"].get("value")
+
+    def listen(self, events):
+        """Notes what events say about the page that was visited last."""
+        self.bad |= {(self.page, c) for c in map(complaint, events) if c}

@@ -14,11 +14,10 @@ import queue
 import re
 import sys
 import threading
-import time
 import urllib.parse
 
 sys.dont_write_bytecode = True    # no __pycache__ beside the tools
-from browser import Browser, chromium
+from browser import Browser, Tab, chromium
 
 # Runs in a page: waits for the formulas, then reports what it finds.
 PROBE = r"""(async () => {
@@ -79,48 +78,6 @@ EVERY = 16   # of the pages of one kind that Doxygen made, the first of this man
 # Doxygen's names of the pages that it makes by the hundred; the part in brackets is the kind.
 MADE = re.compile(r"(struct|class|union|namespace)\w+?(-members)?\.html$|(dir_)[0-9a-f]+\.html$"
                   r"|(functions|globals|namespacemembers)\w*\.html$|.*(_8[a-z]+(?:_source)?)\.html$")
-
-
-def complaint(event):
-    """What an event of the browser says about the page, or None."""
-    method, p = event["method"], event["params"]
-    if method == "Runtime.exceptionThrown":
-        return "script error: " + p["exceptionDetails"].get("exception", {}).get("description", "?").split("\n")[0]
-    if method == "Log.entryAdded" and p["entry"]["level"] in ("error", "warning"):
-        return "console: " + p["entry"]["text"]
-    if method == "Runtime.consoleAPICalled" and p["type"] in ("error", "warning"):
-        return "console: " + " ".join(str(a.get("value", "")) for a in p["args"])
-    if method == "Network.requestWillBeSent" and not re.match("file:|data:|blob:", p["request"]["url"]):
-        return "fetches " + p["request"]["url"]
-    if method == "Network.loadingFailed" and not p.get("canceled"):
-        return "a file is missing: " + p["errorText"]
-    return None
-
-
-class Tab:
-    """One of several pages that a browser has open."""
-
-    def __init__(self, browser, folder):
-        self.browser, self.folder, self.bad = browser, folder, set()
-        target = browser.call("Target.createTarget", url="about:blank", newWindow=True)["targetId"]
-        self.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Network", "Log"):
-            browser.call(domain + ".enable", self.session)
-
-    def visit(self, page, script):
-        """Opens a page, notes what the browser complains about, and returns what the script returns."""
-        b, events = self.browser, []
-        b.call("Page.navigate", self.session, events, url="file://" + urllib.parse.quote(os.path.join(self.folder, page)))
-        end = time.time() + 30
-        while not any(e["method"] == "Page.loadEventFired" for e in events) and time.time() < end:
-            event = b.message(self.session, end - time.time())
-            if "method" in event:
-                events.append(event)
-        result = b.call("Runtime.evaluate", self.session, events, expression=script, awaitPromise=True, returnByValue=True)
-        self.bad |= {(page, c) for c in map(complaint, events) if c}
-        if "exceptionDetails" in result:
-            self.bad.add((page, "the check itself failed: " + json.dumps(result["exceptionDetails"])[:200]))
-        return result["result"].get("value")
 
 
 class PageFile(html.parser.HTMLParser):

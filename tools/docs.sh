@@ -8,6 +8,7 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 book=$(realpath -m "${1:-$root/build/book}")
 work=$book.work
+engine=$root/build/engine/engine.js
 theme=/usr/share/doxygen-awesome-css
 mathjax=/usr/share/javascript/mathjax
 for need in "command -v doxygen" "test -f $mathjax/MathJax.js"; do
@@ -19,9 +20,15 @@ mkdir -p "$book/mathjax" "$work"
 cd "$work"
 
 # The page header of this very Doxygen.  Its own $mathjax (and $mermaidjs) lines load scripts from other
-# sites; they make room for head.html.
+# sites; they make room for head.html.  Figures compute where tools/engine.sh has made the engine.
 doxygen -w html header.html footer.html style.css > /dev/null
-HEAD=$root/docs/head.html perl -0pi -e '
+cp "$root/docs/head.html" head.html
+extra="\"$root/docs/book.js\""
+if [ -f "$engine" ]; then
+    echo '<script type="text/javascript" src="$relpath^live.js"></script>' >> head.html
+    extra="$extra \"$root/docs/live.js\" \"$engine\""
+fi
+HEAD=head.html perl -0pi -e '
     BEGIN { open my $f, "<", $ENV{HEAD} or die "$ENV{HEAD}: $!"; local $/; $h = <$f> }
     s/^\$(mathjax|mermaidjs)\n//mg; s{</head>}{$h</head>} or die "no </head>"' header.html
 
@@ -29,7 +36,7 @@ HEAD=$root/docs/head.html perl -0pi -e '
 (cd "$mathjax" && tar chf - MathJax.js config/TeX-AMS_SVG.js jax/input/TeX jax/output/SVG/*.js jax/output/SVG/autoload \
     jax/output/SVG/fonts/TeX jax/element extensions/TeX extensions/*.js) | tar xf - -C "$book/mathjax"
 
-css="\"$root/docs/book.css\""
+css="\"$root/docs/book.css\" \"$root/docs/live.css\""
 if [ -f "$theme/doxygen-awesome.css" ]; then
     css="\"$theme/doxygen-awesome.css\" \"$theme/doxygen-awesome-sidebar-only.css\" $css"
 fi
@@ -41,10 +48,10 @@ for text in "$root"/chapters/README.md "$root"/examples/README.md "$root"/chapte
     [ ! -f "$text" ] || input="$input \"$text\""
 done
 input="$input \"$root/docs/references.md\" \"$root/CONTRIBUTING.md\" \"$root/CHANGELOG.md\" \"$root/docs/library.dox\" \"$root/src\""
-for file in "$root"/chapters/ch[0-9][0-9]_*/*.cpp "$root"/chapters/ch*/exercises/ex*/README.md; do
+for file in "$root"/chapters/ch[0-9][0-9]_*/*.cpp "$root"/chapters/ch[0-9][0-9]_*/live/*.cpp "$root"/chapters/ch*/exercises/ex*/README.md; do
     [ ! -f "$file" ] || input="$input \"$file\""
 done
-sed -e "s#@ROOT@#$root#g" -e "s#@WORK@#$work#g" -e "s#@BOOK@#$book#g" -e "s#@INPUT@#$input#" -e "s#@CSS@#$css#" \
+sed -e "s#@ROOT@#$root#g" -e "s#@WORK@#$work#g" -e "s#@BOOK@#$book#g" -e "s#@INPUT@#$input#" -e "s#@CSS@#$css#" -e "s#@EXTRA@#$extra#" \
     "$root/docs/Doxyfile.in" > Doxyfile
 
 # Settings that some versions do not know: a wrong tag would be a warning.

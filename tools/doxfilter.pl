@@ -15,6 +15,7 @@
 #   [text](any other file)        ->  a link to a copy of it, files/PATH.txt
 #   ![caption](figure.svg)        ->  a figure with its caption; class "field" if its script uses a palette
 #   <details>, </details>         ->  the same as raw HTML: Doxygen closes its own at the end of a paragraph
+#   <!-- live name -->            ->  the place of a figure that computes, see docs/live.js
 #   <!-- code file#name --> ...   ->  a line that links to the file, and the code
 #   \PaperEq{XuanLi2002, 23}      ->  an alias that links to the reference, and if a chapter explains this
 #                                     equation, to the equation
@@ -176,6 +177,11 @@ sub filter_text {
         }
         elsif ($text =~ /^<!-- code ([^\s#]+)#/) {
             print '<div class="source">from ' . link_to('`' . basename($1) . '`', $1, $n) . "</div>\n";
+        }
+        elsif ($text =~ /^<!-- live (\w+) -->\s*$/) {
+            my $source = "live/$1.cpp";
+            complain($n, "no live figure $1: expected " . dirname($rel) . "/$source") if !-f "$root/" . dirname($rel) . "/$source";
+            print qq{\\htmlonly[block]<div class="live" data-figure="$1"></div>\\endhtmlonly\n};
         }
         elsif ($text =~ /^\s*```math\s*$/) {
             $text =~ s/```math/\\f[/;

@@ -4,7 +4,7 @@
 #  * macros that browsers of repositories refuse, formulas in links and titles, dollar signs without partner
 #  * links and images that lead nowhere, or to what a hand-out does not have; exercises nobody links to
 #  * hints of exercises that are not folded, and folded text that is shown as it is typed
-#  * anchors that exist twice, equation numbers that do not fit their anchor: <a id="eq-23"></a> and \tag{23}
+#  * what a merge left behind; anchors that exist twice, equation numbers that do not fit their anchor: <a id="eq-23"></a> and \tag{23}
 use strict;
 use warnings;
 use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
@@ -97,6 +97,7 @@ sub check_file {
     check_folding($file, @line);
     for my $i (0 .. $#line) {
         my ($text, $n) = ($line[$i], $i + 1);
+        complain($file, $n, 'two states of the text stand side by side, a merge was not finished') if $text =~ /^(?:<{7}|={7}|>{7})(?: |$)/;
         if ($fence) {
             if ($text =~ /^[\s>]*\Q$fence\E\s*$/) { ($fence, $math) = ('', 0); next }
             next if !$math;

@@ -3,6 +3,7 @@
 #   build   compiler, libraries, gnuplot: all that ./run.sh needs
 #   book    Doxygen, formulas and look of the web pages
 #   check   a browser that opens every page
+#   live    a compiler for browsers, for make engine
 #   print   the same browser and the letters of the book, for make book-pdf
 #   strict  the second compiler of the stricter presets
 #   peers   other people's programs and libraries, for make peers and make bench
@@ -13,6 +14,7 @@ build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnup
 book="doxygen libjs-mathjax doxygen-awesome-css"
 check="chromium python3 fonts-dejavu-core"
 print="$check fonts-wqy-microhei"
+live="emscripten"
 strict="clang"
 peers="calculix-ccx python3-getfem r-cran-quadprog libsiconos-numerics-dev libsuitesparse-dev libmumps-seq-dev libopenblas-dev python3-cvxopt"
 parallel="libsuitesparse-dev libmumps-dev libopenmpi-dev openmpi-bin"
@@ -23,11 +25,12 @@ for group in "$@"; do
     build) wanted="$wanted $build" ;;
     book) wanted="$wanted $book" ;;
     check) wanted="$wanted $check" ;;
+    live) wanted="$wanted $live" ;;
     print) wanted="$wanted $print" ;;
     strict) wanted="$wanted $strict" ;;
     peers) wanted="$wanted $peers" ;;
     parallel) wanted="$wanted $parallel" ;;
-    *) echo "setup.sh: unknown group '$group', expected build, book, check, print, strict, parallel or peers" >&2; exit 2 ;;
+    *) echo "setup.sh: unknown group '$group', expected build, book, check, live, print, strict, parallel or peers" >&2; exit 2 ;;
     esac
 done
 
@@ -42,6 +45,7 @@ installed() { # a program may have come another way than by its package
     gnuplot-nox) command -v gnuplot ;;
     perl-base) command -v perl ;;
     clang) command -v clang++ ;;
+    emscripten) command -v em++ ;;
     *) false ;;
     esac > /dev/null 2>&1 || dpkg-query -W -f '${Status}\n' "$1" 2> /dev/null | grep -q "ok installed"
 }

@@ -41,7 +41,7 @@ Step close_these(const ContactProblem& problem, const Sets& closed) {
   now.force = VectorXd::Zero(3);
   now.force(closed) = CholeskyFactor(G(closed, closed)).solve(-problem.free_gap(closed));
   now.gap = problem.free_gap + G * now.force;
-  now.gap(closed).setZero();  // but for rounding they are
+  now.gap(closed).setZero();  // they are zero but for rounding
   for (Index i = 0; i < 3; ++i) {
     const bool is_closed = std::count(closed.begin(), closed.end(), i) > 0;
     if (is_closed && now.force(i) < 0) now.pull.push_back(i);

@@ -25,7 +25,7 @@ Mesh turned_block(double low, double height) {
                 [](const Vector2d& at) -> Vector2d { return at.x() * t - at.y() * n; });
 }
 
-/// \PaperEq{XuanLi2002, 13}: d = (u' - u) sin(theta) - (v' - v) cos(theta) of a pair is a row of A.
+/// \PaperEq{XuanLi2002, 13}: a u = (u' - u) sin(theta) - (v' - v) cos(theta), a row a of A.
 void row_of_a_pair(const Mesh& upper, const Mesh& lower, Results& results) {
   const Index first = upper.n_nodes();  // node i of the lower body has the number first + i
   GapOptions options;
@@ -62,7 +62,7 @@ void draw(const std::filesystem::path& out, const Mesh& upper, const Mesh& lower
     arrows.row({from.x(), from.y(), way.x(), way.y()});
   };
   arrow(0.6 * n, 1.6 * t);           // of i' relative to i: its part along t
-  arrow({0, 0}, 0.6 * n);            // its part along n, d
+  arrow({0, 0}, 0.6 * n);            // its part along n, a u
   arrow({0, 0}, 1.6 * t + 0.6 * n);  // all of it
   arrow(-3 * t, 1.0 * n);
   arrow(-3 * t, 1.5 * t);

@@ -34,7 +34,7 @@ struct Trade {
 
 inline Trade trade(const ContactProblem& problem, const VectorXd& xi) {
   const double overlap = -problem.free_gap.dot(xi);      // b.xi, without contact
-  const double yield = xi.dot(problem.compliance * xi);  // what a total force of 1 takes of it
+  const double yield = xi.dot(problem.compliance * xi);  // what a force of 1 closes of it
   const double eta = std::max(0.0, overlap) / yield;     // (23), never pulling
   return {eta, 0.5 * eta * eta * yield};                 // (24)
 }

@@ -1,4 +1,4 @@
-// Chapter 3 - Six rules compared: iterations until little is missing to the best s.
+// Chapter 3 - Six rules compared: iterations until s is close to its best value.
 // Run:  make ch03     Reads: nothing     Writes: ch03_rules.results, counts.md, counts_random.md,
 //                                                fig_3_1.csv
 #include <algorithm>

@@ -20,7 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Rows = std::vector<Index>;
 
-/// Forces that close some pairs of the gaps d + G lambda, of any sign; 0 elsewhere.
+/// Forces, of any sign, that close given pairs of the gaps d + G lambda; 0 elsewhere.
 VectorXd close(const ContactProblem& problem, const Rows& rows) {
   VectorXd force = VectorXd::Zero(problem.free_gap.size());
   const MatrixXd G = problem.compliance(rows, rows);

@@ -1,4 +1,4 @@
-// Chapter 5 - The problems that make complementary pivoting take every basis there is.
+// Chapter 5 - The problems on which Lemke's method visits every basis there is.
 // Run:  make ch05     Reads: nothing     Writes: ch05_every_basis.results, fathi.md, fig_5_3.csv
 #include "judge.hpp"
 #include "signorini/core/results.hpp"
@@ -13,7 +13,7 @@ using Eigen::Index;
 
 Status chapter(const ProgramOptions& run) {
   Results results("ch05_every_basis");
-  Table table({"$`n`$", "bases", "Lemke: pivots", "rows scaled first", "Goldfarb-Idnani: steps",
+  Table table({"pairs", "bases", "Lemke: pivots", "rows scaled first", "Goldfarb-Idnani: steps",
                "ours: steps"});
   Table curve({"n", "lemke", "scaled", "steps"});
   int right = 0;

@@ -24,7 +24,7 @@ inline KnownProgramme backwards(const Eigen::MatrixXd& K, const Eigen::MatrixXd&
 }
 // [backwards]
 
-/// What a run of a solver took.
+/// The counts and seconds of a run of a solver.
 struct Run {
   bool right = false;  ///< solved, with a certificate, at what was put in
   double steps = 0;    ///< pivots, pairs that joined or left, or steps of the quasi-active set

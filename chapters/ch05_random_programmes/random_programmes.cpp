@@ -13,7 +13,7 @@ namespace {
 
 using namespace ch05;
 
-// 1. One size with five seeds: what each of three methods takes.
+// 1. One size with five seeds: how many steps each of three methods takes.
 struct Runs {
   std::vector<Run> lemke, single, group;
   int right = 0, below_zero = 0;

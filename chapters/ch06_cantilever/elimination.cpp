@@ -1,4 +1,4 @@
-// Chapter 6 - Figure 6.6: in which order the unknowns of a body are eliminated, and whom the rows of A meet on their way.
+// Chapter 6 - Figure 6.6: in which order the unknowns of a body are eliminated, and what the rows of A meet on their way.
 // Run:  make ch06     Reads: nothing     Writes: fig_6_6.csv, fig_6_6_tree.csv
 #include <algorithm>
 #include <iostream>

@@ -1,4 +1,4 @@
-// Chapter 6 - What the way of the rows of A costs beside the factor, on a square body and on the beam.
+// Chapter 6 - What the way of the rows of A costs, compared with the factor, on a square body and on the beam.
 // Run:  make ch06     Reads: nothing     Writes: ch06_price_of_rows.results
 #include <set>
 #include <vector>

@@ -45,7 +45,7 @@ const std::vector<Named> problems = {
     {"string", string_over_wave(40)},
     {"half-plane", half_plane_indentation(40).problem}};
 
-// 2. Newton's method with each of them, from no force.
+// 2. Newton's method with each of them, from zero forces.
 /// \PaperEq{LinEtAl, 11}, \PaperEq{LinEtAl, 12}
 void compare(const ProgramOptions& run, Results& results) {
   Table table({"", "one pair", "touching", "in a circle", "string", "half-plane"});

@@ -30,7 +30,7 @@ inline void touch(Scene& scene, const Side& source, const Side& target, const Sa
   scene.contacts = {contact};
 }
 
-/// Two blocks, 2 wide and 1 high, the upper one under a pressure of 1: so it should be everywhere between them.
+/// Two blocks, 2 wide and 1 high, the upper one under a pressure of 1, which it should be everywhere between them.
 inline Scene blocks(Eigen::Index source_edges, Eigen::Index target_edges, const Sampling& by) {
   Scene scene;
   scene.bodies.resize(2);

@@ -1,7 +1,7 @@
 /// \file
 /// The method of section 2.4 of the second paper without friction, with the signs of F^C and of a mended:
-/// displacements and the pressures of Gauss points together, by Newton's method. saddle_point_newton() is the library's, with forces as unknowns,
-/// in one unit and with shorter steps where whole ones fail.
+/// displacements and the pressures of Gauss points together, by Newton's method. The library's own, saddle_point_newton(), has forces
+/// as unknowns, all arguments in one unit, and shorter steps where whole ones fail.
 #pragma once
 #include <vector>
 

@@ -68,7 +68,7 @@ inline double axis_error(const SolvedScene& run) {
   return worst / strength;
 }
 
-/// What the disc above a cut along cell sides does to the disc below it.
+/// The force of the disc above a cut along cell sides on the disc below it.
 /// \param run     solved
 /// \param height  cells with a lower middle are below the cut [mm]
 /// \return force of the half model on the part below, down > 0 [N/mm]

@@ -26,7 +26,7 @@ VectorXd standard_pressure(const Base& base) {
 }
 // [standard]
 
-// Halving every cell: the pressure of the corner has no limit, its share of the force has one.
+// Halving every cell: the pressure of the corner has no limit, the deviation of its force has one.
 void refine_the_edge(const ProgramOptions& run, Results& results) {
   Table table({"cells under", "nodes", "worst, x ≤ 0.8 a [%]", "corner force [%]", "corner",
                "next to it", "standard, corner", "standard, next to it"});

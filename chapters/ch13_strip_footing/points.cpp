@@ -11,7 +11,7 @@ namespace {
 using namespace ch13;
 
 // The paper's points of integration, two on every edge, that carry forces of their own. The corner node
-// hears only of the last two: what they may carry follows from the forces of the last two nodes.
+// feels only the last two: what they may carry follows from the forces of the last two nodes.
 void points(Results& results) {
   Scene scene = on_soil(coarse, {});
   scene.contacts.front().gap_operator = "gauss_points";

@@ -12,7 +12,6 @@ using namespace ch13;
 
 Status chapter(const ProgramOptions& run) {
   Results results("ch13_rigid");
-  // [stiff]
   const Base rigid = rigid_base(coarse);
   for (int power = 0; power <= 12; power += 3) {
     FootingSpec spec;
@@ -21,7 +20,6 @@ Status chapter(const ProgramOptions& run) {
     const double off = (base_of(now).force - rigid.force).norm() / rigid.force.norm();
     results.add(text("stiff_", power), off, "-", power < 9 ? Repeats::Yes : Repeats::No);
   }
-  // [stiff]
   results.print();
   results.write(run.out);
   return Status::Solved;
@@ -30,5 +28,5 @@ Status chapter(const ProgramOptions& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("ch13_rigid", "Rigid for good", SIGNORINI_CHAPTER_OUT, argc, argv, chapter);
+  return run_program("ch13_rigid", "Rigid from the start", SIGNORINI_CHAPTER_OUT, argc, argv, chapter);
 }

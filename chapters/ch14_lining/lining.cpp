@@ -64,13 +64,12 @@ void compare_elements(const ProgramOptions& run, Results& results) {
   write_file(run.out / "elements.md", table.markdown());
 }
 
-// [pair]
+// How far node 10 moves towards node 80, along x and y.
 Eigen::RowVector2d closing(const SolvedScene& now, double angle) {
   const Index node_10 = nearest(now.model.bodies[0].mesh, 68, angle);
   const Index node_80 = nearest(now.model.bodies[1].mesh, 68.15, angle);
   return now.solution.displacements[0].row(node_10) - now.solution.displacements[1].row(node_80);
 }
-// [pair]
 
 // What the pair of nodes of the paper's figure 24 says, and what it does not.
 void paper_mesh(const ProgramOptions& run, Results& results) {

@@ -36,13 +36,11 @@ void turned_meshes(const ProgramOptions& run, Results& results) {
         rings.element = element;
         rings.cells_angle = cells;
         rings.gap_operator = gap_operator;
-        // [turn]
         Scene scene = scene_of(rings);
         ContactSpec& contact = scene.contacts[0];
         if (contact.source.body != source)
           std::swap(contact.source, std::get<Side>(contact.target));
         const SolvedScene now = solved(scene, "the turned lining");
-        // [turn]
         row.push_back(range(now.solution.pressure, "%.0f"));
         all.row({element, number(cells), gap_operator, source,
                  range(now.model.pairs.initial_gap, "%.3f"), range(inner_rim(now), "%.4f"),

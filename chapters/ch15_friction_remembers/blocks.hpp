@@ -24,7 +24,6 @@ inline Scene incline(double angle, const Friction& law) {
 }
 
 /// \param law  of friction \return the steepest incline that holds the block [rad]
-// [limit]
 inline double slip_angle(const Friction& law) {
   double holds = 0, slides = 0.5 * 3.141592653589793;
   while (slides - holds > 1e-12) {
@@ -34,7 +33,6 @@ inline double slip_angle(const Friction& law) {
   }
   return holds;
 }
-// [limit]
 
 /// W sin t = c A + mu W cos t. \param law  of friction, c < 1 \return closed form of slip_angle() [rad]
 inline double slip_angle_exact(const Friction& law) {

@@ -62,7 +62,6 @@ inline Scene triangle(const std::vector<double>& times) {
 
 /// What would come out if slip were counted in total: each load for itself, from rest.
 /// \param scene  with load steps \param observe  called for every time of them
-// [forget]
 template <class Observer>
 void forget(const Scene& scene, const Observer& observe) {
   Ledger ledger;
@@ -74,7 +73,6 @@ void forget(const Scene& scene, const Observer& observe) {
     observe(model, alone);
   }
 }
-// [forget]
 
 /// Goes along a path that has to be solved to its end. \param scene  with load steps \param observe  of every step
 template <class Observer>

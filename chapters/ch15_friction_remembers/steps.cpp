@@ -1,4 +1,4 @@
-// Chapter 15 - More steps: what they change and what not.
+// Chapter 15 - More steps: what they change and what they do not.
 // Run:  make ch15     Reads: nothing     Writes: ch15_steps.results, steps.md
 #include <iostream>
 #include <vector>

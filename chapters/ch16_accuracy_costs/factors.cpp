@@ -33,7 +33,7 @@ MatrixXd compliance_by_contact_last(const Sparse& K, const NodalRows& A, const O
 }
 // [contact last]
 
-// 2. The same matrix in three orders, counted; and timed, up to A K^-1 A^T where the way leads there.
+// 2. The same matrix in three orders, counted; and timed, up to A K^-1 A^T where the order leads there.
 struct Timed {
   MatrixXd compliance;
   double seconds = 0;

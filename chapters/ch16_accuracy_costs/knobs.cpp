@@ -12,7 +12,7 @@ namespace {
 
 using namespace ch16;
 
-// 1. Points of the mortar operator, on edges as they are and on segments that end where the target has a node.
+// 1. Points of the mortar operator, on whole edges and on segments that end where the target has a node.
 void points(const ProgramOptions& run) {
   Table table({"points", "edges", "segments"});
   for (int count = 1; count <= 10; ++count) {
@@ -66,7 +66,6 @@ void sweeps(const ProgramOptions& run, Results& results) {
 }
 
 // 3. The last eight digits: plain doubles, and the refined end, on longer and longer beams.
-// [digits]
 void digits(const ProgramOptions& run, Results& results) {
   Table table({"slender", "share", "doubles ≈", "refined ≈", "forces ≈"});
   for (const double slender : {10.0, 20.0, 40.0, 80.0, 160.0}) {
@@ -80,7 +79,6 @@ void digits(const ProgramOptions& run, Results& results) {
     const Ledger& ledger = now.solution.ledger;
     const double share =
         static_cast<double>(ledger.counted("refinement", "operations")) / operations(ledger);
-    // [digits]
     table.row({number(slender), number(share), number(certify(posed, plain).worst(), "%.1e"),
                number(now.solution.certificate.worst(), "%.1e"),
                number((state.force - now.solution.contact.force).norm() /

@@ -37,7 +37,6 @@ Scene leaf_spring(Index leaves, Index cells_x, Index cells_y) {
 }
 
 // 2. What each number of leaves takes: counted up to the first step of contact, and in seconds to the end.
-// [count]
 struct Price {
   double pairs = 0, factor = 0, rows = 0;  // operations of K = L L^T and of A K^-1 A^T
   double condensed = 0, uncondensed = 0;   // seconds
@@ -56,7 +55,6 @@ Price price(Index leaves) {
   paid.pairs = static_cast<double>(run.model.pairs.weight.size());
   paid.factor = static_cast<double>(ledger.counted("factor/numeric", "operations"));
   paid.rows = static_cast<double>(ledger.counted("condensation", "operations"));
-  // [count]
   if (leaves > 1) {
     SaddlePointOptions options;
     options.start_force = pressure * run.model.pairs.weight;  // as if every leaf handed it on

@@ -25,7 +25,7 @@ AccurateSolution asked_for(double target) {
 }
 // [asked]
 
-// 2. The errors of what each mesh says, and of that with the estimate, beside the size of the estimate.
+// 2. The errors of the value of each mesh, with and without the estimate, beside the size of the estimate.
 double rounds(double target, double truth, Table& table) {
   const AccurateSolution found = asked_for(target);
   const auto percent = [&](double value) { return 100 * std::abs(value / truth - 1); };

@@ -39,7 +39,6 @@ void draw_trees(const ProgramOptions& run) {
 }
 
 // 2. The separators of the cantilever, and which of them the rows of its contacts come through.
-// [paths]
 void draw_paths(const ProgramOptions& run, Results& results) {
   const Model model = built_cantilever(8);
   const Sparse& K = model.programme.stiffness;
@@ -47,7 +46,6 @@ void draw_paths(const ProgramOptions& run, Results& results) {
   const Fronts fronts = fronts_of(K, separator_tree(K, positions));
   const RowPaths paths = row_paths(fronts, model.programme.A);
   std::vector<int> above(fronts.all.size(), -1), depth(fronts.all.size(), 0);
-  // [paths]
   std::vector<double> x(fronts.all.size(), 0);
   for (std::size_t f = fronts.all.size(); f-- > 0;) {
     const Front& front = fronts.all[f];

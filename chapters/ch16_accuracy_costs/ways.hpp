@@ -48,7 +48,7 @@ struct Point {
   bool solved = false;
 };
 
-/// The second paper's method in the place of condensing; it has its start from the condensed solution.
+/// The second paper's method in the place of condensing; it starts from an even pressure with the condensed sum.
 inline void solve_uncondensed(SolvedScene& run) {
   const Eigen::VectorXd& weight = run.model.pairs.weight;
   SaddlePointOptions options;  // an even pressure, or nothing would hold the disc

@@ -46,15 +46,16 @@ struct Exhibit {
 };
 
 /// Reads the statements of an exhibit.
-/// \param file  `# key: value` lines first
+/// \param file     where it lies
+/// \param content  of it, `# key: value` lines first
 /// \return the exhibit
 /// \throws signorini::ProblemError if a statement is missing, unknown or cannot be read
-inline Exhibit read_exhibit(const std::filesystem::path& file) {
+inline Exhibit read_exhibit(const std::filesystem::path& file, std::string content) {
   using signorini::pose;
   Exhibit exhibit;
   exhibit.file = file;
   exhibit.room = file.parent_path().filename().string();
-  exhibit.content = signorini::file_content(file, std::size_t{1} << 20);
+  exhibit.content = std::move(content);
   std::istringstream lines(exhibit.content);
   for (std::string line; std::getline(lines, line) && line.rfind("# ", 0) == 0;) {
     const std::size_t colon = line.find(": ");
@@ -125,7 +126,8 @@ inline const std::vector<std::string>& rooms() {
 inline std::vector<Exhibit> exhibits(const std::filesystem::path& museum, const std::string& room) {
   std::vector<Exhibit> all;
   for (const auto& entry : std::filesystem::directory_iterator(museum / room))
-    all.push_back(read_exhibit(entry.path()));
+    all.push_back(
+        read_exhibit(entry.path(), signorini::file_content(entry.path(), std::size_t{1} << 20)));
   std::sort(all.begin(), all.end(),
             [](const Exhibit& a, const Exhibit& b) { return a.file < b.file; });
   return all;

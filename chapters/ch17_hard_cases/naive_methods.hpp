@@ -28,7 +28,7 @@ inline void find_gaps(const ContactProblem& problem, ContactState& state) {
 /// \param problem  without friction
 /// \param closed   pairs
 /// \param spring   compliance of a spring in each contact [length/force]: 0, or that of a penalty
-/// \return `n_c` forces and `n_r` amplitudes; not finite if elimination comes upon a zero
+/// \return `n_c` forces and `n_r` amplitudes; not finite if elimination meets a zero
 inline VectorXd eliminated(const ContactProblem& problem, const std::vector<Index>& closed,
                            double spring) {
   const Index n = problem.free_gap.size(), modes = problem.rigid.cols();
@@ -115,7 +115,7 @@ inline ContactState newton_unscaled(const ContactProblem& problem, bool relative
   return state;
 }
 
-/// Friction in one go: forces without friction first, then bounds of friction from them.
+/// Friction without iteration: forces without friction first, then bounds of friction from them.
 /// \param problem  with friction \return the state, claimed to be that of the whole
 inline ContactState uncoupled(const ContactProblem& problem) {
   const std::string solver = "primal_dual_active_set";

@@ -16,7 +16,7 @@ namespace {
 
 using namespace signorini;
 
-// An effect, what its size is told by, and two scenes that differ in it alone.
+// An effect, the number that tells its size, and two scenes that differ in it alone.
 struct Question {
   std::string effect, measure;
   double estimate;  // of the change of the largest pressure, before anything is computed [%]

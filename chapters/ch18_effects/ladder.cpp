@@ -26,6 +26,7 @@ double work(const Ledger& ledger) {
 void climb(const ProgramOptions& run, Results& results) {
   Table table(
       {"rung", "unknowns", "gaps", "slips", "amplitudes", "work [10⁶]", "largest pressure [MPa]"});
+  int step = 0;
   const auto rung = [&](const std::string& name, const Scene& scene) {
     const SolvedScene now = solved(scene, name);
     const ContactProblem& problem = now.condensed.problem;
@@ -33,6 +34,7 @@ void climb(const ProgramOptions& run, Results& results) {
     table.row({name, text(now.model.unknowns.count), text(problem.free_gap.size()),
                text(problem.free_slip.size()), text(problem.resultant.size()),
                number(1e-6 * work(now.solution.ledger), "%.0f"), number(q, "%.3f")});
+    results.add(text("pressure_", ++step), q, "MPa");
     std::cout << name << '\n' << now.solution.ledger << '\n';
     return q;
   };

@@ -21,7 +21,7 @@ struct Mistake {
   std::function<void(Scene&)> make;
 };
 
-// Mistakes to be made in the scene of the floating cylinder on a plate
+// Mistakes to be made in the scene of the floating cylinder on a plate.
 // [mistakes]
 std::vector<Mistake> mistakes() {
   return {{"friction that pulls",
@@ -46,7 +46,7 @@ std::vector<Mistake> mistakes() {
 }
 // [mistakes]
 
-// What cannot be meant is refused, in words that say the way out.
+// What cannot be meant is refused, in words that name the way out.
 void refusals(const ProgramOptions& run) {
   std::string list;
   for (const Mistake& mistake : mistakes()) {

@@ -88,6 +88,7 @@ bool WeightIteration::jump(Index best) {
   return true;
 }
 
+// [face step]
 bool WeightIteration::correct(Index best) {
   const double before = value_;
   if (!take_in(best)) return false;
@@ -104,6 +105,7 @@ bool WeightIteration::take_in(Index vertex) {
   infeasibility_ = face_.infeasibility();
   return stop(WeightEnd::Unbounded);
 }
+// [face step]
 
 WeightIteration::Direction WeightIteration::direction(Index best) const {
   const Direction towards{best, best, 1, 0, -1, 1};

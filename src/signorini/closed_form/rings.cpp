@@ -42,6 +42,7 @@ double ring_clearance(const NestedRings& rings) {
   return rings.outer.inner_radius - rings.inner.outer_radius;
 }
 
+// [nested]
 NestedPressure nested_pressure(const NestedRings& rings) {
   const double b = rings.inner.outer_radius;
   const double c = rings.outer.inner_radius;
@@ -54,6 +55,7 @@ NestedPressure nested_pressure(const NestedRings& rings) {
   const double contact = overlap > 0 ? overlap / softness : 0;
   return {{rings.pressure_inside, contact}, {other * contact, rings.pressure_outside}};
 }
+// [nested]
 
 double closing_pressure(const NestedRings& rings) {
   require(rings.inner.inner_radius > 0, "closing pressure: the inner ring has no inner rim");

@@ -11,8 +11,9 @@ namespace {
 
 using Eigen::Index;
 
-/// Adds the integrals of psi_i times something over one edge to the pairs of both of its nodes, which stand for their
-/// numbers, and those of psi_i alone to the weights.
+/// Adds what the points of one edge count in the gaps of its two nodes, which stand for the numbers of the pairs, and
+/// the integrals of psi_i to the weights.
+// [edge]
 void collect(const SourceEdge& edge, const EdgeSamples& samples, std::vector<PairPoint>& points,
              std::map<Index, double>& weights) {
   std::vector<EdgePoint> covered;
@@ -27,6 +28,7 @@ void collect(const SourceEdge& edge, const EdgeSamples& samples, std::vector<Pai
           {node, edge.side, point.xi, point.target, point.at.length * basis.value(point.at.s)(i)});
   }
 }
+// [edge]
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 
 #include "signorini/core/errors.hpp"
 
@@ -27,8 +28,16 @@ std::string number(double value, const char* format) {
 
 std::string shortest(double value) {
   std::array<char, 32> buffer{};  // "-2.2250738585072014e-308" is the longest
+#ifdef __cpp_lib_to_chars
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
   return {buffer.data(), end};
+#else  // a library that converts only whole numbers, as emscripten's
+  for (int digits = 1; digits <= 17; ++digits) {
+    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
+    if (std::strtod(buffer.data(), nullptr) == value) break;
+  }
+  return buffer.data();
+#endif
 }
 
 Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}

@@ -12,6 +12,24 @@
 namespace signorini {
 namespace {
 
+/// All of `digits` as a number. \param digits  any text \param[out] result  the number \return why there is none
+std::errc read_number(std::string_view digits, double& result) {
+#ifdef __cpp_lib_to_chars
+  const char* const end = digits.data() + digits.size();
+  const auto [last, error] = std::from_chars(digits.data(), end, result);
+  return last == end && !digits.empty() ? error : std::errc::invalid_argument;
+#else  // a library that reads only whole numbers so, as emscripten's
+  if (digits.empty() || digits.find_first_not_of("0123456789+-.eE") != std::string_view::npos ||
+      digits[0] == '+')
+    return std::errc::invalid_argument;
+  const std::string text(digits);
+  char* last = nullptr;
+  result = std::strtod(text.c_str(), &last);
+  if (last != text.c_str() + text.size()) return std::errc::invalid_argument;
+  return std::isfinite(result) ? std::errc() : std::errc::result_out_of_range;
+#endif
+}
+
 using Eigen::Index;
 
 constexpr std::string_view blanks = " \t\r\v\f";
@@ -116,11 +134,10 @@ double TextReader::number(std::string_view word, const std::string& what) const 
   double result = 0;
   std::string_view digits = word;
   if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-') digits.remove_prefix(1);
-  const char* const end = digits.data() + digits.size();
-  const auto [last, error] = std::from_chars(digits.data(), end, result);
-  if (!digits.empty() && last == end && error == std::errc::result_out_of_range)
+  const std::errc error = read_number(digits, result);
+  if (error == std::errc::result_out_of_range)
     fail(what + ": expected a number that a double can hold", word);
-  if (digits.empty() || last != end || error != std::errc() || !std::isfinite(result))
+  if (error != std::errc() || !std::isfinite(result))
     fail(what + ": expected a finite number", word);
   return result;
 }

@@ -195,20 +195,22 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
   check_sizes(past, model);
   pose(time > past.time, "load step: it must end after time ", past.time,
        ", where the last one ended, got ", time);
-  set_time(time, model);
+  // [step]
+  set_time(time, model);  // loads, temperatures and given displacements of that time
   const VectorXd given =
       model.programme.initial_gap.tail(static_cast<Index>(model.law.pair.size()));
-  forget_slip(past.slip, model);
+  forget_slip(past.slip, model);  // slip counts from the step before
   VectorXd free = VectorXd::Zero(model.unknowns.count);
   for (std::size_t k = 0; k < model.parts.size(); ++k)
     free += factor_of(model.path, model.parts[k], time) * path.free_displacement[k];
   move_freely(model, std::move(free), path.condensed);
   SolverOptions options;
-  options.start = past.motion;
+  options.start = past.motion;  // begin with what the pairs did last
   Step result{solve(model, path.condensed, model.solver, std::move(ledger), options), past};
   Solution& solution = result.solution;
   if (solution.contact.report.status == Status::Solved)
     result.state = after(past, time, model, given, solution);
+  // [step]
   return result;
 }
 

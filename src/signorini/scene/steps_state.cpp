@@ -1,8 +1,7 @@
-#include <array>
-#include <charconv>
 #include <ostream>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/table.hpp"
 #include "signorini/core/text_reader.hpp"
 #include "signorini/scene/steps.hpp"
 
@@ -14,13 +13,6 @@ using Eigen::VectorXd;
 
 constexpr const char* first_line = "signorini-state-1";
 constexpr std::string_view motion_letters = "osfb";  // in the order of Motion
-
-/// A double with the fewest digits that give it back.
-std::string exact(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return {digits.data(), end.ptr};
-}
 
 /// The vectors of a state, by name.
 template <typename State, typename Visit>
@@ -55,13 +47,13 @@ double next_number(TextReader& reader, const std::string& name) {
 }  // namespace
 
 void write_state(const PathState& state, std::ostream& out) {
-  out << first_line << "\nsteps " << state.steps << "\ntime " << exact(state.time) << "\nmotion "
+  out << first_line << "\nsteps " << state.steps << "\ntime " << shortest(state.time) << "\nmotion "
       << state.motion.size() << '\n';
   for (const Motion motion : state.motion)
     out << motion_letters[static_cast<std::size_t>(motion)] << '\n';
   visit_vectors(state, [&](const char* name, const VectorXd& values) {
     out << name << ' ' << values.size() << '\n';
-    for (const double value : values) out << exact(value) << '\n';
+    for (const double value : values) out << shortest(value) << '\n';
   });
 }
 
@@ -71,7 +63,7 @@ PathState read_state(const std::string& content, const std::string& name) {
   reader.expect_line(first_line);
   state.steps = next_size(reader, "steps", 1);
   state.time = next_number(reader, "time");
-  if (!(state.time > 0)) reader.fail("time: expected a number > 0, got " + exact(state.time));
+  if (!(state.time > 0)) reader.fail("time: expected a number > 0, got " + shortest(state.time));
   const Index pairs = next_size(reader, "motion");
   reader.check_room(pairs, 1, "motion");
   for (Index k = 0; k < pairs; ++k) {

@@ -120,6 +120,7 @@ Status GroupActiveSet::exchange(Index row) {
   return Status::Solved;
 }
 
+// [press]
 /// Presses a violated row until it closes; closed rows whose force vanishes on the way open.
 Status GroupActiveSet::press(Index row) {
   double pressed = 0;
@@ -146,6 +147,7 @@ Status GroupActiveSet::press(Index row) {
   }
   return Status::IterationLimit;
 }
+// [press]
 
 Status GroupActiveSet::take_in(Index row) {
   rows_.gaps(basis_, gap_, rounding_);

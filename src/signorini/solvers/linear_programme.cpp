@@ -39,6 +39,7 @@ class Tableau {
     first_sum_ = artificial_sum();
   }
 
+  // [entry]
   /// The variable whose entry lowers the sum most and whose partner is not in the basis, or -1.
   [[nodiscard]] Index entering() const {
     std::vector<bool> taken(static_cast<std::size_t>(n_), false);
@@ -53,6 +54,7 @@ class Tableau {
         best = j;
     return best;
   }
+  // [entry]
 
   /// The row whose variable reaches zero first, or -1. Of equal rows the lexicographic rule takes one.
   [[nodiscard]] Index leaving(Index column) const {

@@ -13,7 +13,7 @@ struct Gain {
 
 /// The largest \f$ \eta\, b^T\xi - \tfrac12\eta^2\, \xi^T G\xi \f$ over \f$ \eta \ge 0 \f$, with
 /// b = -d: \PaperEq{XuanLi2002, 23} and \PaperEq{XuanLi2002, 24} for all weights, also those that their
-/// condition \f$ \eta \ge 0 \f$ shuts out.
+/// condition \f$ \eta \ge 0 \f$ excludes.
 /// \param compliance  G `n_c x n_c`, symmetric positive semidefinite [length/force]; what is zero is
 ///                    exactly zero here
 /// \param free_gap    d `n_c` [length]: the gap without contact, overlap < 0

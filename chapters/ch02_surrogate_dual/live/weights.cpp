@@ -1,0 +1,82 @@
+// Live figure of chapter 2: drag the weights of the three candidates over their triangle.
+#include <limits>
+
+#include "../three_candidates.hpp"
+#include "live/figure.hpp"
+#include "signorini/as_printed/surrogate_dual.hpp"
+
+namespace live {
+namespace {
+
+using namespace signorini;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// Beyond the side where the first two weights are the whole, the point goes back to it.
+Vector3d weights_of(const Request& now) {
+  const double sum = std::max(1.0, now["first"] + now["second"]);
+  return {now["first"] / sum, now["second"] / sum,
+          std::max(0.0, 1 - (now["first"] + now["second"]) / sum)};
+}
+
+Answer trade_off(const Request& now) {
+  static const SolvedScene block = solved(ch02::three_candidates(), "the block");
+  const ContactProblem& problem = block.condensed.problem;
+  const VectorXd best = ch02::shares(block);
+  const double best_value = ch02::trade(problem, best).energy;
+  const Vector3d xi = weights_of(now);
+  const ch02::Trade trade = ch02::trade(problem, xi);
+  const VectorXd force = trade.force * xi;
+  const VectorXd gap = problem.free_gap + problem.compliance * force;
+
+  Panel triangle{"What the weights are worth, s", "weight of the left pair",
+                 "weight of the middle pair", true};
+  triangle.window = {-0.03, 1.03, -0.03, 1.03};
+  const VectorXd grid = VectorXd::LinSpaced(61, 0, 1);
+  triangle.map("s", grid, grid, [&](double a, double b) {
+    return a + b > 1 ? std::numeric_limits<double>::quiet_NaN()
+                     : ch02::trade(problem, Vector3d(a, b, 1 - a - b)).energy;
+  });
+  triangle.curve("largest s", Look::Cross, best.head(1), best.segment(1, 1));
+  triangle.curve("these weights", Look::Here, xi.head(1), xi.segment(1, 1));
+  triangle.drag_x = "first";
+  triangle.drag_y = "second";
+  const VectorXd x = block.model.pairs.position.col(0);
+  Panel forces{"Contact forces", "x [mm]", "force [N]"};
+  forces.curve("solution", Look::Cross, x, block.solution.contact.force);
+  forces.curve("these weights", Look::Closed, x, force);
+  Panel gaps{"Gaps that are left", "x [mm]", "gap [mm], overlap < 0"};
+  gaps.curve("closed", Look::Dotted, Vector2d(x.minCoeff(), x.maxCoeff()), Vector2d(0, 0));
+  gaps.curve("these weights", Look::Open, x, gap);
+
+  Answer answer;
+  answer.says = trade.force > 0 ? "One total force for one weighted gap."
+                                : "The weighted gap is open: no force.";
+  answer.number("weight_1", "left", xi(0), "", "%.2f");
+  answer.number("weight_2", "middle", xi(1), "", "%.2f");
+  answer.number("weight_3", "right", xi(2), "", "%.2f");
+  answer.number("force", "total force", trade.force, "N", "%.3f");
+  answer.number("s", "s", trade.energy, "N mm", "%.4f");
+  answer.number("best_s", "largest s", best_value, "N mm", "%.4f");
+  answer.number("share", "share of it", 100 * trade.energy / best_value, "%", "%.1f");
+  Set overlapping{"overlapping", {}};
+  for (Index k = 0; k < 3; ++k)
+    if (gap(k) < -1e-12 * problem.free_gap.cwiseAbs().maxCoeff()) overlapping.members.push_back(k);
+  answer.number("overlaps", "pairs that still overlap",
+                static_cast<double>(overlapping.members.size()), "", "%.0f");
+  answer.sets = {overlapping};
+  answer.panels = {triangle, forces, gaps};
+  return answer;
+}
+
+}  // namespace
+
+Figure weights() {
+  return {"weights",
+          "One weighted gap in the place of three",
+          {slider("first", "weight of the left pair", 0.33, 0, 1, 0.01),
+           slider("second", "weight of the middle pair", 0.33, 0, 1, 0.01)},
+          trade_off};
+}
+
+}  // namespace live

@@ -1,0 +1,115 @@
+// Live figure of chapter 17: pick an exhibit, see who solves it, who refuses it and who is refuted.
+#include <limits>
+
+#include "../tour.hpp"
+#include "live/exhibits.hpp"
+#include "live/figure.hpp"
+
+namespace live {
+namespace {
+
+using museum::Verdict;
+
+museum::Case opened(const std::string& name) {
+  for (const auto& [file, content] : exhibits)
+    if (std::filesystem::path(file).stem() == name)
+      return museum::open(museum::read_exhibit(file, content));
+  throw signorini::ProblemError("no exhibit " + name);
+}
+
+museum::Answer asked(const museum::Case& given, const std::string& visitor) {
+  return visitor == "ours" ? museum::ours(given) : museum::naive_answer(visitor, given);
+}
+
+std::string words(Verdict verdict, const museum::Exhibit& exhibit, const museum::Answer& said) {
+  if (verdict == Verdict::NotFor) return "does not take such problems";
+  if (verdict == Verdict::Honest) return said.said;
+  if (verdict == Verdict::Solved) return "certified, within all bounds";
+  if (!said.certificate.holds(museum::accepted))
+    return "claims a solution, its certificate refutes it";
+  const std::string broken = museum::broken_bound(exhibit, said);
+  return "claims a solution, but " + (broken.empty() ? "there is none" : broken);
+}
+
+// Forces or gaps by number of the pair; nothing to draw if there are none.
+void curve(Panel& panel, const char* label, Look look, const VectorXd& values) {
+  if (values.size() == 0) return;
+  panel.curve(label, look,
+              VectorXd::LinSpaced(values.size(), 1, static_cast<double>(values.size())), values);
+}
+
+Answer visit(const Request& now) {
+  const museum::Case given = opened(now.chosen("exhibit"));
+  Answer answer;
+  answer.says = "One sees " + given.exhibit.symptom + ". Why: " + given.exhibit.cause + ".";
+  answer.table = {{"", "who", "what comes of it"}};
+  Panel certificates{"The worst figure of the certificate of each who claims a solution",
+                     "line of the table",
+                     "worst figure",
+                     false,
+                     false,
+                     true};
+  Panel forces{"Contact forces", "pair", "force"};
+  Panel gaps{"Gaps", "pair", "gap"};
+  const auto& all = museum::visitors();
+  certificates.curve("accepted", Look::Dotted, Eigen::Vector2d(1, static_cast<double>(all.size())),
+                     Eigen::Vector2d::Constant(museum::accepted));
+  std::vector<Set> verdicts = {{"solved", {}}, {"honest", {}}, {"refuted", {}}, {"not_for", {}}};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const museum::Answer said = asked(given, all[k]);
+    const Verdict verdict = museum::judge(given.exhibit, said);
+    verdicts[static_cast<std::size_t>(verdict)].members.push_back(static_cast<Index>(k));
+    answer.table.push_back({museum::icon(verdict), all[k], words(verdict, given.exhibit, said)});
+    if (said.asked && said.solved())
+      certificates.curve("", verdict == Verdict::Solved ? Look::Closed : Look::Cross,
+                         VectorXd::Constant(1, static_cast<double>(k + 1)),
+                         VectorXd::Constant(1, std::max(said.certificate.worst(), 1e-20)));
+    if (all[k] != "ours" && all[k] != now.chosen("beside")) continue;
+    const bool ours = all[k] == "ours";
+    curve(forces, ours ? "ours" : "beside", ours ? Look::Cross : Look::Open, said.contact.force);
+    curve(gaps, ours ? "ours" : "beside", ours ? Look::Cross : Look::Open, said.contact.gap);
+  }
+  for (const Set& set : verdicts)
+    answer.number(set.name, set.name, static_cast<double>(set.members.size()), "", "%.0f");
+  answer.sets = verdicts;
+  answer.panels = {certificates};
+  for (const Panel& panel : {forces, gaps})
+    if (!panel.layers.empty()) answer.panels.push_back(panel);
+  return answer;
+}
+
+}  // namespace
+
+Figure hard() {
+  std::vector<std::string> others(museum::visitors().begin() + 1, museum::visitors().end());
+  return {"hard",
+          "Pick a hard case",
+          {choice("exhibit", "exhibit", "stiff_on_soft_1e12",
+                  {"hilbert_8",
+                   "gap_1e-16",
+                   "poisson_0_49999",
+                   "stiff_on_soft_1e12",
+                   "units_micrometres_giganewtons",
+                   "cycle_of_three",
+                   "hundred_equal_pairs",
+                   "nothing_pushes",
+                   "tiny_floating",
+                   "same_row_five_times",
+                   "gauss_points_4",
+                   "contact_twice",
+                   "contradicting_rows",
+                   "pulled_away",
+                   "tips_over",
+                   "corner_in_an_edge",
+                   "patch_on_other_nodes",
+                   "turned_normal",
+                   "three_answers",
+                   "slope_holds",
+                   "just_slides",
+                   "misspelt_operator",
+                   "element_of_other_cells"}),
+           choice("beside", "forces and gaps beside ours", "penalty", others)},
+          visit};
+}
+
+}  // namespace live

@@ -1,0 +1,199 @@
+/// \file
+/// Live figures: what a reader may change, and what the library then computes and shows. A page of the book
+/// draws them in a browser; the same code runs in tests.
+#pragma once
+#include <Eigen/Core>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "signorini/scene/readings.hpp"
+#include "signorini/scene/steps.hpp"
+
+/// Live figures of the book.
+namespace live {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Something that the reader may change: a slider, or a list if it has choices. Its value is then the number of
+/// the choice, from 0.
+struct Control {
+  std::string name;                       ///< in requests, without blanks
+  std::string label;                      ///< for the reader, with the unit
+  double value;                           ///< at the beginning
+  double least = 0;                       ///< of a slider
+  double most = 0;                        ///< of a slider
+  double step = 1;                        ///< of a slider
+  std::vector<std::string> choices = {};  ///< names, without blanks
+};
+
+/// \param name,label,value,least,most,step  see Control \return a slider
+[[nodiscard]] Control slider(std::string name, std::string label, double value, double least,
+                             double most, double step);
+/// \param name,label,choices  see Control \param value  the choice at the beginning \return a list
+[[nodiscard]] Control choice(std::string name, std::string label, const std::string& value,
+                             std::vector<std::string> choices);
+/// \param name,label  see Control \param on  at the beginning \return the list of off and on, which pages show as a box
+[[nodiscard]] Control toggle(std::string name, std::string label, bool on);
+
+/// The values of all controls of a figure.
+class Request {
+ public:
+  /// \param controls  of the figure
+  /// \param words     `name=value`, with blanks between; a control that is not named has its value at the beginning
+  /// \throws signorini::ProblemError for a name, number or choice that the figure does not have
+  Request(const std::vector<Control>& controls, const std::string& words);
+
+  /// \param name  of a control \return its value
+  [[nodiscard]] double operator[](const std::string& name) const { return values_.at(name); }
+  /// \param name  of a control \return its value as a whole number
+  [[nodiscard]] Index whole(const std::string& name) const;
+  /// \param name  of a list \return the choice
+  [[nodiscard]] const std::string& chosen(const std::string& name) const;
+  /// \param name  of a toggle \return whether it is on
+  [[nodiscard]] bool on(const std::string& name) const { return values_.at(name) != 0; }
+  /// All values but those of some controls, as a key for kept().
+  /// \param without  names of controls \return text that differs where a value differs
+  [[nodiscard]] std::string key(const std::vector<std::string>& without = {}) const;
+
+ private:
+  std::map<std::string, double> values_;
+  std::map<std::string, std::vector<std::string>> choices_;
+};
+
+/// How a line or its points look, also without colour.
+enum class Look {
+  Line,    ///< solid
+  Dashed,  ///< a closed form, or another method
+  Dotted,  ///< a bound or an outline
+  Closed,  ///< filled circles
+  Open,    ///< hollow circles
+  Cross,   ///< where something failed, or the exact answer
+  Here     ///< one large mark: where the reader is
+};
+
+/// Something to draw into a panel.
+struct Layer {
+  std::string label;  ///< for the legend and for those who do not see it; empty: none
+  Look look = Look::Line;
+  VectorXd x;  ///< `n`, or of the corners of all cells one after another; a NaN breaks a line
+  VectorXd y;  ///< as many
+  Index corners = 0;  ///< of each cell; 0: a line or points
+  VectorXd value;     ///< of each cell: lightness, and colour for its sign
+};
+
+/// Axes with layers. Arrays are those of the last request.
+struct Panel {
+  std::string title;
+  std::string x_label;  ///< with the unit
+  std::string y_label;
+  bool equal = false;  ///< one length is one length along both axes
+  bool log_x = false;
+  bool log_y = false;
+  std::vector<double> window = {};  ///< `{x0, x1, y0, y1}`; empty: all that is there
+  std::string drag_x = {};          ///< control that follows a pointer along x; empty: none
+  std::string drag_y = {};
+  std::vector<Layer> layers = {};
+
+  /// Adds a line or points. \param label,look,x,y  see Layer
+  void curve(std::string label, Look look, const VectorXd& x, const VectorXd& y);
+  /// Adds points that are closed where `pressure` > 0 and open elsewhere. \param label,x,y  see Layer \param pressure  `n`
+  void points(const std::string& label, const VectorXd& x, const VectorXd& y,
+              const VectorXd& pressure);
+  /// Adds cells. \param label  what the value is \param corner  `n x 2` places \param cell  `m x k` numbers of corners,
+  ///   anticlockwise \param value  `m`
+  void cells(std::string label, const MatrixXd& corner,
+             const Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic>& cell,
+             const VectorXd& value);
+  /// Adds a function on a grid of cells. \param label  what the value is
+  /// \param x,y  lines of the grid, increasing \param value  at the middle of each cell
+  void map(std::string label, const VectorXd& x, const VectorXd& y,
+           const std::function<double(double, double)>& value);
+  /// Adds the deformed bodies of a scene, coloured by von Mises's stress.
+  /// \param run  solved \param magnified  displacements are drawn so many times as large
+  void bodies(const signorini::Model& model, const signorini::Solution& solution,
+              double magnified = 1);
+};
+
+/// A number of an answer, shown beside the panels.
+struct Number {
+  std::string name;   ///< in tests
+  std::string label;  ///< for the reader
+  double value;
+  std::string unit;
+  const char* format;
+  bool varies = false;  ///< of the size of rounding: it may be another in another program
+};
+
+/// Pairs, or other things with numbers, that are in a set.
+struct Set {
+  std::string name;  ///< in tests
+  std::vector<Index> members;
+};
+
+/// What a figure answers to a request.
+struct Answer {
+  std::string says;  ///< in one or two sentences, also for those who do not see the panels
+  std::vector<Number> numbers;
+  std::vector<Set> sets;  ///< which browsers must find exactly as the native program does
+  std::vector<Panel> panels;
+  std::vector<std::vector<std::string>> table = {};  ///< its first row names the columns; none if empty
+
+  /// Adds a number. \param name,label,value,unit,format  see Number
+  void number(std::string name, std::string label, double value, std::string unit = "",
+              const char* format = "%.4g");
+  /// Adds a number of the size of rounding. \param name,label,value,unit  see Number
+  void rounding(std::string name, std::string label, double value, std::string unit = "");
+  /// Adds what every solution shows: closed pairs, iterations and the worst entry of the certificate, the set of closed
+  /// pairs, and the notes behind `says`. \param solution  of the figure's scene
+  void solution(const signorini::Solution& solution);
+};
+
+/// A live figure.
+struct Figure {
+  std::string name;   ///< in requests and in the mark `live NAME` of a chapter's text
+  std::string title;  ///< for the reader
+  std::vector<Control> controls;
+  std::function<Answer(const Request&)> answer;
+};
+
+/// \return all live figures, in the order of the chapters
+[[nodiscard]] const std::vector<Figure>& figures();
+
+/// What was made for the request before, made again only if its key differs: a factor outlives changes of the load.
+/// Each place in the code that calls this keeps one thing.
+/// \param key  of what is made \param make  makes it \return what was made
+template <typename Make>
+auto& kept(const std::string& key, const Make& make) {
+  static std::pair<std::string, std::vector<decltype(make())>> last;
+  if (last.second.empty() || last.first != key) {
+    last.second.clear();
+    last.second.push_back(make());
+    last.first = key;
+  }
+  return last.second.front();
+}
+
+/// A scene with load steps that is factored once, for any load.
+struct Loaded {
+  signorini::Model model;
+  signorini::CondensedPath path;
+
+  /// \param scene  whose loads follow histories \param ledger  of the two steps
+  explicit Loaded(const signorini::Scene& scene, signorini::Ledger ledger = {});
+  /// Its solution under the loads of a time, from rest. \param time  > 0 \return certified
+  /// \throws signorini::NotSolved as require_solved()
+  [[nodiscard]] signorini::Solution at(double time);
+};
+
+/// Answers what a page asks: `figure NAME` tells its controls, `NAME control=value ...` computes.
+/// \param words   the question
+/// \param arrays  gets the numbers of all layers; the answer refers to them by their places
+/// \return a JSON object; with the key `error` and a sentence if there is no answer
+[[nodiscard]] std::string answer(const std::string& words, std::vector<VectorXd>& arrays);
+
+}  // namespace live

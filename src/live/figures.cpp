@@ -1,0 +1,24 @@
+// A live figure is a function that returns it, in a file of its own in the folder `live` of its chapter, and its
+// name in this table.
+#define SIGNORINI_LIVE_FIGURES(FIGURE) \
+  FIGURE(weights)                      \
+  FIGURE(cantilever)                   \
+  FIGURE(hard)                         \
+  FIGURE(effects)
+
+#include "live/figure.hpp"
+
+namespace live {
+
+#define FIGURE(name) Figure name();
+SIGNORINI_LIVE_FIGURES(FIGURE)
+#undef FIGURE
+
+const std::vector<Figure>& figures() {
+#define FIGURE(name) name(),
+  static const std::vector<Figure> all = {SIGNORINI_LIVE_FIGURES(FIGURE)};
+#undef FIGURE
+  return all;
+}
+
+}  // namespace live
