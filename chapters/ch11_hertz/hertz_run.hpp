@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hertz_scene.hpp"
@@ -26,12 +27,13 @@ struct HertzRun {
   double q_error = 0, b_error = 0;         ///< of `fit.peak_pressure` and `half_width` [%]
 };
 
-/// Solves, and lumps all forces to the nodes of the source, whatever the operator.
+/// Lumps all forces of a solution to the nodes of the source, whatever the operator.
+/// \param now  the case \param run  its solution \return what it says of the contact
 // [reading]
-inline HertzRun solve_hertz(const HertzCase& now) {
-  const Scene scene = hertz_scene(now);
-  HertzRun out{now, shown(scene, "Hertz's contact"), {}, {}, {}, {}};
-  const BoundaryForces side = boundary_forces(out.run, scene.contacts[0].source);
+inline HertzRun read_hertz(const HertzCase& now, SolvedScene run) {
+  HertzRun out{now, std::move(run), {}, {}, {}, {}};
+  const BoundaryForces side = boundary_forces(
+      out.run, now.plate_is_source ? Side{"surface", "plate"} : Side{"rim", "disc"});
   std::vector<Eigen::Index> order(static_cast<std::size_t>(side.weight.size()));
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
@@ -52,6 +54,11 @@ inline HertzRun solve_hertz(const HertzCase& now) {
   return out;
 }
 // [reading]
+
+/// \param now  the case \return solved and read
+inline HertzRun solve_hertz(const HertzCase& now) {
+  return read_hertz(now, shown(hertz_scene(now), "Hertz's contact"));
+}
 
 /// \param x  a number \return with its sign and three decimals, as in all tables of the chapter
 inline std::string percent(double x) { return number(x, "%+.3f"); }

@@ -17,23 +17,13 @@ namespace {
 using namespace signorini;
 using namespace ch14;
 
-// The pictures show the gap and all displacements so many times as large as they are.
-const double magnified = 20;
-
-// A ring as it is drawn before loading: the rock is shifted outwards, so that the gap is magnified as well.
-Mesh drawn(const BodyModel& body) {
-  Mesh mesh = body.mesh;
-  if (mesh.name != "rock") return mesh;
-  const double shift = (magnified - 1) * (paper.radii[2] - paper.radii[1]);
-  for (auto node : mesh.nodes.rowwise()) node *= 1 + shift / node.norm();
-  return mesh;
-}
+const double gap = paper.radii[2] - paper.radii[1];
 
 // Figure 14.1: the rims of the sketch and the cells of the mesh, with the magnified gap.
 void sketch(const std::filesystem::path& out, const SolvedScene& now) {
   Table rims({"x", "y"});
   for (const BodyModel& body : now.model.bodies) {
-    const Mesh mesh = drawn(body);
+    const Mesh mesh = drawn(body.mesh, gap);
     for (const char* rim : {"inner", "outer"}) {
       const double radius = mesh.nodes.row(boundary_nodes(mesh, rim).front()).norm();
       for (int k = 0; k <= 45; ++k)
@@ -59,7 +49,7 @@ void fields(const std::filesystem::path& out, const SolvedScene& now) {
   for (const std::size_t k : {0, 1}) {
     const BodyModel& body = now.model.bodies[k];
     const NodeArray& u = now.solution.displacements[k];
-    const Mesh mesh = drawn(body);
+    const Mesh mesh = drawn(body.mesh, gap);
     const auto write = [&](const char* name, const Eigen::VectorXd& value,
                            const std::vector<double>& between) {
       write_file(out / text("fig_14_3_", name, "_", mesh.name, ".csv"),

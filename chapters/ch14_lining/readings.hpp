@@ -30,4 +30,14 @@ inline Eigen::VectorXd inner_rim(const signorini::SolvedScene& run) {
 /// Deviation from a value that is known [%].
 inline double percent(double value, double exact) { return 100 * (value / exact - 1); }
 
+/// Pictures show the gap and all displacements so many times as large as they are.
+const double magnified = 20;
+
+/// A ring as it is drawn before loading: the rock is shifted outwards, so that the gap is magnified as well.
+inline signorini::Mesh drawn(signorini::Mesh mesh, double gap) {
+  if (mesh.name != "rock") return mesh;
+  for (auto node : mesh.nodes.rowwise()) node *= 1 + (magnified - 1) * gap / node.norm();
+  return mesh;
+}
+
 }  // namespace ch14

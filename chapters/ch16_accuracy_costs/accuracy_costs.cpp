@@ -13,18 +13,7 @@ namespace {
 
 using namespace ch16;
 
-// 1. The price of an error: between two meshes, errors and costs are powers of each other.
-double price(const std::vector<Point>& line, double error, double Point::*cost) {
-  for (std::size_t k = 1; k < line.size(); ++k) {
-    const Point &a = line[k - 1], &b = line[k];
-    if (!a.solved || !b.solved || a.error < error || b.error > error) continue;
-    const double share = std::log(a.error / error) / std::log(a.error / b.error);
-    return a.*cost * std::pow(b.*cost / (a.*cost), share);
-  }
-  return 0;  // not between any two meshes
-}
-
-// 2. A line of the figure, and its row of the list.
+// A line of the figure, and its row of the list.
 void follow(const Way& way, const ProgramOptions& run, Table& curves, Table& prices,
             Results& results) {
   std::vector<Point> line;

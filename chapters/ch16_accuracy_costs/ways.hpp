@@ -48,6 +48,30 @@ struct Point {
   bool solved = false;
 };
 
+/// \param run  of the figure's contact \return its point, without seconds
+inline Point point_of(const SolvedScene& run) {
+  Point point;
+  point.unknowns = static_cast<double>(run.model.unknowns.count);
+  point.solved = run.solution.contact.report.status == Status::Solved;
+  if (!point.solved) return point;
+  point.operations = operations(run.solution.ledger);
+  point.error = pressure_error(pressures(run), HertzProblem().theory());
+  return point;
+}
+
+/// The price of an error: between two meshes, errors and costs are powers of each other.
+/// \param line  from coarse to fine \param error  in percent \param cost  to be paid \return it; 0 if no two meshes have the
+///   error between them
+inline double price(const std::vector<Point>& line, double error, double Point::*cost) {
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const Point &a = line[k - 1], &b = line[k];
+    if (!a.solved || !b.solved || a.error < error || b.error > error) continue;
+    const double share = std::log(a.error / error) / std::log(a.error / b.error);
+    return a.*cost * std::pow(b.*cost / (a.*cost), share);
+  }
+  return 0;
+}
+
 /// The second paper's method in the place of condensing; it starts from an even pressure with the condensed sum.
 inline void solve_uncondensed(SolvedScene& run) {
   const Eigen::VectorXd& weight = run.model.pairs.weight;
@@ -71,16 +95,12 @@ inline Point measured(const Way& way, Index cells) {
     Condensed condensed = condense(model, ledger);
     Solution solution = solve(model, condensed, ledger);
     SolvedScene run{std::move(model), std::move(condensed), std::move(solution)};
-    point.solved = run.solution.contact.report.status == Status::Solved;
     if (way.solver == newton) {
       begin += seconds() - built;  // what it does without
       solve_uncondensed(run);
     }
     took.push_back(seconds() - begin);
-    point.unknowns = static_cast<double>(run.model.unknowns.count);
-    if (!point.solved) continue;
-    point.operations = operations(run.solution.ledger);
-    point.error = pressure_error(pressures(run), HertzProblem().theory());
+    point = point_of(run);
   }
   point.seconds = quantile(took, 0.5);
   return point;

@@ -1,4 +1,4 @@
-// What a page calls: live_answer() computes, live_data() and live_size() give the numbers of its arrays.
+// What a page calls: live_answer() computes, live_data() and live_size() give the numbers of its arrays, -1 behind the last.
 #include <cstddef>
 
 #include "live/figure.hpp"
@@ -15,6 +15,7 @@ const char* live_answer(const char* words) {
 }
 const double* live_data(int array) { return arrays[static_cast<std::size_t>(array)].data(); }
 int live_size(int array) {
-  return static_cast<int>(arrays[static_cast<std::size_t>(array)].size());
+  const auto k = static_cast<std::size_t>(array);
+  return k < arrays.size() ? static_cast<int>(arrays[k].size()) : -1;
 }
 }

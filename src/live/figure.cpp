@@ -91,6 +91,14 @@ void Panel::points(const std::string& label, const VectorXd& x, const VectorXd& 
   }
 }
 
+void Panel::motions(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact) {
+  for (const bool slide : {false, true}) {
+    const std::vector<Index> at = closed_pairs(contact, slide);
+    if (!at.empty())
+      curve(slide ? "slides" : "sticks", slide ? Look::Open : Look::Closed, x(at), y(at));
+  }
+}
+
 void Panel::cells(std::string label, const MatrixXd& corner,
                   const Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic>& cell,
                   const VectorXd& value) {
@@ -124,21 +132,69 @@ void Panel::map(std::string label, const VectorXd& x, const VectorXd& y,
   layers.push_back(std::move(layer));
 }
 
+void Panel::level_lines(std::string label, Look look, const VectorXd& x, const VectorXd& y,
+                        const std::function<double(double, double)>& value,
+                        const std::vector<double>& levels) {
+  using Eigen::Vector3d;
+  MatrixXd values(y.size(), x.size());
+  for (Index i = 0; i < y.size(); ++i)
+    for (Index j = 0; j < x.size(); ++j) values(i, j) = value(x(j), y(i));
+  std::vector<Vector3d> ends;  // of pieces: a line enters and leaves each triangle that it meets
+  const auto corner = [&](Index j, Index i) { return Vector3d(x(j), y(i), values(i, j)); };
+  const auto edge = [&ends](double level, const Vector3d& a, const Vector3d& b) {
+    if ((a.z() > level) != (b.z() > level))
+      ends.push_back(a + (level - a.z()) / (b.z() - a.z()) * (b - a));
+  };
+  for (const double level : levels)
+    for (Index i = 0; i + 1 < y.size(); ++i)
+      for (Index j = 0; j + 1 < x.size(); ++j)
+        for (const Index upper : {0, 1}) {
+          const Vector3d a = corner(j, i);
+          const Vector3d b = corner(j + 1, i + 1);
+          const Vector3d c = corner(j + 1 - upper, i + upper);
+          edge(level, a, b);
+          edge(level, b, c);
+          edge(level, c, a);
+        }
+  if (ends.empty()) return;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  VectorXd at_x = VectorXd::Constant(static_cast<Index>(3 * ends.size() / 2), none);
+  VectorXd at_y = at_x;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const auto place = static_cast<Index>(k + k / 2);  // a break after each piece
+    at_x(place) = ends[k].x();
+    at_y(place) = ends[k].y();
+  }
+  curve(std::move(label), look, at_x, at_y);
+}
+
+void Panel::body(const signorini::BodyModel& body, const signorini::NodeArray& displacement,
+                 const signorini::NodeArray& place) {
+  const signorini::StressArray stress =
+      signorini::cell_stress(body.mesh, body.element, body.material, displacement);
+  VectorXd mises(stress.rows());
+  for (Index k = 0; k < stress.rows(); ++k) mises(k) = signorini::von_mises(stress.row(k));
+  Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic> corners(body.mesh.n_cells(), 4);
+  for (Index k = 0; k < body.mesh.n_cells(); ++k)
+    for (Index c = 0; c < 4; ++c)
+      corners(k, c) = body.mesh.cells(k, std::min<Index>(c, body.mesh.corners(k) - 1));
+  cells(body.mesh.name + ", von Mises's stress", place, corners, mises);
+}
+
 void Panel::bodies(const signorini::Model& model, const signorini::Solution& solution,
                    double magnified) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const signorini::BodyModel& body = model.bodies[b];
     const signorini::NodeArray& u = solution.displacements[b];
-    const signorini::StressArray stress =
-        signorini::cell_stress(body.mesh, body.element, body.material, u);
-    VectorXd mises(stress.rows());
-    for (Index k = 0; k < stress.rows(); ++k) mises(k) = signorini::von_mises(stress.row(k));
-    Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic> corners(body.mesh.n_cells(), 4);
-    for (Index k = 0; k < body.mesh.n_cells(); ++k)
-      for (Index c = 0; c < 4; ++c)
-        corners(k, c) = body.mesh.cells(k, std::min<Index>(c, body.mesh.corners(k) - 1));
-    cells(body.mesh.name + ", von Mises's stress", body.mesh.nodes + magnified * u, corners, mises);
+    body(model.bodies[b], u, model.bodies[b].mesh.nodes + magnified * u);
   }
+}
+
+std::vector<Index> closed_pairs(const signorini::ContactState& contact, bool slide) {
+  std::vector<Index> found;
+  for (const Index i : contact.active)
+    if ((contact.motion[static_cast<std::size_t>(i)] != signorini::Motion::Stick) == slide)
+      found.push_back(i);
+  return found;
 }
 
 void Answer::number(std::string name, std::string label, double value, std::string unit,
@@ -158,6 +214,10 @@ void Answer::solution(const signorini::Solution& solved) {
   number("iterations", "iterations", static_cast<double>(contact.report.iterations), "", "%.0f");
   rounding("certificate", "certificate, its worst entry", solved.certificate.worst());
   sets.push_back({"closed", {contact.active.begin(), contact.active.end()}});
+  if (contact.motion.size() == static_cast<std::size_t>(contact.force.size())) {
+    sets.push_back({"stick", closed_pairs(contact, false)});
+    sets.push_back({"slide", closed_pairs(contact, true)});
+  }
   for (const std::string& note : solved.notes) says += " " + note;
 }
 
@@ -168,6 +228,11 @@ signorini::Solution Loaded::at(double time) {
   signorini::Step step = signorini::step({}, time, model, path, {});
   signorini::require_solved(step.solution, "the scene");
   return std::move(step.solution);
+}
+
+signorini::SolvedScene Loaded::scene_at(double time) {
+  signorini::Solution solution = at(time);
+  return {model, path.condensed, std::move(solution)};
 }
 
 namespace {

@@ -88,22 +88,25 @@ struct Layer {
 
 /// Axes with layers. Arrays are those of the last request.
 struct Panel {
-  std::string title;
+  std::string title;    ///< above the axes, and what they are called by those who do not see them
   std::string x_label;  ///< with the unit
-  std::string y_label;
-  bool equal = false;  ///< one length is one length along both axes
-  bool log_x = false;
-  bool log_y = false;
+  std::string y_label;  ///< with the unit
+  bool equal = false;   ///< one length is one length along both axes
+  bool log_x = false;   ///< logarithmic
+  bool log_y = false;   ///< logarithmic
   std::vector<double> window = {};  ///< `{x0, x1, y0, y1}`; empty: all that is there
   std::string drag_x = {};          ///< control that follows a pointer along x; empty: none
-  std::string drag_y = {};
-  std::vector<Layer> layers = {};
+  std::string drag_y = {};          ///< the same along y
+  std::vector<Layer> layers = {};   ///< later ones lie above
 
   /// Adds a line or points. \param label,look,x,y  see Layer
   void curve(std::string label, Look look, const VectorXd& x, const VectorXd& y);
   /// Adds points that are closed where `pressure` > 0 and open elsewhere. \param label,x,y  see Layer \param pressure  `n`
   void points(const std::string& label, const VectorXd& x, const VectorXd& y,
               const VectorXd& pressure);
+  /// Adds the closed pairs of a contact with friction: filled where they stick, hollow where they slide.
+  /// \param x,y  `n_c` \param contact  solved
+  void motions(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact);
   /// Adds cells. \param label  what the value is \param corner  `n x 2` places \param cell  `m x k` numbers of corners,
   ///   anticlockwise \param value  `m`
   void cells(std::string label, const MatrixXd& corner,
@@ -113,27 +116,40 @@ struct Panel {
   /// \param x,y  lines of the grid, increasing \param value  at the middle of each cell
   void map(std::string label, const VectorXd& x, const VectorXd& y,
            const std::function<double(double, double)>& value);
+  /// Adds the lines on which a function has certain values, nothing if it has them nowhere. \param label,look  see Layer
+  /// \param x,y  lines of a grid, increasing; on each half of its cells the function is taken as plane
+  /// \param value  at (x, y) \param levels  its values on the lines
+  void level_lines(std::string label, Look look, const VectorXd& x, const VectorXd& y,
+                   const std::function<double(double, double)>& value,
+                   const std::vector<double>& levels);
+  /// Adds a body, coloured by von Mises's stress. \param displacement  `n x 2` that makes the stress
+  /// \param place  `n x 2` where to draw its nodes
+  void body(const signorini::BodyModel& body, const signorini::NodeArray& displacement,
+            const signorini::NodeArray& place);
   /// Adds the deformed bodies of a scene, coloured by von Mises's stress.
-  /// \param run  solved \param magnified  displacements are drawn so many times as large
+  /// \param model  with its bodies \param solution  of it \param magnified  displacements are drawn so many times as large
   void bodies(const signorini::Model& model, const signorini::Solution& solution,
               double magnified = 1);
 };
 
 /// A number of an answer, shown beside the panels.
 struct Number {
-  std::string name;   ///< in tests
-  std::string label;  ///< for the reader
-  double value;
-  std::string unit;
-  const char* format;
+  std::string name;     ///< in tests
+  std::string label;    ///< for the reader
+  double value;         ///< in the unit
+  std::string unit;     ///< behind the number
+  const char* format;   ///< of printf, with one conversion of a double
   bool varies = false;  ///< of the size of rounding: it may be another in another program
 };
 
 /// Pairs, or other things with numbers, that are in a set.
 struct Set {
-  std::string name;  ///< in tests
-  std::vector<Index> members;
+  std::string name;            ///< in tests
+  std::vector<Index> members;  ///< in increasing order
 };
+
+/// \param contact  solved, all its pairs rub \param slide  whether to list those that slide, or that stick \return pairs
+[[nodiscard]] std::vector<Index> closed_pairs(const signorini::ContactState& contact, bool slide);
 
 /// What a figure answers to a request.
 struct Answer {
@@ -141,7 +157,8 @@ struct Answer {
   std::vector<Number> numbers;
   std::vector<Set> sets;  ///< which browsers must find exactly as the native program does
   std::vector<Panel> panels;
-  std::vector<std::vector<std::string>> table = {};  ///< its first row names the columns; none if empty
+  std::vector<std::vector<std::string>> table =
+      {};  ///< its first row names the columns; none if empty
 
   /// Adds a number. \param name,label,value,unit,format  see Number
   void number(std::string name, std::string label, double value, std::string unit = "",
@@ -149,7 +166,8 @@ struct Answer {
   /// Adds a number of the size of rounding. \param name,label,value,unit  see Number
   void rounding(std::string name, std::string label, double value, std::string unit = "");
   /// Adds what every solution shows: closed pairs, iterations and the worst entry of the certificate, the set of closed
-  /// pairs, and the notes behind `says`. \param solution  of the figure's scene
+  /// pairs and, with friction, those that stick and that slide, and the notes behind `says`.
+  /// \param solution  of the figure's scene
   void solution(const signorini::Solution& solution);
 };
 
@@ -188,6 +206,9 @@ struct Loaded {
   /// Its solution under the loads of a time, from rest. \param time  > 0 \return certified
   /// \throws signorini::NotSolved as require_solved()
   [[nodiscard]] signorini::Solution at(double time);
+  /// The same with copies of what it belongs to, for functions that read a solved scene. \param time  > 0
+  /// \return model, condensed problem and solution
+  [[nodiscard]] signorini::SolvedScene scene_at(double time);
 };
 
 /// Answers what a page asks: `figure NAME` tells its controls, `NAME control=value ...` computes.

@@ -2,7 +2,15 @@
 // name in this table.
 #define SIGNORINI_LIVE_FIGURES(FIGURE) \
   FIGURE(weights)                      \
+  FIGURE(rules)                        \
+  FIGURE(groups)                       \
   FIGURE(cantilever)                   \
+  FIGURE(newton)                       \
+  FIGURE(corner)                       \
+  FIGURE(hertz)                        \
+  FIGURE(lining)                       \
+  FIGURE(friction)                     \
+  FIGURE(work_precision)               \
   FIGURE(hard)                         \
   FIGURE(effects)
 

@@ -1,0 +1,74 @@
+// Where the printed and the repaired method are after each of their steps.
+#pragma once
+#include "cases.hpp"
+#include "group_step.hpp"
+#include "signorini/problem/examples.hpp"
+#include "which_rows.hpp"
+
+namespace ch04 {
+
+using namespace signorini;
+
+/// After a step.
+struct Stage {
+  Rows taken;      ///< pairs that the step works with
+  Rows pressed;    ///< those of them that got a force
+  VectorXd force;  ///< of all steps together
+  VectorXd gap;
+};
+
+/// All steps on one problem.
+struct Way {
+  ContactProblem problem;
+  VectorXd best;              ///< forces of the solution
+  std::vector<Stage> stages;  ///< the start first
+  Index rounds = 0;           ///< steps of the loop
+  bool optimal = true;        ///< whether the end is the solution
+};
+
+inline Rows with_force(const VectorXd& force) {
+  Rows pressed;
+  for (Index i = 0; i < force.size(); ++i)
+    if (force(i) > 0) pressed.push_back(i);
+  return pressed;
+}
+
+inline Way begin(const ContactProblem& problem) {
+  const VectorXd best = find_solver("quasi_active_set").solve(problem, {}).force;
+  return {problem, best, {{{}, {}, 0 * best, problem.free_gap}}};
+}
+
+inline void go_on(Way& way, const Rows& taken, const Rows& pressed, const VectorXd& force) {
+  const ContactProblem& problem = way.problem;
+  way.stages.push_back({taken, pressed, force, problem.free_gap + problem.compliance * force});
+}
+
+/// Rounds of group steps, which keep all forces.
+inline Way repaired_way(const ContactProblem& problem) {
+  Way way = begin(problem);
+  for (VectorXd force = way.stages[0].force;; ++way.rounds) {
+    const Rows violated = violated_pairs(problem, force);
+    if (violated.empty()) return way;
+    Rows group = propose(problem, force, violated);
+    force = group_step(problem, force, group);
+    std::sort(group.begin(), group.end());
+    go_on(way, group, with_force(force), force);
+  }
+}
+
+/// The loop that moves the minimum, and (33)-(35) as one step more.
+inline Way printed_way(const ContactProblem& problem, QuasiActiveRows rows) {
+  Way way = begin(problem);
+  const QuasiActiveRun run = run_quasi_active_set_literal(problem, {}, rows);
+  for (const QuasiActiveStep& step : run.steps) {
+    const Stage old = way.stages.back();  // (31): the free gaps are the present ones
+    const VectorXd more = close({problem.compliance, old.gap}, step.closed);
+    go_on(way, step.quasi_active, step.closed, old.force + more);
+  }
+  go_on(way, run.tight, with_force(run.state.force), run.state.force);
+  way.rounds = run.outer_steps;
+  way.optimal = run.state.report.status == Status::Solved;
+  return way;
+}
+
+}  // namespace ch04
