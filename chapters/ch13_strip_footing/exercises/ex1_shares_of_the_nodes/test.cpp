@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -35,4 +36,10 @@ TEST_CASE("ex13.1 nodes get what lies around them", "[ex13.1]") {
   force(3) *= 1.16;
   CHECK(largest_deviation(x, force, 1, load, 1) == Approx(0.16).epsilon(1e-12));
   CHECK(largest_deviation(x, force, 1, load, 0.8) == Approx(0.03).epsilon(1e-12));
+}
+
+TEST_CASE("ex13.1 what is no strip and what are no nodes is refused", "[ex13.1]") {
+  CHECK_THROWS_AS(force_between(-1.5, 45, 0, 1), std::invalid_argument);
+  CHECK_THROWS_AS(largest_deviation(Vector4d(0, 1, 1, 1.5), Vector4d::Ones(), 1.5, 45, 1),
+                  std::invalid_argument);
 }

@@ -1,7 +1,9 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "signorini/core/errors.hpp"
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -28,4 +30,11 @@ TEST_CASE("ex13.2 the far spring lifts off", "[ex13.2]") {
   CHECK(rest.force(2) == Approx(4.5).epsilon(1e-13));
   CHECK(rest.settlement == Approx(3).epsilon(1e-13));
   CHECK(rest.tilt == Approx(6).epsilon(1e-13));
+}
+
+TEST_CASE("ex13.2 beside all springs the footing topples", "[ex13.2]") {
+  CHECK_THROWS_AS(come_to_rest(2 * Matrix3d::Identity(), Vector3d(-1, 0, 1), 6, -1.5),
+                  signorini::NotSolved);
+  CHECK_THROWS_AS(come_to_rest(2 * Matrix3d::Identity(), Eigen::Vector2d(-1, 1), 6, 0),
+                  std::invalid_argument);
 }

@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 
@@ -26,4 +28,9 @@ TEST_CASE("ex14.1 contact begins with nothing", "[ex14.1]") {
   CHECK(press_lining(lining, closing * (1 - 1e-9)).contact_pressure == 0);
   CHECK(press_lining(lining, closing * (1 + 1e-9)).contact_pressure > 0);
   CHECK(press_lining(lining, closing * (1 + 1e-9)).contact_pressure < 1e-6);
+}
+
+TEST_CASE("ex14.1 rings that cannot be are refused", "[ex14.1]") {
+  CHECK_THROWS_AS(press_lining({68, 60, 68.15, 76.15, 210e3, 0.3}, 72), std::invalid_argument);
+  CHECK_THROWS_AS(press_lining(lining, -72), std::invalid_argument);
 }

@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 
@@ -28,4 +30,9 @@ TEST_CASE("ex14.2 a clearance bears nothing", "[ex14.2]") {
   CHECK(stress.pressure == 0);
   CHECK(stress.hub_hoop == 0);
   CHECK(stress.shaft_hoop == 0);
+}
+
+TEST_CASE("ex14.2 fits that cannot be are refused", "[ex14.2]") {
+  CHECK_THROWS_AS(press_fit(steel(25, 0.0025)), std::invalid_argument);
+  CHECK_THROWS_AS(press_fit({10, 20, 30, 0.0025, -210e3, 0.3, 210e3, 0.3}), std::invalid_argument);
 }

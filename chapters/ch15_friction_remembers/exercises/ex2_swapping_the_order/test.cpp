@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "../chapters/ch15_friction_remembers/slider.hpp"
 #include "catch_compat.hpp"
@@ -45,4 +46,8 @@ TEST_CASE("ex15.2 what comes first is there at half of the time, the other begin
   CHECK(path.histories[0].at(0.75) == Approx(0.5).epsilon(1e-14));
   CHECK(path.histories[0].at(1) == 1);
   CHECK(path.times == equal_steps(4));
+}
+
+TEST_CASE("ex15.2 nobody comes first who is not there", "[ex15.2]") {
+  CHECK_THROWS_AS(in_order(straight(0.2), "foot"), std::invalid_argument);
 }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -15,4 +16,9 @@ TEST_CASE("ex16.1 order h at a cost of h^-3: a digit costs a thousand", "[ex16.1
 
 TEST_CASE("ex16.1 a line that is flat has no price", "[ex16.1]") {
   CHECK(std::isinf(price({{1, 2}, {10, 2}, {100, 2}}, 10)));
+}
+
+TEST_CASE("ex16.1 one point is no line", "[ex16.1]") {
+  CHECK_THROWS_AS(order({{8, 0.1}}), std::invalid_argument);
+  CHECK_THROWS_AS(price({{1, 1}, {8, 0.1}}, 0.5), std::invalid_argument);
 }

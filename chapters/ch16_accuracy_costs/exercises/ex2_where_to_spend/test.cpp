@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 
@@ -18,4 +20,8 @@ TEST_CASE("ex16.2 what cannot be bought is named", "[ex16.2]") {
   CHECK_FALSE(plan.reached);
   CHECK(plan.obstacle == "theory");
   CHECK(plan.halved.empty());  // nothing is bought that cannot help
+}
+
+TEST_CASE("ex16.2 nothing reaches a target of nothing", "[ex16.2]") {
+  CHECK_THROWS_AS(spend({{"mesh", 1, 1, 8}}, -0.1), std::invalid_argument);
 }
