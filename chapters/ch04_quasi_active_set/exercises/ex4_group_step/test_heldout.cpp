@@ -105,6 +105,16 @@ TEST_CASE("ex4.4 held out: groups of independent pairs, whatever overlaps", "[ex
   }
 }
 
+// Two of the old pairs vanish on the way, one after the other, and what is left of the forces counts each time.
+TEST_CASE("ex4.4 held out: two pairs open one after the other", "[ex4.4]") {
+  const ContactProblem problem{
+      (Eigen::Matrix4d() << 6, -4, 2, 4, -4, 8, -4, 0, 2, -4, 5, 4, 4, 0, 4, 10).finished(),
+      Eigen::Vector4d(4, -16, 5, -11)};
+  const Round round = group_step(problem, Eigen::Vector4d(1, 3, 1, 0), {0, 1, 2, 3});
+  CHECK_FALSE(round.at_once);
+  CHECK((round.force - Eigen::Vector4d(0, 2, 0, 1.1)).norm() < 1e-12);
+}
+
 // The first of two pairs to vanish leaves; the other one, which a jump would have opened as well, stays.
 TEST_CASE("ex4.4 held out: on the careful way only the first to vanish opens", "[ex4.4]") {
   const ContactProblem problem{
