@@ -122,7 +122,7 @@ struct Panel {
   void level_lines(std::string label, Look look, const VectorXd& x, const VectorXd& y,
                    const std::function<double(double, double)>& value,
                    const std::vector<double>& levels);
-  /// Adds a body, coloured by von Mises's stress. \param displacement  `n x 2` that makes the stress
+  /// Adds a body, coloured by von Mises's stress. \param body  of a model \param displacement  `n x 2` that makes the stress
   /// \param place  `n x 2` where to draw its nodes
   void body(const signorini::BodyModel& body, const signorini::NodeArray& displacement,
             const signorini::NodeArray& place);
@@ -198,8 +198,8 @@ auto& kept(const std::string& key, const Make& make) {
 
 /// A scene with load steps that is factored once, for any load.
 struct Loaded {
-  signorini::Model model;
-  signorini::CondensedPath path;
+  signorini::Model model;         ///< as loaded at the time that was asked for last
+  signorini::CondensedPath path;  ///< with its factor
 
   /// \param scene  whose loads follow histories \param ledger  of the two steps
   explicit Loaded(const signorini::Scene& scene, signorini::Ledger ledger = {});
