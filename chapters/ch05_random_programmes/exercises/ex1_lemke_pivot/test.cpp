@@ -26,6 +26,27 @@ TEST_CASE("ex5.1 the smallest ratio blocks", "[ex5.1]") {
   CHECK(ex5_1::blocking_row(tableau, 0) == -1);  // nothing falls when w1 grows
 }
 
+// Three rows block at 2. Divided by their entries in column 3 the columns of w1 and w2 read (1, 0), (0, 5) and (1, -3).
+TEST_CASE("ex5.1 a tie goes to the lexicographically smallest row", "[ex5.1]") {
+  Tableau tableau{Eigen::MatrixXd::Zero(3, 8), {0, 1, 2}};
+  tableau.rows.col(0) << 1, 0, 2;
+  tableau.rows.col(1) << 0, 5, -6;
+  tableau.rows.col(3) << 1, 1, 2;
+  tableau.rows.col(7) << 2, 2, 4;
+  CHECK(ex5_1::blocking_row(tableau, 3) == 1);
+  tableau.rows(1, 7) = 3;  // the second row blocks later: the tie is between the others
+  CHECK(ex5_1::blocking_row(tableau, 3) == 2);
+}
+
+// Both pairs touch as z0 falls to 1, and again when the problem is solved.
+TEST_CASE("ex5.1 two pairs alike make ties on the way", "[ex5.1]") {
+  const signorini::ContactProblem problem{(Eigen::Matrix2d() << 2, 1, 1, 2).finished(),
+                                          Eigen::Vector2d(-1, -1)};
+  const ex5_1::Path path = ex5_1::drive(problem, VectorXd::Ones(2), 100);
+  CHECK(path.solved);
+  CHECK((path.force - Eigen::Vector2d(1, 1) / 3).norm() == Approx(0).margin(1e-14));
+}
+
 // The two pairs of chapter 3: forces (3, 1).
 TEST_CASE("ex5.1 two pairs", "[ex5.1]") {
   const signorini::ContactProblem problem{(Eigen::Matrix2d() << 2, 1, 1, 2).finished(),

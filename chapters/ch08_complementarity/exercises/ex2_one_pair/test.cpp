@@ -38,6 +38,12 @@ TEST_CASE("ex8.2 cohesion holds a closed pair and not an open one", "[ex8.2][Lin
   CHECK(wrong({1, 0.6, 1, 1, 0.5, 0.2}, {0, -0.2, 0.4, 0}) > 0.01);
 }
 
+// f_n = 1/2 closes the gap of 1 with G_n = 2; f_t = -1/5 undoes the slip of 1/10 with G_t = 1/2.
+TEST_CASE("ex8.2 compliances are not 1", "[ex8.2]") {
+  CHECK(wrong({-1, 0.1, 2, 0.5, 0.5, 0}, {0.5, -0.2, 0, 0}) < 1e-15);
+  CHECK(wrong({-1, 0.2, 2, 0.5, 0.5, 0}, {0.5, -0.25, 0.075, 0}) < 1e-15);  // the bound is 1/4
+}
+
 TEST_CASE("ex8.2 the Jacobian is that of the residuals", "[ex8.2]") {
   const ex8_2::Pair pair{-1, 0.3, 2, 0.5, 0.5, 0.2};
   const Vector4d x(1.3, -0.4, 0.3, 0.1);  // closed, away from every kink

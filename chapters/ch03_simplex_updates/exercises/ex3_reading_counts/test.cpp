@@ -1,0 +1,44 @@
+#include "../chapters/ch03_simplex_updates/three_problems.hpp"
+#include "catch_compat.hpp"
+#include "exercise.hpp"
+#include "signorini/as_printed/weight_iteration.hpp"
+
+using ex3_3::Answers;
+using ex3_3::answers;
+using signorini::WeightRule;
+
+// Whether what is missing after k iterations is between a third of `goal` and three times as much.
+static bool about(WeightRule rule, int k, double goal) {
+  const signorini::ContactProblem punch = ch03::three_problems().front().problem;
+  const double best =
+      -0.5 * surrogate_dual(punch, WeightRule::FullyCorrective).force.dot(punch.free_gap);
+  signorini::WeightIteration run(punch, rule);
+  for (int i = 0; i < k && i < 20000; ++i)
+    if (!run.step()) break;
+  const double missing = 1 - run.value() / best;
+  return goal / 3 < missing && missing < 3 * goal;
+}
+
+TEST_CASE("ex3.3 the answers fit each other", "[ex3.3]") {
+  const Answers mine = answers();
+  const bool between_two_columns = 665 < mine.harmonic_5 && mine.harmonic_5 < 6438;
+  CHECK(between_two_columns);
+  const bool more_digits_take_more = mine.away_10 > 1018 && mine.pairwise_10 > 535;
+  CHECK(more_digits_take_more);
+  const bool pairwise_is_quicker = mine.pairwise_10 < mine.away_10;
+  CHECK(pairwise_is_quicker);
+  const bool a_power_that_falls = 0 < mine.harmonic_power && mine.harmonic_power < 10;
+  CHECK(a_power_that_falls);
+  const bool some_rules_do_and_some_do_not = 0 < mine.reaching_6 && mine.reaching_6 < 6;
+  CHECK(some_rules_do_and_some_do_not);
+}
+
+TEST_CASE("ex3.3 the forecasts come about true", "[ex3.3]") {
+  const Answers mine = answers();
+  const bool harmonic = about(WeightRule::Harmonic, mine.harmonic_5, 1e-5);
+  CHECK(harmonic);
+  const bool away = about(WeightRule::AwaySteps, mine.away_10, 1e-10);
+  CHECK(away);
+  const bool pairwise = about(WeightRule::Pairwise, mine.pairwise_10, 1e-10);
+  CHECK(pairwise);
+}
