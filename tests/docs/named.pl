@@ -1,6 +1,6 @@
 #!/usr/bin/env perl
 # named.pl ROOT: every file, target of make, group of the set-up, command and option that the guides name exists; every open
-# family of the library has its row in CONTRIBUTING.md, with the table that its source has; and CITATION.cff has the
+# family of the library has its row in CONTRIBUTING.md, with the table that its source has; every exercise is of the kind that the instructor's sheet counts; and CITATION.cff has the
 # version of CMakeLists.txt, and the Containerfile runs the commands of the README.  Then plants a fault in each of these, and expects it to be found.
 use strict;
 use warnings;
@@ -70,6 +70,13 @@ sub check {
         push @found, "CONTRIBUTING.md: no table $row->[1] in $file" if slurp($file) !~ /\b$row->[1]\b/;
     }
     push @found, "CONTRIBUTING.md: $_ has no family" for sort keys %row;
+    for my $page (-f 'docs/instructor.md' ? glob 'chapters/ch*/exercises/ex*/README.md' : ()) {
+        my ($chapter, $k) = $page =~ m{/ch(\d+)_.*/ex(\d+)_};
+        my $exercise = $chapter + 0 . ".$k";
+        my ($kind) = slurp($page) =~ /^\*\*Kind\.\*\* (\w+)/m;
+        my ($rung) = slurp('docs/instructor.md') =~ /^\| \Q$exercise\E \| (\w+) \|/m;
+        push @found, "$page: its kind is " . ($kind // 'not given') . ', the rung of docs/instructor.md ' . ($rung // 'missing') if ($kind // 0) ne ($rung // 1);
+    }
     my $citation = slurp('CITATION.cff');
     my ($version) = slurp('CMakeLists.txt') =~ /project\(signorini VERSION ([\d.]+)/;
     push @found, "CITATION.cff has not the version $version" if $citation !~ /^version: \Q$version\E$/m;
@@ -108,6 +115,7 @@ fault('CHANGELOG.md', qr/signorini plan/, 'signorini plot', 'no command plot');
 fault('chapters/README.md', qr/--accuracy/, '--exactness', 'no option --exactness');
 fault('chapters/README.md', qr/make ex10\.2/, 'make ex10.9', 'no target ex10.9');
 fault('README.md', qr/make ch06/, 'make ch60', 'no target ch60');
+fault('docs/instructor.md', qr/^\| 4\.2 \| \w+/m, '| 4.2 | sleep', 'its kind is complete') if -f 'docs/instructor.md';
 fault('CITATION.cff', qr/^version: .*/m, 'version: 9.9.9', 'has not the version');
 fault('Containerfile', qr/^RUN .*test$/m, 'RUN make test', 'Containerfile runs');
 fault('Containerfile', qr/^RUN/m, 'run', 'Containerfile: the order');
