@@ -2,6 +2,7 @@
 #pragma once
 #include "cases.hpp"
 #include "group_step.hpp"
+#include "signorini/core/table.hpp"
 #include "signorini/problem/examples.hpp"
 #include "which_rows.hpp"
 
@@ -41,6 +42,31 @@ inline Way begin(const ContactProblem& problem) {
 inline void go_on(Way& way, const Rows& taken, const Rows& pressed, const VectorXd& force) {
   const ContactProblem& problem = way.problem;
   way.stages.push_back({taken, pressed, force, problem.free_gap + problem.compliance * force});
+}
+
+/// Largest overlap that is left, 0 if it is rounding.
+inline double overlap_left(const Way& way, const Stage& at) {
+  const double first = -way.problem.free_gap.minCoeff();
+  return -at.gap.minCoeff() > 1e-9 * first ? -at.gap.minCoeff() : 0;
+}
+
+/// Potential energy above that of the solution, 0 if it is rounding: half of the work that forces do in G.
+inline double energy_above(const Way& way, const Stage& at) {
+  const auto half = [&way](const VectorXd& f) { return 0.5 * f.dot(way.problem.compliance * f); };
+  const double above = half(at.force) - half(way.best);
+  return std::abs(above) > 1e-9 * half(way.best) ? above : 0;
+}
+
+/// What can be said of a stage.
+inline std::string words_for(const Way& way, std::size_t step) {
+  if (step + 1 == way.stages.size())
+    return way.optimal ? "The end is the solution."
+                       : "Nothing overlaps, but there is less energy elsewhere.";
+  if (overlap_left(way, way.stages[step]) == 0) return "Nothing overlaps: the last step follows.";
+  for (std::size_t before = step; before > 1; --before)
+    if (way.stages[before - 1].taken == way.stages[step].taken)
+      return text("The pairs of step ", before - 1, " were taken once more.");
+  return "Some pairs still overlap.";
 }
 
 /// Rounds of group steps, which keep all forces.

@@ -5,54 +5,22 @@
 #include <cmath>
 #include <iostream>
 
-#include "closed_points.hpp"
 #include "interfaces.hpp"
-#include "signorini/core/errors.hpp"
+#include "possible_pressures.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/programme/active_set_programme.hpp"
 #include "signorini/report/program.hpp"
 
 namespace {
 
 using namespace ch10;
 using Eigen::Index;
-using Eigen::VectorXd;
 
 const char* tolerance = "rel 1e-4 abs 1e-6";  // of the curves
 const double q0 = hertz_peak_pressure(hertz_contact);
 const double b = hertz_half_width(hertz_contact);
 
-// 1. The least |y - pull|^2 for which no pressure is negative: a point on a spring between walls.
-// [pulled]
-Eigen::VectorXd pulled(const ClosedPoints& closed, const Eigen::VectorXd& pull) {
-  const double scale = closed.pressure.maxCoeff();
-  const Eigen::VectorXd start = closed.root.cwiseProduct(closed.pressure) / scale;
-  const Eigen::Index n = pull.size();
-  const DenseProgramme walls{Eigen::MatrixXd::Identity(n, n), pull, -closed.free, start};
-  const DenseSolution state = goldfarb_idnani(walls);
-  if (state.report.status != Status::Solved) throw NotSolved("possible pressures: not found");
-  return scale * state.gap.cwiseQuotient(closed.root);
-}
-
-struct Bounds {
-  Eigen::VectorXd lowest, highest;
-};
-
-Bounds possible_pressures(const ClosedPoints& closed) {
-  Bounds bounds{closed.pressure, closed.pressure};
-  if (closed.free.cols() == 0) return bounds;
-  const double far = 1e4 * closed.root.norm();
-  for (Eigen::Index i = 0; i < closed.pressure.size(); ++i) {
-    const Eigen::VectorXd up = far * closed.free.row(i).transpose().normalized();
-    bounds.highest(i) = pulled(closed, up)(i);
-    bounds.lowest(i) = pulled(closed, -up)(i);
-  }
-  return bounds;
-}
-// [pulled]
-
-// 2. Two blocks: how many pressures the nodes can tell apart, and what each of them may be.
+// 1. Two blocks: how many pressures the nodes can tell apart, and what each of them may be.
 void two_blocks(const ProgramOptions& run, Results& results) {
   const std::vector<std::pair<Index, Index>> meshes = {{8, 8}, {8, 11}, {11, 8}, {7, 15}};
   Table ranks({"points", "8/8", "8/11", "11/8", "7/15"});

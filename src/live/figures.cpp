@@ -7,6 +7,7 @@
   FIGURE(cantilever)                   \
   FIGURE(newton)                       \
   FIGURE(corner)                       \
+  FIGURE(points)                       \
   FIGURE(hertz)                        \
   FIGURE(lining)                       \
   FIGURE(friction)                     \

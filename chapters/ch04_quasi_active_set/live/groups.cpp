@@ -84,19 +84,17 @@ Answer step_by_step(const Request& now) {
   Panel forces{"Forces of all steps together", "pair", "force"};
   forces.curve("solution", Look::Cross, pair, way.best);
   forces.points("forces", pair, stage.force, stage.force);
-  std::size_t before = step > 0 ? step - 1 : 0;
-  while (before > 0 && way.stages[before].taken != stage.taken) --before;
+
   Answer answer;
-  answer.says = step == end  ? way.optimal ? "The end is the solution."
-                                           : "Nothing overlaps, but there is less energy elsewhere."
-                : before > 0 ? text("The pairs of step ", before, " are taken once more.")
-                             : "Some pairs still overlap.";
+  answer.says = words_for(way, step);
   answer.number("rounds", "steps of the loop", static_cast<double>(way.rounds), "", "%.0f");
-  const auto energy = [&way](const VectorXd& f) { return 0.5 * f.dot(way.problem.compliance * f); };
-  const double least = energy(way.best);  // rounding is no energy
-  const auto clear = [least](double x) { return std::abs(x) > 1e-9 * least ? x : 0; };
-  answer.number("above", "energy above the solution", clear(energy(stage.force) - least));
-  answer.number("bound", "its bound", clear(stage.force.dot(stage.gap)));
+  if (const double left = overlap_left(way, stage); left > 0) {
+    answer.number("overlap", "largest overlap", left);
+  } else {
+    answer.number("above", "energy above the solution", energy_above(way, stage));
+    answer.number("bound", "its bound", stage.force.dot(stage.gap));
+    answer.numbers.back().varies = way.optimal;  // then it is rounding
+  }
   answer.sets = {{"taken", stage.taken}, {"pressed", stage.pressed}};
   const Index k = now.whole("problem");
   answer.panels = {chart(way, step), k < 2 ? plane(*small[k], way, step) : forces};
