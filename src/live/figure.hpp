@@ -116,8 +116,8 @@ struct Panel {
   /// \param x,y  lines of the grid, increasing \param value  at the middle of each cell
   void map(std::string label, const VectorXd& x, const VectorXd& y,
            const std::function<double(double, double)>& value);
-  /// Adds a body, coloured by von Mises's stress. \param displacement  `n x 2` that makes the stress
-  /// \param place  `n x 2` where to draw its nodes
+  /// Adds a body, coloured by von Mises's stress. \param body  of a model
+  /// \param displacement  `n x 2` of its nodes, that makes the stress \param place  `n x 2` where to draw them
   void body(const signorini::BodyModel& body, const signorini::NodeArray& displacement,
             const signorini::NodeArray& place);
   /// Adds the deformed bodies of a scene, coloured by von Mises's stress.
