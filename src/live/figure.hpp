@@ -88,16 +88,16 @@ struct Layer {
 
 /// Axes with layers. Arrays are those of the last request.
 struct Panel {
-  std::string title;
+  std::string title;    ///< above the axes, and what they are called by those who do not see them
   std::string x_label;  ///< with the unit
-  std::string y_label;
-  bool equal = false;  ///< one length is one length along both axes
-  bool log_x = false;
-  bool log_y = false;
+  std::string y_label;  ///< with the unit
+  bool equal = false;   ///< one length is one length along both axes
+  bool log_x = false;   ///< logarithmic
+  bool log_y = false;   ///< logarithmic
   std::vector<double> window = {};  ///< `{x0, x1, y0, y1}`; empty: all that is there
   std::string drag_x = {};          ///< control that follows a pointer along x; empty: none
-  std::string drag_y = {};
-  std::vector<Layer> layers = {};
+  std::string drag_y = {};          ///< the same along y
+  std::vector<Layer> layers = {};   ///< later ones lie above
 
   /// Adds a line or points. \param label,look,x,y  see Layer
   void curve(std::string label, Look look, const VectorXd& x, const VectorXd& y);
@@ -116,30 +116,36 @@ struct Panel {
   /// \param x,y  lines of the grid, increasing \param value  at the middle of each cell
   void map(std::string label, const VectorXd& x, const VectorXd& y,
            const std::function<double(double, double)>& value);
-  /// Adds a body, coloured by von Mises's stress. \param body  of a model
-  /// \param displacement  `n x 2` of its nodes, that makes the stress \param place  `n x 2` where to draw them
+  /// Adds the lines on which a function has certain values, nothing if it has them nowhere. \param label,look  see Layer
+  /// \param x,y  lines of a grid, increasing; on each half of its cells the function is taken as plane
+  /// \param value  at (x, y) \param levels  its values on the lines
+  void level_lines(std::string label, Look look, const VectorXd& x, const VectorXd& y,
+                   const std::function<double(double, double)>& value,
+                   const std::vector<double>& levels);
+  /// Adds a body, coloured by von Mises's stress. \param body  of a model \param displacement  `n x 2` that makes the stress
+  /// \param place  `n x 2` where to draw its nodes
   void body(const signorini::BodyModel& body, const signorini::NodeArray& displacement,
             const signorini::NodeArray& place);
   /// Adds the deformed bodies of a scene, coloured by von Mises's stress.
-  /// \param run  solved \param magnified  displacements are drawn so many times as large
+  /// \param model  with its bodies \param solution  of it \param magnified  displacements are drawn so many times as large
   void bodies(const signorini::Model& model, const signorini::Solution& solution,
               double magnified = 1);
 };
 
 /// A number of an answer, shown beside the panels.
 struct Number {
-  std::string name;   ///< in tests
-  std::string label;  ///< for the reader
-  double value;
-  std::string unit;
-  const char* format;
+  std::string name;     ///< in tests
+  std::string label;    ///< for the reader
+  double value;         ///< in the unit
+  std::string unit;     ///< behind the number
+  const char* format;   ///< of printf, with one conversion of a double
   bool varies = false;  ///< of the size of rounding: it may be another in another program
 };
 
 /// Pairs, or other things with numbers, that are in a set.
 struct Set {
-  std::string name;  ///< in tests
-  std::vector<Index> members;
+  std::string name;            ///< in tests
+  std::vector<Index> members;  ///< in increasing order
 };
 
 /// \param contact  solved, all its pairs rub \param slide  whether to list those that slide, or that stick \return pairs
@@ -151,7 +157,8 @@ struct Answer {
   std::vector<Number> numbers;
   std::vector<Set> sets;  ///< which browsers must find exactly as the native program does
   std::vector<Panel> panels;
-  std::vector<std::vector<std::string>> table = {};  ///< its first row names the columns; none if empty
+  std::vector<std::vector<std::string>> table =
+      {};  ///< its first row names the columns; none if empty
 
   /// Adds a number. \param name,label,value,unit,format  see Number
   void number(std::string name, std::string label, double value, std::string unit = "",
@@ -191,8 +198,8 @@ auto& kept(const std::string& key, const Make& make) {
 
 /// A scene with load steps that is factored once, for any load.
 struct Loaded {
-  signorini::Model model;
-  signorini::CondensedPath path;
+  signorini::Model model;         ///< as loaded at the time that was asked for last
+  signorini::CondensedPath path;  ///< with its factor
 
   /// \param scene  whose loads follow histories \param ledger  of the two steps
   explicit Loaded(const signorini::Scene& scene, signorini::Ledger ledger = {});
