@@ -240,7 +240,8 @@ onmessage = async ({ data }) => {
     form.addEventListener("input", ask);
     form.addEventListener("reset", () => setTimeout(ask));
     form.addEventListener("submit", event => event.preventDefault());
-    live.append(el("h3", {}, about.title), form, says, panels, numbers, el("div", { class: "live-table" }, table));
+    live.append(el("h3", {}, about.title), form, says, panels, numbers, el("div", { class: "live-table" }, table),
+      el("div", { class: "source" }, "computed by ", el("a", { href: live.dataset.source }, live.dataset.source.replace(/^.*\/(live\/.*)\.txt$/, "$1"))));
     const printed = live.nextElementSibling?.matches(".image") ? live.nextElementSibling : null;
     if (printed) {
       const fold = el("details", { class: "live-printed", open: "" }, el("summary", {}, "the figure as printed"));

@@ -27,8 +27,10 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MOUNT = r"""(async () => {
   const wait = ms => new Promise(r => setTimeout(r, ms)), live = () => document.querySelector('div.live[data-figure=NAME]');
   for (let i = 0; i < 100 && document.readyState !== 'complete'; ++i) await wait(50);
-  live()?.scrollIntoView();
-  for (let i = 0; i < 400 && !live()?.querySelector('dl > *, .failed'); ++i) await wait(50);
+  for (let i = 0; i < 400 && live() && !live().querySelector('dl > *') && !live().matches('.failed'); ++i) {
+    if (i % 10 === 0) live().scrollIntoView({ block: 'center' });    // formulas move it while they are typeset
+    await wait(50);
+  }
   if (!live()) return JSON.stringify({ gone: true });
   const inputs = [...live().querySelectorAll('input, select')], status = live().querySelector('[role=status]');
   return JSON.stringify({ unlabelled: inputs.filter(i => i.labels.length !== 1).map(i => i.id), status: status?.textContent,
@@ -172,7 +174,7 @@ class Check:
     def stays(self, page, name):
         """Without workers or scripts the printed figure is seen."""
         text = open(os.path.join(self.folder, page), encoding="utf-8").read()
-        picture = re.search(r'<div class="live" data-figure="%s"></div>.*?<img src="([^"]+)"' % name, text, re.S).group(1)
+        picture = re.search(r'<div class="live" data-figure="%s"[^>]*></div>.*?<img src="([^"]+)"' % name, text, re.S).group(1)
         for what, take in (("workers", "window.Worker = undefined"), ("WebAssembly", "delete window.WebAssembly")):
             tab = Tab(self.browser, self.folder)
             self.browser.call("Page.addScriptToEvaluateOnNewDocument", tab.session, source=take)
@@ -199,7 +201,7 @@ def main():
     if not os.path.exists(os.path.join(folder, "engine.js")):
         sys.exit("check-live.py: no engine in %s, run: make live" % folder)
     figures = [(page, name) for page in sorted(os.listdir(folder)) if page.endswith(".html")
-               for name in re.findall(r'<div class="live" data-figure="(\w+)">', open(os.path.join(folder, page), encoding="utf-8").read())]
+               for name in re.findall(r'<div class="live" data-figure="(\w+)"', open(os.path.join(folder, page), encoding="utf-8").read())]
     browser = Browser(program)
     try:
         check = Check(browser, folder, os.path.abspath(words[1] or "build/bin/live"), words[2] or "build/live")

@@ -48,7 +48,7 @@ for text in "$root"/chapters/README.md "$root"/examples/README.md "$root"/chapte
     [ ! -f "$text" ] || input="$input \"$text\""
 done
 input="$input \"$root/docs/references.md\" \"$root/CONTRIBUTING.md\" \"$root/CHANGELOG.md\" \"$root/docs/library.dox\" \"$root/src\""
-for file in "$root"/chapters/ch[0-9][0-9]_*/*.cpp "$root"/chapters/ch[0-9][0-9]_*/live/*.cpp "$root"/chapters/ch*/exercises/ex*/README.md; do
+for file in "$root"/chapters/ch[0-9][0-9]_*/*.cpp "$root"/chapters/ch*/exercises/ex*/README.md; do
     [ ! -f "$file" ] || input="$input \"$file\""
 done
 sed -e "s#@ROOT@#$root#g" -e "s#@WORK@#$work#g" -e "s#@BOOK@#$book#g" -e "s#@INPUT@#$input#" -e "s#@CSS@#$css#" -e "s#@EXTRA@#$extra#" \

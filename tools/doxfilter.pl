@@ -179,9 +179,9 @@ sub filter_text {
             print '<div class="source">from ' . link_to('`' . basename($1) . '`', $1, $n) . "</div>\n";
         }
         elsif ($text =~ /^<!-- live (\w+) -->\s*$/) {
-            my $source = "live/$1.cpp";
-            complain($n, "no live figure $1: expected " . dirname($rel) . "/$source") if !-f "$root/" . dirname($rel) . "/$source";
-            print qq{\\htmlonly[block]<div class="live" data-figure="$1"></div>\\endhtmlonly\n};
+            my $source = clean(dirname($rel) . "/live/$1.cpp");
+            my $copy   = -f "$root/$source" ? copy_as_text($source) : complain($n, "no live figure $1: expected $source");
+            print qq{\\htmlonly[block]<div class="live" data-figure="$1" data-source="$copy"></div>\\endhtmlonly\n};
         }
         elsif ($text =~ /^\s*```math\s*$/) {
             $text =~ s/```math/\\f[/;

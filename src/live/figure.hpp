@@ -78,8 +78,8 @@ enum class Look {
 
 /// Something to draw into a panel.
 struct Layer {
-  std::string label;  ///< for the legend and for those who do not see it; empty: none
-  Look look = Look::Line;
+  std::string label;       ///< for the legend and for those who do not see it; empty: none
+  Look look = Look::Line;  ///< of a line or points
   VectorXd x;  ///< `n`, or of the corners of all cells one after another; a NaN breaks a line
   VectorXd y;  ///< as many
   Index corners = 0;  ///< of each cell; 0: a line or points
@@ -154,9 +154,9 @@ struct Set {
 /// What a figure answers to a request.
 struct Answer {
   std::string says;  ///< in one or two sentences, also for those who do not see the panels
-  std::vector<Number> numbers;
-  std::vector<Set> sets;  ///< which browsers must find exactly as the native program does
-  std::vector<Panel> panels;
+  std::vector<Number> numbers;  ///< beside the panels
+  std::vector<Set> sets;        ///< which browsers must find exactly as the native program does
+  std::vector<Panel> panels;    ///< drawn side by side
   std::vector<std::vector<std::string>> table =
       {};  ///< its first row names the columns; none if empty
 
@@ -173,10 +173,10 @@ struct Answer {
 
 /// A live figure.
 struct Figure {
-  std::string name;   ///< in requests and in the mark `live NAME` of a chapter's text
-  std::string title;  ///< for the reader
-  std::vector<Control> controls;
-  std::function<Answer(const Request&)> answer;
+  std::string name;               ///< in requests and in the mark `live NAME` of a chapter's text
+  std::string title;              ///< for the reader
+  std::vector<Control> controls;  ///< in the order of the form
+  std::function<Answer(const Request&)> answer;  ///< to the values of all controls
 };
 
 /// \return all live figures, in the order of the chapters
