@@ -36,18 +36,30 @@ Loaded loaded(HertzCase now) {
   return Loaded(scene);
 }
 
-Panel pressures(const HertzRun& out, double widest) {
+const double widest = 1.6;  // of the panels [mm]
+
+// Pairs that the panels show.
+std::vector<Index> shown_pairs(const Pairs& pairs) {
+  std::vector<Index> near;
+  for (Index i = 0; i < pairs.weight.size(); ++i)
+    if (pairs.position(i, 0) < widest) near.push_back(i);
+  return near;
+}
+
+Panel pressures(const HertzRun& out) {
   const LineContact theory = out.now.theory();
   const Solution& solution = out.run.solution;
   const VectorXd fine = VectorXd::LinSpaced(201, 0, widest);
   const auto ellipse = [&theory](double at) { return hertz_pressure(theory, at); };
-  const auto n = static_cast<Index>(out.x.size());
+  const std::vector<Index> near = shown_pairs(out.run.model.pairs);
+  const auto n =
+      static_cast<Index>(std::lower_bound(out.x.begin(), out.x.end(), widest) - out.x.begin());
   Panel panel{"Contact pressure", "x [mm]", "pressure [MPa]"};
   panel.window = {0, widest, 0,
                   1.08 * std::max(hertz_peak_pressure(theory), solution.pressure.maxCoeff())};
   panel.curve("Hertz", Look::Dashed, fine, fine.unaryExpr(ellipse));
-  panel.points("pairs", out.run.model.pairs.position.col(0), solution.pressure,
-               solution.contact.force);
+  panel.points("pairs", out.run.model.pairs.position.col(0)(near), solution.pressure(near),
+               solution.contact.force(near));
   if (out.now.points > 0)
     panel.curve("the same, lumped to nodes", Look::Cross, VectorXd::Map(out.x.data(), n),
                 VectorXd::Map(out.pressure.data(), n));
@@ -59,7 +71,8 @@ Answer press(const Request& now) {
   Loaded& bodies = kept(now.key({"load"}), [&wanted] { return loaded(wanted); });
   const HertzRun out = read_hertz(wanted, bodies.scene_at(wanted.load / heaviest));
   const Solution& solution = out.run.solution;
-  const double b = hertz_half_width(wanted.theory()), widest = 1.6;
+  const std::vector<Index> near_pairs = shown_pairs(out.run.model.pairs);
+  const double b = hertz_half_width(wanted.theory());
 
   Panel near{"Disc and plate near the contact, to scale", "x [mm]", "y [mm]", true};
   near.window = {0, 3, -1.5, 1.5};
@@ -67,7 +80,8 @@ Answer press(const Request& now) {
   Panel gap{"Gap", "x [mm]", "gap [\u00b5m]"};
   const VectorXd micrometres = 1000 * solution.contact.gap;
   gap.window = {0, widest, -1, 15};
-  gap.points("pairs", out.run.model.pairs.position.col(0), micrometres, solution.contact.force);
+  gap.points("pairs", out.run.model.pairs.position.col(0)(near_pairs), micrometres(near_pairs),
+             solution.contact.force(near_pairs));
 
   Answer answer;
   const double rms = pressure_error(out);
@@ -84,7 +98,7 @@ Answer press(const Request& now) {
   answer.number("rms", "pressures off by, root mean square", rms, "%", "%.2f");
   answer.number("last", "last closed pair at", out.last_closed / b, "b", "%.3f");
   answer.solution(solution);
-  answer.panels = {pressures(out, widest), gap, near};
+  answer.panels = {pressures(out), gap, near};
   return answer;
 }
 

@@ -50,7 +50,7 @@ Panel pressure_of(const SolvedScene& run) {
   const VectorXd fine = VectorXd::LinSpaced(201, 0, 1.4);
   const auto ellipse = [](double at) { return hertz_pressure(HertzProblem().theory(), at); };
   const Pressures at = pressures(run);
-  const auto n = static_cast<Index>(at.x.size());
+  const Index n = std::lower_bound(at.x.begin(), at.x.end(), 1.4) - at.x.begin();
   Panel panel{"What such an error looks like", "x [mm]", "pressure [MPa]"};
   panel.window = {0, 1.4, 0, 32};
   panel.curve("Hertz", Look::Dashed, fine, fine.unaryExpr(ellipse));
