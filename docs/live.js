@@ -68,7 +68,7 @@ onmessage = async ({ data }) => {
     cross: p => `<path d="M${p[0] - 5} ${p[1] - 5}l10 10m0 -10l-10 10"/>`,
     here: p => `<circle cx="${p[0]}" cy="${p[1]}" r="7"/><circle class="dot" cx="${p[0]}" cy="${p[1]}" r="1.5"/>`
   };
-  const short = v => v === 0 ? "0" : Math.abs(v) >= 1e4 || Math.abs(v) < 1e-3 ? v.toExponential(1) : String(+v.toPrecision(4));
+  const short = v => v === 0 ? "0" : Math.abs(v) >= 1e4 || Math.abs(v) < 1e-3 ? v.toExponential(1).replace(".0e", "e") : String(+v.toPrecision(4));
   const safe = text => text.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
   function axis(low, high, log, from, to) {  // values to pixels and back, and places for numbers
     const f = log ? Math.log10 : v => v, back = log ? v => 10 ** v : v => v;
@@ -95,7 +95,7 @@ onmessage = async ({ data }) => {
     return box;
   }
   function draw(place, panel, arrays, drag) {
-    const box = windowOf(panel, arrays), width = Math.max(260, place.clientWidth), left = 56, right = 12, top = 10, bottom = 40;
+    const box = windowOf(panel, arrays), width = Math.max(260, place.clientWidth), left = 60, right = 12, top = 10, bottom = 40;
     const aspect = (box[3] - box[2]) / (box[1] - box[0]);
     let inner = width - left - right, height = panel.equal ? inner * aspect : 190;
     if (panel.equal && height > 340) { height = 340; inner = height / aspect; }
@@ -119,7 +119,7 @@ onmessage = async ({ data }) => {
     for (const words in scale) {
       const [least, most] = scale[words].reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
       scale[words] = Math.max(Math.abs(least), Math.abs(most)) || 1;
-      legend.append(el("li", {}, `${words}: ${short(least)} (${least < 0 ? "blue" : "light"}) to ${short(most)} (dark)`));
+      legend.append(el("li", {}, `${words}: ${short(least)} (${least < 0 ? "blue" : "faint"}) to ${short(most)} (strong)`));
     }
     for (const layer of panel.layers) {
       const x = arrays[layer.x], y = arrays[layer.y];
@@ -229,7 +229,7 @@ onmessage = async ({ data }) => {
         if (!failed) {
           last = got;
           numbers.replaceChildren(...got.answer.numbers.map(n => el("div", {}, el("dt", {}, n.label), el("dd", {}, `${n.text} ${n.unit}`.trim()))));
-          table.replaceChildren(...got.answer.table.map((row, k) => el("tr", {}, ...row.map(cell => el(k ? "td" : "th", k ? {} : { scope: "col" }, cell)))));
+          table.replaceChildren(...got.answer.table.map((row, k) => el("tr", {}, ...row.map(cell => el(k ? "td" : "th", k ? {} : { scope: "col" }, cell ?? "")))));
           show();
         }
         live.dispatchEvent(new CustomEvent("answered", { detail: { ...got, total: performance.now() - begin } }));

@@ -56,7 +56,7 @@ ASK = r"""(async requests => {
 })(REQUESTS)"""
 
 WIDE = r"""JSON.stringify({ page: document.documentElement.scrollWidth > innerWidth + 1,
-  parts: [...document.querySelectorAll('div.live *')].filter(e => e.getBoundingClientRect().right > innerWidth + 1).map(e => e.tagName + '.' + e.getAttribute('class')) })"""
+  parts: [...document.querySelectorAll('div.live :not(svg *, .live-table *)')].filter(e => e.getBoundingClientRect().right > innerWidth + 1).map(e => e.tagName + '.' + e.getAttribute('class')) })"""
 
 STAYS = r"""(async () => {
   const wait = ms => new Promise(r => setTimeout(r, ms)), printed = () => document.querySelector('img[src*="PICTURE"]');
@@ -77,10 +77,11 @@ def requests_of(name, about):
             further = c["value"] + c["step"] if c["value"] + c["step"] <= c["most"] else c["value"] - c["step"]
             steps.append({c["name"]: "%.10g" % further})
             ends += [{c["name"]: "%.10g" % c["least"]}, {c["name"]: "%.10g" % c["most"]}]
-    for line in open(glob.glob(os.path.join(ROOT, "chapters/*/live/%s.checks" % name))[0]):
-        words = line.partition(":")[0].split()
-        if ":" in line and not line.startswith("#"):
-            ends.append(dict(word.split("=") for word in words))
+    for checks in glob.glob(os.path.join(ROOT, "chapters/*/live/%s.checks" % name)):
+        for line in open(checks):
+            words = line.partition(":")[0].split()
+            if ":" in line and not line.startswith("#"):
+                ends.append(dict(word.split("=") for word in words))
     return steps, ends
 
 

@@ -207,14 +207,18 @@ void Answer::rounding(std::string name, std::string label, double value, std::st
   numbers.back().varies = true;
 }
 
-void Answer::solution(const signorini::Solution& solved) {
+void Answer::solution(const signorini::Solution& solved, bool determined) {
   const signorini::ContactState& contact = solved.contact;
-  number("closed", "closed pairs", static_cast<double>(contact.active.size()), "", "%.0f");
-  number("pairs", "pairs", static_cast<double>(contact.force.size()), "", "%.0f");
-  number("iterations", "iterations", static_cast<double>(contact.report.iterations), "", "%.0f");
+  const auto count = [&](const char* name, const char* label, Index value) {
+    number(name, label, static_cast<double>(value), "", "%.0f");
+    numbers.back().varies = !determined;
+  };
+  count("closed", "closed pairs", static_cast<Index>(contact.active.size()));
+  count("pairs", "pairs", contact.force.size());
+  count("iterations", "iterations", contact.report.iterations);
   rounding("certificate", "certificate, its worst entry", solved.certificate.worst());
-  sets.push_back({"closed", {contact.active.begin(), contact.active.end()}});
-  if (contact.motion.size() == static_cast<std::size_t>(contact.force.size())) {
+  if (determined) sets.push_back({"closed", {contact.active.begin(), contact.active.end()}});
+  if (determined && contact.motion.size() == static_cast<std::size_t>(contact.force.size())) {
     sets.push_back({"stick", closed_pairs(contact, false)});
     sets.push_back({"slide", closed_pairs(contact, true)});
   }

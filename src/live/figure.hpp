@@ -168,7 +168,8 @@ struct Answer {
   /// Adds what every solution shows: closed pairs, iterations and the worst entry of the certificate, the set of closed
   /// pairs and, with friction, those that stick and that slide, and the notes behind `says`.
   /// \param solution  of the figure's scene
-  void solution(const signorini::Solution& solution);
+  /// \param determined  whether the problem says which pairs are closed; else that is shown, and not compared
+  void solution(const signorini::Solution& solution, bool determined = true);
 };
 
 /// A live figure.

@@ -29,7 +29,7 @@ Answer lie_down(const Request& now) {
   body.window = {-1, 51, -1.7, 5.7};
   body.bodies(beam.model, solution);
   body.curve("foundation", Look::Line, Eigen::Vector2d(-1, 51), Eigen::Vector2d(-1, -1));
-  Panel pressure{"Contact pressure near the tip", "x [cm]", "pressure [kN/cm^2]"};
+  Panel pressure{"Contact pressure near the tip", "x [cm]", "pressure [kN/cm\u00b2]"};
   pressure.window = {40, 50, 0, 1.05 * std::max(sum.peak_pressure, theory.pressure)};
   const VectorXd fine = VectorXd::LinSpaced(201, 40, 50);
   const auto on_beam = [&theory](double at) { return timoshenko_pressure(theory, at); };
@@ -44,7 +44,7 @@ Answer lie_down(const Request& now) {
                                   : "The beam lies on its end.";
   answer.number("force", "contact force", sum.force.y(), "kN", "%.3f");
   answer.number("theory", "Timoshenko beam", timoshenko(theory).total_force, "kN", "%.3f");
-  answer.number("peak", "largest pressure", sum.peak_pressure, "kN/cm^2", "%.3f");
+  answer.number("peak", "largest pressure", sum.peak_pressure, "kN/cm\u00b2", "%.3f");
   answer.solution(solution);
   answer.panels = {body, pressure, gap};
   return answer;

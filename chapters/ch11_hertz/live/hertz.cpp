@@ -97,7 +97,7 @@ Answer press(const Request& now) {
   answer.number("q_error", "off by", out.q_error, "%", "%+.3f");
   answer.number("rms", "pressures off by, root mean square", rms, "%", "%.2f");
   answer.number("last", "last closed pair at", out.last_closed / b, "b", "%.3f");
-  answer.solution(solution);
+  answer.solution(solution, out.now.points == 0);
   answer.panels = {pressures(out), gap, near};
   return answer;
 }
