@@ -18,10 +18,16 @@ onmessage = async ({ data }) => {
     engine = await Signorini({ wasmBinary: data.wasm });
     return postMessage({ ready: true });
   }
-  const begin = performance.now(), text = call("live_answer", data.words), arrays = [];
-  for (let k = 0, n; (n = call("live_size", k)) >= 0; ++k) {
-    const at = call("live_data", k) / 8;
-    arrays.push(engine.HEAPF64.slice(at, at + n));
+  const begin = performance.now(), arrays = [];
+  let text;
+  try {
+    text = call("live_answer", data.words);
+    for (let k = 0, n; (n = call("live_size", k)) >= 0; ++k) {
+      const at = call("live_data", k) / 8;
+      arrays.push(engine.HEAPF64.slice(at, at + n));
+    }
+  } catch (e) {
+    text = JSON.stringify({ error: "The engine stopped: " + e.message + ". Open the page anew." });
   }
   postMessage({ id: data.id, text, arrays, milliseconds: performance.now() - begin }, arrays.map(a => a.buffer));
 };`;
@@ -68,16 +74,20 @@ onmessage = async ({ data }) => {
     cross: p => `<path d="M${p[0] - 5} ${p[1] - 5}l10 10m0 -10l-10 10"/>`,
     here: p => `<circle cx="${p[0]}" cy="${p[1]}" r="7"/><circle class="dot" cx="${p[0]}" cy="${p[1]}" r="1.5"/>`
   };
-  const short = v => v === 0 ? "0" : Math.abs(v) >= 1e4 || Math.abs(v) < 1e-3 ? v.toExponential(1).replace(".0e", "e") : String(+v.toPrecision(4));
+  const short = (v, step = 0) => {  // as many digits as tell a number from the next tick
+    if (v === 0 || Math.abs(v) < 1e-9 * step) return "0";
+    const digits = Math.max(2, step ? Math.ceil(Math.log10(Math.abs(v) / step)) + 2 : 4);
+    return Math.abs(v) >= 1e4 || Math.abs(v) < 1e-3 ? v.toExponential(Math.min(digits, 6) - 1).replace(/\.?0*e/, "e") : String(+v.toPrecision(digits));
+  };
   const safe = text => text.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
-  function axis(low, high, log, from, to) {  // values to pixels and back, and places for numbers
+  function axis(low, high, log, from, to, apart) {  // values to pixels and back, and places for numbers, so many pixels apart
     const f = log ? Math.log10 : v => v, back = log ? v => 10 ** v : v => v;
     let [a, b] = [f(low), f(high)];
     if (!(b > a)) [a, b] = [a - (Math.abs(a) || 1) / 2, b + (Math.abs(b) || 1) / 2];
-    const raw = (b - a) / (Math.abs(to - from) / 70), power = 10 ** Math.floor(Math.log10(raw));
+    const raw = (b - a) / (Math.abs(to - from) / apart), power = 10 ** Math.floor(Math.log10(raw));
     const step = log ? Math.max(1, Math.round(raw)) : [1, 2, 5, 10].find(m => m * power >= raw * 0.999) * power, ticks = [];
     for (let k = Math.ceil(a / step - 1e-9); k * step <= b + 1e-9 * step; ++k) ticks.push(back(+(k * step).toPrecision(12)));
-    return { ticks, at: v => from + (f(v) - a) / (b - a) * (to - from), value: p => back(a + (p - from) / (to - from) * (b - a)) };
+    return { ticks: ticks.map(v => [v, short(v, log ? 0 : step)]), at: v => from + (f(v) - a) / (b - a) * (to - from), value: p => back(a + (p - from) / (to - from) * (b - a)) };
   }
   function windowOf(panel, arrays) {
     if (panel.window.length) return panel.window;
@@ -100,7 +110,7 @@ onmessage = async ({ data }) => {
     let inner = width - left - right, height = panel.equal ? inner * aspect : 190;
     if (panel.equal && height > 340) { height = 340; inner = height / aspect; }
     const w = inner + left + right, h = height + top + bottom, ratio = window.devicePixelRatio || 1;
-    const X = axis(box[0], box[1], panel.log_x, left, left + inner), Y = axis(box[2], box[3], panel.log_y, top + height, top);
+    const X = axis(box[0], box[1], panel.log_x, left, left + inner, 55), Y = axis(box[2], box[3], panel.log_y, top + height, top, 40);
     const canvas = el("canvas", { "aria-hidden": "true" }), style = getComputedStyle(place);
     canvas.width = w * ratio; canvas.height = h * ratio;
     canvas.style.width = w + "px"; canvas.style.height = h + "px";
@@ -119,7 +129,7 @@ onmessage = async ({ data }) => {
     for (const words in scale) {
       const [least, most] = scale[words].reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
       scale[words] = Math.max(Math.abs(least), Math.abs(most)) || 1;
-      legend.append(el("li", {}, `${words}: ${short(least)} (${least < 0 ? "blue" : "faint"}) to ${short(most)} (strong)`));
+      legend.append(el("li", {}, `${words}: ${short(least)} (${least < 0 ? "blue, hatched" : "faint"}) to ${short(most)} (${least < 0 ? "red" : "strong"})`));
     }
     for (const layer of panel.layers) {
       const x = arrays[layer.x], y = arrays[layer.y];
@@ -133,17 +143,21 @@ onmessage = async ({ data }) => {
           const colour = style.getPropertyValue(value[k] < 0 ? "--live-below" : "--live-above");
           paint.fillStyle = `rgb(${colour} / ${Math.sqrt(Math.abs(value[k]) / largest).toFixed(3)})`;
           paint.fill();
+          if (value[k] < 0 && !fine) {  // hatched, for those who see no colours
+            paint.moveTo(X.at(x[n - layer.corners]), Y.at(y[n - layer.corners]));
+            paint.lineTo(X.at(x[n - layer.corners + 2]), Y.at(y[n - layer.corners + 2]));
+          }
           if (!fine) paint.stroke();
         }
         continue;
       }
-      const place = Array.from(x, (v, k) => [X.at(v), Y.at(y[k])].map(p => +p.toFixed(1)));
+      const pixels = Array.from(x, (v, k) => [X.at(v), Y.at(y[k])].map(p => +p.toFixed(1)));
       if (marks[layer.look])
-        lines += place.map((p, k) => p.every(Number.isFinite) ? `<g class="${layer.look}"><title>${safe(layer.label)}: ` +
+        lines += pixels.map((p, k) => p.every(Number.isFinite) ? `<g class="${layer.look}"><title>${safe(layer.label)}: ` +
           `${short(x[k])}, ${short(y[k])}</title>${marks[layer.look](p)}</g>` : "").join("");
       else {
         let pen = "M";
-        const path = place.map(p => { if (!p.every(Number.isFinite)) { pen = "M"; return ""; } const d = pen + p; pen = "L"; return d; });
+        const path = pixels.map(p => { if (!p.every(Number.isFinite)) { pen = "M"; return ""; } const d = pen + p; pen = "L"; return d; });
         lines += `<path class="${layer.look}" d="${path.join("")}"/>`;
       }
       if (layer.label) {
@@ -154,8 +168,8 @@ onmessage = async ({ data }) => {
       }
     }
     const id = "clip-" + Math.random().toString(36).slice(2), end = top + height;
-    const numbers = X.ticks.map(v => `<path class="grid" d="M${X.at(v)} ${top}V${end}"/><text x="${X.at(v)}" y="${end + 15}" text-anchor="middle">${short(v)}</text>`)
-      .concat(Y.ticks.map(v => `<path class="grid" d="M${left} ${Y.at(v)}H${left + inner}"/><text x="${left - 5}" y="${Y.at(v) + 4}" text-anchor="end">${short(v)}</text>`));
+    const numbers = X.ticks.map(([v, words]) => `<path class="grid" d="M${X.at(v)} ${top}V${end}"/><text x="${X.at(v)}" y="${end + 15}" text-anchor="middle">${words}</text>`)
+      .concat(Y.ticks.map(([v, words]) => `<path class="grid" d="M${left} ${Y.at(v)}H${left + inner}"/><text x="${left - 5}" y="${Y.at(v) + 4}" text-anchor="end">${words}</text>`));
     const stage = el("div", { class: "live-stage", style: `width:${w}px;height:${h}px` }, canvas);
     stage.insertAdjacentHTML("beforeend", `<svg width="${w}" height="${h}" role="img" aria-label="${safe(panel.title)}">` +
       `<clipPath id="${id}"><rect x="${left - 4}" y="${top - 4}" width="${inner + 8}" height="${height + 8}"/></clipPath>${numbers.join("")}` +
@@ -163,13 +177,14 @@ onmessage = async ({ data }) => {
       `<text transform="translate(11 ${top + height / 2}) rotate(-90)" text-anchor="middle">${safe(panel.y)}</text></svg>`);
     if (panel.drag_x || panel.drag_y) {
       const follow = event => {
-        const r = stage.getBoundingClientRect();
-        drag(panel.drag_x, X.value(event.clientX - r.left), panel.drag_y, Y.value(event.clientY - r.top));
+        const r = stage.getBoundingClientRect(), x = event.clientX - r.left, y = event.clientY - r.top;
+        if (!(event.buttons & 1) || x < left || x > left + inner || y < top || y > top + height) return;
+        drag(panel.drag_x, X.value(x), panel.drag_y, Y.value(y));
         event.preventDefault();
       };
       stage.classList.add("drag");
       stage.addEventListener("pointerdown", follow);
-      stage.addEventListener("pointermove", event => { if (event.buttons) follow(event); });
+      stage.addEventListener("pointermove", follow);
     }
     place.replaceChildren(el("h4", {}, panel.title), stage, legend);
     place.classList.toggle("wide", panel.equal && aspect < 0.4);
@@ -189,11 +204,12 @@ onmessage = async ({ data }) => {
       return { input: list, label: el("label", { for: id }, control.label, list), value: () => list.value };
     }
     const range = el("input", { id, type: "range", min: control.least, max: control.most, step: control.step, value: control.value });
-    const shown = el("output", { for: id }, range.value);
+    const shown = el("output", { for: id, "aria-live": "off" }, range.value);
     return { input: range, label: el("label", { for: id }, el("span", {}, control.label + " ", shown), range), value: () => range.value,
       show: () => { shown.textContent = range.value; } };
   }
   async function mount(live) {
+    live.append(el("p", { class: "live-wait" }, "This figure is being computed …"));
     const name = live.dataset.figure, about = (await (await theEngine()).ask(`figure ${name}`)).answer;
     if (about.error) throw new Error(about.error);
     const fields = Object.fromEntries(about.controls.map(c => [c.name, field(name, c)])), all = Object.values(fields);
@@ -240,7 +256,7 @@ onmessage = async ({ data }) => {
     form.addEventListener("input", ask);
     form.addEventListener("reset", () => setTimeout(ask));
     form.addEventListener("submit", event => event.preventDefault());
-    live.append(el("h3", {}, about.title), form, says, panels, numbers, el("div", { class: "live-table" }, table),
+    live.replaceChildren(el("h3", {}, about.title), form, says, panels, numbers, el("div", { class: "live-table" }, table),
       el("div", { class: "source" }, "computed by ", el("a", { href: live.dataset.source }, live.dataset.source.replace(/^.*\/(live\/.*)\.txt$/, "$1"))));
     const printed = live.nextElementSibling?.matches(".image") ? live.nextElementSibling : null;
     if (printed) {
@@ -248,7 +264,6 @@ onmessage = async ({ data }) => {
       printed.replaceWith(fold);
       fold.append(printed);
     }
-    live.dataset.ready = "";
     let width = live.clientWidth;
     new ResizeObserver(() => { if (live.clientWidth !== width) { width = live.clientWidth; show(); } }).observe(live);
     new MutationObserver(show).observe(document.documentElement, { attributeFilter: ["class"] });
@@ -262,5 +277,6 @@ onmessage = async ({ data }) => {
     }), { rootMargin: "300px" });
     document.querySelectorAll("div.live").forEach(live => near.observe(live));
   });
+  addEventListener("beforeprint", () => document.querySelectorAll("details.live-printed").forEach(fold => { fold.open = true; }));
   window.signoriniLive = theEngine;  // for the test
 })();

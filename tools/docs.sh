@@ -8,7 +8,7 @@ set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 book=$(realpath -m "${1:-$root/build/book}")
 work=$book.work
-engine=$root/build/engine/engine.js
+engine=$(dirname "$book")/engine/engine.js
 theme=/usr/share/doxygen-awesome-css
 mathjax=/usr/share/javascript/mathjax
 for need in "command -v doxygen" "test -f $mathjax/MathJax.js"; do
@@ -27,6 +27,8 @@ extra="\"$root/docs/book.js\""
 if [ -f "$engine" ]; then
     echo '<script type="text/javascript" src="$relpath^live.js"></script>' >> head.html
     extra="$extra \"$root/docs/live.js\" \"$engine\""
+    [ -z "$(find "$root/src" "$root"/chapters/*/live -newer "$engine" -name '*.[ch]pp' | head -n 1)" ] ||
+        echo "docs.sh: figures compute with an engine older than the sources: make engine"
 fi
 HEAD=head.html perl -0pi -e '
     BEGIN { open my $f, "<", $ENV{HEAD} or die "$ENV{HEAD}: $!"; local $/; $h = <$f> }

@@ -1,6 +1,7 @@
 #include "live/figure.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -80,13 +81,13 @@ void Panel::curve(std::string label, Look look, const VectorXd& x, const VectorX
 }
 
 void Panel::points(const std::string& label, const VectorXd& x, const VectorXd& y,
-                   const VectorXd& pressure) {
+                   const VectorXd& pressure, const char* some, const char* none) {
   for (const bool closed : {false, true}) {
     std::vector<Index> at;
     for (Index k = 0; k < x.size(); ++k)
       if ((pressure(k) > 0) == closed) at.push_back(k);
     if (!at.empty())
-      curve(label + (closed ? ", closed" : ", open"), closed ? Look::Closed : Look::Open, x(at),
+      curve(label + ", " + (closed ? some : none), closed ? Look::Closed : Look::Open, x(at),
             y(at));
   }
 }
@@ -222,7 +223,11 @@ void Answer::solution(const signorini::Solution& solved, bool determined) {
     sets.push_back({"stick", closed_pairs(contact, false)});
     sets.push_back({"slide", closed_pairs(contact, true)});
   }
-  for (const std::string& note : solved.notes) says += " " + note;
+  for (std::string note : solved.notes) {  // sentences of the library begin small and end open
+    if (!note.empty())
+      note[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(note[0])));
+    says += " " + note + (!note.empty() && note.back() == '.' ? "" : ".");
+  }
 }
 
 Loaded::Loaded(const signorini::Scene& scene, signorini::Ledger ledger)

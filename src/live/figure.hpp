@@ -101,9 +101,10 @@ struct Panel {
 
   /// Adds a line or points. \param label,look,x,y  see Layer
   void curve(std::string label, Look look, const VectorXd& x, const VectorXd& y);
-  /// Adds points that are closed where `pressure` > 0 and open elsewhere. \param label,x,y  see Layer \param pressure  `n`
+  /// Adds points in two looks. \param label,x,y  see Layer \param pressure  `n` \param some  what those are whose
+  ///   pressure is > 0 \param none  what the others are
   void points(const std::string& label, const VectorXd& x, const VectorXd& y,
-              const VectorXd& pressure);
+              const VectorXd& pressure, const char* some = "closed", const char* none = "open");
   /// Adds the closed pairs of a contact with friction: filled where they stick, hollow where they slide.
   /// \param x,y  `n_c` \param contact  solved
   void motions(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact);

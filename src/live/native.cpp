@@ -1,5 +1,5 @@
-// The live figures in a terminal: an answer for each line of the input, and the sum of its arrays, for tests that
-// compare with what a browser says.
+// The live figures in a terminal: an answer for each line of the input, for tests that compare with what a browser
+// says.
 #include <iostream>
 
 #include "live/figure.hpp"

@@ -74,7 +74,7 @@ Answer step_by_step(const Request& now) {
   const VectorXd pair = VectorXd::LinSpaced(xi.size(), 1, static_cast<double>(xi.size()));
   Panel weights{"The weights", "pair", "weight"};
   weights.curve("best", Look::Dashed, pair, top.best);
-  weights.points("weights", pair, xi, xi);
+  weights.points("pairs", pair, xi, xi, "with weight", "without");
   Panel missing{"What is missing to the best s", "steps", "part of the best s"};
   missing.log_y = true;
   missing.window = {0, xi.size() > 3 ? 200 : std::max(25.0, 1.1 * now["steps"]), 1e-12, 1};
@@ -84,7 +84,7 @@ Answer step_by_step(const Request& now) {
   missing.curve("here", Look::Here, count.segment(steps, 1), missed.segment(steps, 1));
   Panel overlaps{"Overlaps that are left", "pair", "overlap"};
   overlaps.curve("no gap", Look::Dotted, pair, 0 * pair);
-  overlaps.points("pairs", pair, run.overlap(), xi);
+  overlaps.points("pairs", pair, run.overlap(), xi, "with weight", "without");
 
   Answer answer;
   Index worst = 0;

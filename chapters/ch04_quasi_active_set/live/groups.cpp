@@ -83,7 +83,7 @@ Answer step_by_step(const Request& now) {
       VectorXd::LinSpaced(way.best.size(), 1, static_cast<double>(way.best.size()));
   Panel forces{"Forces of all steps together", "pair", "force"};
   forces.curve("solution", Look::Cross, pair, way.best);
-  forces.points("forces", pair, stage.force, stage.force);
+  forces.points("pairs", pair, stage.force, stage.force, "pressed", "not pressed");
 
   Answer answer;
   answer.says = words_for(way, step);

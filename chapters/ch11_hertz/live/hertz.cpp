@@ -85,7 +85,7 @@ Answer press(const Request& now) {
 
   Answer answer;
   const double rms = pressure_error(out);
-  answer.says = rms < 0.5  ? "The pressures lie on Hertz's ellipse."
+  answer.says = rms < 0.5  ? "The pressures of the nodes lie on Hertz's ellipse."
                 : rms < 10 ? "The pressures scatter about Hertz's ellipse."
                            : "The pressures miss Hertz's ellipse.";
   const double most = solution.pressure.maxCoeff() / hertz_peak_pressure(wanted.theory());
