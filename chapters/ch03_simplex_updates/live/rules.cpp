@@ -36,7 +36,7 @@ Climb climb(const ContactProblem& problem) {
   for (Index r = 0; r < 6; ++r) {
     WeightIteration run(problem, rules[r].rule);
     for (Index k = 0; k < count.size(); ++k, (void)run.step())
-      all.missing(k, r) = std::max(1e-13, 1 - run.value() / all.height);
+      all.missing(k, r) = std::max(1e-12, 1 - run.value() / all.height);
   }
   return all;
 }
@@ -96,7 +96,7 @@ Answer step_by_step(const Request& now) {
   answer.sets = {{"with_weight", {}}};
   for (Index i = 0; i < xi.size(); ++i)
     if (xi(i) > 0) answer.sets[0].members.push_back(i);
-  answer.says = run.step() ? text("Pair ", worst + 1, " overlaps most: (28) puts all weight there.")
+  answer.says = run.step() ? text("Pair ", worst + 1, " overlaps most: (28) points to its vertex.")
                 : run.end() == WeightEnd::Repeats ? "The next vertex was met before: a circle."
                                                   : "No step raises s any more.";
   answer.panels = {xi.size() == 3 ? triangle(top, path) : weights, missing, overlaps};

@@ -74,8 +74,9 @@ Answer go(const Request& now) {
   digits.log_y = true;
   const VectorXd count = VectorXd::LinSpaced(steps + 1, 0, static_cast<double>(steps));
   digits.window = {-0.3, static_cast<double>(steps) + 0.3, 1e-17, 100};
-  const VectorXd error = (force.array() - pair.force()).abs();
-  digits.curve("residual", Look::Closed, count, VectorXd::Map(run.residuals.data(), steps + 1));
+  const VectorXd error = (force.array() - pair.force()).abs().max(1e-17);  // 0 has no logarithm
+  digits.curve("residual", Look::Closed, count,
+               VectorXd::Map(run.residuals.data(), steps + 1).cwiseMax(1e-17));
   digits.curve("error of the force [N]", Look::Cross, count, error);
   digits.curve("enough", Look::Dotted, Vector2d(0, static_cast<double>(steps)),
                Vector2d(1e-10, 1e-10));

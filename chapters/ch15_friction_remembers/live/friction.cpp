@@ -6,9 +6,7 @@
 namespace live {
 namespace {
 
-using namespace signorini;
 using namespace ch15;
-
 // Pressed in one step; the push turns after 6, 18 and 30 more.
 const std::vector<double> times = push_times(6);
 
@@ -19,8 +17,9 @@ struct Way {
   std::vector<Step> steps = {};
   void go_on(bool remembers) {
     const PathState past = remembers && !steps.empty() ? steps.back().state : PathState{};
-    steps.push_back(step(past, times[steps.size()], scene.model, scene.path, {}));
-    require_solved(steps.back().solution, "the step");
+    const Step next = step(past, times[steps.size()], scene.model, scene.path, {});
+    require_solved(next.solution, "the step");
+    steps.push_back(next);
   }
 };
 
@@ -99,7 +98,8 @@ Answer push(const Request& now) {
   answer.number("stuck_exact", "closed form", 2 * way.known.stuck(time), "mm");
   answer.number("miss", "shear misses the closed form by, of \u03bcq\u2080",
                 100 * miss(way.known, time, way.scene.model, step), "%", "%.1f");
-  answer.number("lost", "lost by sliding", 1e3 * step.state.dissipation.sum(), "\u00b5J");
+  if (now.on("memory"))
+    answer.number("lost", "lost by sliding", 1e3 * step.state.dissipation.sum(), "\u00b5J");
   answer.solution(step.solution);
   answer.panels = {shear(way, last), loop(way, last), stick_map(way, last)};
   return answer;
