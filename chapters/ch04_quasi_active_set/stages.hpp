@@ -27,6 +27,7 @@ struct Way {
   bool optimal = true;        ///< whether the end is the solution
 };
 
+/// Pairs that press. \param force  `n_c` [force] \return their numbers, in increasing order
 inline Rows with_force(const VectorXd& force) {
   Rows pressed;
   for (Index i = 0; i < force.size(); ++i)
@@ -34,11 +35,14 @@ inline Rows with_force(const VectorXd& force) {
   return pressed;
 }
 
+/// A way at its start, where no pair has a force.
+/// \param problem  without friction \return the way, which also knows the forces of the solution
 inline Way begin(const ContactProblem& problem) {
   const VectorXd best = find_solver("quasi_active_set").solve(problem, {}).force;
   return {problem, best, {{{}, {}, 0 * best, problem.free_gap}}};
 }
 
+/// Adds a step. \param way  gets it \param taken,pressed  see Stage \param force  `n_c`, of all steps together [force]
 inline void go_on(Way& way, const Rows& taken, const Rows& pressed, const VectorXd& force) {
   const ContactProblem& problem = way.problem;
   way.stages.push_back({taken, pressed, force, problem.free_gap + problem.compliance * force});

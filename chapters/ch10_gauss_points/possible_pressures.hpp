@@ -6,8 +6,16 @@
 
 namespace ch10 {
 
+/// What the pressure of each closed point may be, from the lowest to the highest [force/length^2].
+struct Bounds {
+  Eigen::VectorXd lowest;   ///< of each point, >= 0
+  Eigen::VectorXd highest;  ///< of each point
+};
+
 /// Pressures that are as far as they can be in the direction of a pull: the least |y - pull|^2 for which no pressure
 /// is negative, a point on a spring between walls.
+/// \param closed  points with their pressures and what no node feels \param pull  as many as `closed.free` has columns
+/// \return pressures of the closed points, >= 0 [force/length^2] \throws signorini::NotSolved if the programme has no end
 // [pulled]
 inline Eigen::VectorXd pulled(const ClosedPoints& closed, const Eigen::VectorXd& pull) {
   const double scale = closed.pressure.maxCoeff();
@@ -19,10 +27,7 @@ inline Eigen::VectorXd pulled(const ClosedPoints& closed, const Eigen::VectorXd&
   return scale * state.gap.cwiseQuotient(closed.root);
 }
 
-struct Bounds {
-  Eigen::VectorXd lowest, highest;
-};
-
+/// Each pressure as low and as high as it can be while no node feels it. \param closed  points \return bounds for each
 inline Bounds possible_pressures(const ClosedPoints& closed) {
   Bounds bounds{closed.pressure, closed.pressure};
   if (closed.free.cols() == 0) return bounds;

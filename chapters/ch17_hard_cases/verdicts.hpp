@@ -56,8 +56,9 @@ inline std::string broken_bound(const Exhibit& exhibit, const Answer& answer) {
     const double value = quantity(bound.quantity, answer);
     const double scale = bound.value == 0 ? 1 : std::abs(bound.value);
     if (std::abs(value - bound.value) > bound.within * scale)
-      return bound.quantity + " = " + signorini::shortest(value) + ", not " +
-             signorini::shortest(bound.value);
+      return bound.quantity + " = " + signorini::number(value, "%.4g") + " misses " +
+             signorini::number(bound.value, "%.4g") + " by " +
+             signorini::number(std::abs(value - bound.value), "%.1e");
   }
   return "";
 }

@@ -4,6 +4,7 @@
 #include "../three_candidates.hpp"
 #include "live/figure.hpp"
 #include "signorini/as_printed/surrogate_dual.hpp"
+#include "signorini/core/table.hpp"
 
 namespace live {
 namespace {
@@ -50,8 +51,6 @@ Answer trade_off(const Request& now) {
   gaps.curve("these weights", Look::Open, x, gap);
 
   Answer answer;
-  answer.says = trade.force > 0 ? "One total force for one weighted gap."
-                                : "The weighted gap is open: no force.";
   answer.number("weight_1", "left", xi(0), "", "%.2f");
   answer.number("weight_2", "middle", xi(1), "", "%.2f");
   answer.number("weight_3", "right", xi(2), "", "%.2f");
@@ -62,8 +61,14 @@ Answer trade_off(const Request& now) {
   Set overlapping{"overlapping", {}};
   for (Index k = 0; k < 3; ++k)
     if (gap(k) < -1e-12 * problem.free_gap.cwiseAbs().maxCoeff()) overlapping.members.push_back(k);
-  answer.number("overlaps", "pairs that still overlap",
-                static_cast<double>(overlapping.members.size()), "", "%.0f");
+  const std::size_t overlaps = overlapping.members.size();
+  answer.number("overlaps", "pairs that still overlap", static_cast<double>(overlaps), "", "%.0f");
+  answer.says =
+      text(overlaps == 0   ? "No pair overlaps"
+           : overlaps == 1 ? "One pair still overlaps"
+                           : "Two pairs still overlap",
+           " under ", number(100 * trade.force / block.solution.contact.force.sum(), "%.0f"),
+           " % of the force of the solution.");
   answer.sets = {overlapping};
   answer.panels = {triangle, forces, gaps};
   return answer;

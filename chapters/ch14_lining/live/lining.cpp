@@ -70,17 +70,17 @@ Answer widen(const Request& now) {
   gap.points("pairs", degrees, solution.contact.gap, solution.contact.force);
 
   Answer answer;
-  const Index closed = static_cast<Index>(solution.contact.active.size()), all = degrees.size();
-  answer.says =
-      closed < all ? "The rings press on each other in places." : "The gap is closed all round.";
+  const Index press = (solution.pressure.array() > 1e-9 * paper.pressure).count();  // no rounding
+  answer.says = press == 0               ? "The rings do not press on each other."
+                : press < degrees.size() ? "The rings press on each other in places."
+                                         : "The gap is closed all round.";
   answer.number("p", "contact pressure, mean", solution.pressure.mean(), "MPa", "%.3f");
   answer.number("least", "least", solution.pressure.minCoeff(), "MPa", "%.3f");
   answer.number("most", "largest", solution.pressure.maxCoeff(), "MPa", "%.3f");
   answer.number("exact", "closed form", exact, "MPa", "%.3f");
   answer.number("u", "inner rim moves by, mean", inner_rim(run).mean(), "cm", "%.5f");
   answer.number("u_exact", "closed form", inner_rim(theory), "cm", "%.5f");
-  answer.solution(solution);
-  if (closed == 0) answer.says = "The gap is open all round.";  // which is least is rounding
+  answer.solution(solution, press > 0 || now["gap"] > 0);
   answer.panels = {bodies, pressure, gap};
   return answer;
 }

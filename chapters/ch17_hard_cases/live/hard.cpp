@@ -1,6 +1,4 @@
 // Live figure of chapter 17: pick an exhibit, see who solves it, who refuses it and who is refuted.
-#include <limits>
-
 #include "../tour.hpp"
 #include "live/exhibits.hpp"
 #include "live/figure.hpp"
@@ -31,46 +29,51 @@ std::string words(Verdict verdict, const museum::Exhibit& exhibit, const museum:
   return "claims a solution, but " + (broken.empty() ? "there is none" : broken);
 }
 
+VectorXd numbers(Index n) { return VectorXd::LinSpaced(n, 1, static_cast<double>(n)); }
+
 // Forces or gaps by number of the pair; nothing to draw if there are none.
 void curve(Panel& panel, const char* label, Look look, const VectorXd& values) {
-  if (values.size() == 0) return;
-  panel.curve(label, look,
-              VectorXd::LinSpaced(values.size(), 1, static_cast<double>(values.size())), values);
+  if (values.size() > 0) panel.curve(label, look, numbers(values.size()), values);
+}
+
+// Their figures by line of the table.
+void marks(Panel& panel, const char* label, Look look, const std::vector<Index>& lines,
+           const VectorXd& worst) {
+  if (!lines.empty()) panel.curve(label, look, numbers(worst.size())(lines), worst(lines));
 }
 
 Answer visit(const Request& now) {
   const museum::Case given = opened(now.chosen("exhibit"));
   Answer answer;
-  answer.says = "One sees " + given.exhibit.symptom + ". Why: " + given.exhibit.cause + ".";
-  answer.table = {{"", "who", "what comes of it"}};
+  answer.says = "Symptom: " + given.exhibit.symptom + ". Cause: " + given.exhibit.cause + ".";
+  answer.table = {{"verdict", "who", "what comes of it"}};
   Panel certificates{"The worst figure of the certificate of each who claims a solution",
-                     "line of the table",
-                     "worst figure",
-                     false,
-                     false,
-                     true};
+                     "line of the table", "worst figure"};
+  certificates.log_y = true;
   Panel forces{"Contact forces", "pair", "force"};
   Panel gaps{"Gaps", "pair", "gap"};
   const auto& all = museum::visitors();
   certificates.curve("accepted", Look::Dotted, Eigen::Vector2d(1, static_cast<double>(all.size())),
                      Eigen::Vector2d::Constant(museum::accepted));
   std::vector<Set> verdicts = {{"solved", {}}, {"honest", {}}, {"refuted", {}}, {"not_for", {}}};
+  VectorXd worst = VectorXd::Zero(static_cast<Index>(all.size()));
   for (std::size_t k = 0; k < all.size(); ++k) {
     const museum::Answer said = asked(given, all[k]);
     const Verdict verdict = museum::judge(given.exhibit, said);
     verdicts[static_cast<std::size_t>(verdict)].members.push_back(static_cast<Index>(k));
     answer.table.push_back({museum::icon(verdict), all[k], words(verdict, given.exhibit, said)});
     if (said.asked && said.solved())
-      certificates.curve("", verdict == Verdict::Solved ? Look::Closed : Look::Cross,
-                         VectorXd::Constant(1, static_cast<double>(k + 1)),
-                         VectorXd::Constant(1, std::max(said.certificate.worst(), 1e-20)));
+      worst(static_cast<Index>(k)) = std::max(said.certificate.worst(), 1e-20);
     if (all[k] != "ours" && all[k] != now.chosen("beside")) continue;
     const bool ours = all[k] == "ours";
     curve(forces, ours ? "ours" : "beside", ours ? Look::Cross : Look::Open, said.contact.force);
     curve(gaps, ours ? "ours" : "beside", ours ? Look::Cross : Look::Open, said.contact.gap);
   }
   for (const Set& set : verdicts)
-    answer.number(set.name, set.name, static_cast<double>(set.members.size()), "", "%.0f");
+    answer.number(set.name, set.name == "not_for" ? "not for such problems" : set.name,
+                  static_cast<double>(set.members.size()), "", "%.0f");
+  marks(certificates, "certified", Look::Closed, verdicts[0].members, worst);
+  marks(certificates, "refuted", Look::Cross, verdicts[2].members, worst);
   answer.sets = verdicts;
   answer.panels = {certificates};
   for (const Panel& panel : {forces, gaps})

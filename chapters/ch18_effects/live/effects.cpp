@@ -68,7 +68,7 @@ Answer switched(const Request& now) {
   answer.number("force", "force on the half", std::abs(sum.force.y()), "N/mm", "%.3f");
   answer.solution(run.solution);
   answer.panels = {pressure, bodies};
-  answer.table = {{"", "what the plan says"}};
+  answer.table = {{"plan", "what it says"}};
   for (const std::string& line : planned.on) answer.table.push_back({"on", line});
   for (const std::string& name : planned.off) answer.table.push_back({"off", name});
   return answer;
