@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "../chapters/ch08_complementarity/functions.hpp"
 #include "catch_compat.hpp"
@@ -55,4 +56,8 @@ TEST_CASE("ex8.3 a steady run comes true", "[ex8.3]") {
   CHECK_FALSE(steps_left(run(three, 1), 1e-10));
   CHECK(steps_left({1, 1e-1, 1e-3, 1e-7}, 2e-15) == 1);
   CHECK(steps_left({1, 1e-1, 1e-3, 1e-7}, 5e-16) == 2);
+}
+
+TEST_CASE("ex8.3 three residuals are too few", "[ex8.3]") {
+  CHECK_THROWS_AS(digits_gained({1, 0.1, 0.01}), std::invalid_argument);
 }

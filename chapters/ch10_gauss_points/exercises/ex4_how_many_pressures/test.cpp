@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "catch_compat.hpp"
@@ -81,4 +82,8 @@ TEST_CASE("ex10.4 where the columns stop growing", "[ex10.4]") {
 TEST_CASE("ex10.4 one point alone", "[ex10.4][LinEtAl-35]") {
   CHECK(highest_alone(gauss(2)) == Approx(2.536).margin(5e-4));
   CHECK(highest_alone(gauss(3)) == Approx(4.5).margin(5e-4));
+}
+
+TEST_CASE("ex10.4 sides of different ends are refused", "[ex10.4]") {
+  CHECK_THROWS_AS(most_felt({{0, 1}, {0, 2}}), std::invalid_argument);
 }

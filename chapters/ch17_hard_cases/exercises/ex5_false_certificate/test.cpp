@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -45,4 +46,10 @@ TEST_CASE("ex17.5 two to believe, one that is bad and says so, three that are fa
   for (const std::size_t k : opinion.untrue)
     single += understated(posed(), pile.at(k)).size() == 1 ? 1 : 0;
   CHECK(single == 1);
+}
+
+TEST_CASE("ex17.5 sizes that do not fit are refused", "[ex17.5]") {
+  Document document = documents().front();
+  document.answer.displacement.resize(3);
+  CHECK_THROWS_AS(understated(posed(), document), std::invalid_argument);
 }
