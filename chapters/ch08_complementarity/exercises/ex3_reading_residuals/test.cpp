@@ -47,7 +47,7 @@ TEST_CASE("ex8.3 the fates of three functions of the chapter", "[ex8.3][LinEtAl-
 }
 
 // Cut a run short, and compare the forecast with what came.
-TEST_CASE("ex8.3 a steady run comes true", "[ex8.3]") {
+TEST_CASE("ex8.3 the forecast of a steady run", "[ex8.3]") {
   const Residuals whole = run(touching, 4);
   const Residuals part(whole.begin(), whole.begin() + 8);
   const auto left = steps_left(part, 1.0001 * whole.back());
