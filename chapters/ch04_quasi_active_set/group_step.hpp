@@ -55,8 +55,10 @@ inline Rows propose(const ContactProblem& problem, const VectorXd& force, const 
   const std::size_t closed = rows.size();
   for (const Index i : violated) {
     rows.push_back(i);
-    const MatrixXd L = problem.compliance(rows, rows).llt().matrixL();
-    const double rest = std::pow(L(L.rows() - 1, L.rows() - 1), 2);  // what is new in row i
+    const auto factor = problem.compliance(rows, rows).llt();
+    const Index last = factor.rows() - 1;
+    const double rest =  // what is new in row i
+        factor.info() == Eigen::Success ? std::pow(factor.matrixLLT()(last, last), 2) : 0;
     if (!(rest > std::sqrt(signorini::epsilon) * problem.compliance(i, i))) rows.pop_back();
   }
   if (rows.size() == closed)
@@ -65,19 +67,11 @@ inline Rows propose(const ContactProblem& problem, const VectorXd& force, const 
   return rows;
 }
 
-/// The group joins at once. If that was too bold, the forces grow from the old ones.
-// [group step]
-inline VectorXd group_step(const ContactProblem& problem, const VectorXd& old, const Rows& group) {
-  Rows rows = group;  // closed pairs and those that join
-  VectorXd goal = close(problem, rows);
-  const auto pulls = [&](Index i) { return goal(i) < 0; };
-  while (drop(rows, pulls)) goal = close(problem, rows);
-  if (dual_energy(problem, goal) > dual_energy(problem, old)) return goal;  // accepted
-
-  rows = group;
-  for (VectorXd force = old;;) {
-    goal = close(problem, rows);
-    const auto way = [&](Index i) { return pulls(i) ? force(i) / (force(i) - goal(i)) : 1; };
+/// The forces grow from the old ones towards those that close the group, and what pulls opens on the way.
+inline VectorXd with_care(const ContactProblem& problem, VectorXd force, Rows rows) {
+  for (;;) {
+    const VectorXd goal = close(problem, rows);
+    const auto way = [&](Index i) { return goal(i) < 0 ? force(i) / (force(i) - goal(i)) : 1; };
     double t = 1;  // as far towards the goal as nothing pulls
     for (const Index i : rows) t = std::min(t, way(i));
     if (t == 1) return goal;
@@ -86,6 +80,21 @@ inline VectorXd group_step(const ContactProblem& problem, const VectorXd& old, c
     force.setZero();
     force(rows) = there(rows);
   }
+}
+
+// [group step]
+/// Closes a group at once, opens what pulls, closes the rest, and so on until none pulls.
+inline VectorXd at_once(const ContactProblem& problem, Rows rows) {
+  VectorXd force = close(problem, rows);
+  while (drop(rows, [&](Index i) { return force(i) < 0; })) force = close(problem, rows);
+  return force;
+}
+
+/// A group joins: at once, and if that was too bold, with care.
+inline VectorXd group_step(const ContactProblem& problem, const VectorXd& old, const Rows& group) {
+  const VectorXd bold = at_once(problem, group);
+  const bool higher = dual_energy(problem, bold) > dual_energy(problem, old);
+  return higher ? bold : with_care(problem, old, group);
 }
 // [group step]
 

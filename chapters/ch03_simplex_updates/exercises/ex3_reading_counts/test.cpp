@@ -33,7 +33,7 @@ TEST_CASE("ex3.3 the answers fit each other", "[ex3.3]") {
   CHECK(some_rules_do_and_some_do_not);
 }
 
-TEST_CASE("ex3.3 the forecasts come about true", "[ex3.3]") {
+TEST_CASE("ex3.3 the forecasts come true", "[ex3.3]") {
   const Answers mine = answers();
   const bool harmonic = about(WeightRule::Harmonic, mine.harmonic_5, 1e-5);
   CHECK(harmonic);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "../chapters/ch06_cantilever/scene.hpp"
 #include "catch_compat.hpp"
@@ -44,4 +45,10 @@ TEST_CASE("ex6.4 what just touches has no force, in any unit", "[ex6.4]") {
     force(sample % 6) += 1.0 / sample;
     CHECK((closed_nodes(in_units({G, -G * force}, length, 1)) == Rows{0, 1, 2, 3, 4, 5}));
   }
+}
+
+TEST_CASE("ex6.4 sets that go round are no answer", "[ex6.4]") {
+  const ContactProblem circles{(Eigen::Matrix3d() << 4, -6, -4, -6, 10, 8, -4, 8, 9).finished(),
+                               Eigen::Vector3d(3, -4, -1)};
+  CHECK_THROWS_AS(closed_nodes(circles), std::runtime_error);
 }

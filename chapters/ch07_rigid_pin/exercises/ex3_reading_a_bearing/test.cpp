@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -57,4 +58,8 @@ TEST_CASE("ex7.3 half of the load is within and half beyond", "[ex7.3]") {
     CHECK(up_to(*rows, angle, false) < 250);
   }
   CHECK(half_within(pressed) < half_within(pulled));
+}
+
+TEST_CASE("ex7.3 what is no bearing is refused", "[ex7.3]") {
+  CHECK_THROWS_AS(load_carried({{0, 1, 1}}), std::invalid_argument);
 }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -42,4 +43,8 @@ TEST_CASE("ex7.4 the linear gap is right to first order, and no further", "[ex7.
 
 TEST_CASE("ex7.4 a tiny clearance keeps its digits", "[ex7.4]") {
   CHECK(gap_at({5, 5e-12, 5e-12}, 0.5).gap == Approx(5e-12 * (1 - std::cos(0.5))).epsilon(1e-9));
+}
+
+TEST_CASE("ex7.4 what is no fit is refused", "[ex7.4]") {
+  CHECK_THROWS_AS(gap_at({5, 0.2, 5}, 1), std::invalid_argument);
 }

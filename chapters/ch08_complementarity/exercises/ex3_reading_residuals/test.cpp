@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "../chapters/ch08_complementarity/functions.hpp"
 #include "catch_compat.hpp"
@@ -46,7 +47,7 @@ TEST_CASE("ex8.3 the fates of three functions of the chapter", "[ex8.3][LinEtAl-
 }
 
 // Cut a run short, and compare the forecast with what came.
-TEST_CASE("ex8.3 a steady run comes true", "[ex8.3]") {
+TEST_CASE("ex8.3 the forecast of a steady run", "[ex8.3]") {
   const Residuals whole = run(touching, 4);
   const Residuals part(whole.begin(), whole.begin() + 8);
   const auto left = steps_left(part, 1.0001 * whole.back());
@@ -55,4 +56,8 @@ TEST_CASE("ex8.3 a steady run comes true", "[ex8.3]") {
   CHECK_FALSE(steps_left(run(three, 1), 1e-10));
   CHECK(steps_left({1, 1e-1, 1e-3, 1e-7}, 2e-15) == 1);
   CHECK(steps_left({1, 1e-1, 1e-3, 1e-7}, 5e-16) == 2);
+}
+
+TEST_CASE("ex8.3 three residuals are too few", "[ex8.3]") {
+  CHECK_THROWS_AS(digits_gained({1, 0.1, 0.01}), std::invalid_argument);
 }

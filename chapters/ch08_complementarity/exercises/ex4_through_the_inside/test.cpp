@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -52,4 +53,8 @@ TEST_CASE("ex8.4 a pair that touches, and pairs that are apart", "[ex8.4]") {
                                 Eigen::Vector2d(-2, -1)};
   CHECK((through_the_inside(touching) - Eigen::Vector2d(1, 0)).norm() < 1e-12);
   CHECK(through_the_inside({Eigen::Matrix2d::Identity(), Eigen::Vector2d(1, 0)}).norm() == 0);
+}
+
+TEST_CASE("ex8.4 a product of zero is refused", "[ex8.4]") {
+  CHECK_THROWS_AS(central(one_pair(-1, 1), 0), std::invalid_argument);
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 #include "../chapters/ch09_point_to_surface/contact_element.hpp"
 #include "catch_compat.hpp"
@@ -60,4 +61,8 @@ TEST_CASE("ex9.3 eight nodes cannot reach sixteen", "[ex9.3][LinEtAl-27]") {
     const bool named = std::find(none.begin(), none.end(), node) != none.end();
     CHECK(named == (got[static_cast<std::size_t>(node - 100)] < 1e-12));
   }
+}
+
+TEST_CASE("ex9.3 a row without a node of the source is refused", "[ex9.3]") {
+  CHECK_THROWS_AS(reading_of({{1, false, 0, 1}, {2, false, 0, -1}}), std::invalid_argument);
 }

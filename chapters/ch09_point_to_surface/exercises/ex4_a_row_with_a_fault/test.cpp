@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -58,4 +59,8 @@ TEST_CASE("ex9.4 a node that faces no place of the edge has no row", "[ex9.4]") 
   CHECK_FALSE(gap_row({1, 0, 0, 0, 1.5, 0.25}));
   CHECK_FALSE(gap_row({1, 0, 0, 0, -0.5, 0.25}));
   CHECK_FALSE(gap_row({4, 0, 0, 3, 6, 0}));
+}
+
+TEST_CASE("ex9.4 an edge without length is refused", "[ex9.4]") {
+  CHECK_THROWS_AS(gap_row({1, 1, 1, 1, 0, 0}), std::invalid_argument);
 }

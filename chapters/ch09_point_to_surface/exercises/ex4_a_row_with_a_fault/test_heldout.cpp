@@ -67,7 +67,7 @@ TEST_CASE("ex9.4 held out: very long and very short edges", "[ex9.4]") {
   }
 }
 
-TEST_CASE("ex9.4 held out: what is no edge is refused still", "[ex9.4]") {
+TEST_CASE("ex9.4 held out: what is no edge is still refused", "[ex9.4]") {
   const double none = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(gap_row({1, 1, 1, 1, 0, 0}), std::invalid_argument);
   CHECK_THROWS_AS(gap_row({1, 0, 0, 0, none, 0}), std::invalid_argument);

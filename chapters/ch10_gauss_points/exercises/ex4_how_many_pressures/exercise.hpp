@@ -19,7 +19,7 @@ struct Interface {
 
 /// How many of the pressures of some points the nodes can tell apart.
 /// \param nodes   of the interface
-/// \param points  on it, rising [length]; all are closed
+/// \param points  on it, not falling [length]; all are closed
 /// \return rank of the forces that pressures of these points put on the nodes of both sides
 /// \throws std::invalid_argument as most_felt(), or if a point lies beyond the ends
 [[nodiscard]] int felt(const Interface& nodes, const std::vector<double>& points);

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -59,4 +60,8 @@ TEST_CASE("ex11.4 rows of the book", "[ex11.4]") {
   CHECK(row(0.0942, 0.0212, 0.0050).count == 3);
   CHECK(row(0.0416, -0.0313, -0.0475).count == 0);  // the same meshes against (44)
   CHECK(row(-0.082, -0.092, -0.007).count == 0);    // chapter 11, half-width
+}
+
+TEST_CASE("ex11.4 sizes that do not fall are refused", "[ex11.4]") {
+  CHECK_THROWS_AS(fit_of_order({{1, 1}, {2, 1}}), std::invalid_argument);
 }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -60,4 +61,8 @@ TEST_CASE("ex12.3 from where on (44) holds to a part", "[ex12.3]") {
     CHECK(std::abs(across(*from) / strength - 1) <= share * (1 + 1e-12));
     CHECK(std::abs(across(0.97 * *from) / strength - 1) > share);
   }
+}
+
+TEST_CASE("ex12.3 one point is no line", "[ex12.3]") {
+  CHECK_THROWS_AS(tension_begins({{0, 1}}), std::invalid_argument);
 }

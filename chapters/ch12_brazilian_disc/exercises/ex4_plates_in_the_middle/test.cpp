@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -22,4 +23,8 @@ TEST_CASE("ex12.4 a load on a line loses nothing", "[ex12.4]") {
 TEST_CASE("ex12.4 sixteen chords are as good as a thousand", "[ex12.4]") {
   for (const double b : {0.25, 0.1})
     CHECK(middle_loss(1, b, 16) == Approx(middle_loss(1, b, 1000)).epsilon(1e-9));
+}
+
+TEST_CASE("ex12.4 a width above the radius is refused", "[ex12.4]") {
+  CHECK_THROWS_AS(middle_loss(1, 1.1, 16), std::invalid_argument);
 }

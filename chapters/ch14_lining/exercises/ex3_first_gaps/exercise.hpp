@@ -26,7 +26,7 @@ struct FirstGaps {
 /// \return whether all do; true without pairs
 [[nodiscard]] bool as_drawn(const FirstGaps& gaps, double drawn, double part);
 
-/// How many straight sides a quarter of a circle needs, so that the middle of a side lies no further inside of the circle
+/// How many straight sides a quarter of a circle needs, so that the middle of a side lies no further inside the circle
 /// than a part of a gap.
 /// \param radius  of the circle [length], > 0
 /// \param gap     [length], > 0
