@@ -74,7 +74,9 @@ Answer widen(const Request& now) {
   answer.says = press == 0               ? "The rings do not press on each other."
                 : press < degrees.size() ? "The rings press on each other in places."
                                          : "The gap is closed all round.";
-  answer.number("p", "contact pressure, mean", solution.pressure.mean(), "MPa", "%.3f");
+  answer.number("p", "contact pressure, mean",
+                run.model.pairs.weight.dot(solution.pressure) / run.model.pairs.weight.sum(), "MPa",
+                "%.3f");
   answer.number("least", "least", solution.pressure.minCoeff(), "MPa", "%.3f");
   answer.number("most", "largest", solution.pressure.maxCoeff(), "MPa", "%.3f");
   answer.number("exact", "closed form", exact, "MPa", "%.3f");
