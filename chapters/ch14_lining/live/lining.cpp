@@ -74,8 +74,7 @@ Answer widen(const Request& now) {
   answer.says = press == 0               ? "The rings do not press on each other."
                 : press < degrees.size() ? "The rings press on each other in places."
                                          : "The gap is closed all round.";
-  answer.number("p", "contact pressure, mean",
-                run.model.pairs.weight.dot(solution.pressure) / run.model.pairs.weight.sum(), "MPa",
+  answer.number("p", "contact pressure, mean of the pairs", solution.pressure.mean(), "MPa",
                 "%.3f");
   answer.number("least", "least", solution.pressure.minCoeff(), "MPa", "%.3f");
   answer.number("most", "largest", solution.pressure.maxCoeff(), "MPa", "%.3f");
