@@ -39,6 +39,8 @@ function(signorini_exercise dir)
 
   signorini_exercise_part(${ex}_test ${dir}/test.cpp)
   signorini_exercise_part(${ex}_attempt ${dir}/attempt.cpp)
+  # An answer has the headers that it includes and no others, whether or not this build precompiles some.
+  set_target_properties(${ex}_attempt PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
   signorini_exercise_program(${ex}.answer ${ex}_test ${ex}_attempt)
   add_custom_target(${ex} DEPENDS ${ex}.answer)
   add_test(NAME ${ex}/answer COMMAND ${ex}.answer CONFIGURATIONS answer)
