@@ -10,7 +10,7 @@
 #   parallel  other factors: CHOLMOD, and MUMPS with MPI
 # Without the right to install it prints the command to type and stops with status 2.
 set -eu
-build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl-base"
+build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl"
 book="doxygen libjs-mathjax doxygen-awesome-css"
 check="chromium python3 fonts-dejavu-core"
 print="$check fonts-wqy-microhei"
@@ -43,7 +43,7 @@ installed() { # a program may have come another way than by its package
     case $1 in
     g++ | make | cmake | doxygen | chromium | python3) command -v "$1" ;;
     gnuplot-nox) command -v gnuplot ;;
-    perl-base) command -v perl ;;
+    perl) perl -MJSON::PP -MFile::Copy -e 1 ;;  # every system has a part of it
     clang) command -v clang++ ;;
     emscripten) command -v em++ ;;
     *) false ;;
