@@ -3,7 +3,8 @@
 
 namespace ex8_2 {
 
-// `split` of one_pair.hpp: compliances of 1, cohesion in every pair, lengths beside forces. Change it.
+// `split` of one_pair.hpp: compliances of 1 and no coupling, cohesion in every pair, lengths beside forces.
+// Change it.
 System equations(const Pair& pair, const Eigen::Vector4d& unknowns) {
   using signorini::fischer_burmeister;
   using signorini::fischer_burmeister_slope;

@@ -5,7 +5,8 @@
 
 namespace ex8_2 {
 
-/// One pair: gap = free_gap + normal_compliance * f_n, slip = free_slip + tangential_compliance * f_t.
+/// One pair: gap = free_gap + normal_compliance * f_n + coupling * f_t,
+/// slip = free_slip + coupling * f_n + tangential_compliance * f_t.
 struct Pair {
   double free_gap;               ///< d [length], overlap < 0
   double free_slip;              ///< s [length], of the source along the tangent
@@ -13,6 +14,7 @@ struct Pair {
   double tangential_compliance;  ///< G_t > 0 [length/force]
   double mu;                     ///< friction coefficient >= 0
   double cohesion;               ///< c >= 0 [force], where G_n f_n > gap only
+  double coupling = 0;           ///< H [length/force] of normal and tangent, H^2 < G_n G_t
 };
 
 /// Residuals and their derivatives.

@@ -38,6 +38,14 @@ TEST_CASE("ex8.2 cohesion holds a closed pair and not an open one", "[ex8.2][Lin
   CHECK(wrong({1, 0.6, 1, 1, 0.5, 0.2}, {0, -0.2, 0.4, 0}) > 0.01);
 }
 
+// Without friction a gap of 1/20 stays. The friction of 7/30 pulls it shut with H = 1/2, and holds it so.
+TEST_CASE("ex8.2 friction closes a pair that is open without it", "[ex8.2]") {
+  const ex8_2::Pair pair{0.05, 0.6, 1, 1, 0.5, 0.2, 0.5};
+  CHECK(wrong(pair, {0, 0, 0.6, 0}) < 1e-15);
+  CHECK(wrong(pair, {1.0 / 15, -7.0 / 30, 0.4, 0}) < 1e-15);
+  CHECK(wrong({-0.05, 0.6, 1, 1, 0.5, 0.2, 0.5}, {0, 0, 0.6, 0}) > 0.01);  // overlaps
+}
+
 // f_n = 1/2 closes the gap of 1 with G_n = 2; f_t = -1/5 undoes the slip of 1/10 with G_t = 1/2.
 TEST_CASE("ex8.2 compliances are not 1", "[ex8.2]") {
   CHECK(wrong({-1, 0.1, 2, 0.5, 0.5, 0}, {0.5, -0.2, 0, 0}) < 1e-15);
@@ -45,7 +53,7 @@ TEST_CASE("ex8.2 compliances are not 1", "[ex8.2]") {
 }
 
 TEST_CASE("ex8.2 the Jacobian is that of the residuals", "[ex8.2]") {
-  const ex8_2::Pair pair{-1, 0.3, 2, 0.5, 0.5, 0.2};
+  const ex8_2::Pair pair{-1, 0.3, 2, 0.5, 0.5, 0.2, 0.25};
   const Vector4d x(1.3, -0.4, 0.3, 0.1);  // closed, away from every kink
   const Eigen::Matrix4d J = ex8_2::equations(pair, x).jacobian;
   for (Eigen::Index j = 0; j < 4; ++j) {

@@ -11,17 +11,27 @@ using Eigen::Vector4d;
 namespace {
 
 ex8_2::Pair random_pair(signorini::Random& random) {
-  return {random.uniform(-1, -0.1), random.uniform(-2, 2),  random.uniform(0.5, 2),
-          random.uniform(0.5, 2),   random.uniform(0.1, 1), random.uniform(0, 0.3)};
+  ex8_2::Pair pair{random.uniform(-1, 1),  random.uniform(-2, 2),  random.uniform(0.5, 2),
+                   random.uniform(0.5, 2), random.uniform(0.1, 1), random.uniform(0.1, 0.3)};
+  pair.coupling =
+      random.uniform(-0.5, 0.5) * std::sqrt(pair.normal_compliance * pair.tangential_compliance);
+  return pair;
 }
 
-// A closed pair sticks if it can, else the friction is at its bound.
-Vector4d closed_form(const ex8_2::Pair& pair) {
-  const double fn = -pair.free_gap / pair.normal_compliance;
-  const double bound = pair.cohesion + pair.mu * fn;
-  const double ft = std::clamp(-pair.free_slip / pair.tangential_compliance, -bound, bound);
-  const double slip = pair.free_slip + pair.tangential_compliance * ft;
-  return {fn, ft, std::max(slip, 0.0), std::max(-slip, 0.0)};
+struct Solved {
+  ex8_2::Pair pair;
+  Vector4d solution;
+};
+
+// Forces and slip first, then the pair that has them: `kind` 0 sticks, 1 slides forth, -1 back.
+Solved random_closed(signorini::Random& random, int kind) {
+  ex8_2::Pair pair = random_pair(random);
+  const double fn = random.uniform(0.1, 1), bound = pair.cohesion + pair.mu * fn;
+  const double ft = kind == 0 ? random.uniform(-0.9, 0.9) * bound : -kind * bound;
+  const double slip = kind * random.uniform(0.1, 2);
+  pair.free_gap = -pair.normal_compliance * fn - pair.coupling * ft;
+  pair.free_slip = slip - pair.coupling * fn - pair.tangential_compliance * ft;
+  return {pair, {fn, ft, std::max(slip, 0.0), std::max(-slip, 0.0)}};
 }
 
 }  // namespace
@@ -44,11 +54,10 @@ TEST_CASE("ex8.2 held out: the Jacobian agrees with central differences", "[ex8.
   }
 }
 
-TEST_CASE("ex8.2 held out: Newton's method ends at the closed form", "[ex8.2]") {
+TEST_CASE("ex8.2 held out: Newton's method ends at the solution of a closed pair", "[ex8.2]") {
   signorini::Random random(2);
   for (int sample = 0; sample < 200; ++sample) {
-    const ex8_2::Pair pair = random_pair(random);
-    const Vector4d expected = closed_form(pair);
+    const auto [pair, expected] = random_closed(random, sample % 3 - 1);
     CAPTURE(sample);
     CHECK(ex8_2::equations(pair, expected).residual.norm() < 1e-14);
     Vector4d x = expected + Vector4d::Constant(0.01);
@@ -58,6 +67,27 @@ TEST_CASE("ex8.2 held out: Newton's method ends at the closed form", "[ex8.2]") 
     }
     CHECK((x - expected).norm() < 1e-12);
   }
+}
+
+// On the way to the solution too, and under force.
+TEST_CASE("ex8.2 held out: cohesion acts where the force exceeds the gap and nowhere else",
+          "[ex8.2]") {
+  signorini::Random random(4);
+  int closed = 0;
+  for (int sample = 0; sample < 200; ++sample) {
+    const ex8_2::Pair pair = random_pair(random);
+    ex8_2::Pair without = pair;
+    without.cohesion = 0;
+    Vector4d x(random.uniform(0.1, 1), random.uniform(-1, 1), 0.3, 0.1);
+    const double force = pair.normal_compliance * x(0);
+    const bool exceeds = force > pair.free_gap + force + pair.coupling * x(1);
+    closed += exceeds ? 1 : 0;
+    CAPTURE(sample);
+    CHECK((ex8_2::equations(pair, x).residual == ex8_2::equations(without, x).residual) ==
+          !exceeds);
+  }
+  CHECK(closed > 50);
+  CHECK(closed < 150);
 }
 
 TEST_CASE("ex8.2 held out: residuals are lengths, in any units", "[ex8.2][units]") {
@@ -70,7 +100,8 @@ TEST_CASE("ex8.2 held out: residuals are lengths, in any units", "[ex8.2][units]
                         p.normal_compliance * length / force,
                         p.tangential_compliance * length / force,
                         p.mu,
-                        p.cohesion * force};
+                        p.cohesion * force,
+                        p.coupling * length / force};
     const Vector4d x(0.7, -0.2, 0.3, 0.1);
     const Vector4d y(x(0) * force, x(1) * force, x(2) * length, x(3) * length);
     CAPTURE(sample);
