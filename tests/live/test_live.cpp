@@ -156,6 +156,18 @@ TEST_CASE("live figures find what the programs of their chapters found") {
   }
 }
 
+// The chapter: at q = 2 both beams stand on their tips and the body, whose corner is dented, with two nodes.
+TEST_CASE("the beam of chapter 6 lies where a beam that shears lies, not where its tip is dented") {
+  const Figure& figure = signorini::find_member(figures(), "cantilever", "live figure");
+  const auto says = [&](const char* load) {
+    return figure.answer(Request(figure.controls, load)).says;
+  };
+  CHECK_THAT(says("load=0.2"), StartsWith("The beam hangs free."));
+  CHECK(says("load=1") == "The beam stands on its tip.");
+  CHECK(says("load=2") == "The beam stands on its tip, which is dented.");
+  CHECK(says("load=3.6") == "The beam lies on its end.");
+}
+
 // A row of the table is `| room | exhibit | icon | icon ...`.
 TEST_CASE("visitors of an exhibit get the verdicts of the chapter") {
   const Figure& figure = signorini::find_member(figures(), "hard", "live figure");

@@ -39,11 +39,13 @@ Answer lie_down(const Request& now) {
   gap.points("pairs", x, solution.contact.gap, solution.contact.force);
 
   Answer answer;
-  answer.says = sum.closed == 0   ? "The beam hangs free."
-                : sum.closed == 1 ? "The beam stands on its tip."
-                                  : "The beam lies on its end.";
+  const BeamContact beams = timoshenko(theory);
+  answer.says = sum.closed == 0                    ? "The beam hangs free."
+                : sum.closed == 1                  ? "The beam stands on its tip."
+                : beams.touchdown == theory.length ? "The beam stands on its tip, which is dented."
+                                                   : "The beam lies on its end.";
   answer.number("force", "contact force", sum.force.y(), "kN", "%.3f");
-  answer.number("theory", "Timoshenko beam", timoshenko(theory).total_force, "kN", "%.3f");
+  answer.number("theory", "Timoshenko beam", beams.total_force, "kN", "%.3f");
   answer.number("peak", "largest pressure", sum.peak_pressure, "kN/cm\u00b2", "%.3f");
   answer.solution(solution);
   answer.panels = {body, pressure, gap};
