@@ -209,7 +209,6 @@ onmessage = async ({ data }) => {
       show: () => { shown.textContent = range.value; } };
   }
   async function mount(live) {
-    live.append(el("p", { class: "live-wait" }, "This figure is being computed …"));
     const name = live.dataset.figure, about = (await (await theEngine()).ask(`figure ${name}`)).answer;
     if (about.error) throw new Error(about.error);
     const fields = Object.fromEntries(about.controls.map(c => [c.name, field(name, c)])), all = Object.values(fields);
@@ -270,12 +269,17 @@ onmessage = async ({ data }) => {
     ask();
   }
   addEventListener("DOMContentLoaded", () => {
-    const near = new IntersectionObserver(entries => entries.forEach(entry => {
+    // The margin counts around the root alone, and the pages scroll inside an element of their own.
+    const scrolling = e => !e || e === document.body ? null : /auto|scroll/.test(getComputedStyle(e).overflowY) ? e : scrolling(e.parentElement);
+    const near = root => new IntersectionObserver((entries, observer) => entries.forEach(entry => {
       if (!entry.isIntersecting) return;
-      near.unobserve(entry.target);
+      observer.unobserve(entry.target);
       mount(entry.target).catch(() => entry.target.remove());
-    }), { rootMargin: "300px" });
-    document.querySelectorAll("div.live").forEach(live => near.observe(live));
+    }), { root, rootMargin: "300px" });
+    document.querySelectorAll("div.live").forEach(live => {
+      live.append(el("p", { class: "live-wait" }, "This figure is being computed …"));
+      near(scrolling(live.parentElement)).observe(live);
+    });
   });
   addEventListener("beforeprint", () => document.querySelectorAll("details.live-printed").forEach(fold => { fold.open = true; }));
   window.signoriniLive = theEngine;  // for the test

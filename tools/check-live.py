@@ -23,15 +23,17 @@ from browser import Browser, Tab, chromium
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
-# Runs in a page: waits until a figure is there, returns its controls.
+# Runs in a page: waits until a figure that is nearly reached is there, returns its controls.
 MOUNT = r"""(async () => {
   const wait = ms => new Promise(r => setTimeout(r, ms)), live = () => document.querySelector('div.live[data-figure=NAME]');
   for (let i = 0; i < 100 && document.readyState !== 'complete'; ++i) await wait(50);
   for (let i = 0; i < 400 && live() && !live().querySelector('dl > *') && !live().matches('.failed'); ++i) {
-    if (i % 10 === 0) live().scrollIntoView({ block: 'center' });    // formulas move it while they are typeset
+    live().style.scrollMarginTop = innerHeight + 100 + 'px';         // not yet on the screen
+    if (i % 10 === 0) live().scrollIntoView();                       // formulas move it while they are typeset
     await wait(50);
   }
   if (!live()) return JSON.stringify({ gone: true });
+  live().style.scrollMarginTop = '';
   const inputs = [...live().querySelectorAll('input, select')], status = live().querySelector('[role=status]');
   return JSON.stringify({ unlabelled: inputs.filter(i => i.labels.length !== 1).map(i => i.id), status: status?.textContent,
     started: (await signoriniLive()).started });
