@@ -1,7 +1,9 @@
 #include "command_line/drafts.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 
@@ -26,25 +28,32 @@ void forget(const fs::path& file) {
 
 }  // namespace
 
-Drafts::Drafts(const std::vector<std::string>& files, const std::string& read) {
-  for (const std::string& file : files) {
-    std::error_code unseen;
-    const fs::file_status status = fs::status(file, unseen);
-    pose(!fs::exists(status) || fs::is_regular_file(status), "cannot write '", file,
-         "': this is no plain file");
-    const std::string ending = fs::path(file).extension().string();
-    pose(ending != ".toml" && ending != ".msh" && ending != ".geo" && whole(file) != whole(read),
-         "cannot write '", file, "': results do not replace scenes and meshes, take another name");
-    for (const Entry& other : entries_)
-      pose(whole(other.file) != whole(file), "cannot write '", file,
-           "' twice: give every result a file of its own");
-    entries_.push_back({file});
-  }
+Drafts::Drafts(const std::vector<std::string>& files, std::string read) : read_(std::move(read)) {
+  for (const std::string& file : files) add(file);
+  // In one order for all runs: the one that has the last of those that are wanted by several gets the rest too.
+  std::sort(entries_.begin(), entries_.end(),
+            [](const Entry& a, const Entry& b) { return whole(a.file) < whole(b.file); });
+  for (Entry& entry : entries_) entry.lock = std::make_unique<FileLock>(entry.file);
+  n_named_ = static_cast<std::ptrdiff_t>(entries_.size());
 }
 
 Drafts::~Drafts() {
   for (const Entry& entry : entries_)
     if (!entry.draft.empty()) forget(entry.draft);
+}
+
+void Drafts::add(const std::string& file) {
+  std::error_code unseen;
+  const fs::file_status status = fs::status(file, unseen);
+  pose(!fs::exists(status) || fs::is_regular_file(status), "cannot write '", file,
+       "': this is no plain file");
+  const std::string ending = fs::path(file).extension().string();
+  pose(ending != ".toml" && ending != ".msh" && ending != ".geo" && whole(file) != whole(read_),
+       "cannot write '", file, "': results do not replace scenes and meshes, take another name");
+  for (const Entry& other : entries_)
+    pose(whole(other.file) != whole(file), "cannot write '", file,
+         "' twice: give every result a file of its own");
+  entries_.push_back({file});
 }
 
 fs::path Drafts::unused(const fs::path& beside) const {
@@ -62,9 +71,13 @@ fs::path Drafts::unused(const fs::path& beside) const {
 }
 
 fs::path Drafts::begin(const std::string& file) {
-  const auto entry = std::find_if(entries_.begin(), entries_.end(),
-                                  [&](const Entry& one) { return one.file == file; });
-  require(entry != entries_.end(), "Drafts: '", file, "' was not named before");
+  auto entry = std::find_if(entries_.begin(), entries_.end(),
+                            [&](const Entry& one) { return one.file == file; });
+  if (entry == entries_.end()) {
+    add(file);
+    entry = std::prev(entries_.end());
+    entry->lock = std::make_unique<FileLock>(file);
+  }
   return entry->draft = unused(entry->file);
 }
 
@@ -93,6 +106,7 @@ void Drafts::publish(const std::function<void()>& write) {
     throw ProblemError(in_words(error.what()));
   }
   for (Entry& entry : entries_) {
+    if (entry.draft.empty()) continue;
     std::error_code unseen, failed;
     if (fs::is_regular_file(fs::status(entry.file, unseen))) {
       const fs::path before = unused(entry.file);
@@ -106,8 +120,13 @@ void Drafts::publish(const std::function<void()>& write) {
     if (failed) take_back();
     pose(!failed, "cannot write '", entry.file.string(), "' (", failed.message(), ')');
   }
-  for (const Entry& done : entries_)
+  for (Entry& done : entries_) {
     if (!done.before.empty()) forget(done.before);
+    done.draft.clear();
+    done.before.clear();
+    done.published = false;
+  }
+  entries_.erase(entries_.begin() + n_named_, entries_.end());
 }
 
 }  // namespace command_line

@@ -42,6 +42,12 @@ std::string numbered(const std::string& vtu, Index step) {
   return fs::path(vtu).replace_filename(name.str()).string();
 }
 
+/// The files that all steps have in common.
+std::vector<std::string> files_of_all_steps(Output output) {
+  if (!output.vtu.empty()) output.vtu = collection(output.vtu);
+  return files_of(output);
+}
+
 /// What a table of steps has until some time.
 struct TableUntil {
   std::string lines;  // a last one that is not whole is left out
@@ -191,22 +197,17 @@ std::string way_on(const SceneRun& run) {
 
 }  // namespace
 
-void go_on(SceneRun& run, const std::string& file) {
+PathFiles::PathFiles(const SceneRun& run, const std::string& read)
+    : wanted_(run.file.output), drafts_(files_of_all_steps(wanted_), read) {}
+
+void PathFiles::go_on(SceneRun& run, const std::string& file) {
   run.from = read_state(content_of(file), file);
   const double end = run.file.scene.path->times.back();
   pose(run.from.time < end, file, ": this state is that of time ", run.from.time,
        ", but the load steps of ", run.file.name, " end at ", end,
        ": nothing is left to solve. Add [[steps]] to go on");
-}
-
-PathFiles::PathFiles(const SceneRun& run, std::string read)
-    : wanted_(run.file.output), read_(std::move(read)) {
-  Output all = wanted_;
-  if (!all.vtu.empty()) all.vtu = collection(all.vtu);
-  static_cast<void>(Drafts(files_of(all), read_));
-  if (run.from.steps == 0) return;
-  if (!all.csv.empty()) keep_table(run.from);
-  if (!all.vtu.empty()) keep_fields(run.from, all.vtu);
+  if (!wanted_.csv.empty()) keep_table(run.from);
+  if (!wanted_.vtu.empty()) keep_fields(run.from, collection(wanted_.vtu));
 }
 
 void PathFiles::keep_table(const PathState& from) {
@@ -256,40 +257,29 @@ std::string PathFiles::rows_of(const Model& model, const Step& step) {
 }
 
 void PathFiles::add(const Model& model, const Step& step) {
-  std::vector<std::string> files;
-  std::string fields, all;
-  if (!wanted_.vtu.empty()) {
-    fields = numbered(wanted_.vtu, step.state.steps);
-    all = collection(wanted_.vtu);
-    files = {fields, all};
-    fields_.push_back({step.state.time, fs::path(fields).filename().string()});
-  }
-  const bool begins = !wanted_.csv.empty() && !begun_;
   if (!wanted_.csv.empty()) table_ += rows_of(model, step);
-  if (begins) files.push_back(wanted_.csv);
-  if (!wanted_.state.empty()) files.push_back(wanted_.state);
   // The rows come before the state: if all ends between the two, they are of a step that will be done again.
   if (begun_) append(wanted_.csv, table_);
-  Drafts drafts(files, read_);
-  drafts.publish([&] {
+  drafts_.publish([&] {
     if (!wanted_.vtu.empty()) {
-      write_vtu(drafts.begin(fields), model, step.solution, &step.state);
-      write_pvd(drafts.begin(all), fields_);
+      const std::string fields = numbered(wanted_.vtu, step.state.steps);
+      fields_.push_back({step.state.time, fs::path(fields).filename().string()});
+      write_vtu(drafts_.begin(fields), model, step.solution, &step.state);
+      write_pvd(drafts_.begin(collection(wanted_.vtu)), fields_);
     }
-    if (begins) write_file(drafts.begin(wanted_.csv), table_);
+    if (!wanted_.csv.empty() && !begun_) write_file(drafts_.begin(wanted_.csv), table_);
     if (wanted_.state.empty()) return;
     std::ostringstream state;
     write_state(step.state, state);
-    write_file(drafts.begin(wanted_.state), state.str());
+    write_file(drafts_.begin(wanted_.state), state.str());
   });
-  begun_ = begun_ || begins;
+  begun_ = !wanted_.csv.empty();
   table_.clear();
 }
 
-void PathFiles::finish(const SceneRun& run) const {
+void PathFiles::finish(const SceneRun& run) {
   if (wanted_.plot.empty()) return;
-  Drafts drafts({wanted_.plot}, read_);
-  drafts.publish([&] { draw(drafts.begin(wanted_.plot), picture_kind(wanted_.plot), run); });
+  drafts_.publish([&] { draw(drafts_.begin(wanted_.plot), picture_kind(wanted_.plot), run); });
 }
 
 void PathTeller::begin(const SceneRun& run) {

@@ -11,20 +11,20 @@
 
 namespace command_line {
 
-/// Makes a run go on from a state that was saved.
-/// \param run   from plan_scene(), of a scene with load steps
-/// \param file  that --state wrote
-/// \throws signorini::ProblemError if it is none, or the load steps end before it
-void go_on(SceneRun& run, const std::string& file);
-
 /// The files of a path: those of a step are there, complete, before the next one begins. A path that goes on keeps what
-/// files of the same names say of the steps before.
+/// files of the same names say of the steps before; no other run writes them.
 class PathFiles {
  public:
   /// \param run   that will be solved
   /// \param read  what it was read from
-  /// \throws signorini::ProblemError as Drafts, or if the path goes on and a table or a collection has other steps before
-  PathFiles(const SceneRun& run, std::string read);
+  /// \throws signorini::ProblemError as Drafts
+  PathFiles(const SceneRun& run, const std::string& read);
+  /// Makes the run go on from a state that was saved.
+  /// \param run   as before
+  /// \param file  that --state wrote
+  /// \throws signorini::ProblemError if it is none, the load steps end before it, or a table or a collection has other
+  ///   steps before
+  void go_on(SceneRun& run, const std::string& file);
   /// Writes fields, collection, the rows of the table and the state.
   /// \param model  as loaded in the step
   /// \param step   the next one
@@ -33,7 +33,7 @@ class PathFiles {
   /// Draws the picture of the last good step.
   /// \param run  after solve_scene(), with one good step or more
   /// \throws signorini::ProblemError if a file cannot be written or drawn
-  void finish(const SceneRun& run) const;
+  void finish(const SceneRun& run);
   /// \return files of a path that goes on which are new, so that the steps before are missing
   [[nodiscard]] const std::vector<std::string>& late() const { return late_; }
 
@@ -43,7 +43,7 @@ class PathFiles {
   std::string rows_of(const signorini::Model& model, const signorini::Step& step);
 
   signorini::Output wanted_;
-  std::string read_;
+  Drafts drafts_;
   signorini::PathState from_;
   std::string head_;   // of the table; empty until it has one
   std::string table_;  // what is not yet written of it

@@ -136,8 +136,8 @@ int plan_scene(const Request& request) {
 
 /// Solves a scene with load steps; what is asked for is in run.
 int solve_path(const Request& request, const Team* team, command_line::SceneRun& run) {
-  if (!request.from.empty()) command_line::go_on(run, request.from);
   command_line::PathFiles files(run, request.file);
+  if (!request.from.empty()) files.go_on(run, request.from);
   command_line::PathTeller teller(std::cout, request.json, files.late());
   command_line::solve_scene(run, [&](const Model& model, const Step& step) {
     files.add(model, step);
