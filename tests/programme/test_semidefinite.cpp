@@ -1,5 +1,8 @@
 // Programmes whose K is only semidefinite where the equations hold: solved where one place alone has the least
 // energy, else refused.
+#include <cmath>
+#include <vector>
+
 #include "catch_compat.hpp"
 #include "signorini/programme/dense_programme.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -63,6 +66,37 @@ TEST_CASE("a linear programme is one whose K is nothing", "[dense_programme]") {
   CHECK(solution.refined.displacement(1) == Approx(1).epsilon(1e-15));
   CHECK(solution.refined.force(0) == Approx(2).epsilon(1e-15));
   CHECK(solution.refined.force(2) == Approx(1).epsilon(1e-15));
+}
+
+TEST_CASE("forces that are small beside stiffness times displacement keep their digits",
+          "[dense_programme][certificate]") {
+  // Springs of 1 in a row between two ends near 1000: K feels only differences, which are small.
+  const Index n = 17;
+  DenseProgramme chain;
+  chain.stiffness.setZero(n, n);
+  for (Index i = 0; i + 1 < n; ++i)
+    chain.stiffness.block(i, i, 2, 2) += (Eigen::Matrix2d() << 1, -1, -1, 1).finished();
+  chain.load.setZero(n);
+  chain.A.setZero(2, n);
+  for (const Index equations : {0, 1})  // a pressed row or an equation holds what K leaves free
+    for (const double step : {0x1p-20, 0x1p-12, 0x1p-4})
+      for (const char* name : {"quasi_active_set", "goldfarb_idnani", "primal_dual_active_set"}) {
+        CAPTURE(name, equations, step);
+        chain.equations = equations;
+        const double a = 0.7;
+        chain.A(0, 0) = a;
+        chain.A(1, n - 1) = -1;
+        chain.initial_gap = Eigen::Vector2d(1000 * a, -1000 - 16 * step);
+        const DenseSolution solution = solve(chain, find_solver(name));
+        REQUIRE(solution.report.status == Status::Solved);
+        CHECK(solution.certificate.worst() <= 1e-15);
+        // The first end is where a times it is the gap, which is a rounded number.
+        const double off = std::fma(a, 1000.0, -chain.initial_gap(0)) / a;
+        CHECK(solution.refined.force(1) == Approx(step + off / 16).epsilon(1e-14));
+        CHECK(solution.refined.force(0) == Approx(solution.refined.force(1) / a).epsilon(1e-15));
+        CHECK(solution.active ==
+              (equations == 0 ? std::vector<Index>{0, 1} : std::vector<Index>{1}));
+      }
 }
 
 TEST_CASE("energies without an end or with many places are refused", "[dense_programme]") {

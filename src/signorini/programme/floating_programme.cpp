@@ -1,11 +1,15 @@
 #include "signorini/programme/floating_programme.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/programme/programme_rows.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/programme/road.hpp"
 
@@ -56,6 +60,38 @@ MatrixXd orthonormal_modes(const MatrixXd& K, const MatrixXd& N, const VectorXd&
   pose(span.rank == N.cols(), "floating programme: the ", N.cols(),
        " null vectors are dependent, of rank ", span.rank, "; leave out those that repeat others");
   return span.basis;
+}
+
+/// The solution of a programme with some rows as equations as well, which hold what K leaves free: then it is refined from the
+/// original data. Their forces may have any sign. Nothing if there is none, or they do not hold it.
+std::optional<DenseSolution> held_solution(const DenseProgramme& programme,
+                                           const std::vector<Index>& closed, const Solver& solver,
+                                           const SolverOptions& options) {
+  std::vector<Index> order(static_cast<std::size_t>(programme.initial_gap.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_partition(order.begin() + programme.equations, order.end(), [&](Index row) {
+    return std::binary_search(closed.begin(), closed.end(), row);
+  });
+  const DenseProgramme held{programme.stiffness, programme.load, programme.A(order, Eigen::all),
+                            programme.initial_gap(order),
+                            programme.equations + static_cast<Index>(closed.size())};
+  try {
+    static_cast<void>(ProgrammeRows(held));  // throws where they do not hold K
+    DenseSolution solution = solve(held, solver, options);
+    if (solution.report.status != Status::Solved) return {};
+    const VectorXd force = solution.refined.force;
+    const VectorXd gap = solution.gap;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      solution.refined.force(order[k]) = force(static_cast<Index>(k));
+      solution.gap(order[k]) = gap(static_cast<Index>(k));
+    }
+    for (Index& row : solution.active) row = order[static_cast<std::size_t>(row)];
+    for (const Index row : closed) solution.active.push_back(row);
+    std::sort(solution.active.begin(), solution.active.end());
+    return solution;
+  } catch (const ProblemError&) {  // rounding has the last word, or these rows are dependent
+    return {};
+  }
 }
 
 }  // namespace
@@ -136,7 +172,12 @@ std::optional<DenseSolution> semidefinite_solution(const DenseProgramme& program
   reduced.initial_gap = programme.initial_gap.tail(rows) - A.bottomRows(rows) * place;
   const MatrixXd N = null_space(reduced.stiffness);
   if (N.cols() == 0) return {};
-  DenseSolution solution = solve(reduced, N, solver, options).dense;
+  DenseSolution solution;
+  try {
+    solution = solve(reduced, N, solver, options).dense;
+  } catch (const ProblemError&) {  // rounding does not tell what is free
+    return {};
+  }
   if (solution.report.status != Status::Solved) return {};
   PrimalDual& refined = solution.refined;
   const double nothing = proof_rounding * largest(refined.force);
@@ -158,7 +199,13 @@ std::optional<DenseSolution> semidefinite_solution(const DenseProgramme& program
   refined.force = std::move(force);
   solution.gap = programme.initial_gap - programme.A * refined.displacement;
   for (Index& row : solution.active) solution.gap(row += first) = 0;
-  return solution;
+  if (certify(programme, refined).holds()) return solution;
+  for (Index& row : pressed) row += first;
+  std::optional<DenseSolution> again = held_solution(programme, pressed, solver, options);
+  if (!again) return solution;
+  append(solution.report, again->report);
+  again->report = std::move(solution.report);
+  return again;
 }
 
 }  // namespace signorini

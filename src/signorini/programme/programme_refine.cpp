@@ -46,13 +46,19 @@ void ProgrammeRows::correct(const ClosedBasis& basis, Refined& refined, Work& wo
   }
   work.z = unbalanced.value();
   solve_lower(factor_.lower(), work.z);
-  work.a = open.value().cwiseQuotient(work.norm);
+  const VectorXd gap = open.value();
+  work.a = gap.cwiseQuotient(work.norm);
   L.solveInPlace(work.a);
   work.along.noalias() = basis.directions().transpose() * work.z;
   work.along -= work.a;
   work.z.noalias() -= basis.directions() * work.along;
   solve_lower_transposed(factor_.lower(), work.z);
   L.transpose().solveInPlace(work.along);
+  // What rho A_e^T A_e in the factor carried of the rest of a gap is a force of its equation.
+  for (Index i = 0; i < basis.size(); ++i) {
+    const Index row = basis.rows()[static_cast<std::size_t>(i)];
+    if (row < equations()) work.along(i) += rho_(row) * gap(i) * work.norm(i);
+  }
   for (Index j = 0; j < n; ++j) {  // u is kept as a sum of two doubles
     const double addend = solution.displacement_low(j) + work.z(j);
     const double sum = solution.displacement(j) + addend;
@@ -163,7 +169,7 @@ bool ProgrammeRows::beyond_doubt(const ClosedBasis& basis, Refined& refined,
   if (largest(moved_) > terms * epsilon * load || (load > 0 && lost > 0.25e-12 * load))
     return false;
   for (Index j = 0; j < unknowns(); ++j) {  // as a certificate does, by what the unknown itself has
-    double own = std::abs(programme_.load(j)) + root_(j) * left;
+    double own = std::abs(programme_.load(j)) + (equations() > 0 ? 0 : root_(j) * left);
     if (std::abs(moved_(j)) <= terms * epsilon * own) continue;
     own += programme_.A.col(j).cwiseAbs().dot(refined.solution.force.cwiseAbs());
     if (std::abs(moved_(j)) > terms * epsilon * own) return false;

@@ -33,25 +33,30 @@ void check(const DenseProgramme& programme) {
           "quadratic programme: K, p, A and g, and their sums, must be finite");
 }
 
-/// What each equation adds to K: as much as K has in the mean, along its own row.
+/// What each equation adds to K: along its own row as much as the unknowns of the row resist together, so that it swamps none of
+/// them; where K has nothing for them, as much as it has in the mean.
 VectorXd equation_stiffness(const DenseProgramme& programme) {
   const double mean = programme.stiffness.trace() / static_cast<double>(programme.load.size());
   VectorXd rho(programme.equations);
   for (Index i = 0; i < rho.size(); ++i) {
+    double compliance = 0;
+    for (Index j = 0; j < programme.load.size(); ++j) {
+      const double a = programme.A(i, j);
+      if (a != 0 && programme.stiffness(j, j) > 0) compliance += a * a / programme.stiffness(j, j);
+    }
     const double square = programme.A.row(i).squaredNorm();
-    rho(i) = square > 0 ? mean / square : 0;
+    rho(i) = compliance > 0 ? 1 / compliance : square > 0 ? mean / square : 0;
   }
   return rho;
 }
 
-CholeskyFactor factored(const DenseProgramme& programme) {
+CholeskyFactor factored(const DenseProgramme& programme, const VectorXd& rho) {
   CholeskyFactor factor;
   if (programme.equations == 0) {
     factor = CholeskyFactor(programme.stiffness);
   } else {
     const auto E = programme.A.topRows(programme.equations);
-    factor = CholeskyFactor(programme.stiffness +
-                            E.transpose() * equation_stiffness(programme).asDiagonal() * E);
+    factor = CholeskyFactor(programme.stiffness + E.transpose() * rho.asDiagonal() * E);
   }
   const auto pivots = factor.lower().diagonal();
   bool positive = factor.positive();
@@ -69,13 +74,13 @@ CholeskyFactor factored(const DenseProgramme& programme) {
 
 ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(programme) {
   check(programme);
-  factor_ = factored(programme);
+  rho_ = equation_stiffness(programme);
+  factor_ = factored(programme, rho_);
   const Index n = programme.load.size();
   displacement_ = programme.load;
   if (equations() > 0) {
     const auto E = programme.A.topRows(equations());
-    displacement_ += E.transpose() * equation_stiffness(programme).cwiseProduct(
-                                         programme.initial_gap.head(equations()));
+    displacement_ += E.transpose() * rho_.cwiseProduct(programme.initial_gap.head(equations()));
   }
   solve_lower(factor_.lower(), displacement_);
   solve_lower_transposed(factor_.lower(), displacement_);

@@ -96,6 +96,7 @@ class ProgrammeRows {
   void judge(const ClosedBasis& basis, Refined& refined, const Work& work);
 
   const DenseProgramme& programme_;
+  Eigen::VectorXd rho_;  // what each equation adds to K
   CholeskyFactor factor_;
   Eigen::VectorXd displacement_;  // from which gap_ comes
   Eigen::VectorXd gap_;           // where Q y = base_
