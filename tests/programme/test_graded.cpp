@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/rounding.hpp"
@@ -72,6 +73,44 @@ Graded draw(std::uint64_t seed) {
       else if (i >= n || random.whole(0, 1) == 0)
         graded.programme.initial_gap(i) += std::ldexp(1, random.whole(-8, 3));
     }
+    if (balance(graded)) return graded;
+  }
+}
+
+/// The same with unknowns that equations define by the others; open rows feel them, too. Mostly they have no stiffness, and
+/// half of their equations no force.
+Graded draw_defined(std::uint64_t seed) {
+  for (Random random(seed);; ++seed) {
+    const Graded plain = draw(seed);
+    const Index n = plain.u.size();
+    const Index rows = plain.force.size();
+    const Index defined = random.whole(1, 3);
+    Graded graded;
+    DenseProgramme& programme = graded.programme;
+    programme.equations = defined;
+    programme.stiffness.setZero(n + defined, n + defined);
+    programme.stiffness.topLeftCorner(n, n) = plain.programme.stiffness;
+    programme.A.setZero(defined + rows, n + defined);
+    programme.A.topRightCorner(defined, defined) = -MatrixXd::Identity(defined, defined);
+    programme.A.bottomLeftCorner(rows, n) = plain.programme.A;
+    graded.u.setZero(n + defined);
+    graded.u.head(n) = plain.u;
+    graded.force.setZero(defined + rows);
+    graded.force.tail(rows) = plain.force;
+    for (Index k = 0; k < defined; ++k) {
+      for (Index j = 0; j < n; ++j) programme.A(k, j) = random.whole(-2, 2);
+      graded.u(n + k) = programme.A.row(k).head(n).dot(plain.u);
+      if (random.whole(0, 3) == 0)
+        programme.stiffness(n + k, n + k) = std::ldexp(1, random.whole(-30, 30));
+      if (random.whole(0, 1) == 0)
+        graded.force(k) = (random.whole(0, 1) - 0.5) * std::ldexp(1, random.whole(-40, 20));
+    }
+    const VectorXd open = plain.programme.initial_gap - plain.programme.A * plain.u;
+    for (Index i = 0; i < rows; ++i)
+      for (Index k = 0; k < defined && open(i) > 0; ++k)
+        programme.A(defined + i, n + k) = random.whole(-1, 1);
+    programme.initial_gap = programme.A * graded.u;
+    programme.initial_gap.tail(rows) += open;
     if (balance(graded)) return graded;
   }
 }
@@ -195,5 +234,26 @@ TEST_CASE("of graded programmes with an exact solution none is certified and wro
       if (exact_rows) CHECK(solved);
       if (solved) CHECK(error(exact, found) < 1e-9);  // 1e-12, and what rows do to each other
     }
+  }
+}
+
+TEST_CASE("of graded programmes with defined unknowns none is certified and wrong",
+          "[dense_programme][certificate]") {
+  for (const Solver& solver : solvers()) {
+    int solved = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      const Graded exact = draw_defined(seed);
+      CAPTURE(solver.name, seed);
+      REQUIRE(certify(exact.programme, {exact.u, {}, exact.force}).worst() == 0);
+      DenseSolution found;
+      try {
+        found = solve(exact.programme, solver);
+      } catch (const ProblemError&) {  // K is definite, but not to rounding
+        continue;
+      }
+      if (found.report.status == Status::Solved) CHECK(error(exact, found) < 1e-9);
+      solved += found.report.status == Status::Solved ? 1 : 0;
+    }
+    if (solver.solve_programme != nullptr) CHECK(solved == 200);
   }
 }

@@ -10,6 +10,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/imbalance.hpp"
 #include "signorini/problem/systems.hpp"
 
 namespace signorini {
@@ -152,26 +153,6 @@ Scales scales_of(const QuadraticProgramme& programme, const PrimalDual& solution
   return scale;
 }
 
-/// The largest residual over what its own row has: its load, its contact forces, and what the displacements could make
-/// there, sqrt(K_jj) max_i sqrt(K_ii) |u_i|, of which no term K_ji u_i is more than one. A stable factor leaves no more than
-/// rounding of that, so a larger residual is an error, however large the forces on other unknowns are. Where contact
-/// holds everything, rounding of how far loads and contact forces would move their own unknowns takes the place of u.
-double own_imbalance(const QuadraticProgramme& programme, const PrimalDual& solution,
-                     const Eigen::VectorXd& residual) {
-  const Eigen::VectorXd root = programme.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
-  Eigen::VectorXd own = programme.load.cwiseAbs();
-  for (Index row = 0; row < programme.A.rows(); ++row)
-    for (RowMatrix::InnerIterator entry(programme.A, row); entry; ++entry)
-      own(entry.col()) += std::abs(entry.value() * solution.force(row));
-  double stretch = largest(root.cwiseProduct(strained(solution)));
-  for (Index j = 0; j < own.size(); ++j)
-    if (root(j) > 0) stretch = std::max(stretch, epsilon * own(j) / root(j));
-  own += stretch * root;
-  // Below the smallest normal number there are fewer digits.
-  return largest(
-      residual.cwiseQuotient((own.array() + std::numeric_limits<double>::min()).matrix()));
-}
-
 /// Whether the part of u that is claimed to be rigid strains a body. Rows are measured by the largest motion of
 /// their own neighbourhood: how far another body moves must hide nothing.
 bool strains(const QuadraticProgramme& programme, const Eigen::VectorXd& rigid) {
@@ -245,7 +226,8 @@ Certificate figures_of_system(const QuadraticProgramme& programme, const PrimalD
   Certificate certificate =
       pair_figures({solution.force, movement, norm, scale.force, scale.length}, law, equations);
   certificate.equilibrium =
-      std::max(ratio(largest(residual), scale.force), own_imbalance(programme, solution, residual));
+      std::max(ratio(largest(residual), scale.force),
+               own_imbalance(programme, solution, residual, equations));
   certificate.duality_gap = duality_gap(programme, solution, movement.size() - slips, residual,
                                         movement, scale.length * scale.force);
   return certificate;

@@ -12,7 +12,7 @@ namespace signorini {
 ///
 /// Lengths are divided by the largest |a_i||u| of a row, or by what the largest entry of p - A^T lambda would move the stiffest
 /// unknown by, if that is larger. Forces are divided by the largest load or net contact force on an unknown; a residual also by
-/// what its own unknown has: load, contact forces, and what displacements could make there. Rows of A are scaled to norm 1. So no
+/// what its own unknown has, behind what the forces of equations could still balance: own_imbalance(). Rows of A are scaled to norm 1. So no
 /// figure changes with units or with the scaling of a row, and what cancels or lies elsewhere hides nothing. Where no load acts,
 /// contact forces of rounding size are measured by the forces that the displacements could make. Of a programme, each of the
 /// unconnected_systems() is measured by itself, and the worst figures count. See chapters/notation.md.

@@ -1,0 +1,28 @@
+/// \file
+/// What forces out of balance amount to, unknown by unknown.
+#pragma once
+#include <Eigen/Core>
+
+#include "signorini/problem/certificate.hpp"
+
+namespace signorini {
+
+/// The largest residual over what its own row has: its load, its contact forces, and what the displacements could make
+/// there, sqrt(K_jj) max_i sqrt(K_ii) |u_i|, of which no term K_ji u_i is more than one. A stable factor leaves no more than
+/// rounding of that, so a larger residual is an error, however large the forces on other unknowns are. Where contact
+/// holds everything, rounding of how far loads and contact forces would move their own unknowns takes the place of u.
+///
+/// Forces of equations have any sign, and are no part of u. So what they leave out of balance is measured behind a change
+/// of these forces, which takes it from unknowns that have little to others of their equation that have more. An unknown that
+/// an equation defines, z = a x without stiffness and load, has nothing but the force of that equation, which is 0 but for
+/// rounding: what is left there belongs to x, and is measured by what x has. As equations also join soft unknowns with stiff
+/// ones, the displacements u_i are then only those that K joins with u_j, and rounding of the others.
+/// \param programme  K, p, A, g
+/// \param solution   u and lambda
+/// \param residual   of the equilibrium `n` [force]
+/// \param equations  so many of the first rows are
+/// \return the figure [-]
+[[nodiscard]] double own_imbalance(const QuadraticProgramme& programme, const PrimalDual& solution,
+                                   const Eigen::VectorXd& residual, Eigen::Index equations);
+
+}  // namespace signorini
