@@ -1,9 +1,12 @@
 // What counts as a proof that nothing solves a problem, and as equations that hold, by hand.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "catch_compat.hpp"
 #include "signorini/closing/proofs.hpp"
+#include "signorini/solvers/enumerate.hpp"
+#include "signorini/solvers/lemke.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"
 
@@ -25,6 +28,37 @@ TEST_CASE("overlaps that a rigid motion opens prove nothing", "[closing][floatin
   problem.resultant.setZero();
   problem.rigid = Vector2d(1, -1);
   CHECK(refutes(problem, both));  // what opens one pair closes the other
+}
+
+TEST_CASE("gaps that no forces open are refuted for asymmetric matrices, and no others",
+          "[closing][proof]") {
+  Random random(3);
+  const auto whole = [&](Index rows, Index columns, int low, int high) {
+    return MatrixXd(MatrixXd::NullaryExpr(
+        rows, columns, [&] { return static_cast<double>(random.whole(low, high)); }));
+  };
+  for (int sample = 0; sample < 300; ++sample) {
+    const Index n = random.whole(2, 8);
+    CAPTURE(sample, n);
+    MatrixXd M = whole(n, n, -3, 3);
+    // Whatever M is, forces and gaps of their own make a problem whose gaps can be opened.
+    const Eigen::VectorXd open = whole(n, 1, 0, 2) - M * whole(n, 1, 0, 2);
+    CHECK(contradiction(equilibrate_any({M, open})).size() == 0);
+    // The weighted sum of the gaps is below 0, and no force lifts it.
+    const Eigen::VectorXd y = whole(n, 1, 0, 2);
+    Index last = 0;
+    if (y.maxCoeff(&last) == 0) continue;
+    Eigen::VectorXd d = whole(n, 1, -3, 3);
+    for (Index j = 0; j < n; ++j) M(last, j) -= std::max(0.0, std::ceil(y.dot(M.col(j)) / y(last)));
+    d(last) -= std::max(0.0, std::ceil((y.dot(d) + 1) / y(last)));
+    const ContactProblem never{M, d};
+    if (is_symmetric(never)) continue;
+    CHECK(refutes(never, contradiction(equilibrate_any(never))));
+    CHECK(enumerate(never).report.status == Status::Infeasible);
+    const ContactState path = lemke(never);
+    CHECK(path.report.status == Status::Infeasible);
+    CHECK(refutes(never, path.infeasibility));
+  }
 }
 
 TEST_CASE("closed pairs that cannot balance the load are no solution of their equations",

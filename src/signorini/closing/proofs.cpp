@@ -91,8 +91,9 @@ VectorXd lacking(const Pushes& all) {
       std::vector<Index> kept;
       for (std::size_t k = 0; k < used.size(); ++k) {
         double& now = weight(used[k]);
-        now += part * (best(static_cast<Index>(k)) - now);
-        const bool low = part < 1 && now <= rounding;
+        const double end = best(static_cast<Index>(k));
+        now += part * (end - now);
+        const bool low = part < 1 && end <= 0 && now <= rounding;  // a small one that grows stays
         const bool high = part < 1 && now >= all.most(used[k]) - rounding;
         if (low) now = 0;
         if (high) now = all.most(used[k]);
@@ -164,7 +165,11 @@ bool refutes(const ContactProblem& problem, const VectorXd& y) {
     if ((moved.array() > proof_rounding * terms.array()).any()) return false;
   }
   const double deepest = -d.cwiseProduct(scale.head(y.size())).minCoeff();
-  const double most = combined(problem.compliance, y).cwiseProduct(scale).cwiseAbs().maxCoeff();
+  VectorXd moved = combined(problem.compliance, y).cwiseProduct(scale);
+  // Friction pushes either way, contact only one; but what is symmetric is semidefinite, to rounding.
+  const Index signless = is_symmetric(problem) ? moved.size() : moved.size() - y.size();
+  moved.tail(signless) = moved.tail(signless).cwiseAbs();
+  const double most = std::max(0.0, moved.maxCoeff());
   return most <= proof_rounding * scaled.sum() &&
          most * deepest < overlap.value() * std::sqrt(epsilon);
 }
@@ -180,6 +185,19 @@ VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& a
   y /= y.sum();
   if (!refutes(as_posed(problem), y)) return {};
   return problem.scale.head(y.size()).cwiseProduct(y);
+}
+
+VectorXd contradiction(const ScaledProblem& problem) {
+  const Index n = problem.pairs();
+  Pushes gaps{MatrixXd(2 * n, n),
+              VectorXd::Constant(2 * n, std::numeric_limits<double>::infinity()), problem.free};
+  gaps.direction << MatrixXd::Identity(n, n), -problem.compliance.transpose();
+  VectorXd y = lacking(gaps);
+  const double rounding = static_cast<double>(2 * n) * epsilon * largest(y);
+  y = (y.array() > rounding).select(y, 0.0);  // what is no rounding shows in F^T y
+  if (y.isZero(0)) return {};
+  y /= y.sum();
+  return refutes(as_posed(problem), y) ? VectorXd(problem.scale.cwiseProduct(y)) : VectorXd();
 }
 
 VectorXd escape(const ScaledProblem& problem) {

@@ -14,10 +14,11 @@ inline constexpr double proof_rounding = 1e3 * epsilon;
 
 /// Whether y proves that nothing solves a problem, checked on the original data in twice the working precision.
 ///
-/// With y >= 0 on the gaps, \f$ F^T y = 0 \f$, R^T y = 0 and d^T y < 0 the gaps of any forces and amplitudes sum
-/// to \f$ y^T(d + F f + R a) = d^T y < 0 \f$. Computed numbers give F^T y = 0 but for rounding, allowed here to
+/// With y >= 0 on the gaps, \f$ F^T y \le 0 \f$, 0 where friction acts, R^T y = 0 and d^T y < 0 the gaps of any forces
+/// and amplitudes sum to \f$ y^T(d + F f + R a) \le d^T y < 0 \f$. A symmetric F is positive semidefinite but for rounding, so
+/// that F y = 0 is asked. Computed numbers give F^T y but for rounding, allowed here to
 /// be 1e3 epsilon of the largest that it could be; so the forces that lift the sum to zero, at least
-/// \f$ -d^T y / \max_i |F^T y|_i \f$, must be out of reach as well: beyond \f$ 1/\sqrt{\epsilon} \f$ times the
+/// \f$ -d^T y / \max_i (F^T y)_i \f$, must be out of reach as well: beyond \f$ 1/\sqrt{\epsilon} \f$ times the
 /// one that closes the deepest free overlap alone, all in the units of equilibrate(). And d^T y must exceed what
 /// rounding did to d. The same is asked of a programme by proves_infeasible().
 /// \param problem  as it was posed, or any M and q
@@ -35,6 +36,13 @@ inline constexpr double proof_rounding = 1e3 * epsilon;
 [[nodiscard]] Eigen::VectorXd contradiction(const ScaledProblem& problem,
                                             const std::vector<Eigen::Index>& active,
                                             Eigen::Index pair);
+
+/// The same for a matrix of any kind, for which no set of pairs need give the proof: y is what the nearest gaps that forces can
+/// leave lack of being none below 0, the least \f$ |w - F z - d| \f$ with w, z >= 0, by least squares with bounds
+/// [\ref LawsonHanson1995]. Then \f$ F^T y \le 0 \f$ and \f$ d^T y = -|y|^2 \f$.
+/// \param problem  scaled, without friction and rigid modes
+/// \return as above
+[[nodiscard]] Eigen::VectorXd contradiction(const ScaledProblem& problem);
 
 /// Looks for the proof that no contact forces balance r: amplitudes a such that the motion
 /// \f$ (\delta, v) = R a \f$ opens each gap by at least mu times its slip, \f$ \delta_i \ge \mu_i |v_i| \f$,

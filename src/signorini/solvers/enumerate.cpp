@@ -56,7 +56,7 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
     report.status = Status::Solved;
   }
   Eigen::VectorXd y;
-  if (report.status != Status::Solved) y = proof(scaled);
+  if (report.status != Status::Solved) y = scaled.symmetric ? proof(scaled) : contradiction(scaled);
   if (y.size() > 0) report.status = Status::Infeasible;
   return finished(problem, scaled, best, motions_of(best_active, n), std::move(report),
                   std::move(y));

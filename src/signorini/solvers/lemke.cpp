@@ -92,8 +92,7 @@ End ray(const ScaledProblem& scaled, const Dictionary& dictionary, Index enterin
   report.status = Status::Ray;
   Eigen::VectorXd direction;
   End end = last_point(scaled, dictionary, entering, report, direction);
-  if (!scaled.symmetric) return end;
-  end.proof = proof(scaled, direction);
+  end.proof = scaled.symmetric ? proof(scaled, direction) : contradiction(scaled);
   if (end.proof.size() > 0) end.report.status = Status::Infeasible;
   return end;
 }
