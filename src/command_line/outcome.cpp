@@ -7,6 +7,7 @@
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/table.hpp"
 #include "signorini/programme/dense_programme.hpp"
 #include "signorini/programme/floating_programme.hpp"
 
@@ -49,29 +50,74 @@ std::vector<Outcome> candidates(const std::vector<Solver>& family, const std::st
   return chosen == all.end() ? all : std::vector<Outcome>{*chosen};
 }
 
-/// Runs `run` on each solver that is asked for and can be tried.
+/// Runs `run` on a solver, and accepts a solution that the certificate confirms.
+template <typename Run>
+void attempt(Outcome& outcome, double tolerance, Run&& run) {
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    run(outcome);
+    outcome.ran = true;
+    outcome.accepted = outcome.status == Status::Solved && outcome.certificate.holds(tolerance);
+    outcome.word = signorini::to_string(outcome.status);
+  } catch (const std::invalid_argument& error) {
+    outcome.word = "refused";
+    outcome.why = error.what();
+  } catch (const ProblemError& error) {
+    outcome.word = "refused";
+    outcome.why = error.what();
+  }
+  const auto end = std::chrono::steady_clock::now();
+  outcome.seconds = std::chrono::duration<double>(end - begin).count();
+}
+
+/// Whether a solver has come to nothing that another one might not come to.
+bool lost(const Outcome& outcome) {
+  return !outcome.accepted && (!outcome.ran || outcome.status == Status::Breakdown ||
+                               outcome.status == Status::IterationLimit);
+}
+
+/// Whether a solver promises to end with a solution or a proof, but for matrices that are odd and numbers that are bad.
+bool promises(const Solver& solver) {
+  return !may_fail(solver, Trait::Ordinary) && !may_fail(solver, Trait::Dependent) &&
+         !may_fail(solver, Trait::Degenerate) && !may_fail(solver, Trait::Infeasible);
+}
+
+/// Runs `run` on each solver that is asked for and can be tried; where none is named and the first is lost, on the next that
+/// promise as much.
 template <typename Run>
 std::vector<Outcome> each(const std::vector<Solver>& family, const std::string& asked, Index pairs,
-                          bool asymmetric, Run&& run) {
+                          bool asymmetric, double tolerance, Run&& run) {
   std::vector<Outcome> outcomes = candidates(family, asked, pairs, asymmetric);
-  for (Outcome& outcome : outcomes) {
-    if (!outcome.why.empty()) continue;
-    const auto begin = std::chrono::steady_clock::now();
-    try {
-      run(outcome);
-      outcome.ran = true;
-      outcome.word = signorini::to_string(outcome.status);
-    } catch (const std::invalid_argument& error) {
-      outcome.word = "refused";
-      outcome.why = error.what();
-    } catch (const ProblemError& error) {
-      outcome.word = "refused";
-      outcome.why = error.what();
-    }
-    const auto end = std::chrono::steady_clock::now();
-    outcome.seconds = std::chrono::duration<double>(end - begin).count();
+  for (Outcome& outcome : outcomes)
+    if (outcome.why.empty()) attempt(outcome, tolerance, run);
+  if (!asked.empty() || outcomes.size() != 1) return outcomes;
+  for (Outcome& next : candidates(family, "all", pairs, asymmetric)) {
+    if (!lost(outcomes.back())) break;
+    const bool again = next.solver == outcomes.front().solver;
+    if (again || !next.why.empty() || !promises(*next.solver)) continue;
+    attempt(next, tolerance, run);
+    outcomes.push_back(std::move(next));
   }
   return outcomes;
+}
+
+/// The number with one digit that is not below.
+double rounded_up(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)));
+  return std::ceil(value / unit) * unit;
+}
+
+/// What keeps the certificate of a programme from holding: forces that cancel leave their rounding; or nothing that is known.
+std::string lost_digits(const DenseProgramme& programme, const PrimalDual& solution) {
+  const Eigen::MatrixXd terms = programme.A.transpose() * solution.force.asDiagonal();
+  const double most = terms.size() > 0 ? terms.cwiseAbs().maxCoeff() : 0;
+  const double net = std::max(largest(programme.load), largest(terms.rowwise().sum()));
+  const double rounding = 0.5 * epsilon * most;
+  if (!(largest(equilibrium_residual(sparse(programme), solution)) <=
+        static_cast<double>(terms.cols()) * rounding))
+    return {};
+  return text("; forces up to ", number(most, "%.1e"), " cancel, to ", number(net, "%.1e"),
+              ": what rounding of one of them leaves is ", number(ratio(rounding, net), "%.1e"));
 }
 
 }  // namespace
@@ -117,9 +163,9 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
     if (state.force.size() == pairs && state.gap.size() == pairs &&
         state.friction.size() == slips && state.slip.size() == slips)
       outcome.certificate = certify(problem, state);
-    outcome.accepted = outcome.status == Status::Solved && outcome.certificate.worst() <= tolerance;
     outcome.force = std::move(state.force);
     outcome.gap = std::move(state.gap);
+    outcome.why = std::move(state.reason);
     outcome.friction = std::move(state.friction);
     outcome.slip = std::move(state.slip);
     outcome.motion = std::move(state.motion);
@@ -127,7 +173,7 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
     outcome.doubt = state.doubt;
   };
   return each(slips > 0 ? friction_solvers() : solvers(), asked, pairs,
-              kind == Matrix::Asymmetric && slips == 0, run);
+              kind == Matrix::Asymmetric && slips == 0, tolerance, run);
 }
 
 std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::string& asked,
@@ -140,15 +186,21 @@ std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::st
     pose(semidefinite_solution(form.programme, solvers().front(), {}).has_value(),
          not_strictly_convex(form.programme));
   const Index pairs = static_cast<Index>(form.rows.size()) - form.programme.equations;
-  return each(solvers(), asked, pairs, false, [&](Outcome& outcome) {
+  return each(solvers(), asked, pairs, false, tolerance, [&](Outcome& outcome) {
     const DenseSolution solution = solve(form.programme, *outcome.solver);
     outcome.status = solution.report.status;
     outcome.iterations = solution.report.iterations;
     outcome.certificate = solution.certificate;
-    outcome.accepted = outcome.status == Status::Solved && outcome.certificate.worst() <= tolerance;
     outcome.unknowns = solution.refined.displacement;
     outcome.force = multipliers(form, solution.refined.force, programme.lower.size());
     outcome.objective = objective(programme, solution.refined);
+    // What a method has called a solution has a certificate, which may be good enough for the one who asks.
+    const double worst = outcome.certificate.worst();
+    if (worst <= tolerance) outcome.status = Status::Solved;
+    if (outcome.status == Status::Breakdown && worst < std::sqrt(epsilon))  // half of the digits
+      outcome.why =
+          text("--tolerance ", number(rounded_up(worst), "%.0e"), " accepts what ",
+               outcome.solver->name, " has come to", lost_digits(form.programme, solution.refined));
   });
 }
 

@@ -15,7 +15,7 @@ struct Outcome {
   const signorini::Solver* solver = nullptr;  ///< which one
   bool ran = false;                           ///< whether it ended in the ordinary way
   std::string word;                           ///< its status, "not tried" or "refused"
-  std::string why;                            ///< reason, if it did not run
+  std::string why;                            ///< reason, if it did not run or solve; or empty
   signorini::Status status = signorini::Status::Breakdown;  ///< what it claims
   bool accepted = false;                                    ///< the certificate is good enough
   Eigen::Index iterations = 0;                              ///< as it counts them
@@ -46,7 +46,8 @@ const char* to_string(Matrix kind);
 /// Solves a complementarity problem, or one with friction, with the solvers that are asked for.
 /// \param problem    M and q, or one with friction
 /// \param kind       of its matrix
-/// \param asked      name of a solver, "all", or empty: the first one that takes the problem
+/// \param asked      name of a solver, "all", or empty: the first one that takes the problem, and where it breaks down the
+///   next ones that promise to solve such problems, until one does not break down
 /// \param tolerance  largest figure of a certificate that is accepted
 /// \return one outcome for each solver
 /// \throws signorini::ProblemError if there is no such solver

@@ -45,18 +45,25 @@ void print_table(std::ostream& out, const std::vector<Outcome>& outcomes, bool w
   }
 }
 
-/// What it means, or what to try, when there is no solution.
-void print_hint(std::ostream& out, const std::vector<Outcome>& outcomes) {
+/// What it means, or what to try, when there is no solution. \param family  all that could have been asked
+void print_hint(std::ostream& out, const std::vector<Outcome>& outcomes,
+                const std::vector<Solver>& family) {
   const auto refuted = std::find_if(outcomes.begin(), outcomes.end(), [](const Outcome& outcome) {
     return outcome.ran && outcome.status == Status::Infeasible;
   });
-  if (refuted != outcomes.end())
+  if (refuted != outcomes.end()) {
     out << "\nnot solved: " << refuted->solver->name
         << " has proved that the conditions contradict each other\n";
-  else if (outcomes.size() == 1)
-    out << "\nnot solved; --solver all tries the whole family\n";
-  else
-    out << "\nnot solved\n";
+    return;
+  }
+  out << "\nnot solved";
+  const auto nearest =
+      std::min_element(outcomes.begin(), outcomes.end(), [](const Outcome& a, const Outcome& b) {
+        return a.certificate.worst() < b.certificate.worst();
+      });
+  if (!nearest->why.empty() && nearest->ran) out << "; " << nearest->why;
+  if (outcomes.size() < family.size()) out << "; --solver all tries the whole family";
+  out << '\n';
 }
 
 void print_columns(std::ostream& out, const char* first, const VectorXd& a, const char* second,
@@ -126,9 +133,8 @@ void write_outcomes(Json& json, const std::vector<Outcome>& outcomes, bool solve
       json.key("iterations").value(outcome.iterations).key("seconds").value(outcome.seconds);
       json.key("certificate");
       write(json, outcome.certificate);
-    } else {
-      json.key("why").value(outcome.why);
     }
+    if (!outcome.accepted && !outcome.why.empty()) json.key("why").value(outcome.why);
     if (outcome.accepted) solution(outcome);
     json.end();
   }
@@ -176,7 +182,8 @@ void print(std::ostream& out, const std::string& title, const FiledProblem& file
       << " pairs, matrix " << to_string(kind) << "\n\n";
   print_table(out, outcomes, false);
   const Outcome* const solution = best(outcomes);
-  if (solution == nullptr) return print_hint(out, outcomes);
+  if (solution == nullptr)
+    return print_hint(out, outcomes, filed.rubs() ? friction_solvers() : solvers());
   if (filed.rubs()) {
     if (n <= largest_printed) print_rubbing(out, *solution);
     print_motions(out, solution->motion);
@@ -199,7 +206,7 @@ void print(std::ostream& out, const std::string& title, const TwoSidedProgramme&
   out << '\n';
   print_table(out, outcomes, true);
   const Outcome* const solution = best(outcomes);
-  if (solution == nullptr) return print_hint(out, outcomes);
+  if (solution == nullptr) return print_hint(out, outcomes, solvers());
   if (std::max(programme.q.size(), programme.lower.size()) <= largest_printed)
     print_columns(out, "x", solution->unknowns, "multiplier", solution->force);
 }

@@ -46,6 +46,17 @@ expect 1 'not solved' lcp skew --solver all
 expect 1 'infeasible' qp contradiction --solver all
 expect 1 'refused .*change the units' lcp huge
 expect 1 'NOT CONFIRMED' lcp "$lcp/lcp_deudeu.dat" --tolerance 1e-300
+# Forces of an equation and a bound cancel; 0.7 times one is not the other.
+printf '%s\n' 'n 2' 'm 2' 'r 0' P '1 0' '0 1' q '0 -5' A '0.7 1e-7' '1 0' l '1e-7 0' u '1e-7 1e20' > cancel.txt
+expect 1 'forces up to 2\.8e\+07 cancel, to 5\.0e\+00' qp cancel.txt
+expect 1 'not solved; --tolerance [0-9]e-10 accepts what [a-z_]* has come to' qp cancel.txt
+expect 1 '^primal_dual_active_set  breakdown' qp cancel.txt # the next member is asked
+expect 1 '^not solved; --tolerance' qp cancel.txt --solver lemke
+expect 0 '^quasi_active_set  solved ' qp cancel.txt --tolerance 1e-8
+expect 1 '"why": "--tolerance .* forces up to ' qp cancel.txt --json
+printf '%s\n' 'n 2' 'm 2' 'r 0' P '3 0' '0 0' q '-1 0' A '0.7 -1' '0 1' l '0 -10' u '0 10' > defined.txt
+expect 0 '^quasi_active_set  solved .*-0\.1666666' qp defined.txt
+expect 1 'enumerate has proved that the conditions contradict each other' lcp "$lcp/lcp_Pang_isolated_sol_perturbed.dat"
 expect 2 "--solver: unknown solver 'magic'; there are: .*enumerate" lcp "$lcp/lcp_deudeu.dat" --solver magic
 expect 2 'HS35.txt: this is a quadratic programme; run: signorini qp' lcp "$qp/HS35.txt"
 expect 2 'this is a complementarity problem; run: signorini lcp' qp "$lcp/lcp_deudeu.dat"
