@@ -165,3 +165,18 @@ TEST_CASE("forged: only equations hand on, not rows that bear one way", "[certif
       certify(programme, {Eigen::Vector2d(x, x + 1), {}, VectorXd::Constant(1, 0x1p-45)}).worst() ==
       0);
 }
+
+TEST_CASE("forged: a stiff unknown that only an equation joins hides nothing of a soft one",
+          "[certificate]") {
+  DenseProgramme programme;
+  programme.stiffness = Eigen::Vector3d(0x1p-30, 0x1p30, 0).asDiagonal();
+  programme.load = Eigen::Vector3d(0x1p-29, -0x3p30, 0);
+  programme.A = Eigen::RowVector3d(-2, -1, -1);
+  programme.initial_gap = VectorXd::Zero(1);
+  programme.equations = 1;
+  CHECK(certify(programme, {Eigen::Vector3d(2, -3, -1), {}, VectorXd::Zero(1)}).worst() == 0);
+  const double off =
+      0x1p-10;  // a residual of 2^-40, which is 2^-40 of the root of the product of both stiffnesses
+  const Eigen::Vector3d moved(2 + off, -3, -1 - 2 * off);
+  CHECK(certify(programme, {moved, {}, VectorXd::Zero(1)}).equilibrium > 1e-4);
+}
