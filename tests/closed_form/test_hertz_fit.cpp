@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 
 #include "catch_compat.hpp"
 #include "signorini/closed_form/hertz_fit.hpp"
@@ -30,29 +31,29 @@ std::vector<double> at(const std::vector<double>& x) {
 }
 
 /// Nodal forces of the exact pressure on edges of two nodes.
-std::vector<double> linear_forces(const std::vector<double>& x) {
+std::vector<double> linear_forces(const std::vector<double>& x,
+                                  const std::function<double(double)>& shape = pressure) {
   std::vector<double> f(x.size());
   for (std::size_t i = 1; i < x.size(); ++i) {
     const double from = x[i - 1], h = x[i] - from;
     const double to = std::max(from, std::min(x[i], b));  // the pressure ends inside of an edge
     const double low = std::min(to, std::max(from, -b));
-    f[i] += quadrature::integral([&](double s) { return pressure(s) * (s - from) / h; }, low, to);
+    f[i] += quadrature::integral([&](double s) { return shape(s) * (s - from) / h; }, low, to);
     f[i - 1] +=
-        quadrature::integral([&](double s) { return pressure(s) * (from + h - s) / h; }, low, to);
+        quadrature::integral([&](double s) { return shape(s) * (from + h - s) / h; }, low, to);
   }
   return f;
 }
 
 /// Nodal forces on edges of three nodes, the nodes 0 2 4 ... being the ends.
-std::vector<double> quadratic_forces(const std::vector<double>& x) {
+std::vector<double> quadratic_forces(const std::vector<double>& x,
+                                     const std::function<double(double)>& shape = pressure) {
   std::vector<double> f(x.size());
   for (std::size_t i = 2; i < x.size(); i += 2)
     for (std::size_t k = 0; k < 3; ++k) {
       const double own = x[i - 2 + k], one = x[i - 2 + (k + 1) % 3], two = x[i - 2 + (k + 2) % 3];
       f[i - 2 + k] += quadrature::integral(
-          [&](double s) {
-            return pressure(s) * (s - one) * (s - two) / ((own - one) * (own - two));
-          },
+          [&](double s) { return shape(s) * (s - one) * (s - two) / ((own - one) * (own - two)); },
           x[i - 2], std::max(x[i - 2], std::min(x[i], b)));
     }
   return f;
@@ -152,13 +153,55 @@ TEST_CASE("Hertz fit: what is no ellipse is refused", "[hertz-fit]") {
   CHECK_THROWS_WITH(half_width_of_forces({0}, {1}), ContainsSubstring("more nodes"));
 }
 
+TEST_CASE("half-width of forces on a circle: exact on quadratic rings, nearly so on linear ones",
+          "[hertz-fit][circle]") {
+  std::vector<double> x = nodes(0, b / 14.3, 1);
+  if (x.size() % 2 == 0) x.pop_back();
+  const auto rings = [](double s) { return s * pressure(s); };
+  CHECK(half_width_of_forces(x, quadratic_forces(x, rings), Trace::Quadratic, Footprint::Circle) ==
+        Approx(b).epsilon(1e-9).margin(0));
+  double before = 1;
+  for (const double n : {10., 20., 40.}) {
+    const std::vector<double> line = nodes(0, b / n, 1);
+    const double width =
+        half_width_of_forces(line, linear_forces(line, rings), Trace::Linear, Footprint::Circle);
+    CHECK(std::abs(width / b - 1) < before / 8);
+    before = std::abs(width / b - 1);
+  }
+}
+
+TEST_CASE("Hertz fit of a circle: nodes count as their rings do, and that on the axis not",
+          "[hertz-fit][circle]") {
+  const std::vector<double> x = nodes(0, b / 12, 1);
+  std::vector<double> p = at(x);
+  p[0] *= 0.9;
+  const auto peak = [&](Footprint footprint) {
+    return fit_hertz(x, p, fitted_part, footprint).peak_pressure;
+  };
+  CHECK(peak(Footprint::Circle) == Approx(q0).epsilon(1e-12).margin(0));
+  CHECK(peak(Footprint::Strip) < 0.99 * q0);
+  // What is wrong at a place counts in proportion to its radius: two errors of one moment about the mean cancel.
+  const auto lifted = [&](std::size_t node) {
+    std::vector<double> wrong = at(x);
+    wrong[node] = std::sqrt(wrong[node] * wrong[node] + 1e-6);
+    return fit_hertz(x, wrong, fitted_part, Footprint::Circle).peak_pressure - q0;
+  };
+  const auto even = [&](std::size_t node) {
+    std::vector<double> wrong = at(x);
+    wrong[node] = std::sqrt(wrong[node] * wrong[node] + 1e-6);
+    return fit_hertz(x, wrong).peak_pressure - q0;
+  };
+  CHECK(lifted(1) / even(1) < 0.5 * lifted(4) / even(4));
+}
+
 TEST_CASE("the derivatives of the fit and of the width are those of central differences",
           "[hertz_fit][derivative]") {
   const std::vector<double> x = nodes(0, 0.08, 1.1);
   const std::vector<double> force = linear_forces(x);
   const Trace trace = GENERATE(Trace::Linear, Trace::Quadratic);
-  const std::vector<double> of_peak = peak_pressure_gradient(x, at(x));
-  const std::vector<double> of_width = half_width_gradient(x, force, trace);
+  const Footprint footprint = GENERATE(Footprint::Strip, Footprint::Circle);
+  const std::vector<double> of_peak = peak_pressure_gradient(x, at(x), fitted_part, footprint);
+  const std::vector<double> of_width = half_width_gradient(x, force, trace, footprint);
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
     const auto difference = [&](std::vector<double> numbers, double step, auto&& read) {
       numbers[i] += step;
@@ -169,13 +212,16 @@ TEST_CASE("the derivatives of the fit and of the width are those of central diff
     if (at(x)[i] > 0)
       CHECK(of_peak[i] ==
             Approx(difference(at(x), 1e-5,
-                              [&](const auto& p) { return fit_hertz(x, p).peak_pressure; }))
+                              [&](const auto& p) {
+                                return fit_hertz(x, p, fitted_part, footprint).peak_pressure;
+                              }))
                 .epsilon(1e-6)
                 .margin(1e-9));
-    CHECK(of_width[i] ==
-          Approx(difference(force, 1e-5,
-                            [&](const auto& f) { return half_width_of_forces(x, f, trace); }))
-              .epsilon(1e-6)
-              .margin(1e-9));
+    CHECK(of_width[i] == Approx(difference(force, 1e-5,
+                                           [&](const auto& f) {
+                                             return half_width_of_forces(x, f, trace, footprint);
+                                           }))
+                             .epsilon(1e-6)
+                             .margin(1e-9));
   }
 }
