@@ -28,6 +28,9 @@ std::optional<double> positive(const std::string& word) {
   return value;
 }
 
+/// A mesh that takes longer is solved only if --unknowns allows it.
+constexpr double unasked_seconds = 10;
+
 double target_of(const std::string& word) {
   const bool percent = !word.empty() && word.back() == '%';
   std::string digits = percent ? word.substr(0, word.size() - 1) : word;
@@ -66,6 +69,8 @@ AccuracyRun understood(const AccuracyWish& wish, const SceneRun& run) {
     pose(first <= accuracy.wanted.most_unknowns, "--unknowns: the mesh of ", run.file.name, " has ",
          first, " already, more than ", in_quotes(wish.unknowns),
          "; allow more, or begin with a coarser mesh");
+  } else {
+    accuracy.wanted.most_seconds = unasked_seconds;
   }
   pose(!run.file.scene.path, "--accuracy: ", run.file.name,
        " has load steps, and the error of a path is not estimated; leave the option or the steps "
@@ -91,6 +96,7 @@ void solve_to_accuracy(SceneRun& run, AccuracyRun& accuracy,
   });
   accuracy.met = result.met;
   accuracy.verdict = std::move(result.verdict);
+  if (result.too_dear > 0) accuracy.verdict += text("; to go on, add --unknowns ", result.too_dear);
   if (result.estimate) accuracy.budget = error_budget(*result.estimate);
   run.file.scene = std::move(result.scene);
   run.plan = plan(run.file.scene);
@@ -167,6 +173,7 @@ void write(Json& json, const AccuracyRun& accuracy) {
       json.key("interior").value(round.parts.interior).key("gap").value(round.parts.gap);
       json.key("reading").value(round.parts.reading);
       json.key("free_boundary").value(round.parts.free_boundary);
+      json.key("outline").value(round.parts.outline);
       json.key("overlooked").value(round.overlooked).key("misfit").value(round.misfit);
       json.key("algebraic").value(round.algebraic);
     }

@@ -102,7 +102,8 @@ void declare(CLI::App& app, Request& request) {
   solve
       ->add_option("--unknowns", request.accuracy.unknowns,
                    signorini::text("how many of them --accuracy may spend on one mesh; without it ",
-                                   signorini::Accuracy{}.most_unknowns))
+                                   signorini::Accuracy{}.most_unknowns,
+                                   ", and no mesh that takes more than 10 s by its forecast"))
       ->type_name("NUMBER");
   add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
   add_problem(

@@ -363,13 +363,16 @@ TEST_CASE("what no estimate is promised for is refused by name", "[estimate]") {
 }
 
 TEST_CASE("an error budget keeps apart what can be estimated and what cannot", "[estimate]") {
-  Estimate one{"force", 10, {0.3, 0.02, 0.01, -0.1}, 0.23, true, 1e-14, {}, {}};
+  Estimate one{"force", 10, {0.3, 0.02, 0.01, -0.1, 0.07}, 0.3, true, 1e-14, {}, {}, {}};
   const std::vector<BudgetLine> budget = error_budget(one, {10.5, {}});
   REQUIRE(budget.size() == 6);
   CHECK(budget[0].amount.value() == 1e-14);
   CHECK(budget[1].amount.value() == Approx(0.03));
   CHECK(budget[2].amount.value() == Approx(0.2));
-  CHECK(!budget[3].amount);  // of the outline
+  CHECK(budget[3].amount.value() == Approx(0.07));
   CHECK(budget[4].amount.value() == Approx(0.5));
   CHECK(!budget[5].amount);
+  CHECK(one.parts.sum() == Approx(0.3));
+  CHECK(one.parts.sizes() == Approx(0.5));
+  CHECK(one.parts.norm() == Approx(std::sqrt(0.1054)));
 }

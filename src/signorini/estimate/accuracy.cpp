@@ -6,11 +6,12 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/estimate/facing_marks.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/estimate/finer_meshes.hpp"
 #include "signorini/estimate/hindrance.hpp"
 #include "signorini/estimate/marking.hpp"
-#include "signorini/refinement/refine.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/prediction.hpp"
 #include "signorini/scene/steps_limit.hpp"
 
 namespace signorini {
@@ -22,13 +23,13 @@ using Eigen::Index;
 constexpr std::size_t fewest_closed = 6;
 /// What a round leaves of the error at least: with less, estimates of coarse meshes make meshes far finer than asked for;
 /// with more, there are more rounds.
-constexpr double least_left = 0.25;
+constexpr double least_left = 0.125;
 /// A round aims at so much of the target: at more, many fall short by a little and need another round; at less, the last
 /// mesh is finer than it need be.
 constexpr double aim = 0.85;
 /// A mesh confirms an earlier one if it has so many times its unknowns: with fewer, two meshes that overlook the same agree;
 /// with more, confirming costs more than solving.
-constexpr double confirming = 1.5;
+constexpr double confirming = 2;
 /// So many times the unknowns should leave a quarter of the error even at a corner...
 constexpr Index patience = 16;
 /// ... and so many halvings should close enough pairs.
@@ -39,26 +40,16 @@ constexpr int most_doubts = 2;
 /// What the answer may be wrong by, if the estimate is within a factor of two: where it has a sign and is added, the sum
 /// of the sizes of the parts, which can cancel by luck; of one without a sign twice it, which is no less.
 double left_by(const Estimate& estimate) {
-  if (!estimate.is_signed) return 2 * estimate.error;
-  const ErrorParts& parts = estimate.parts;
-  return std::abs(parts.interior) + std::abs(parts.gap) + std::abs(parts.reading) +
-         std::abs(parts.free_boundary);
+  return estimate.is_signed ? estimate.parts.sizes() : 2 * estimate.error;
 }
 
-/// What the estimates overlook, as the last change of the value shows it: nothing while that is within what both allow
-/// for. What was overlooked falls by halves at best, and no faster than unknowns grow: it is not forgotten at once.
+/// What the estimates overlook, as the last change of the value shows it: by how much it is beyond what both allow for.
+/// What was overlooked falls no faster than unknowns grow: it is not forgotten at once.
 double overlooked_since(const AccuracyRound& last, const AccuracyRound& now) {
   const double change = std::abs(now.value - last.value);
   const double allowed = last.of_estimate + now.of_estimate;
   const double coarser = static_cast<double>(last.unknowns) / static_cast<double>(now.unknowns);
-  return std::max(change > allowed ? change : 0, std::max(0.5, coarser) * last.overlooked);
-}
-
-bool any_marked(const std::vector<MarkedEdges>& marks) {
-  return std::any_of(marks.begin(), marks.end(), [](const MarkedEdges& body) {
-    return std::any_of(body.halved.begin(), body.halved.end(),
-                       [](char times) { return times > 0; });
-  });
+  return std::max(change - allowed, coarser * last.overlooked);
 }
 
 class Loop {
@@ -241,48 +232,38 @@ class Loop {
     return false;
   }
 
-  /// Halves what is marked, once and again. What cannot be done the second time is left for the next round.
+  /// Makes the next scene of what is marked. \return whether it is to be solved
   bool refine(Scene& next) {
     if (!any_marked(marks_)) return stop("no cell has a share of the error; " + hindrance(run_));
-    std::vector<BodyModel> bodies = run_.model.bodies;
-    bool finer = false;
-    while (any_marked(marks_)) {
-      mark_facing(run_.scene.contacts, bodies, marks_);
-      std::vector<HalvedMesh> halved;
-      for (std::size_t b = 0; b < bodies.size(); ++b)
-        halved.push_back(halved_once(bodies[b].mesh, marks_[b]));
-      const std::string obstacle = obstacle_of(halved);
-      if (!obstacle.empty() && !finer) return stop(obstacle);
-      if (!obstacle.empty()) break;
-      for (std::size_t b = 0; b < bodies.size(); ++b) {
-        bodies[b].mesh = std::move(halved[b].mesh);
-        marks_[b] = std::move(halved[b].marks);
-      }
-      finer = true;
-      ++halvings_;
-    }
+    FinerMeshes finer = finer_meshes(run_.scene.contacts, run_.model.bodies, std::move(marks_),
+                                     wanted_.most_unknowns);
+    if (finer.halvings == 0)
+      return stop(finer.obstacle + (finer.too_many ? "; " + hindrance(run_) : ""));
+    halvings_ += finer.halvings;
     next = run_.scene;
-    for (std::size_t b = 0; b < bodies.size(); ++b) next.bodies[b].mesh = std::move(bodies[b].mesh);
-    return true;
+    for (std::size_t b = 0; b < next.bodies.size(); ++b)
+      next.bodies[b].mesh = std::move(finer.meshes[b]);
+    return affordable(next, finer.unknowns);
   }
 
-  /// Why meshes cannot be solved; empty if they can.
-  [[nodiscard]] std::string obstacle_of(const std::vector<HalvedMesh>& meshes) const {
-    Index unknowns = 0;
-    for (const HalvedMesh& finer : meshes) {
-      try {
-        check_mesh(finer.mesh);
-      } catch (const ProblemError& error) {
-        return text(
-            "geometry: the sides are too long for the curve they follow, a finer mesh "
-            "would have bad cells: ",
-            error.what());
-      }
-      unknowns += 2 * finer.mesh.n_nodes();
-    }
-    if (unknowns <= wanted_.most_unknowns) return {};
-    return text("budget of unknowns: the next mesh would have about ", unknowns, ", and ",
-                wanted_.most_unknowns, " are allowed; ", hindrance(run_));
+  /// Whether the next mesh takes no longer than it may. Its seconds are those of the last by the forecasts of both, which
+  /// are made only if the cube of the unknowns, of which contact may cost as much, says that it might.
+  bool affordable(const Scene& next, Index unknowns) {
+    const double last = run_.rounds.back().seconds;
+    const double growth =
+        static_cast<double>(unknowns) / static_cast<double>(run_.rounds.back().unknowns);
+    if (last * std::pow(growth, 3) <= wanted_.most_seconds) return true;
+    const auto forecast = [](const Scene& scene) {
+      return predict(plan(scene)).amount("all phases", "seconds");
+    };
+    const double seconds = last * forecast(next) / forecast(run_.scene);
+    if (seconds <= wanted_.most_seconds) return true;
+    double paid = 0;
+    for (const AccuracyRound& round : run_.rounds) paid += round.seconds;
+    run_.too_dear = unknowns;
+    return stop(text("price: the next mesh, of about ", unknowns, " unknowns, would take some ",
+                     number(seconds, "%.2g"), " s by the forecast, and all meshes so far took ",
+                     number(paid, "%.2g"), " s; ", hindrance(run_)));
   }
 
   const Accuracy& wanted_;

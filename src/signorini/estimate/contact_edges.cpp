@@ -35,6 +35,19 @@ bool presses_one_node(const Model& model, const BodyModel& source, Index pair) {
 
 }  // namespace
 
+std::vector<char> meshed_contacts(const Model& model) {
+  std::vector<char> meshed(model.contacts.size(), 0);
+  for (Index pair = 0; pair < model.pairs.opening.rows(); ++pair) {
+    const BodyModel& source = source_of(model, pair);
+    char& own = meshed[model.contact_of[static_cast<std::size_t>(pair)]];
+    for (NodalRows::InnerIterator entry(model.pairs.opening, pair); entry; ++entry) {
+      const Index node = entry.col() / 2 - source.first_node;
+      if (node < 0 || node >= source.mesh.n_nodes()) own = 1;
+    }
+  }
+  return meshed;
+}
+
 std::vector<ContactEdge> contact_edges(const Model& model) {
   std::vector<std::map<std::pair<Index, Index>, CellSide>> sides(model.bodies.size());
   for (std::size_t b = 0; b < sides.size(); ++b) {
@@ -92,8 +105,10 @@ double gap_between_nodes(const Model& model, const std::vector<ContactEdge>& edg
                              (gap(before->to) - gap(before->from)) / before->length);
     known(after.from) = 1;
   }
+  const std::vector<char> meshed = meshed_contacts(model);
   double sum = 0;
   for (const ContactEdge& edge : edges) {
+    if (meshed[model.contact_of[static_cast<std::size_t>(edge.from)]] != 0) continue;
     const int ends = known(edge.from) + known(edge.to);
     if (edge.order == MeshOrder::Quadratic || ends == 0) continue;
     const double bend = (curvature(edge.from) + curvature(edge.to)) / ends;

@@ -31,8 +31,12 @@ struct ContactEdge {
 /// \return the body
 [[nodiscard]] const BodyModel& source_of(const Model& model, Eigen::Index pair);
 
-/// What the gaps between the nodes count for a goal besides the straight lines that the pairs know of. On sides of two
-/// nodes a gap of the curvature g'' lies by \f$ g'' s (h - s)/2 \f$ below its chord, if it is convex:
+/// \param model  from build(), all of whose pairs have nodes
+/// \return of each contact, not 0 if its target is a mesh too
+[[nodiscard]] std::vector<char> meshed_contacts(const Model& model);
+
+/// What the gaps between the nodes of a source and an obstacle count for a goal besides the straight lines that the pairs
+/// know of; what two meshes leave between them is in outline_shares(). On sides of two nodes a gap of the curvature g'' lies by \f$ g'' s (h - s)/2 \f$ below its chord, if it is convex:
 ///
 /// \f[ \langle\mu, g - I g\rangle = -\sum \frac{h^3}{12}\, g''\, \bar\mu, \f]
 ///

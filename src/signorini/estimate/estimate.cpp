@@ -9,6 +9,7 @@
 #include "signorini/estimate/directions.hpp"
 #include "signorini/estimate/dual.hpp"
 #include "signorini/estimate/error_products.hpp"
+#include "signorini/estimate/outline.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -41,6 +42,15 @@ struct Residuals {
 
 }  // namespace
 
+double ErrorParts::sizes() const {
+  return std::abs(interior) + std::abs(gap) + std::abs(reading) + std::abs(free_boundary) +
+         std::abs(outline);
+}
+
+double ErrorParts::norm() const {
+  return Eigen::Vector<double, 5>(interior, gap, reading, free_boundary, outline).stableNorm();
+}
+
 std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
                                 const Solution& solution, const std::vector<Goal>& goals,
                                 Ledger& ledger) {
@@ -63,7 +73,7 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
   std::vector<Estimate> all;
   std::vector<DualSolution> duals;
   for (const Goal& goal : goals) {
-    Estimate one{goal.name, value(model, solution, goal), {}, 0, true, 0, {}, {}};
+    Estimate one{goal.name, value(model, solution, goal), {}, 0, true, 0, {}, {}, {}};
     one.is_signed = std::holds_alternative<ContactForce>(goal.quantity) ||
                     std::holds_alternative<Displacement>(goal.quantity);
     const GoalGradient change = gradient(model, solution, goal);
@@ -96,13 +106,22 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
       all[k].share.emplace_back(products.col(static_cast<Index>(k)));
       all[k].first_direction.emplace_back(first.col(static_cast<Index>(k)));
       all[k].parts.interior += all[k].share.back().sum();
+      all[k].of_sides.emplace_back();
     }
+    const auto b = static_cast<std::size_t>(&body - model.bodies.data());
+    const ContactOnNodes contact(model, body);
+    std::vector<WholeField> whole = {
+        {solution.displacements[b], contact.pressures(solution.contact.force)}};
+    for (const DualSolution& z : duals)
+      whole.push_back({of_body(body, z.displacement + z.rigid), contact.pressures(z.force)});
+    for (const OutlineShare& side : outline_shares(body, smooth, contact, whole, goals))
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        const double amount = side.amount(static_cast<Index>(k));
+        all[k].of_sides.back().push_back({side.side, amount});
+        all[k].parts.outline += amount;
+      }
   }
-  for (Estimate& one : all) {
-    const ErrorParts& p = one.parts;
-    const Eigen::Vector4d parts(p.interior, p.gap, p.reading, p.free_boundary);
-    one.error = one.is_signed ? parts.sum() : parts.stableNorm();
-  }
+  for (Estimate& one : all) one.error = one.is_signed ? one.parts.sum() : one.parts.norm();
   return all;
 }
 
@@ -116,17 +135,17 @@ std::vector<BudgetLine> error_budget(const Estimate& estimate, const ComparedWit
     return other ? std::optional<double>(*other - estimate.value) : std::nullopt;
   };
   const ErrorParts& p = estimate.parts;
-  return {{"algebraic", estimate.algebraic,
-           "what the residuals of the certified solution can do at most"},
-          {"gap", p.gap + p.reading, "between the nodes of the contact: finer sides there"},
-          {"element", p.interior + p.free_boundary,
-           "stresses inside the bodies and the end of the contact: finer cells, or better ones"},
-          {"outline", std::nullopt,
-           "what straight sides cut off curved outlines; a mean displacement of an arc may miss a "
-           "fifth of the square of the angle of a side [rad]: shorter sides, or quadratic cells"},
-          {"domain", difference(compared.domain), "where the bodies were cut off: a larger domain"},
-          {"model", difference(compared.model),
-           "what the scene leaves out, such as large movements or the third dimension"}};
+  return {
+      {"algebraic", estimate.algebraic,
+       "what the residuals of the certified solution can do at most"},
+      {"gap", p.gap + p.reading, "between the nodes of the contact: finer sides there"},
+      {"element", p.interior + p.free_boundary,
+       "stresses inside the bodies and the end of the contact: finer cells, or better ones"},
+      {"outline", p.outline,
+       "what sides of cells cut off curved outlines, or add: shorter sides, or quadratic cells"},
+      {"domain", difference(compared.domain), "where the bodies were cut off: a larger domain"},
+      {"model", difference(compared.model),
+       "what the scene leaves out, such as large movements or the third dimension"}};
 }
 
 }  // namespace signorini

@@ -20,6 +20,20 @@ struct ErrorParts {
   /// What the goal itself overlooks between the nodes: \f$ \langle p, w - I w\rangle \f$, or the flattened top of a fit
   double reading = 0;
   double free_boundary = 0;  ///< that contact must end at a node
+  double outline = 0;        ///< what sides cut off curved outlines, or add: outline_shares()
+
+  /// \return their sum
+  [[nodiscard]] double sum() const { return interior + gap + reading + free_boundary + outline; }
+  /// \return the sum of their sizes
+  [[nodiscard]] double sizes() const;
+  /// \return the root of the sum of their squares
+  [[nodiscard]] double norm() const;
+};
+
+/// What one side of a cell adds to an error.
+struct SideShare {
+  CellSide side;  ///< of a cell of one body
+  double amount;  ///< with its sign [goal]
 };
 
 /// The error of one goal.
@@ -37,6 +51,8 @@ struct Estimate {
   std::vector<Eigen::VectorXd> share;
   /// How much of that is for want of cells along the sides 0 and 2 of the cell, see share_of_first_direction() [-]
   std::vector<Eigen::VectorXd> first_direction;
+  /// What each side that a curved outline leaves adds to `parts.outline`, body by body
+  std::vector<std::vector<SideShare>> of_sides;
 };
 
 /// Estimates the errors of goals, with the factor and the compliance in hand: nothing is factored but the dense system of
@@ -45,21 +61,20 @@ struct Estimate {
 /// A dual solution [\ref BeckerRannacher2001] says what each residual counts for the goal; the residual is that of
 /// recovered stresses. With \f$ \Delta\sigma = \sigma^* - \sigma \f$ and the closed pairs as they are,
 ///
-/// \f[ J - J_h \approx \sum_K E_K + \langle\mu, g - I g\rangle + \langle p_h, w - I w\rangle + V, \f]
+/// \f[ J - J_h \approx \sum_K E_K + \langle\mu, g - I g\rangle + \langle p_h, w - I w\rangle + V + \Omega, \f]
 ///
 /// where E_K is that of error_products(), without the differences of stresses around the ends of contact, and V is about the
 /// *free boundary*: J does not change to first order when the end of the contact moves, so with the end one pair further
 /// out, and one further in, a cubic says what it would be where the end belongs: free_boundary(). V is left out, and nothing
-/// of E_K, where pairs slide against friction.
+/// of E_K, where pairs slide against friction. \f$ \Omega \f$ is what the outline leaves its sides for: outline_shares(), also
+/// without what friction does there.
 ///
 /// *What is promised*, on meshes that resolve the contact (ten closed pairs or more): forces of contact and displacements
 /// within a factor of about two, also where pairs stick or slide; half-widths and peaks of q4 the same, without a sign.
 /// *What is not*: no estimate is a bound. On coarser meshes they are mostly too large, up to ten times. Half-widths of
 /// q4_incompatible and q4_bbar are overestimated, mostly by less than two and up to five times where little is left: contact
 /// that ends at a node acts as if it ended about a fifth of a pair further out, which neither recovery nor V sees. So are
-/// peaks of elements other than q4, and errors of q8 and t6 on curved obstacles, of which V is the most. A part of the force on a curved contact also misses what its
-/// polygon is shorter than its arc, and the mean displacement of a curved boundary what its chords cut off:
-/// of a pressed ring of radii 1 : 2, about a fifth of the square of the angle of a side [rad]. Errors of the energy norm, and of stresses and pressures at a point, such as at
+/// peaks of elements other than q4, and errors of q8 and t6 on curved obstacles, of which V is the most. Errors of the energy norm, and of stresses and pressures at a point, such as at
 /// corners, are not goals, because recovery knows nothing of singularities between its nodes; how far the domain and the
 /// model are from the truth cannot be seen in one mesh. `make effectivity` measures all this and lists what fails.
 /// \param model      from build()
@@ -96,7 +111,7 @@ struct ComparedWith {
 /// Keeps apart what an answer may be wrong by.
 /// \param estimate  of the goal
 /// \param compared  values of other scenes, if there are any
-/// \return lines: algebraic, gap, element, outline, domain, model; that of the outline is never estimated
+/// \return lines: algebraic, gap, element, outline, domain, model
 [[nodiscard]] std::vector<BudgetLine> error_budget(const Estimate& estimate,
                                                    const ComparedWith& compared = {});
 

@@ -46,17 +46,28 @@ NodeSum nodes_of(const Model& model, const Displacement& goal, const std::string
   return {body, place.nodes, place.share.head(static_cast<Index>(place.nodes.size()))};
 }
 
+double peak_of(const Profile& read, double inner = fitted_part) {
+  return fit_hertz(read.line.x, read.pressure, inner, read.line.footprint).peak_pressure;
+}
+
+std::vector<double> gradient_of_peak(const Profile& read) {
+  return peak_pressure_gradient(read.line.x, read.pressure, fitted_part, read.line.footprint);
+}
+
 double pressure_at(const HertzFit& fit, double x) {
   return fit.peak_pressure * std::sqrt(std::max(0.0, 1 - std::pow(x / fit.half_width, 2)));
 }
 
 /// The mean of an ellipse of pressure that the force on a node of straight sides tells.
-double mean_around(const std::vector<double>& x, std::size_t node, const HertzFit& fit) {
+double mean_around(const ContactLine& line, std::size_t node, const HertzFit& fit) {
+  const std::vector<double>& x = line.x;
   double sum = 0, weight = 0;
   const auto side = [&](std::size_t other) {
     const double way = x[other] - x[node];
     for (const GaussPoint& gauss : gauss_line(16)) {
-      const double t = (1 + gauss.xi) / 2, part = gauss.weight * std::abs(way) * (1 - t);
+      const double t = (1 + gauss.xi) / 2;
+      const double ring = line.footprint == Footprint::Circle ? x[node] + t * way : 1;
+      const double part = gauss.weight * std::abs(way) * (1 - t) * ring;
       sum += part * pressure_at(fit, x[node] + t * way);
       weight += part;
     }
@@ -66,12 +77,14 @@ double mean_around(const std::vector<double>& x, std::size_t node, const HertzFi
   return sum / weight;
 }
 
-/// No ellipse of pressure is wider than where it presses: than the nodes beside the outermost that press.
+/// No ellipse of pressure is wider than where it presses, whose end a mesh knows to an edge: than the second nodes beyond
+/// the outermost that press.
 void require_closed_to(const Profile& read, double half_width, const Goal& goal) {
   const std::vector<double>& x = read.line.x;
   double reach = 0;
   for (std::size_t k = 0; k < x.size(); ++k)
-    for (std::size_t beside = k == 0 ? 0 : k - 1; beside < std::min(k + 2, x.size()); ++beside)
+    for (std::size_t beside = k - std::min<std::size_t>(k, 2); beside < std::min(k + 3, x.size());
+         ++beside)
       if (read.force[beside] > 0) reach = std::max(reach, std::abs(x[k]));
   pose(half_width <= reach, "goal '", goal.name,
        "': an ellipse of these forces has the half-width ", half_width,
@@ -120,11 +133,12 @@ double value(const Model& model, const Solution& solution, const Goal& goal) {
   return readable(goal, [&] {
     if (const auto* peak = std::get_if<PeakPressure>(&goal.quantity)) {
       const Profile read = profile(model, solution, peak->contact, peak->middle);
-      return fit_hertz(read.line.x, read.pressure).peak_pressure;
+      return peak_of(read);
     }
     const auto& width = std::get<HalfWidth>(goal.quantity);
     const Profile read = profile(model, solution, width.contact, width.middle);
-    const double half_width = half_width_of_forces(read.line.x, read.force, read.trace);
+    const double half_width =
+        half_width_of_forces(read.line.x, read.force, read.trace, read.line.footprint);
     require_closed_to(read, half_width, goal);
     return half_width;
   });
@@ -150,22 +164,20 @@ GoalGradient gradient(const Model& model, const Solution& solution, const Goal& 
       d.force(pair) = share_at(*force, model, pair);
     return d;
   }
-  const auto scatter = [&](const Profile& read, const std::vector<double>& of_nodes) {
-    d.force(read.line.pair) =
-        read.nodal.transpose() *
-        Eigen::Map<const VectorXd>(of_nodes.data(), static_cast<Index>(of_nodes.size()));
-  };
   readable(goal, [&] {
     if (const auto* peak = std::get_if<PeakPressure>(&goal.quantity)) {
       const Profile read = profile(model, solution, peak->contact, peak->middle);
-      std::vector<double> of_nodes = peak_pressure_gradient(read.line.x, read.pressure);
-      for (std::size_t k = 0; k < of_nodes.size(); ++k)
-        of_nodes[k] /= read.weight(static_cast<Index>(k));
-      scatter(read, of_nodes);
+      const std::vector<double> change = gradient_of_peak(read);
+      for (std::size_t k = 0; k < change.size(); ++k)
+        d.force(read.line.pair[k]) = change[k] / model.pairs.weight(read.line.pair[k]);
     } else {
       const auto& width = std::get<HalfWidth>(goal.quantity);
       const Profile read = profile(model, solution, width.contact, width.middle);
-      scatter(read, half_width_gradient(read.line.x, read.force, read.trace));
+      const std::vector<double> change =
+          half_width_gradient(read.line.x, read.force, read.trace, read.line.footprint);
+      d.force(read.line.pair) =
+          read.nodal.transpose() *
+          Eigen::Map<const VectorXd>(change.data(), static_cast<Index>(change.size()));
     }
   });
   return d;
@@ -196,10 +208,11 @@ double overlooked(const Model& model, const Solution& solution, const Goal& goal
     if (read.trace == Trace::Quadratic) return 0;
     return readable(goal, [&] {
       const std::vector<double>& x = read.line.x;
-      const HertzFit fit = fit_hertz(x, read.pressure);
-      const std::vector<double> change = peak_pressure_gradient(x, read.pressure);
+      const HertzFit fit = fit_hertz(x, read.pressure, fitted_part, read.line.footprint);
+      const std::vector<double> change = gradient_of_peak(read);
       for (std::size_t k = 0; k < x.size(); ++k)
-        if (change[k] != 0) sum -= change[k] * (mean_around(x, k, fit) - pressure_at(fit, x[k]));
+        if (change[k] != 0)
+          sum -= change[k] * (mean_around(read.line, k, fit) - pressure_at(fit, x[k]));
       return sum;
     });
   }
@@ -211,10 +224,9 @@ double misfit(const Model& model, const Solution& solution, const Goal& goal) {
   const auto* peak = std::get_if<PeakPressure>(&goal.quantity);
   if (peak == nullptr) return 0;
   const Profile read = profile(model, solution, peak->contact, peak->middle);
-  const double all =
-      readable(goal, [&] { return fit_hertz(read.line.x, read.pressure).peak_pressure; });
+  const double all = readable(goal, [&] { return peak_of(read); });
   try {
-    return std::abs(fit_hertz(read.line.x, read.pressure, fitted_part / 2).peak_pressure - all);
+    return std::abs(peak_of(read, fitted_part / 2) - all);
   } catch (const std::invalid_argument&) {
     return all;
   }

@@ -28,13 +28,15 @@ struct Displacement {
   std::optional<Eigen::Vector2d> point = {};  ///< a node, or a place on the edge [length]
 };
 
-/// The highest pressure of a contact that presses as Hertz's does, from a fit of its middle: fit_hertz() [force/length^2].
+/// The highest pressure of a contact that presses as Hertz's does, from a fit of its middle: fit_hertz() [force/length^2]. In
+/// axial symmetry a contact whose middle is on the axis is a circle, others are strips.
 struct PeakPressure {
   std::string contact = {};                          ///< as of ContactForce
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< of the contact, before loading [length]
 };
 
-/// Half of the width of such a contact, from the second moment of its forces: half_width_of_forces() [length].
+/// Half of the width of such a contact, from the second moment of its forces: half_width_of_forces() [length]; of a
+/// circle its radius.
 struct HalfWidth {
   std::string contact = {};                          ///< as of ContactForce
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();  ///< of the contact, before loading [length]

@@ -1,10 +1,12 @@
 #include "signorini/estimate/goal_words.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/elasticity/assembly.hpp"
+#include "signorini/mesh/joints.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
@@ -13,17 +15,43 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 
-/// Where a contact begins: the place of its smallest gap, of several the first.
+/// The body that a node belongs to, of the nodes of all bodies.
+const BodyModel& body_of(const Plan& plan, Index node) {
+  auto body = plan.bodies.end();
+  while ((--body)->first_node > node) {
+  }
+  return *body;
+}
+
+/// Where a contact begins: the place of its smallest gap, of several the first. In axial symmetry it begins on the axis if
+/// the side that this place is on does: of three nodes that side has a pair in its middle, and none on the axis.
 Vector2d middle_of(const Plan& plan, const std::string& contact) {
+  const Pairs& pairs = plan.gaps.pairs;
   Index nearest = -1;
-  for (Index pair = 0; pair < plan.gaps.pairs.initial_gap.size(); ++pair) {
+  for (Index pair = 0; pair < pairs.initial_gap.size(); ++pair) {
     const std::string& own = plan.contacts[plan.contact_of[static_cast<std::size_t>(pair)]];
-    const Eigen::VectorXd& gap = plan.gaps.pairs.initial_gap;
-    if ((contact.empty() || own == contact) && (nearest < 0 || gap(pair) < gap(nearest)))
+    if ((contact.empty() || own == contact) &&
+        (nearest < 0 || pairs.initial_gap(pair) < pairs.initial_gap(nearest)))
       nearest = pair;
   }
   if (nearest < 0) return Vector2d::Zero();
-  return plan.gaps.pairs.position.row(nearest).transpose();
+  const Vector2d place = pairs.position.row(nearest).transpose();
+  const Index node = pairs.node[static_cast<std::size_t>(nearest)];
+  if (node < 0) return place;
+  const BodyModel& body = body_of(plan, node);
+  if (!depth_of(body.material).axial) return place;
+  const Index own = node - body.first_node;
+  const auto on_axis = [axis = axis_nodes(body.mesh)](Index other) {
+    return std::binary_search(axis.begin(), axis.end(), other);
+  };
+  if (on_axis(own)) return {0, place.y()};
+  for (const CellSide& side : outer_sides(body.mesh)) {
+    const std::vector<Index> nodes = body.mesh.side_nodes(side);
+    if (nodes.size() < 3 || std::find(nodes.begin(), nodes.end(), own) == nodes.end()) continue;
+    for (const Index end : {nodes.front(), nodes.back()})
+      if (on_axis(end)) return {0, body.mesh.nodes(end, 1)};
+  }
+  return place;
 }
 
 /// The contact that a goal is about: if it is named, or the only one.

@@ -59,9 +59,12 @@ std::string hindrance(const AccurateSolution& run) {
            "that differ, so it does not press as Hertz's contact does; ask for its force or for a "
            "displacement";
   const ErrorParts& parts = last.parts;
+  const double outline = std::abs(parts.outline);
   const double gap = std::abs(parts.gap) + std::abs(parts.reading);
   const double edge = std::abs(parts.free_boundary);
   const double inside = std::abs(parts.interior);
+  if (outline > inside && outline > edge && outline > gap)
+    return "what straight sides cut off curved outlines is most of the error";
   if (gap > inside && gap > edge)
     return "gaps between the nodes of the contact are most of the error";
   if (edge > inside) return "where contact ends is most of the error";

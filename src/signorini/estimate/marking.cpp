@@ -102,6 +102,19 @@ void add_contact(const Model& model, const Solution& solution, const Estimate& e
       });
 }
 
+/// The sides that the outline leaves; what cancels in their sum counts in none of them.
+void add_outline(const std::vector<MarkedEdges>& marks, const Estimate& estimate,
+                 EdgeShares& shares) {
+  double sum = 0;
+  for (const std::vector<SideShare>& body : estimate.of_sides)
+    for (const SideShare& side : body) sum += std::abs(side.amount);
+  if (sum == 0) return;
+  const double scale = std::abs(estimate.parts.outline) / sum;
+  for (std::size_t b = 0; b < marks.size(); ++b)
+    for (const SideShare& side : estimate.of_sides[b])
+      shares[b][at(marks[b].edges.at(side.side))] += scale * std::abs(side.amount);
+}
+
 /// Marks what is one cell thick, see marks_where_coarse(). \return whether there is such a place
 bool mark_thin(const Mesh& mesh, MarkedEdges& marks) {
   const std::vector<std::array<CellSide, 2>>& sides = marks.edges.sides;
@@ -155,19 +168,23 @@ std::vector<MarkedEdges> marks_for(const Model& model, const Solution& solution,
   for (const MarkedEdges& body : marks) shares.emplace_back(body.edges.size(), 0.0);
   add_cells(model, marks, estimate, shares);
   add_contact(model, solution, estimate, pair_sides(model, marks), shares);
+  add_outline(marks, estimate, shares);
   std::vector<std::vector<Index>> chord_of;
   std::priority_queue<Candidate> queue;
   double left = 0;
   double missing = 0;  // new nodes
   for (std::size_t b = 0; b < marks.size(); ++b) {
-    missing += (growth - 1) * static_cast<double>(model.bodies[b].mesh.n_nodes());
-    chord_of.push_back(chords(model.bodies[b].mesh, marks[b].edges));
+    const Mesh& mesh = model.bodies[b].mesh;
+    missing += (growth - 1) * static_cast<double>(mesh.n_nodes());
+    // Of three nodes per side: two more on it, and the middle of the edge that leaves it.
+    const double per_edge = mesh.order() == MeshOrder::Quadratic ? 3 : 1;
+    chord_of.push_back(chords(mesh, marks[b].edges));
     const std::size_t count = at(1 + *std::max_element(chord_of[b].begin(), chord_of[b].end()));
     std::vector<double> share(count, 0);
     std::vector<double> nodes(count, 0);
     for (std::size_t e = 0; e < chord_of[b].size(); ++e) {
       share[at(chord_of[b][e])] += shares[b][e];
-      nodes[at(chord_of[b][e])] += 1;
+      nodes[at(chord_of[b][e])] += per_edge;
     }
     for (std::size_t c = 0; c < count; ++c) {
       left += share[c];

@@ -15,7 +15,7 @@ namespace signorini {
 /// `part` is left and there are `growth` times the nodes, or all chords are that have a share. The interior part falls to cells by the sizes of their shares, and from these to
 /// their chords by Estimate::first_direction, of triangles to their longest side; what gap and reading
 /// add, to the closed sides of the sources by the third power of their lengths; the free boundary, to
-/// the sides where contact ends.
+/// the sides where contact ends; the outline, to the sides that it leaves.
 /// \param model     that was solved
 /// \param solution  of it
 /// \param estimate  of the goal

@@ -73,6 +73,9 @@ ContactLine line_of(const Model& model, const std::string& contact, const Vector
        "a width or a peak of pressure needs a contact that can close; none of its pairs can move");
   const Vector2d normal = model.pairs.normal.row(nearest).transpose();
   const Vector2d along(normal.y(), -normal.x());
+  ContactLine line;
+  if (depth_of(source_of(model, nearest).material).axial && middle.x() == 0)
+    line.footprint = Footprint::Circle;
   const auto x_of = [&](Index pair) {
     return along.dot(model.pairs.position.row(pair).transpose() - middle);
   };
@@ -82,14 +85,14 @@ ContactLine line_of(const Model& model, const std::string& contact, const Vector
   });
   pairs = running_on(pairs, ring, nearest, x_of);
   std::stable_sort(pairs.begin(), pairs.end(), [&](Index a, Index b) { return x_of(a) < x_of(b); });
-  ContactLine line{pairs, {}};
+  line.pair = pairs;
   for (const Index pair : pairs) line.x.push_back(x_of(pair));
   return line;
 }
 
 Profile profile(const Model& model, const Solution& solution, const std::string& contact,
                 const Vector2d& middle) {
-  Profile read{line_of(model, contact, middle), {}, {}, {}, {}, Trace::Linear};
+  Profile read{line_of(model, contact, middle), {}, {}, {}, Trace::Linear};
   const std::vector<Index>& pair = read.line.pair;
   const Index n = static_cast<Index>(pair.size());
   const auto nearest =
@@ -105,12 +108,13 @@ Profile profile(const Model& model, const Solution& solution, const std::string&
     for (NodalRows::InnerIterator entry(model.pairs.opening, pair[at(k)]); entry; ++entry)
       if (const Index node = column[at(entry.col() / 2)]; node >= 0)
         read.nodal(node, k) += entry.value() * across(entry.col() % 2);
+  if (read.line.footprint == Footprint::Strip && depth_of(source_of(model, there).material).axial)
+    for (Index k = 0; k < n; ++k)
+      read.nodal.row(k) *= model.pairs.position(there, 0) / model.pairs.position(pair[at(k)], 0);
   const VectorXd force = read.nodal * solution.contact.force(pair);
-  read.weight = read.nodal * model.pairs.weight(pair);
-  for (Index k = 0; k < n; ++k) {
-    read.force.push_back(force(k));
-    read.pressure.push_back(force(k) / read.weight(k));
-  }
+  read.force.assign(force.begin(), force.end());
+  for (const Index own : pair)
+    read.pressure.push_back(solution.contact.force(own) / model.pairs.weight(own));
   return read;
 }
 
