@@ -96,8 +96,8 @@ effectivity:              ## what the error estimates are worth, on meshes of al
 	@$(ONE_THREAD) $B/bin/effectivity --full
 accuracy:                 ## what an accuracy costs that is asked for, beside meshes picked by hand
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
-	@cmake --build $B -j $(JOBS) --target accuracy
-	@$(ONE_THREAD) $B/bin/accuracy --full
+	@cmake --build $B -j $(JOBS) --target accuracy round_bodies
+	@$(ONE_THREAD) $B/bin/accuracy --full && $(ONE_THREAD) $B/bin/round_bodies --full
 fuzz:                     ## invent texts for the readers of scenes, problems and meshes, ten minutes each, with clang
 	@JOBS=$(JOBS) tests/fuzz/run.sh
 faults:                   ## put deliberate faults into a copy, one at a time: which test notices each, in an hour or two
