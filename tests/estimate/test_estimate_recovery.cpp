@@ -1,9 +1,12 @@
 #include <cmath>
+#include <numeric>
 
 #include "catch_compat.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/estimate/error_products.hpp"
 #include "signorini/mesh/regions.hpp"
+#include "signorini/mesh/reshape.hpp"
+#include "signorini/mesh/split.hpp"
 #include "support/meshes.hpp"
 
 using namespace signorini;
@@ -82,6 +85,57 @@ TEST_CASE("stresses that cells know at their best points are recovered exactly u
         elasticity_matrix(matter.bulk) * strain(mesh.nodes.row(k).transpose(), degree);
     CHECK(largest(smooth.value.row(k) - exact.transpose()) <= 1e-10 * 100 * degree * 4);
   }
+}
+
+// Of |x|^2 a linear triangle has the gradient in the middle of the circle through its corners, which is that of an
+// equilateral triangle.
+TEST_CASE(
+    "equilateral triangles know a linear stress in their middles, and it is recovered exactly",
+    "[recovery][closed-form]") {
+  const Mesh rhombus = mapped(block_for(find_element("q4"), {6, 4}, 6, 4), [](const auto& x) {
+    return Eigen::Vector2d(x.x() + x.y() / 2, std::sqrt(0.75) * x.y());
+  });
+  const Mesh mesh = split(rhombus);
+  const Matter matter({100, 0.25, PlaneState::Stress, 1});
+  const SmoothStress smooth =
+      recovered({mesh, find_element("t3"), matter, {field(mesh, [](const Eigen::Vector2d& x) {
+                   return Eigen::Vector2d(x.squaredNorm() * Eigen::Vector2d(1, -2));
+                 })}});
+  for (Index k = 0; k < mesh.n_nodes(); ++k) {
+    if ((mesh.cells.array() == k).count() == 1)
+      continue;  // the sharp corners, where none is fitted
+    const Eigen::Vector2d x = mesh.nodes.row(k);
+    const Eigen::Vector3d strain(2 * x.x(), -4 * x.y(), 2 * x.y() - 4 * x.x());
+    const Eigen::Vector3d exact = elasticity_matrix(matter.bulk) * strain;
+    CHECK(largest(smooth.value.row(k) - exact.transpose()) <= 1e-10 * 100 * 4 * 8);
+  }
+}
+
+TEST_CASE("each layer is estimated as a body of its own material", "[recovery]") {
+  const char* name = GENERATE("q4", "q4_incompatible", "q8", "t3");
+  const PlaneState state = GENERATE(PlaneState::Strain, PlaneState::Axial);
+  CAPTURE(name, to_string(state));
+  const Element& element = find_element(name);
+  const Mesh lower = block_for(element, {2, 1}, 4, 3);
+  Mesh upper = moved(lower, {0, 1});
+  upper.regions["upper"].resize(static_cast<std::size_t>(upper.n_cells()));
+  std::iota(upper.regions["upper"].begin(), upper.regions["upper"].end(), Index{0});
+  const Material soft = {100, 0.2, state, 1}, stiff = {1000, 0.35, state, 1};
+  const auto products = [&](const Mesh& mesh, const Matter& matter) {
+    const NodeArray bent = field(mesh, [](const Eigen::Vector2d& x) {
+      return Eigen::Vector2d(std::sin(x.x() + x.y()), std::cos(2 * x.y() - x.x()));
+    });
+    const NodeArray other = field(mesh, [](const Eigen::Vector2d& x) {
+      return Eigen::Vector2d(x.x() * std::pow(x.y(), 3), std::exp(x.x()));
+    });
+    const Fields fields{mesh, element, matter, {bent, other}};
+    return Eigen::VectorXd(error_products(fields, recovered(fields)).col(0));
+  };
+  const Mesh both = joined(lower, "top", upper, "bottom");
+  const Eigen::VectorXd together = products(both, layered(both, soft, {{"upper", stiff}}));
+  Eigen::VectorXd apart(together.size());
+  apart << products(lower, soft), products(upper, stiff);
+  CHECK(largest(together - apart) <= 1e-11 * largest(apart));
 }
 
 TEST_CASE("nothing is smoothed across layers", "[recovery][closed-form]") {

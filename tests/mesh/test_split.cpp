@@ -4,6 +4,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/mesh/block.hpp"
+#include "signorini/mesh/regions.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/mesh/split.hpp"
 #include "support/half_disc.hpp"
@@ -65,6 +66,17 @@ TEST_CASE("diagonals are straight in cells of straight sides, and bend with curv
   CHECK(RowVector2d(split(mesh).nodes.bottomRows(1)) == RowVector2d(0.5, 0.5));  // from 1 to 3
   for (const int s : {0, 2}) mesh.nodes(mesh.cells(0, 4 + s), 1) += 0.25;        // both arcs rise
   CHECK(RowVector2d(split(mesh).nodes.bottomRows(1)) == RowVector2d(0.5, 0.75));
+}
+
+TEST_CASE("both halves of a cell are in its region, and no others", "[split]") {
+  const Mesh whole = with_region(half_disc(any_order()), "core", {0, -0.5}, {0.5, 0.5});
+  const auto area_of_core = [](const Mesh& mesh) {
+    Mesh part = mesh;
+    part.cells = mesh.cells(region(mesh, "core"), Eigen::all);
+    return area_of(part);
+  };
+  for (const Mesh& mesh : {split(whole), split(whole, {0, 1, 7})})
+    CHECK(area_of_core(mesh) == Approx(area_of_core(whole)).epsilon(1e-14).margin(0));
 }
 
 TEST_CASE("mixed meshes are mirrored and joined", "[split][reshape]") {

@@ -112,8 +112,8 @@ TEST_CASE("a friction problem reads the same whatever its storage", "[problem_fi
       end;
   const std::string triplets =
       "2\n2\n2\n4\n4\n1\n" + head +
-      "triplet: 4-by-4, nzmax: 20 nnz: 9\n 0 0 : 1\n 1 0 : 2\n 0 1 : 20\n 1 1 : 3\n 0 2 : 4\n"
-      " 2 2 : 5\n 3 2 : 6\n 2 3 : 60\n 3 3 : 7\n" +
+      "triplet: 4-by-4, nzmax: 20 nnz: 10\n 0 0 : 1\n 1 0 : 2\n 0 1 : 20\n 1 1 : 3\n 0 2 : 4\n"
+      " 2 2 : 5\n 3 2 : 6\n 2 3 : 59\n 3 3 : 7\n 2 3 : 1\n" +  // what stands twice is added
       end;
   Eigen::Matrix4d W;  // gaps first
   W << 1, 4, 20, 0, 0, 5, 0, 60, 2, 0, 3, 0, 0, 6, 0, 7;

@@ -57,6 +57,13 @@ double smallest_angle(const Mesh& mesh) {
   return smallest;
 }
 
+double area_of_region(const Mesh& mesh, const std::string& name) {
+  const std::vector<Index> cells = region(mesh, name);
+  Mesh part = mesh;
+  part.cells = mesh.cells(cells, Eigen::all);
+  return area_of(part);
+}
+
 /// The same mesh with nodes and cells in another order, and cells that begin at another corner.
 Mesh shuffled(const Mesh& mesh, std::uint32_t seed) {
   Random random(seed);
@@ -241,18 +248,28 @@ TEST_CASE("regions and boundaries stay where they are", "[refine]") {
   const MeshOrder order = any_order();
   Mesh mesh = with_region(half_disc(order, 3), "core", {0, -0.5}, {0.5, 0.5});
   const double all = area_of(mesh);
-  const auto area_of_core = [](const Mesh& of) {
-    Mesh part = of;
-    part.cells.resize(static_cast<Index>(region(of, "core").size()), of.cells.cols());
-    for (Index k = 0; k < part.cells.rows(); ++k)
-      part.cells.row(k) = of.cells.row(region(of, "core")[static_cast<std::size_t>(k)]);
-    return area_of(part);
-  };
-  const double core = area_of_core(mesh);
+  const double core = area_of_region(mesh, "core");
   const double axis = length_of(mesh, "axis");
   mesh = refined_at(mesh, mesh.nodes.row(boundary_nodes(mesh, "axis")[2]));
-  CHECK(area_of_core(mesh) / area_of(mesh) == Approx(core / all).epsilon(0.05));
+  CHECK(area_of_region(mesh, "core") / area_of(mesh) == Approx(core / all).epsilon(0.05));
   CHECK(length_of(mesh, "axis") == Approx(axis).epsilon(1e-14));
+}
+
+TEST_CASE("all pieces of a cell are in its region, and no others", "[refine]") {
+  BlockSpec spec;
+  spec.order = any_order();
+  spec.size = {3, 2};
+  spec.cells_x = 3;
+  spec.cells_y = 2;
+  const Mesh block = make_block(spec);
+  for (Mesh mesh : {block, split(block), split(block, {0, 2, 4})}) {
+    mesh = with_region(mesh, "left", {0, 0}, {1, 2});
+    CHECK(region(refined(mesh), "left").size() == 4 * region(mesh, "left").size());
+    for (int round = 0; round < 4; ++round) {
+      mesh = round % 2 == 0 ? refined_at(mesh, RowVector2d(1, 0)) : refined(mesh);
+      CHECK(area_of_region(mesh, "left") == Approx(2).epsilon(1e-14).margin(0));
+    }
+  }
 }
 
 TEST_CASE("the same mesh in another order is made finer in the same places", "[refine]") {

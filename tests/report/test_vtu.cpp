@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/elasticity/stress.hpp"
 #include "signorini/mesh/split.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
@@ -104,12 +105,24 @@ TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
   const std::vector<Eigen::Index>& active = run.solution.contact.active;
   CHECK_FALSE(active.empty());
   CHECK(std::count(status.begin(), status.end(), "1") == static_cast<long>(active.size()));
+  const std::vector<std::string> points = array_of(file, "points");
+  const std::vector<std::string> stress = array_of(file, "stress");
+  const std::vector<std::string> mises = array_of(file, "von_mises");
   const std::vector<Eigen::Index>& pair_nodes = run.model.pairs.node;
   for (std::size_t node = 0; node < gap.size(); ++node) {
     const auto row = static_cast<Eigen::Index>(node);
     CAPTURE(node);
     CHECK(std::stod(u[3 * node + 1]) ==
           Approx(run.solution.displacements[0](row, 1)).epsilon(1e-8).margin(1e-15));
+    for (std::size_t k = 0; k < 2; ++k)  // where the body was without loads
+      CHECK(std::stod(points[3 * node + k]) ==
+            Approx(run.model.bodies[0].mesh.nodes(row, static_cast<Eigen::Index>(k)))
+                .epsilon(1e-8)
+                .margin(0));
+    Eigen::Vector4d s;
+    for (Eigen::Index k = 0; k < 4; ++k)
+      s(k) = std::stod(stress[4 * node + static_cast<std::size_t>(k)]);
+    CHECK(std::stod(mises[node]) == Approx(von_mises(s)).epsilon(1e-7));
     const auto pair = std::find(pair_nodes.begin(), pair_nodes.end(), row);
     if (pair == pair_nodes.end()) {
       CHECK(gap[node] == "0");
@@ -144,6 +157,11 @@ TEST_CASE("a VTU file of a body of revolution has its hoop stress", "[vtu][axial
   CHECK(array_of(file, "body") == std::vector<std::string>{"0", "0"});
   CHECK(array_of(file.substr(file.rfind("<Piece")), "body") == std::vector<std::string>{"1", "1"});
   CHECK_THAT(file, ContainsSubstring("Name=\"bodies\" NumberOfTuples=\"2\""));
+  // The upper one is the source: it has the pairs, at its lower three nodes.
+  using Words = std::vector<std::string>;
+  CHECK(array_of(file, "contact_status") == Words(6, "-1"));
+  const Words upper = array_of(file.substr(file.rfind("<Piece")), "contact_status");
+  CHECK(upper == Words{"1", "1", "1", "-1", "-1", "-1"});
   REQUIRE(stress.size() == 4 * 2);
   const double exact[] = {-2, -5, 0, -2};
   for (std::size_t k = 0; k < stress.size(); ++k)

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/mesh/reshape.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
@@ -60,6 +62,35 @@ TEST_CASE("a VTU file shows friction and tells contacts apart", "[vtu][friction]
     CHECK(std::stod(traction[3 * node + 1]) == Approx(pressure).epsilon(1e-8).margin(0));
   }
   CHECK(lines_in(file, "contacts") == "block.bottom on half plane|block.left on half plane|");
+}
+
+TEST_CASE("the contact tractions of a VTU file bear the weight of a block on any slope",
+          "[vtu][friction][closed-form]") {
+  const double angle = GENERATE(-0.5, 0.0, 0.4, 2.0, 3.0);  // two of them are overhead
+  CAPTURE(angle);
+  const Eigen::Vector2d along(std::cos(angle), std::sin(angle)), out(-along.y(), along.x());
+  Scene scene;
+  Body& body = scene.bodies[0];
+  body.mesh = mapped(signorini_test::named_block("block", {0, 0}, {4, 1}, 8, 2),
+                     [&](const auto& x) { return Eigen::Vector2d(x.x() * along + x.y() * out); });
+  body.material = {1e4, 0.3, PlaneState::Strain, 1};
+  const Eigen::Vector2d load = -3 * out - along;
+  body.loads.body_force = [load](const Eigen::Vector2d&) { return load; };
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, out)}};
+  scene.contacts[0].friction = Friction{0.8, 0};
+  const SolvedScene run = solved(scene, "block");
+  const Folder folder;
+  write_vtu(folder.path() / "block.vtu", run.model, run.solution);
+  const std::vector<std::string> traction =
+      array_of(content_of(folder.path() / "block.vtu"), "contact_traction");
+  Eigen::Vector2d force(0, 0);
+  for (Eigen::Index pair = 0; pair < run.model.pairs.weight.size(); ++pair) {
+    const auto node =
+        static_cast<std::size_t>(run.model.pairs.node[static_cast<std::size_t>(pair)]);
+    force += run.model.pairs.weight(pair) *
+             Eigen::Vector2d(std::stod(traction[3 * node]), std::stod(traction[3 * node + 1]));
+  }
+  CHECK((force + 4 * load).norm() <= 1e-7 * 4 * load.norm());
 }
 
 TEST_CASE("a VTU file of a load step has the slip in total", "[vtu][steps]") {

@@ -171,6 +171,8 @@ TEST_CASE("a load beyond what is held, without a proof: the limit is found by gr
   CHECK(*slides.limit < 0.99);
   CHECK_THAT(why_unsolved(slides), ContainsSubstring(text(*slides.limit)) &&
                                        ContainsSubstring("nothing is found beyond"));
+  for (const std::string& note : slides.notes)
+    CHECK(note.find("load steps solve it") == std::string::npos);
   CHECK(solve(loaded(full, (1 - 1e-9) * *slides.limit)).contact.report.status == Status::Solved);
   CHECK(solve(loaded(full, (1 + 1e-9) * *slides.limit)).contact.report.status != Status::Solved);
 }

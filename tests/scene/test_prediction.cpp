@@ -308,6 +308,23 @@ TEST_CASE("loose pieces of a body are counted", "[prediction]") {
   CHECK(pieces(mesh).size() == 2);
 }
 
+TEST_CASE("what was measured stands beside what was predicted", "[prediction]") {
+  std::ostringstream out;
+  out << std::vector<ConfrontedFigure>{
+      {{Built::Once, "factor/numeric", "operations", 100, Trust::Estimate}, 250.0},
+      {{Built::Once, "assembly", "stack bytes", 3e6, Trust::Exact}, 2.5e6},
+      {{Built::Once, "contact", "seconds", 7, Trust::Estimate}, {}}};
+  const auto row = [&](const char* phase) {
+    std::istringstream lines(out.str());
+    for (std::string line; std::getline(lines, line);)
+      if (line.rfind(phase, 0) == 0) return line;
+    return std::string();
+  };
+  CHECK_THAT(row("factor/numeric"), ContainsSubstring(" 100         250  about"));
+  CHECK_THAT(row("assembly"), ContainsSubstring(" 3 MB      2.5 MB  exact"));
+  CHECK_THAT(row("contact"), ContainsSubstring(" 7 s           -  about"));
+}
+
 TEST_CASE("a prediction and what became of it are printed", "[prediction]") {
   const Prediction prediction = predict(plan(pressed_block()));
   std::ostringstream out;

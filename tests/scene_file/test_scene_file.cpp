@@ -332,4 +332,11 @@ TEST_CASE("errors of later steps name the body or the contact", "[scene_file]") 
   CHECK(problem_message([&] {
           at_file(file, [&] { static_cast<void>(plan(file.scene)); });
         }).rfind("name:6: body 'b' ", 0) == 0);
+  const SceneFile held = parsed(
+      material + "[body]\n" + block + "fixed = \"left\"\n[[contact]]\nsource = \"bottom\"\n" +
+      floor_below + "[[contact]]\nsource = \"left\"\n" +
+      "target = { kind = \"half_plane\", point = [-1, 0], normal = [1, 0] }\n");
+  CHECK(problem_message([&] {
+          at_file(held, [&] { static_cast<void>(plan(held.scene)); });
+        }).rfind("name:8: contact boundary 'left' ", 0) == 0);
 }

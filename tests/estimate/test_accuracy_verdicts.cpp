@@ -1,0 +1,111 @@
+// Where refinement to an accuracy ends, and what it carries from mesh to mesh.
+#include <cmath>
+
+#include "catch_compat.hpp"
+#include "signorini/closed_form/moduli.hpp"
+#include "signorini/closed_form/rings.hpp"
+#include "signorini/estimate/accuracy.hpp"
+#include "signorini/estimate/goal_words.hpp"
+#include "signorini/mesh/block.hpp"
+#include "signorini/mesh/reshape.hpp"
+#include "signorini/mesh/ring.hpp"
+
+using namespace signorini;
+
+namespace {
+
+/// A block 2 x 1 of cells of four nodes, pressed down by 1.
+Scene pressed_block(Eigen::Index cells, const std::vector<Support>& supports) {
+  BlockSpec spec;
+  spec.size = {2, 1};
+  spec.cells_x = cells;
+  spec.cells_y = cells / 2;
+  Scene scene;
+  Body& block = scene.bodies.front();
+  block.mesh = make_block(spec);
+  block.element = "q4";
+  block.material = {1000, 0.3, PlaneState::Strain, 1};
+  block.supports = supports;
+  block.loads.edges = {{"top", 1, {}}};
+  return scene;
+}
+
+AccurateSolution accurate(const Scene& scene, const std::string& goal, double target) {
+  return solve_to_accuracy(scene, {target, goal_in_words(goal, plan(scene))});
+}
+
+}  // namespace
+
+TEST_CASE("refinement that no longer helps ends", "[accuracy]") {
+  // A flat block on a hardly curved hill presses nowhere as Hertz's cylinder does, however fine its cells are.
+  Scene scene = pressed_block(8, {symmetric("left")});
+  scene.contacts = {
+      {{"bottom"},
+       profile([](double x) { return 0.01 - x * x / 200; }, [](double x) { return -x / 100; })}};
+  const AccurateSolution result = accurate(scene, "peak", 0.001);
+  CHECK_FALSE(result.met);
+  CHECK_THAT(result.verdict, ContainsSubstring("refinement no longer helps") &&
+                                 ContainsSubstring("the reading is most of the error"));
+  const AccuracyRound& last = result.rounds.back();
+  CHECK(*last.error > 0.5 * *result.rounds.front().error);
+  CHECK(last.unknowns >= 16 * result.rounds.front().unknowns);
+}
+
+TEST_CASE("refinement that still moves the value goes on", "[accuracy]") {
+  // A block that stands on one node sinks by as much with each halving of the cells there.
+  const Scene scene =
+      pressed_block(4, {symmetric("left"), prescribed_at("bottom", {0, 0}, Axis::Y, 0)});
+  const Accuracy wanted{0.02, goal_in_words("displacement:top.y", plan(scene)), 5000};
+  const AccurateSolution result = solve_to_accuracy(scene, wanted);
+  CHECK_THAT(result.verdict, ContainsSubstring("budget of unknowns: the next mesh would have"));
+  CHECK(result.rounds.back().unknowns > 16 * result.rounds.front().unknowns);
+}
+
+TEST_CASE("a contact that touches at a point is given up by that name", "[accuracy]") {
+  Scene scene = pressed_block(8, {fixed("top")});
+  Body& block = scene.bodies[0];
+  block.mesh = mapped(block.mesh, [](const auto& x) {
+    return Eigen::Vector2d(x.x() - x.y(), x.x() + x.y());  // stands on a corner
+  });
+  block.loads.edges.clear();
+  block.loads.body_force = [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -1); };
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  const AccurateSolution result = accurate(scene, "force", 0.05);
+  CHECK_FALSE(result.met);
+  CHECK_THAT(result.verdict, ContainsSubstring("touches at points"));
+  CHECK(result.solution.contact.active.size() == 1);
+}
+
+TEST_CASE("a body of two layers becomes as accurate as asked for", "[accuracy][closed-form]") {
+  // A ring of two materials under pressure from inside is two rings that meet without a gap.
+  AnnulusSpec spec;
+  spec.inner_radius = 60;
+  spec.outer_radius = 76;
+  spec.cells_angle = 18;
+  spec.cells_radius = 4;
+  spec.sector = Sector::Quarter;
+  Scene scene;
+  Body& ring = scene.bodies.front();
+  ring.mesh = make_annulus(spec);
+  for (Eigen::Index cell = 0; cell < ring.mesh.n_cells(); ++cell)
+    if (ring.mesh.nodes(ring.mesh.cells.row(cell), Eigen::all).rowwise().norm().mean() > 68)
+      ring.mesh.regions["outside"].push_back(cell);
+  const Material soft = {1000, 0.3, PlaneState::Strain, 1},
+                 stiff = {9000, 0.2, PlaneState::Strain, 1};
+  ring.material = soft;
+  ring.layers = {{"outside", stiff}};
+  ring.supports = {symmetric("symmetry"), symmetric("symmetry_y")};
+  ring.loads.edges = {{"inner", 2, {}}};
+  const AccurateSolution result = accurate(scene, "displacement:inner.x", 0.01);
+  REQUIRE(result.met);
+  REQUIRE(result.rounds.size() > 1);
+  CHECK(result.scene.bodies[0].layers.size() == 1);
+  const auto of = [](double inside, double outside, const Material& m) {
+    return Ring{inside, outside, plane_strain_modulus(m.youngs_modulus, m.poisson_ratio),
+                plane_strain_ratio(m.poisson_ratio)};
+  };
+  const NestedRings rings{of(60, 68, soft), of(68, 76, stiff), 2};
+  const double opens = ring_displacement(rings.inner, nested_pressure(rings).inner, 60);
+  // The mean of cos over a quarter; sides of 5 degrees miss a fifth of the square of their angle.
+  CHECK(result.rounds.back().value == Approx(opens * 2 / std::acos(-1)).epsilon(0.012).margin(0));
+}
