@@ -17,6 +17,8 @@ my $known = "$copy/results.txt";
 my $seconds = 300;    # one test program may take; a fault that makes it run for ever is noticed
 my @words = @ARGV;
 my $check = @words == 1 && $words[0] eq '--check';
+my %of_command = (command => 1, printed => 1);    # tests of ctest that run the program `signorini`; all others are programs
+sub target { my ($test) = @_; return $of_command{$test} ? 'signorini_command' : "test_$test" }
 
 sub contents { my ($path) = @_; open my $in, '<', $path or die "$path: $!\n"; local $/; return <$in> }
 sub put { my ($path, $text) = @_; open my $out, '>', $path or die "$path: $!\n"; print $out $text; close $out or die "$path: $!\n" }
@@ -42,7 +44,7 @@ sub stale {
     my $times = () = contents($path) =~ /\Q$fault->{from}\E/g;
     return "its text stands there $times times" if $times != 1;
     my $programs = contents("$root/tests/CMakeLists.txt");    # those that are no room's
-    my @absent = grep { !-d "$root/tests/$_" && $programs !~ /\btest_$_\b/ } @{$fault->{tests}};
+    my @absent = grep { !$of_command{$_} && !-d "$root/tests/$_" && $programs !~ /\btest_$_\b/ } @{$fault->{tests}};
     return @absent ? "there is no test_$absent[0]" : '';
 }
 if ($check) {
@@ -63,13 +65,15 @@ for my $file (split /\0/, `git ls-files -z --cached --others --exclude-standard`
 my %result;
 if (-f $known) { /^(\w+) (.* \| .*?)(?:: by .*)?$/ and $result{$2} = $1 for split /\n/, contents($known) }
 
-sub compiles { my (@tests) = @_; return system('nice', 'cmake', '--build', "$copy/build", '-j', '2', '--target', map { "test_$_" } @tests) == 0 }
+sub compiles { my (@tests) = @_; return system('nice', 'cmake', '--build', "$copy/build", '-j', '2', '--target', map { target($_) } @tests) == 0 }
 # The first test case that fails, with its sections, empty if none does.  Catch2 breaks long names over lines.
 sub failure {
     my ($test) = @_;
-    my $said = `timeout $seconds nice $copy/build/bin/test_$test --abort 2>&1`;
+    my $run = $of_command{$test} ? "ctest --test-dir $copy/build -R '^$test\$' --output-on-failure" : "$copy/build/bin/test_$test --abort";
+    my $said = `timeout $seconds nice $run 2>&1`;
     return '' if $? == 0;
     return "no end after $seconds s" if $? >> 8 == 124;
+    return $1 if $of_command{$test} && $said =~ /\*\*\*Failed.*\n(.+)/;
     return $said =~ /^-{70,}\n(.+?)\n-{70,}\n/ms ? $1 =~ s/\s*\n\s*/ /gr : $? & 127 ? 'signal ' . ($? & 127) : 'status ' . ($? >> 8);
 }
 chdir $copy or die "$copy: $!\n";
@@ -87,9 +91,9 @@ for my $fault (@faults) {
     my $path = "$copy/src/signorini/$fault->{file}";
     my $text = contents($path);
     for my $test (grep { !$sound{$_}++ && !$result{"whole | $_"} } @{$fault->{tests}}) {
-        quietly(sub { compiles($test) }) or die "test_$test does not compile, see $copy/build.log\n";
+        quietly(sub { compiles($test) }) or die target($test), " does not compile, see $copy/build.log\n";
         my $case = failure($test);
-        die "test_$test fails without a fault: $case\n" if $case ne '';
+        die "$test fails without a fault: $case\n" if $case ne '';
         $result{"whole | $test"} = 'passes';
         note("passes whole | $test");
     }
@@ -99,7 +103,7 @@ for my $fault (@faults) {
     for my $test (@{$fault->{tests}}) {
         if (!quietly(sub { compiles($test) })) { $found = 'faulty'; note("faulty $name: by the compiler, see $copy/build.log"); last }
         my $case = failure($test);
-        if ($case ne '') { $found = 'killed'; note("killed $name: by test_$test: $case"); last }
+        if ($case ne '') { $found = 'killed'; note("killed $name: by $test: $case"); last }
     }
     note("survived $name: by @{$fault->{tests}}") if $found eq '';
     $result{$name} = $found || 'survived';
