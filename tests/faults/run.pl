@@ -17,7 +17,7 @@ my $known = "$copy/results.txt";
 my $seconds = 300;    # one test program may take; a fault that makes it run for ever is noticed
 my @words = @ARGV;
 my $check = @words == 1 && $words[0] eq '--check';
-my %of_command = (command => 1, printed => 1);    # tests of ctest that run the program `signorini`; all others are programs
+my %of_command = (command => 1, printed => 1, transcripts => 1);    # tests of ctest that run the program `signorini`; all others are programs
 sub target { my ($test) = @_; return $of_command{$test} ? 'signorini_command' : "test_$test" }
 
 sub contents { my ($path) = @_; open my $in, '<', $path or die "$path: $!\n"; local $/; return <$in> }

@@ -5,6 +5,8 @@
 
 #include "catch_compat.hpp"
 #include "signorini/scene/end_words.hpp"
+#include "support/loose_meshes.hpp"
+#include "support/message.hpp"
 #include "support/two_bodies.hpp"
 
 using namespace signorini;
@@ -91,4 +93,25 @@ TEST_CASE("of two bodies only the one that flies off is said to", "[said]") {
   CAPTURE(solution.escape);
   CHECK(solution.escape.find("'lifted'") != std::string::npos);
   CHECK(solution.escape.find("'resting'") == std::string::npos);
+}
+
+TEST_CASE("where a body is no body is said of the node in its own body", "[said]") {
+  // The second body is a block that a hinge alone holds to another, which stands; all of these nodes come behind.
+  Scene scene;
+  scene.bodies = {stone("other", -9), stone("hinged", 0)};
+  scene.bodies[0].supports = {fixed("bottom")};
+  Body& hinged = scene.bodies[1];
+  hinged.mesh = signorini_test::merged(signorini_test::together(
+      named_block("hinged", {1, 1}, {1, 1}, 2, 2), named_block("", {0, 0}, {1, 1}, 3, 3)));
+  hinged.supports = {fixed("bottom2")};
+  const std::string said =
+      signorini_test::problem_message([&] { static_cast<void>(solve(scene)); });
+  CAPTURE(said);
+  const std::string head = "body 'hinged', node ";
+  REQUIRE(said.find(head) != std::string::npos);
+  const auto node = static_cast<Index>(std::stoi(said.substr(said.find(head) + head.size())));
+  const auto x = hinged.mesh.nodes.row(node);
+  CHECK(x.x() >= 1);
+  CHECK(x.y() >= 1);
+  CHECK(said.find(text("node ", node, " at (", x.x(), ", ", x.y(), ')')) != std::string::npos);
 }
