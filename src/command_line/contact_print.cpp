@@ -69,6 +69,7 @@ void print_closed(std::ostream& out, const std::vector<PairColumn>& columns, con
 
 void write_sums(Json& json, const Resultants& sum) {
   json.key("force").value(Eigen::VectorXd(sum.force)).key("moment").value(sum.moment);
+  json.key("target_moment").value(sum.target_moment);
   json.key("closed").value(sum.closed_weight).key("peak_pressure").value(sum.peak_pressure);
   json.key("normal_force").value(sum.normal_force);
   json.key("n_pairs").value(sum.pairs).key("n_closed").value(sum.closed);

@@ -152,6 +152,7 @@ void write(Json& json, const Certificate& certificate) {
   json.key("duality_gap").value(certificate.duality_gap);
   if (certificate.cone > 0 || certificate.sliding > 0)
     json.key("cone").value(certificate.cone).key("sliding").value(certificate.sliding);
+  json.key("balance").value(certificate.balance);
   json.key("worst").value(certificate.worst());
   json.end();
 }

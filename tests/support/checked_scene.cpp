@@ -223,7 +223,7 @@ void grow(double& figure, double value) {
 
 double SceneErrors::worst() const {
   return std::max(
-      {equilibrium, strain, penetration, tension, complementarity, cone, stick, sliding, reading});
+      {equilibrium, strain, penetration, tension, complementarity, cone, stick, sliding, reading, balance});
 }
 
 SceneErrors check_scene(const Model& model, const Solution& solution, double length) {

@@ -21,6 +21,7 @@ struct SceneErrors {
   double stick = 0;    ///< slip of a pair that is said to stick
   double sliding = 0;  ///< smaller of |slip| and what friction lacks to resist it
   double reading = 0;  ///< difference of the gaps, slips and forces that are told from those of u
+  double balance = 0;  ///< of the resultants that are told, see unbalanced(); 0 unless it was asked
   double length = 0;   ///< that lengths were divided by [length]
   /// Whether pairs that carry or stick leave no rigid motion. Without that others may still do.
   bool held = true;

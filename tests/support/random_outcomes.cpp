@@ -8,6 +8,7 @@
 
 #include "signorini/closing/closing.hpp"
 #include "signorini/core/errors.hpp"
+#include "support/balance.hpp"
 
 namespace signorini_test {
 namespace {
@@ -110,7 +111,9 @@ void try_once(const Scene& scene, bool twice, void (*change)(Solution& solution)
   if (trial.outcome != Outcome::Solved) return;
   remember(solution, trial);
   if (change != nullptr) change(solution);
-  judge(check_scene(model, solution), solution, trial);
+  SceneErrors errors = check_scene(model, solution);
+  errors.balance = unbalanced(model, solution);
+  judge(errors, solution, trial);
   if (twice && trial.outcome == Outcome::Solved && differs(model, solution, trial))
     trial.outcome = Outcome::Disputed;
 }

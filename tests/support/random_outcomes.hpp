@@ -41,7 +41,7 @@ inline bool is_fault(Outcome outcome) {
 /// there is instead. \param message  of a ProblemError \return that, as far as words tell
 bool is_clear(const std::string& message);
 
-/// Most that a solved scene may break any law by [-].
+/// Most that a solved scene may break any law by, balance of the resultants that are told among them [-].
 inline constexpr double most_error = 1e-9;
 
 /// What became of one scene.

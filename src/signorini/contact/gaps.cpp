@@ -101,6 +101,8 @@ Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface
   some.weight = pairs.weight(kept);
   some.position = pairs.position(kept, Eigen::all);
   some.normal = pairs.normal(kept, Eigen::all);
+  some.moment = pairs.moment(kept, Eigen::all);
+  some.target_moment = pairs.target_moment(kept, Eigen::all);
   for (const Index pair : kept) {
     const Index node = pairs.node[static_cast<std::size_t>(pair)];
     some.node.push_back(node < 0 ? node : source.first_node + node);
@@ -172,14 +174,15 @@ NodalRows below(const NodalRows& upper, const NodalRows& lower) {
 Gaps stacked(const Gaps& upper, const Gaps& lower) {
   const Pairs& above = upper.pairs;
   const Pairs& under = lower.pairs;
-  return {
-      {below(above.opening, under.opening), below(above.sliding, under.sliding),
-       below_dense(above.initial_gap, under.initial_gap), below_dense(above.weight, under.weight),
-       below_dense(above.position, under.position), below_dense(above.normal, under.normal),
-       joined_lists(above.node, under.node), joined_lists(above.unpaired, under.unpaired)},
-      below(upper.A, lower.A),
-      below(upper.T, lower.T),
-      below_dense(upper.initial_slip, lower.initial_slip)};
+  return {{below(above.opening, under.opening), below(above.sliding, under.sliding),
+           below_dense(above.initial_gap, under.initial_gap),
+           below_dense(above.weight, under.weight), below_dense(above.position, under.position),
+           below_dense(above.normal, under.normal), below_dense(above.moment, under.moment),
+           below_dense(above.target_moment, under.target_moment),
+           joined_lists(above.node, under.node), joined_lists(above.unpaired, under.unpaired)},
+          below(upper.A, lower.A),
+          below(upper.T, lower.T),
+          below_dense(upper.initial_slip, lower.initial_slip)};
 }
 
 }  // namespace signorini

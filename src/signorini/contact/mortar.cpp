@@ -53,17 +53,10 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
     (weights.count(node) != 0 ? pairs.node : pairs.unpaired).push_back(node);
   interface.check_paired(pairs.node.size());
   std::map<Index, Index> pair_of;
-  Eigen::VectorXd total(static_cast<Index>(pairs.node.size()));
-  for (Index pair = 0; pair < total.size(); ++pair) {
-    const Index node = pairs.node[static_cast<std::size_t>(pair)];
-    pair_of[node] = pair;
-    total(pair) = weights.at(node);
-  }
+  for (const Index node : pairs.node) pair_of.emplace(node, static_cast<Index>(pair_of.size()));
   for (PairPoint& point : points) point.pair = pair_of.at(point.pair);
-  write_rows(interface, points, total, options, pairs);
-  for (Index pair = 0; pair < total.size(); ++pair) pairs.normal.row(pair).normalize();
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
-  pairs.weight = options.depth.factor * total;
+  pairs.weight = options.depth.factor * write_rows(interface, points, options, pairs);
   return pairs;
 }
 

@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 Pairs node_to_segment(const Surface& source, const Surface& target, const GapOptions& options) {
   const Interface interface(source, target, options);
   const std::vector<Index> nodes = boundary_nodes(source.mesh, source.boundary);
-  const Eigen::VectorXd weights = boundary_weights(source.mesh, source.boundary, options.depth);
+  const NodeArray areas = boundary_areas(source.mesh, source.boundary, options.depth);
   const std::map<Index, NodeOnSide> on_side = nodes_on_sides(interface.sides);
   std::vector<PairPoint> points;
   std::vector<std::size_t> paired;
@@ -32,8 +32,8 @@ Pairs node_to_segment(const Surface& source, const Surface& target, const GapOpt
   }
   interface.check_paired(points.size());
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
-  pairs.weight = weights(paired);
-  write_rows(interface, points, Eigen::VectorXd::Ones(pairs.weight.size()), options, pairs);
+  write_rows(interface, points, options, pairs);
+  pairs.weight = weights_of_nodes(areas(paired, Eigen::all), pairs.normal);
   return pairs;
 }
 

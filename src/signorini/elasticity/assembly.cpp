@@ -53,6 +53,24 @@ void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, N
   });
 }
 
+/// The integrals of the shape functions times something along a boundary, in the order of boundary_nodes().
+/// \param integrand  two numbers for a tangent, times its length
+template <typename Integrand>
+NodeArray boundary_integrals(const Mesh& mesh, const std::string& name, const Depth& depth,
+                             const Integrand& integrand) {
+  const std::vector<Index> nodes = boundary_nodes(mesh, name);
+  std::map<Index, Index> number;
+  for (const Index node : nodes) number.emplace(node, static_cast<Index>(number.size()));
+  NodeArray sums = NodeArray::Zero(static_cast<Index>(nodes.size()), 2);
+  integrate_boundary(mesh, name, [&](const BoundaryPoint& at) {
+    const double share = depth.at(at.point.position().x()) * at.weight;
+    Index k = 0;
+    for (const Index node : at.side.nodes())
+      sums.row(number.at(node)) += share * at.N(k++) * integrand(at.tangent);
+  });
+  return sums;
+}
+
 void add_point_forces(const Mesh& mesh, const std::vector<PointForce>& forces, NodeArray& load) {
   auto force = forces.begin();
   for (const EdgePlace& place : places_of(mesh, forces)) {
@@ -214,17 +232,16 @@ NodeArray internal_forces(const Mesh& mesh, const Element& element, const Matter
 }
 
 Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, const Depth& depth) {
-  std::map<Index, double> weight;
-  integrate_boundary(mesh, name, [&](const BoundaryPoint& at) {
-    const double x = at.point.position().x();
-    Index k = 0;
-    for (const Index node : at.side.nodes())
-      weight[node] += depth.at(x) * at.weight * at.N(k++) * at.tangent.norm();
+  return boundary_integrals(
+             mesh, name, depth,
+             [](const Eigen::Vector2d& tangent) { return Eigen::RowVector2d(tangent.norm(), 0); })
+      .col(0);
+}
+
+NodeArray boundary_areas(const Mesh& mesh, const std::string& name, const Depth& depth) {
+  return boundary_integrals(mesh, name, depth, [](const Eigen::Vector2d& tangent) {
+    return Eigen::RowVector2d(tangent.y(), -tangent.x());
   });
-  const std::vector<Index> nodes = boundary_nodes(mesh, name);
-  Eigen::VectorXd weights(static_cast<Index>(nodes.size()));
-  for (std::size_t k = 0; k < nodes.size(); ++k) weights(static_cast<Index>(k)) = weight[nodes[k]];
-  return weights;
 }
 
 std::vector<Index> nodes_without_share(const Mesh& mesh, const std::string& name,

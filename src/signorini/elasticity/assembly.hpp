@@ -125,6 +125,17 @@ void check_element(const Mesh& mesh, const Element& element);
 [[nodiscard]] Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name,
                                                const Depth& depth);
 
+/// What a pressure of one does to each node of a boundary, with the sign turned round: the integral of its shape function
+/// times the normal out of the body, times the depth. Its length is that of boundary_weights() where the boundary is
+/// straight, and less where it turns at the node: the sides on either hand then push different ways.
+/// \param mesh   that has the boundary
+/// \param name   of the boundary
+/// \param depth  across the plane
+/// \return `n x 2` [length^2], in the order of boundary_nodes()
+/// \throws ProblemError if there is no such boundary
+[[nodiscard]] NodeArray boundary_areas(const Mesh& mesh, const std::string& name,
+                                       const Depth& depth);
+
 /// Nodes of a boundary on which a pressure causes no force: in axial symmetry an end of a side of three nodes on the
 /// axis, whose shape function times the radius has the mean zero. What is read there as force / weight means nothing.
 /// \param mesh   that has the boundary

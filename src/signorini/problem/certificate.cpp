@@ -289,13 +289,13 @@ Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& s
 
 Certificate uncertified() {
   const double infinity = std::numeric_limits<double>::infinity();
-  return {infinity, infinity, infinity, infinity, infinity, infinity, infinity};
+  return {infinity, infinity, infinity, infinity, infinity, infinity, infinity, infinity};
 }
 
 double Certificate::worst() const {
   double most = 0;
   for (const double figure :
-       {penetration, tension, complementarity, equilibrium, duality_gap, cone, sliding}) {
+       {penetration, tension, complementarity, equilibrium, duality_gap, cone, sliding, balance}) {
     if (std::isnan(figure)) return std::numeric_limits<double>::infinity();
     most = std::max(most, figure);
   }
@@ -367,6 +367,7 @@ std::ostream& operator<<(std::ostream& out, const Certificate& certificate) {
        << certificate.duality_gap;
   if (certificate.cone > 0 || certificate.sliding > 0)
     line << ", cone " << certificate.cone << ", sliding " << certificate.sliding;
+  if (certificate.balance > 0) line << ", balance " << certificate.balance;
   return out << line.str();
 }
 

@@ -17,13 +17,14 @@ void add_pairs(const Pairs& pairs, const Solution& solution, const PathState* st
                const SumOf& sum_of) {
   check_solved(solution, state, "resultants");
   const ContactState& contact = solution.contact;
-  const auto add = [&](Index pair, const Eigen::Vector2d& force) {
+  const auto add = [&](Index pair, int which, double force, const Eigen::Vector2d& direction) {
     Resultants& sum = sum_of(pair);
-    sum.force += force;
-    sum.moment += pairs.position(pair, 0) * force.y() - pairs.position(pair, 1) * force.x();
+    sum.force += force * direction;
+    sum.moment += force * pairs.moment(pair, which);
+    sum.target_moment += force * pairs.target_moment(pair, which);
   };
   for (Index pair = 0; pair < contact.force.size(); ++pair) {
-    add(pair, contact.force(pair) * pairs.normal.row(pair).transpose());
+    add(pair, 0, contact.force(pair), pairs.normal.row(pair).transpose());
     Resultants& sum = sum_of(pair);
     sum.normal_force += contact.force(pair);
     sum.peak_pressure = std::max(sum.peak_pressure, solution.pressure(pair));
@@ -34,7 +35,7 @@ void add_pairs(const Pairs& pairs, const Solution& solution, const PathState* st
     const Index pair = contact.rubbing[static_cast<std::size_t>(k)];
     const Motion motion = contact.motion[static_cast<std::size_t>(k)];
     const auto normal = pairs.normal.row(pair);
-    add(pair, contact.friction(k) * Eigen::Vector2d(normal.y(), -normal.x()));
+    add(pair, 1, contact.friction(k), {normal.y(), -normal.x()});
     Resultants& sum = sum_of(pair);
     sum.shear_force += contact.friction(k);
     sum.dissipated += lost(k);

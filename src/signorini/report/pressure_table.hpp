@@ -12,8 +12,10 @@ namespace signorini {
 struct Resultants {
   Eigen::Vector2d force;    ///< of the targets on the sources [force]
   double moment;            ///< of these forces about the origin [force length], anticlockwise > 0
-  double closed_weight;     ///< share of the boundary that belongs to closed pairs [length^2]
+  double closed_weight;     ///< weights of the closed pairs [length^2], see Pairs
   double peak_pressure;     ///< largest of a pair [force/length^2], compression > 0
+  double target_moment =
+      0;  ///< of the opposite forces on the targets about the origin [force length]
   double normal_force = 0;  ///< sum of the contact forces of the pairs [force], compression > 0
   double shear_force = 0;   ///< sum of their friction forces, each along its tangent [force]
   double dissipated = 0;    ///< work that sliding lost in this step [force length], >= 0
@@ -25,7 +27,8 @@ struct Resultants {
   Eigen::Index slide = 0;       ///< closed pairs that slide
 };
 
-/// Sums the contact forces of a solution, friction included, applied where the pairs are before loading.
+/// Sums the contact forces of a solution, friction included, as they act on the nodes before loading: with the loads and
+/// the forces of supports they are in balance, on either side.
 /// \param pairs     of the model, `n_c` pairs
 /// \param solution  of the model
 /// \param state     after this step of a path, see Step; null: the solution is no step

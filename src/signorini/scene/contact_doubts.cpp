@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "signorini/contact/facing.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/mesh/side_curve.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
@@ -100,6 +102,31 @@ std::string doubt_of_passage(const std::string& what, const Surface& source, con
               "). If the source has passed through the target, move the bodies apart");
 }
 
+/// How far a side turns at a node, if that is too far for one pair with one normal and one pressure.
+std::string doubt_of_turn(const std::string& what, const Surface& source) {
+  constexpr double cosine_of_30_degrees = 0.8660254037844386;
+  std::map<Index, Eigen::Vector2d> normals;
+  std::vector<std::pair<double, Index>> turns;  // cosine and node
+  for (const SideCurve& side : side_curves(source.mesh, source.boundary))
+    for (const int end : {-1, 1}) {
+      const Index node = end < 0 ? side.nodes().front() : side.nodes().back();
+      const Eigen::Vector2d normal = side.normal(end);
+      const auto [known, first] = normals.emplace(node, normal);
+      const double cosine = known->second.dot(normal);
+      if (!first && cosine < cosine_of_30_degrees) turns.emplace_back(cosine, node);
+    }
+  if (turns.empty()) return "";
+  const auto [cosine, node] = *std::min_element(turns.begin(), turns.end());
+  return text(
+      what, ": the source turns by ",
+      std::round(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::acos(-1.0)),
+      " degrees at node ", node, ", (", source.mesh.nodes(node, 0), ", ",
+      source.mesh.nodes(node, 1), "), and by more than 30 at ", turns.size(),
+      turns.size() == 1 ? " node" : " nodes",
+      ": a pair there has one normal and one pressure for both sides. Give the parts of a "
+      "side with a corner names of their own, and each its contact; make a round side finer");
+}
+
 }  // namespace
 
 void check_listed_once(const Scene& scene, const std::vector<BodyModel>& bodies) {
@@ -128,7 +155,8 @@ std::vector<std::string> doubts_of_places(const ContactSpec& contact,
       obstacle != nullptr
           ? doubt_of_obstacle(*obstacle, what, source, pairs)
           : doubt_of_passage(what, source, surface(bodies, std::get<Side>(contact.target)), pairs));
-  if (notes.back().empty()) notes.pop_back();
+  notes.push_back(doubt_of_turn(what, source));
+  notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());
   return notes;
 }
 

@@ -43,6 +43,12 @@ Pairs pair_up(const ContactSpec& contact, bool sliding, const Plan& draft) {
   return find_gap_operator(contact.gap_operator).pair(source, surface(bodies, side), options);
 }
 
+ContactBodies bodies_of(const ContactSpec& contact, const std::vector<BodyModel>& bodies) {
+  const Side* target = std::get_if<Side>(&contact.target);
+  return {body_index(bodies, contact.source),
+          target != nullptr ? std::optional(body_index(bodies, *target)) : std::nullopt};
+}
+
 void price_contact(const Scene& scene, Plan& draft) {
   for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
   check_listed_once(scene, draft.bodies);
@@ -67,6 +73,7 @@ void price_contact(const Scene& scene, Plan& draft) {
                             ": no pair can open or close, supports hold both sides everywhere");
     draft.gaps = stacked(draft.gaps, gaps);
     draft.contact_of.resize(draft.contact_of.size() + pairs, k);
+    draft.contact_bodies.push_back(bodies_of(contact, draft.bodies));
   }
 }
 
@@ -103,6 +110,7 @@ Effect contact() {
             model.pairs = std::move(plan.gaps.pairs);
             model.contacts = std::move(plan.contacts);
             model.contact_of = std::move(plan.contact_of);
+            model.contact_bodies = std::move(plan.contact_bodies);
           }};
 }
 

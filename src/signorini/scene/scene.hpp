@@ -77,6 +77,7 @@ struct Plan {
   Gaps gaps;                            ///< `n_c` candidate pairs of all contacts, none without
   std::vector<std::string> contacts;    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of;  ///< `n_c` number of the contact of each pair
+  std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
   FrictionLaw law;                      ///< of the pairs that can slide and whose own contact rubs
   std::string solver;                   ///< name of the one that the scene asks for
   Path path;                            ///< load steps, none without

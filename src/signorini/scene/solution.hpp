@@ -31,6 +31,12 @@ struct BodyModel {
   std::vector<MeshPiece> pieces = {};  ///< of the mesh
 };
 
+/// Which bodies a contact is between, by their numbers.
+struct ContactBodies {
+  std::size_t source;                 ///< of the source
+  std::optional<std::size_t> target;  ///< of the target; a rigid obstacle has none
+};
+
 /// Matrices of the bodies and the gaps they may close.
 struct Model {
   std::vector<BodyModel> bodies;     ///< as in the scene
@@ -46,6 +52,7 @@ struct Model {
   std::string backend = "frontal";   ///< that factors K, as the scene names it
   std::vector<std::string> contacts = {};    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of = {};  ///< `n_c` number of the contact of each pair
+  std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
 };
 
 /// The model with all unknowns but the contact forces eliminated.

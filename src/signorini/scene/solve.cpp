@@ -12,6 +12,7 @@
 #include "signorini/problem/systems.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/programme/road.hpp"
+#include "signorini/scene/balance.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/end_words.hpp"
@@ -107,6 +108,7 @@ void note_open_motions(const Model& model, const PrimalDual& refined, Solution& 
 void recover(const Model& model, PrimalDual refined, Solution& solution) {
   note_open_motions(model, refined, solution);
   solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
+  solution.certificate.balance = imbalance(model, solution.contact, refined.force);
   solution.displacements = displacements_of_bodies(model, refined.displacement);
   solution.refined = std::move(refined);
   if (solution.contact.report.status != Status::Solved) return;

@@ -1,0 +1,110 @@
+#include "signorini/scene/balance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "signorini/core/rounding.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+/// Force and moment about the middle of a body, in long double: forces all round a body cancel.
+using Sum = std::array<long double, 3>;
+
+void add(Sum& sum, double factor, const Vector2d& force, double moment) {
+  sum[0] += static_cast<long double>(factor) * force.x();
+  sum[1] += static_cast<long double>(factor) * force.y();
+  sum[2] += static_cast<long double>(factor) * moment;
+}
+
+double cross(const Vector2d& arm, const Vector2d& force) {
+  return arm.x() * force.y() - arm.y() * force.x();
+}
+
+/// The middle of every body and how far its nodes are from there.
+struct Extent {
+  Vector2d middle;
+  double reach;
+};
+
+Extent extent(const BodyModel& body) {
+  const Vector2d middle = body.mesh.nodes.colwise().mean().transpose();
+  return {middle, (body.mesh.nodes.rowwise() - middle.transpose()).rowwise().norm().maxCoeff()};
+}
+
+class Balance {
+ public:
+  explicit Balance(const Model& model) : model_(model), sums_(model.bodies.size(), Sum{}) {
+    for (const BodyModel& body : model.bodies) extents_.push_back(extent(body));
+  }
+
+  /// A force of a pair along its normal or tangent, on both sides.
+  void tell(Index pair, int which, double force) {
+    const Pairs& pairs = model_.pairs;
+    const Vector2d n = pairs.normal.row(pair).transpose();
+    const Vector2d direction = which == 0 ? n : Vector2d(n.y(), -n.x());
+    const ContactBodies& bodies =
+        model_.contact_bodies[model_.contact_of[static_cast<std::size_t>(pair)]];
+    const auto act = [&](std::size_t body, const Vector2d& along, double moment) {
+      add(sums_[body], force, along, moment - cross(extents_[body].middle, along));
+    };
+    act(bodies.source, direction, pairs.moment(pair, which));
+    if (bodies.target) act(*bodies.target, -direction, pairs.target_moment(pair, which));
+  }
+
+  /// The same force by its row, taken away.
+  void hand_on(const NodalRows& rows, Index row, double force) {
+    for (NodalRows::InnerIterator it(rows, row); it; ++it) {
+      std::size_t body = model_.bodies.size() - 1;
+      while (model_.bodies[body].first_node > it.col() / 2) --body;
+      const BodyModel& own = model_.bodies[body];
+      Vector2d along = Vector2d::Zero();
+      along(it.col() % 2) = it.value();
+      const Vector2d x = own.mesh.nodes.row(it.col() / 2 - own.first_node).transpose();
+      add(sums_[body], -force, along, cross(x - extents_[body].middle, along));
+    }
+  }
+
+  /// The largest entry of a body, made free of units.
+  [[nodiscard]] double worst(double largest_force) const {
+    const bool axial = model_.bodies.front().material.bulk.state == PlaneState::Axial;
+    double worst = 0;
+    for (std::size_t body = 0; body < sums_.size(); ++body)
+      for (int k = axial ? 1 : 0; k < (axial ? 2 : 3); ++k) {
+        const double size = largest_force * (k == 2 ? extents_[body].reach : 1);
+        const double off = static_cast<double>(std::abs(sums_[body][static_cast<std::size_t>(k)]));
+        if (off > 0) worst = std::max(worst, off / size);
+      }
+    return worst;
+  }
+
+ private:
+  const Model& model_;
+  std::vector<Extent> extents_;
+  std::vector<Sum> sums_;
+};
+
+}  // namespace
+
+double imbalance(const Model& model, const ContactState& contact,
+                 const Eigen::VectorXd& certified) {
+  const Index pairs = contact.force.size();
+  if (pairs == 0) return 0;
+  Balance balance(model);
+  for (Index pair = 0; pair < pairs; ++pair) {
+    balance.tell(pair, 0, contact.force(pair));
+    balance.hand_on(model.pairs.opening, pair, certified(pair));
+  }
+  for (std::size_t k = 0; k < contact.rubbing.size(); ++k) {
+    const Index slip = static_cast<Index>(k);
+    balance.tell(contact.rubbing[k], 1, contact.friction(slip));
+    balance.hand_on(model.pairs.sliding, contact.rubbing[k], certified(pairs + slip));
+  }
+  return balance.worst(largest(certified));
+}
+
+}  // namespace signorini
