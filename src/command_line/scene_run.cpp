@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "command_line/overdue.hpp"
 #include "command_line/picture.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
@@ -50,6 +51,12 @@ Plan taken_out(Plan& plan) {
   return taken;
 }
 
+/// Says, while a stage lasts, that it lasts far longer than forecast.
+Overdue watch(const Stage& stage, const SceneRun& run) {
+  return Overdue(overdue_after(stage, run.prediction),
+                 overdue_words(stage, run.plan, run.prediction));
+}
+
 /// Goes along the load steps of a scene.
 void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Progress& progress) {
   Model& model = *run.model;
@@ -58,7 +65,10 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
   } catch (const ProblemError& error) {
     throw ProblemError(text("--from: ", error.what()));
   }
-  CondensedPath path = run.step([&] { return condense_path(model, ledger); });
+  CondensedPath path = [&] {
+    const Overdue overdue = watch(condensing(), run);
+    return run.step([&] { return condense_path(model, ledger); });
+  }();
   const std::vector<double>& times = model.path.times;
   const auto left = [&](double time) {
     return std::count_if(times.begin(), times.end(), [&](double t) { return t > time; });
@@ -78,6 +88,7 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
                       number(gone.count() / steps * static_cast<double>(rest), "%.2g"), " s left"));
   };
   progress.say(text("step ", run.from.steps + 1, ", ", left(run.from.time), " to go"));
+  const Overdue overdue = watch(solving(), run);
   run.end = solve_steps(model, path, std::move(ledger), each, run.from);
   set_time(run.end->state.time, model);
 }
@@ -151,15 +162,24 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
   const auto figure = [&](const char* phase, const char* what) {
     return run.prediction.amount(phase, what);
   };
-  const std::string all = text("about ", figure("all phases", "seconds"), " s: ");
+  const auto total = std::find_if(run.prediction.figures.begin(), run.prediction.figures.end(),
+                                  [](const auto& one) { return one.phase == "all phases"; });
+  const std::string all = text(to_string(total->trust), ' ', total->amount, " s: ");
   Ledger ledger;
   progress.say(text(all, "assembling ", figure("assembly", "unknowns"), " unknowns"));
-  run.model = run.step([&] { return build(taken_out(run.plan), ledger); });
+  {
+    const Overdue overdue = watch(assembling(), run);
+    run.model = run.step([&] { return build(taken_out(run.plan), ledger); });
+  }
   progress.say(text(all, "factoring, ", figure("factor/numeric", "operations"), " operations, and ",
                     figure("assembly", "rows"), " contact rows"));
   if (run.file.scene.path) return follow(run, std::move(ledger), observe, progress);
-  const Condensed condensed = run.step([&] { return condense(*run.model, ledger); });
+  const Condensed condensed = [&] {
+    const Overdue overdue = watch(condensing(), run);
+    return run.step([&] { return condense(*run.model, ledger); });
+  }();
   progress.say(text(all, "solving"));
+  const Overdue overdue = watch(solving(), run);
   run.solution =
       run.step([&] { return solve_to_limit(run.file.scene, *run.model, condensed, ledger); });
   run.ledgers = {run.solution->ledger};

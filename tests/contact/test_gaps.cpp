@@ -1,7 +1,10 @@
 // Pairs of several contacts, one below the other.
+#include <cmath>
+
 #include "catch_compat.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/mesh/block.hpp"
 
 using Eigen::Index;
@@ -49,4 +52,22 @@ TEST_CASE(
   const Gaps twice = stacked(full, full);
   CHECK(twice.pairs.initial_gap.size() == 10);
   CHECK(twice.A.bottomRows(5).isApprox(full.A));
+}
+
+TEST_CASE("what supports leave of a normal is rounding where coordinates are rounded, and no movement",
+          "[gaps][far]") {
+  const Mesh mesh = block("block", {0, 0}, {4, 1}, 4, 1);
+  const Surface source{mesh, "bottom"};
+  GapOptions options;
+  options.n_nodes = mesh.n_nodes();
+  const double tilt = 1e-10;
+  const Pairs pairs =
+      node_to_obstacle(source, half_plane({0, -0.5}, {tilt, std::sqrt(1 - tilt * tilt)}), options);
+  const Unknowns unknowns = number_unknowns(mesh, {prescribed_at("bottom", {0, 0}, Axis::Y)});
+  const auto count = [&](double directions) {
+    return reduce(pairs, source, unknowns, "contact", directions).A.rows();
+  };
+  CHECK(count(0) == 5);
+  CHECK(count(epsilon) == 5);
+  CHECK(count(1e6 * epsilon) == 4);
 }

@@ -1,7 +1,10 @@
+#include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/elasticity/free_motions.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
@@ -134,4 +137,86 @@ TEST_CASE("a node straight below the pivot does not move up or down", "[free_mot
     CHECK(motions[0].shape.cwiseAbs().maxCoeff() > 0.1);
     CHECK(motions[0].shape(unknowns.number(0, 1)) == 0);
   }
+}
+
+namespace {
+
+/// Supports of the plate, and how many motions they leave it.
+struct Held {
+  const char* what;
+  std::function<void(Unknowns&)> hold;
+  std::size_t left;
+};
+
+/// The plate has four nodes in a row and three rows.
+const std::vector<Held>& ways_to_hold() {
+  static const auto x = [](Unknowns& all, Index node) { all.number(node, 0) = -1; };
+  static const auto y = [](Unknowns& all, Index node) { all.number(node, 1) = -1; };
+  static const std::vector<Held> all = {
+      {"nothing", [](Unknowns&) {}, 3},
+      {"one node in x", [](Unknowns& u) { x(u, 5); }, 2},
+      {"two nodes in x, one above the other", [](Unknowns& u) { x(u, 1), x(u, 9); }, 1},
+      {"two nodes in x, side by side", [](Unknowns& u) { x(u, 4), x(u, 7); }, 2},
+      {"a row in y", [](Unknowns& u) { y(u, 0), y(u, 1), y(u, 2), y(u, 3); }, 1},
+      {"a column in y", [](Unknowns& u) { y(u, 1), y(u, 5), y(u, 9); }, 2},
+      {"a hinge", [](Unknowns& u) { x(u, 6), y(u, 6); }, 1},
+      {"a hinge and x beside it", [](Unknowns& u) { x(u, 4), y(u, 4), x(u, 7); }, 1},
+      {"a hinge and y beside it", [](Unknowns& u) { x(u, 4), y(u, 4), y(u, 7); }, 0},
+      {"a hinge and y above it", [](Unknowns& u) { x(u, 2), y(u, 2), y(u, 10); }, 1},
+      {"three normals through one node", [](Unknowns& u) { x(u, 4), x(u, 7), y(u, 1), y(u, 9); }, 1},
+      {"three normals past each other", [](Unknowns& u) { x(u, 0), x(u, 11), y(u, 1); }, 0}};
+  return all;
+}
+
+/// A quarter turn takes the components of the supports with it.
+Unknowns turned(const Unknowns& unknowns) {
+  Unknowns other = unknowns;
+  other.number.col(0) = unknowns.number.col(1);
+  other.number.col(1) = unknowns.number.col(0);
+  return other;
+}
+
+}  // namespace
+
+TEST_CASE("supports leave the same motions wherever the body is, however it lies and how large it is",
+          "[free_motions][far]") {
+  // Rounding must show: cos 90 degrees is 6e-17, and the sides are no whole numbers.
+  const double c = std::cos(pi / 2), s = std::sin(pi / 2);
+  for (const Held& held : ways_to_hold())
+    for (const double size : {1e-3, 0.7, 1e3})
+      for (const double away : {0.0, 1e3, 1e6})
+        for (const int quarters : {0, 1, 2, 3}) {
+          CAPTURE(held.what, size, away, quarters);
+          Unknowns unknowns = number_unknowns(plate(), {});
+          held.hold(unknowns);
+          Mesh mesh = plate();
+          for (int k = 0; k < quarters; ++k) {
+            mesh = mapped(mesh, [&](const Vector2d& x) {
+              return Vector2d(c * x.x() - s * x.y(), s * x.x() + c * x.y());
+            });
+            unknowns = turned(unknowns);
+          }
+          mesh = mapped(mesh, [&](const Vector2d& x) {
+            return Vector2d(size * (x.x() / 3 + 0.6 * away), size * (x.y() / 3 - 0.8 * away));
+          });
+          const std::vector<FreeMotion> motions = free_motions(mesh, unknowns);
+          CHECK(motions.size() == held.left);
+          for (const FreeMotion& motion : motions)
+            CHECK(motion.shape.cwiseAbs().maxCoeff() > 0.1);
+        }
+}
+
+TEST_CASE("two rollers as close as can be told hold a body that is near, and not one that is far",
+          "[free_motions][far]") {
+  const double close = 1e-8;  // of the size
+  const auto motions = [&](double away) {
+    const Mesh mesh = mapped(plate(), [&](const Vector2d& x) {
+      return Vector2d(x.x() + away, x.y() > 1.5 ? 2 : close * x.y());
+    });
+    Unknowns unknowns = number_unknowns(mesh, {});
+    unknowns.number(0, 0) = unknowns.number(4, 0) = -1;
+    return free_motions(mesh, unknowns).size();
+  };
+  CHECK(motions(0) == 1);
+  CHECK(motions(1e9) == 2);  // there a coordinate is rounded to 1e-7
 }

@@ -1,8 +1,15 @@
 // Which motions contact holds, whatever the motions are measured in.
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/mesh/reshape.hpp"
+#include "signorini/mesh/ring.hpp"
+#include "signorini/programme/rigid_modes.hpp"
 #include "signorini/scene/bodies.hpp"
 
 using namespace signorini;
@@ -20,4 +27,60 @@ TEST_CASE("a motion is held or not in whatever unit it is written", "[scene][flo
     modes[1].shape *= unit;
     CHECK(motions_without_contact(A, modes) == std::vector<std::string>{"2"});
   }
+}
+
+namespace {
+
+using Map = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
+
+/// A ring of 8 cells in one of 20, which is held: four of their nodes meet.
+Scene ring_in_ring(const Map& map) {
+  const auto body = [&map](const std::string& name, double inner, double outer, Eigen::Index cells) {
+    AnnulusSpec spec;
+    spec.name = name;
+    spec.inner_radius = inner;
+    spec.outer_radius = outer;
+    spec.cells_radius = 1;
+    spec.cells_angle = cells;
+    Body ring;
+    ring.mesh = mapped(make_annulus(spec), map);
+    ring.material = {3e5, 0.3};
+    return ring;
+  };
+  Scene scene;
+  scene.bodies = {body("around", 1, 1.5, 20), body("inside", 0.4, 1, 8)};
+  scene.bodies[0].supports = {fixed("outer")};
+  scene.contacts = {{{"inner", "around"}, Side{"outer", "inside"}}};
+  return scene;
+}
+
+/// Which pairs the turn of the inner ring moves.
+std::vector<bool> moved_by_turn(const Scene& scene) {
+  const Plan planned = plan(scene);
+  REQUIRE(planned.modes.size() == 3);
+  const Eigen::MatrixXd R = rigid_gaps(contact_rows(planned.gaps, planned.law),
+                                       mode_shapes(planned.modes), direction_rounding(planned.modes));
+  std::vector<bool> moved;
+  for (Eigen::Index pair = 0; pair < R.rows(); ++pair) moved.push_back(R(pair, 2) != 0);
+  return moved;
+}
+
+}  // namespace
+
+TEST_CASE("a turn moves the same pairs wherever the bodies are, however they lie and how large they are",
+          "[scene][floating][far]") {
+  const std::vector<bool> expected =
+      moved_by_turn(ring_in_ring([](const Eigen::Vector2d& x) { return x; }));
+  REQUIRE(std::count(expected.begin(), expected.end(), false) == 4);  // where nodes meet
+  for (const double size : {1e-3, 1.0, 1e3})
+    for (const double away : {0.0, 1e3, 1e6})
+      for (const double angle : {0.0, pi / 2, 0.3, 2.0}) {
+        CAPTURE(size, away, angle);
+        const double c = std::cos(angle), s = std::sin(angle);
+        const Map map = [&](const Eigen::Vector2d& x) {
+          return Eigen::Vector2d(size * (c * x.x() - s * x.y() + 0.6 * away),
+                                 size * (s * x.x() + c * x.y() - 0.8 * away));
+        };
+        CHECK(moved_by_turn(ring_in_ring(map)) == expected);
+      }
 }

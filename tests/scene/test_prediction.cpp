@@ -1,3 +1,4 @@
+#include <cmath>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -202,12 +203,47 @@ TEST_CASE("a path is predicted with all its steps, and its ledgers add up to wha
   CHECK(solves == counted);
   CHECK(solves > steps);
   const Prediction first = predict(plan(one));
-  for (const char* phase : {"refinement", "contact"}) {
-    const char* const what = std::string(phase) == "contact" ? "iterations" : "solves";
-    CHECK(prediction.amount(phase, what) == steps * first.amount(phase, what));
-  }
+  CHECK(prediction.amount("refinement", "solves") == steps * first.amount("refinement", "solves"));
   CHECK(prediction.amount("a later step", "seconds") > 0);
   CHECK(first.amount("a later step", "seconds") == 0);
+}
+
+TEST_CASE("iterations that depend on the numbers are not predicted, and the whole only from below",
+          "[prediction]") {
+  const auto predicted = [](const Scene& scene, const std::string& phase, const std::string& what) {
+    const Prediction prediction = predict(plan(scene));
+    for (const PredictedFigure& figure : prediction.figures)
+      if (figure.phase == phase && figure.what == what) return figure;
+    return PredictedFigure();
+  };
+  Scene other = pressed_block();
+  other.solver = "lemke";
+  for (const Scene& scene : {floating_block(), rubbing_cantilever(), other}) {
+    for (const char* what : {"iterations", "seconds"}) {
+      CHECK(predicted(scene, "contact", what).trust == Trust::Unknown);
+      CHECK(std::isnan(predicted(scene, "contact", what).amount));
+    }
+    const double round = predicted(scene, "contact", "seconds of one iteration").amount;
+    CHECK(round > 0);
+    CHECK(predicted(scene, "all phases", "seconds").trust == Trust::AtLeast);
+    CHECK(predicted(scene, "all phases", "seconds").amount > 0);
+    CHECK_FALSE(predict(plan(scene)).unknown.empty());
+    std::ostringstream out;
+    out << predict(plan(scene));
+    CHECK_THAT(out.str(), ContainsSubstring("iterations not known, seconds of one iteration") &&
+                              ContainsSubstring("seconds at least"));
+  }
+  CHECK(predicted(pressed_block(), "contact", "iterations").amount == 5);
+  CHECK(predicted(pressed_block(), "contact", "seconds").trust == Trust::Estimate);
+  CHECK(predicted(pressed_block(), "all phases", "seconds").trust == Trust::Estimate);
+  CHECK(predict(plan(pressed_block())).unknown.empty());
+  const Solution solution = solve(rubbing_cantilever());
+  for (const ConfrontedFigure& figure :
+       confront(predict(plan(rubbing_cantilever())), {solution.ledger}))
+    if (figure.predicted.what == "seconds of one iteration")
+      CHECK(figure.measured ==
+            solution.ledger.seconds("contact") /
+                static_cast<double>(solution.ledger.counted("contact", "iterations")));
 }
 
 TEST_CASE("the ledger, which a prediction is set against, counts what the matrices have",

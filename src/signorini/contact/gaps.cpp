@@ -20,7 +20,7 @@ struct FreeRow {
   double held = 0;
 };
 
-FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns) {
+FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns, double directions) {
   FreeRow found;
   double largest = 0;
   for (NodalRows::InnerIterator it(rows, row); it; ++it)
@@ -29,7 +29,7 @@ FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns) {
     const Index node = it.col() / 2;
     const Index axis = it.col() % 2;
     const Index unknown = unknowns.number(node, axis);
-    if (unknown >= 0 && std::abs(it.value()) > 4 * epsilon * largest)
+    if (unknown >= 0 && std::abs(it.value()) > 4 * std::max(epsilon, directions) * largest)
       found.entries.emplace_back(unknown, it.value());
     else
       found.held += it.value() * unknowns.held(node, axis);
@@ -123,10 +123,10 @@ double gap_rounding(const Pairs& pairs) {
 }
 
 Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
-            const std::string& what) {
+            const std::string& what, double directions) {
   std::vector<FreeRow> openings;
   for (Index pair = 0; pair < pairs.initial_gap.size(); ++pair)
-    openings.push_back(free_row(pairs.opening, pair, unknowns));
+    openings.push_back(free_row(pairs.opening, pair, unknowns, directions));
   const std::vector<Index> kept = movable(pairs, openings, source, what);
   const Index n_pairs = static_cast<Index>(kept.size());
   const bool slides = pairs.sliding.rows() > 0;
@@ -141,7 +141,7 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
     append(normal, row, opening, -1);
     gaps.pairs.initial_gap(row) += opening.held;
     if (!slides) continue;
-    const FreeRow sliding = free_row(pairs.sliding, pair, unknowns);
+    const FreeRow sliding = free_row(pairs.sliding, pair, unknowns, directions);
     append(tangential, row, sliding, 1);
     gaps.initial_slip(row) = sliding.held;
   }

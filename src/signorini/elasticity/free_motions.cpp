@@ -1,12 +1,13 @@
 #include "signorini/elasticity/free_motions.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/mesh/far.hpp"
 
 namespace signorini {
 namespace {
@@ -22,36 +23,47 @@ struct ConnectedBody {
     arms = arms_from_middle(x);
     centre = middle(mesh, piece);
     size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
+    rounding = 16 * epsilon * (1 + distance_from_origin(x) / size);
   }
 
   const std::vector<Index>& nodes;
   NodeArray arms;          ///< from the centre to each of the nodes
   Eigen::Vector2d centre;  ///< middle of the box of the nodes
   double size;             ///< diagonal of the bounding box
+  double rounding;         ///< of a displacement by a motion that moves the body by 1
   Index cells;
 };
 
-/// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)) and no held component. What moves or turns
-/// the cross-section of a body of revolution sideways strains the body.
-std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknowns& unknowns,
-                                        PlaneState state) {
-  Eigen::Matrix3d forbidden = Eigen::Matrix3d::Zero();
-  if (state == PlaneState::Axial) forbidden.diagonal() << 1, 0, 1;
+/// What the translations x and y and a rotation about the centre, each of which moves the body by about 1, do to the
+/// components that are held: `n x 3`, `n` at least 3. What moves or turns the cross-section of a body of revolution
+/// sideways strains the body.
+Eigen::MatrixXd held_motions(const ConnectedBody& body, const Unknowns& unknowns,
+                             PlaneState state) {
+  std::vector<Eigen::Vector3d> rows;
+  if (state == PlaneState::Axial) rows = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()};
   for (std::size_t k = 0; k < body.nodes.size(); ++k) {
     const Index node = body.nodes[k];
     const Eigen::Vector2d arm = body.arms.row(static_cast<Index>(k)).transpose() / body.size;
-    const Eigen::Vector3d in_x(1, 0, -arm.y());
-    const Eigen::Vector3d in_y(0, 1, arm.x());
-    if (unknowns.number(node, 0) < 0) forbidden += in_x * in_x.transpose();
-    if (unknowns.number(node, 1) < 0) forbidden += in_y * in_y.transpose();
+    if (unknowns.number(node, 0) < 0) rows.emplace_back(1, 0, -arm.y());
+    if (unknowns.number(node, 1) < 0) rows.emplace_back(0, 1, arm.x());
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(forbidden);
-  const double none = 16 * epsilon * std::max(1.0, forbidden.trace());
+  rows.resize(std::max<std::size_t>(3, rows.size()), Eigen::Vector3d::Zero());
+  Eigen::MatrixXd held(static_cast<Index>(rows.size()), 3);
+  for (Index k = 0; k < held.rows(); ++k) held.row(k) = rows[static_cast<std::size_t>(k)];
+  return held;
+}
+
+/// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)), and no held component by more than what
+/// rounding of the coordinates makes of it.
+std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknowns& unknowns,
+                                        PlaneState state) {
+  const Eigen::MatrixXd held = held_motions(body, unknowns, state);
+  const Eigen::MatrixXd modes = singular_values(held).V;
   std::vector<Eigen::Vector3d> motions;
   for (int k = 0; k < 3; ++k) {
-    if (modes.eigenvalues()(k) > none) continue;
-    Eigen::Vector3d motion = modes.eigenvectors().col(k);
-    motion = (motion.array().abs() < 16 * epsilon).select(0, motion);
+    Eigen::Vector3d motion = modes.col(k);
+    if (largest(held * motion) > body.rounding) continue;
+    motion = (motion.array().abs() <= body.rounding).select(0, motion);
     motion(2) /= body.size;
     motion /= std::max(motion.head<2>().norm(), std::abs(motion(2)) * body.size);
     motions.push_back(motion);
@@ -81,10 +93,12 @@ std::string motion_in_words(const Eigen::Vector3d& motion, const ConnectedBody& 
 std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPiece>& pieces,
                                      const Unknowns& unknowns, PlaneState state) {
   std::vector<FreeMotion> found;
+  const double directions = direction_rounding(mesh);
   for (const MeshPiece& piece : pieces) {
     const ConnectedBody body(mesh, piece);
     for (const Eigen::Vector3d& motion : motions_of(body, unknowns, state)) {
       FreeMotion free;
+      free.directions = directions;
       free.sentence = text("body '", mesh.name, "' (", in_words(mesh, piece), ") can ",
                            motion_in_words(motion, body));
       free.shape.setZero(unknowns.count);

@@ -14,9 +14,11 @@ namespace signorini {
 struct FreeMotion {
   std::string sentence;   ///< "body 'x' (8 cells around (2, 0.5)) can move freely in direction x"
   Eigen::VectorXd shape;  ///< `n` displacement of each unknown, at most about 1 [-]
+  double directions = 0;  ///< one rounding of the directions that it goes in, see direction_rounding()
 };
 
-/// Finds the rigid motions that the supports leave to each piece of a mesh.
+/// Finds the rigid motions that the supports leave to each piece of a mesh: those that move no held component by more
+/// than what rounding of the coordinates makes of it, which grows with the distance from the origin.
 /// \param mesh      any
 /// \param pieces    of the mesh
 /// \param unknowns  `n` of it

@@ -9,6 +9,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/mesh/far.hpp"
 
 namespace signorini {
 namespace {
@@ -138,10 +139,8 @@ std::vector<Eigen::Index> boundary_nodes(const Mesh& mesh, const std::string& na
 
 MeshQuality check_mesh(const Mesh& mesh) {
   check_node_numbers(mesh);
-  const Eigen::RowVector2d low = mesh.nodes.colwise().minCoeff();
-  const Eigen::RowVector2d high = mesh.nodes.colwise().maxCoeff();
-  const double size = (high - low).norm();
-  const double away = low.cwiseMax(-high).cwiseMax(0).norm();
+  const double size = (mesh.nodes.colwise().maxCoeff() - mesh.nodes.colwise().minCoeff()).norm();
+  const double away = distance_from_origin(mesh.nodes);
   check_digits(mesh, away, size, "its size");
   // A side shorter than rounding of the coordinates of a mesh on the origin has no length.
   const double no_length = 4 * epsilon * size;

@@ -88,6 +88,14 @@ void each_history(SomeBody& body, Visit&& visit) {
 /// \return `n_r` independent motions
 [[nodiscard]] std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies);
 
+/// \param bodies  one or several
+/// \return one rounding of the directions of their sides [-]: that of the body that knows them worst
+[[nodiscard]] double direction_rounding(const std::vector<BodyModel>& bodies);
+
+/// \param modes  from rigid_modes()
+/// \return one rounding of the directions that they were made from [-], 0 if there are none
+[[nodiscard]] double direction_rounding(const std::vector<FreeMotion>& modes);
+
 /// The rows of A as the programme has them.
 /// \param gaps  of all pairs \param law  of those that rub
 /// \return the rows of the gaps, and below them those of the slips of the law

@@ -54,6 +54,7 @@ void price_contact(const Scene& scene, Plan& draft) {
   check_listed_once(scene, draft.bodies);
   draft.contacts = contact_names(draft.bodies, scene.contacts);
   const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), rubs);
+  const double directions = direction_rounding(draft.bodies);
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const ContactSpec& contact = scene.contacts[k];
     const std::string what = describe(draft.bodies, contact);
@@ -61,7 +62,8 @@ void price_contact(const Scene& scene, Plan& draft) {
     for (std::string& note : doubts_of_places(contact, draft.bodies, found))
       draft.notes.push_back(std::move(note));
     const std::string fitted = fit(contact, found);
-    const Gaps gaps = reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what);
+    const Gaps gaps =
+        reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what, directions);
     const std::size_t pairs = gaps.pairs.node.size();
     const bool rigid = std::holds_alternative<Obstacle>(contact.target);
     draft.on.push_back(

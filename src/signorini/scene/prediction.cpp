@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -54,6 +55,18 @@ std::string method_of(const Plan& plan) {
                                        : " rigid motions are unknowns of their own",
                 solver.rigid_modes ? "" : ", held by springs that carry nothing in the end");
   return why + "; certified from K, p, A, g";
+}
+
+/// Why nobody knows how many iterations contact takes; empty if it is known.
+std::string why_not_counted(const Plan& plan) {
+  if (plan.gaps.A.rows() == 0) return "";
+  std::string why;
+  if (plan.solver != Scene().solver) why += ", the method asked for";
+  if (!plan.law.pair.empty()) why += text(", ", plan.law.pair.size(), " pairs that rub");
+  if (!plan.modes.empty()) why += text(", ", plan.modes.size(), " rigid motions");
+  return why.empty() ? why
+                     : text("how many iterations contact takes is not known before: with ",
+                            why.substr(2), " it depends on the numbers");
 }
 
 /// Some cells of a body as a mesh of their own, without boundaries: the first ones, and among them one that the
@@ -138,6 +151,7 @@ std::vector<SystemParts> systems_of(const Plan& plan, Symbolic& known) {
 
 constexpr const char* all_phases = "all phases";
 constexpr const char* later_step = "a later step";
+constexpr const char* one_iteration = "seconds of one iteration";
 
 /// Seconds of all phases that no other one contains. \param first  of the ledgers that count
 double seconds_in(const std::vector<Ledger>& ledgers, std::size_t first) {
@@ -174,7 +188,8 @@ class Figures {
         speed_(measure_speed(known.fronts, known.paths)),
         sample_(sampled(plan, known.stiffness.nonZeros())),
         steps_(std::max(1.0, static_cast<double>(plan.path.times.size()))),
-        of_factor_(plan.backend == Scene().backend ? Trust::Exact : Trust::Estimate) {}
+        of_factor_(plan.backend == Scene().backend ? Trust::Exact : Trust::Estimate),
+        counted_(why_not_counted(plan).empty()) {}
 
   std::vector<PredictedFigure> all() {
     assembly();
@@ -183,9 +198,9 @@ class Figures {
     const double once = seconds_;
     contact();
     refinement();
-    if (steps_ > 1)
-      add(Built::PerStep, later_step, "seconds", (seconds_ - once) / steps_, Trust::Estimate);
-    add(Built::Once, all_phases, "seconds", seconds_, Trust::Estimate);
+    const Trust trust = counted_ ? Trust::Estimate : Trust::AtLeast;
+    if (steps_ > 1) add(Built::PerStep, later_step, "seconds", (seconds_ - once) / steps_, trust);
+    add(Built::Once, all_phases, "seconds", seconds_, trust);
     return std::move(figures_);
   }
 
@@ -245,25 +260,52 @@ class Figures {
     add(Built::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()), of_factor_);
     const double all =
         1 + static_cast<double>(plan_.parts.size());  // each part of a path has its u0
-    seconds(Built::Once, phase, all * solve() + over(known_.paths.operations, speed_.carrying));
+    // The compliance is cleared and filled, and every rigid motion meets every row.
+    const double modes = static_cast<double>(plan_.modes.size());
+    const double touched = 2 * rows_ * rows_ +
+                           modes * static_cast<double>(plan_.unknowns.count) +
+                           modes * 2 * static_cast<double>(known_.rows.nonZeros());
+    seconds(Built::Once, phase,
+            all * solve() + over(known_.paths.operations, speed_.carrying) +
+                over(number * touched, speed_.memory));
+  }
+
+  /// Seconds of the equations of a set with half of the rows closed. Rigid motions and slips, which follow the forces
+  /// of their pairs, leave no symmetric matrix.
+  [[nodiscard]] double closing(const SystemParts& system) const {
+    const double modes = static_cast<double>(system.modes.size());
+    const double closed = 0.5 * static_cast<double>(system.rows.size()) + modes;
+    const double triangles = plan_.law.pair.empty() && modes == 0 ? 1 : 2;
+    return over(triangles * closed * closed * closed / 3, speed_.elimination) +
+           over(2 * number * closed * closed, speed_.memory);
+  }
+  /// Seconds of the orthonormal rigid motions of the rows, which every pass of contact and of refinement makes anew: two
+  /// bidiagonal factors and their vectors.
+  [[nodiscard]] double orthonormal(const SystemParts& system) const {
+    const double rows = static_cast<double>(system.rows.size());
+    const double modes = static_cast<double>(system.modes.size());
+    return over((4 * rows + 22 * modes) * modes * modes, speed_.elimination);
   }
 
   void contact() {
     if (rows_ == 0) return;
     const char* const phase = "contact";
-    const double iterations = 5 * steps_;  // of every system
-    double all_iterations = 0;
-    double all_seconds = 0;
-    for (const SystemParts& system : known_.systems) {
-      if (system.rows.empty()) continue;
-      const double size = static_cast<double>(system.rows.size() + system.modes.size());
-      const double closed = size / 2;
-      all_iterations += iterations;
-      all_seconds += iterations * (over(closed * closed * closed / 3, speed_.elimination) +
-                                   over(2 * number * size * size, speed_.memory));
+    const double systems = static_cast<double>(
+        std::count_if(known_.systems.begin(), known_.systems.end(),
+                      [](const SystemParts& system) { return !system.rows.empty(); }));
+    double round = 0;  // of all systems
+    for (const SystemParts& system : known_.systems)
+      if (!system.rows.empty()) round += closing(system) + orthonormal(system);
+    if (!counted_) {
+      const double unknown = std::numeric_limits<double>::quiet_NaN();
+      add(Built::PerIteration, phase, "iterations", unknown, Trust::Unknown);
+      add(Built::PerIteration, phase, one_iteration, round / systems, Trust::Estimate);
+      add(Built::PerIteration, phase, "seconds", unknown, Trust::Unknown);
+      return;
     }
-    add(Built::PerIteration, phase, "iterations", all_iterations, Trust::Estimate);
-    seconds(Built::PerIteration, phase, all_seconds);
+    constexpr double usual = 5;
+    add(Built::PerIteration, phase, "iterations", usual * steps_ * systems, Trust::Estimate);
+    seconds(Built::PerIteration, phase, usual * steps_ * round);
   }
 
   void refinement() {
@@ -273,6 +315,7 @@ class Figures {
     // Every system has its own, which walk through its own part of the factor.
     double all_solves = 0;
     double walks = 0;
+    double equations = 0;  // [s]
     double residuals = known_.systems.size() > 1 ? steps_ : 0;  // of the certificate of all
     for (const SystemParts& system : known_.systems) {
       const double part = static_cast<double>(system.unknowns.size()) /
@@ -280,13 +323,15 @@ class Figures {
       const double solves = (system.rows.empty() ? 1 : system.modes.empty() ? 3 : 5) * steps_;
       all_solves += solves;
       walks += part * solves;
+      equations += steps_ * (closing(system) + orthonormal(system));
       // A residual for every solve that mends, and one for the certificate.
       residuals += part * (system.rows.empty() ? 2 * steps_ : solves - steps_);
     }
     add(Built::PerIteration, phase, "solves", all_solves, Trust::Estimate);
     add(Built::PerIteration, phase, "operations", walks * known_.fronts.solve_operations(),
         Trust::Estimate);
-    seconds(Built::PerIteration, phase, walks * solve() + residuals * sample_.residual);
+    seconds(Built::PerIteration, phase,
+            walks * solve() + residuals * sample_.residual + equations);
   }
 
   /// Seconds of one solve: two walks through L.
@@ -302,6 +347,7 @@ class Figures {
   Sampled sample_;
   double steps_;
   Trust of_factor_;  // its fronts are those of ours
+  bool counted_;     // whether the iterations of contact are known beforehand
   std::vector<PredictedFigure> figures_;
   double seconds_ = 0;
 };
@@ -318,6 +364,7 @@ Prediction predict(const Plan& plan) {
   Prediction prediction;
   for (const BodyModel& body : plan.bodies) prediction.bodies.push_back(summary_of(body));
   prediction.method = method_of(plan);
+  prediction.unknown = why_not_counted(plan);
   const Symbolic known = symbolic(plan);
   prediction.figures = Figures(plan, known).all();
   return prediction;
@@ -334,16 +381,19 @@ std::vector<ConfrontedFigure> confront(const Prediction& prediction,
     if (figure.phase == later_step && later > 0)
       measured = seconds_in(ledgers, 1) / static_cast<double>(later);
     const auto add = [&](double amount) { measured = measured.value_or(0) + amount; };
+    double iterations = 0;
     for (const Ledger& ledger : ledgers)
       for (const LedgerEntry& entry : ledger.entries()) {
         if (entry.path != figure.phase) continue;
-        if (figure.what == "seconds")
+        if (figure.what == "seconds" || figure.what == one_iteration)
           add(entry.seconds);
         else if (figure.what == "bytes")
           add(static_cast<double>(entry.bytes));
         else if (entry.counts.count(figure.what) > 0)
           add(static_cast<double>(entry.counts.at(figure.what)));
+        iterations += static_cast<double>(ledger.counted(entry.path, "iterations"));
       }
+    if (figure.what == one_iteration && measured) *measured /= std::max(1.0, iterations);
   }
   return figures;
 }

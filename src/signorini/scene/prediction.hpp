@@ -13,7 +13,9 @@ namespace signorini {
 /// How a figure of a prediction is meant.
 enum class Trust {
   Exact,  ///< it will be so
-  Estimate  ///< of what depends on the numbers of the problem, or on the machine and who else works on it
+  Estimate,  ///< of what depends on the numbers of the problem, or on the machine and who else works on it
+  AtLeast,  ///< an estimate without that part of it which is not known
+  Unknown  ///< the amount is not known beforehand, and not a number
 };
 
 /// How often something is made.
@@ -28,7 +30,7 @@ struct PredictedFigure {
   Built built = Built::Once;   ///< how often what it is about is made
   std::string phase;           ///< of the ledger, or what is not in the ledger
   std::string what;            ///< `seconds`, `bytes`, or the name of a count
-  double amount = 0;           ///< how much, over the whole run
+  double amount = 0;           ///< how much, over the whole run; NaN if that is not known
   Trust trust = Trust::Exact;  ///< how it is meant
 };
 
@@ -45,6 +47,7 @@ struct BodySummary {
 struct Prediction {
   std::vector<BodySummary> bodies;       ///< as in the plan
   std::string method;                    ///< which, and why
+  std::string unknown;                   ///< why some figures are not known; empty if all are
   std::vector<PredictedFigure> figures;  ///< in the order in which a run meets them
 
   /// One figure.
@@ -60,7 +63,9 @@ struct Prediction {
 /// than ours those of the factor are estimates. How often
 /// contact and refinement go round depends on the numbers, so what hangs on that is an estimate: five contact
 /// iterations if there are gaps, with half of the rows closed, and one refinement of the set that they end with, all
-/// that for every load step and every system that nothing connects with others.
+/// that for every load step and every system that nothing connects with others. If pairs rub, if rigid motions are
+/// unknowns, or if another solver than the default one is asked for, there is no such number: the iterations are not
+/// known, only what one of them takes.
 /// Seconds come from the speed of this machine on fronts of these sizes, on a walk through the memory and on the
 /// first cells of every body, measured now in some milliseconds.
 /// \param plan  from plan()

@@ -1,4 +1,5 @@
 // What a prediction looks like, alone and beside what became of it.
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -11,8 +12,9 @@ namespace {
 
 /// A time, or a size, in as many digits as anybody wants to read.
 std::string in_words(const PredictedFigure& figure, double amount) {
+  if (std::isnan(amount)) return "not known";
   const bool bytes = figure.what.find("bytes") != std::string::npos;
-  if (figure.what == "seconds") return signorini::number(amount, "%.2g s");
+  if (figure.what.find("seconds") == 0) return signorini::number(amount, "%.2g s");
   if (bytes && amount >= 1e5) return signorini::number(amount / 1e6, "%.3g MB");
   if (figure.what.find("operations") != std::string::npos) return signorini::number(amount, "%.3g");
   return signorini::number(amount, "%.0f");
@@ -20,7 +22,19 @@ std::string in_words(const PredictedFigure& figure, double amount) {
 
 }  // namespace
 
-const char* to_string(Trust trust) { return trust == Trust::Exact ? "exact" : "about"; }
+const char* to_string(Trust trust) {
+  switch (trust) {
+    case Trust::Exact:
+      return "exact";
+    case Trust::Estimate:
+      return "about";
+    case Trust::AtLeast:
+      return "at least";
+    case Trust::Unknown:
+      return "not known";
+  }
+  return "";
+}
 
 const char* to_string(Built built) {
   return built == Built::Once      ? "once"
@@ -36,6 +50,7 @@ std::ostream& operator<<(std::ostream& out, const Prediction& prediction) {
           << body.force.x() << ", " << body.force.y() << "), moment about the origin "
           << body.moment << '\n';
   table << "  " << prediction.method << '\n';
+  if (!prediction.unknown.empty()) table << "  " << prediction.unknown << '\n';
   for (const Built built : {Built::Once, Built::PerStep, Built::PerIteration}) {
     table << "  " << to_string(built) << '\n';
     std::string last;
@@ -44,7 +59,9 @@ std::ostream& operator<<(std::ostream& out, const Prediction& prediction) {
       if (figure.phase != last)
         table << (last.empty() ? "" : "\n") << "    " << std::left << std::setw(16) << figure.phase;
       table << (figure.phase != last ? " " : ", ") << figure.what << ' '
-            << (figure.trust == Trust::Exact ? "" : std::string(to_string(figure.trust)) + ' ')
+            << (figure.trust == Trust::Exact || figure.trust == Trust::Unknown
+                    ? ""
+                    : std::string(to_string(figure.trust)) + ' ')
             << in_words(figure, figure.amount);
       last = figure.phase;
     }

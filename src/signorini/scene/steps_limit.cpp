@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 VectorXd resultant_at(double time, const Model& model, const Eigen::MatrixXd& modes) {
   VectorXd load = VectorXd::Zero(model.unknowns.count);
   for (const LoadPart& part : model.parts) load += factor_of(model.path, part, time) * part.load;
-  return rigid_resultant(load, modes);
+  return rigid_resultant(load, modes, direction_rounding(model.modes));
 }
 
 /// The scene in one step in which all that loads it grows from nothing.

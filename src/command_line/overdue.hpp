@@ -1,0 +1,51 @@
+// A word on standard error while a stage of a run takes far longer than its forecast.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "signorini/scene/prediction.hpp"
+
+namespace command_line {
+
+/// A stage of a run and the phases of the ledger that it is made of.
+struct Stage {
+  const char* name;
+  std::vector<const char*> phases;
+};
+
+const Stage& assembling();
+const Stage& condensing();
+const Stage& solving();
+
+/// When a stage is overdue: ten times its forecast. Where the iterations of contact are not known, one of them counts.
+/// Of what takes less than two seconds nobody wants to hear.
+/// \param stage       of the run
+/// \param prediction  of the run
+/// \return seconds after its beginning
+double overdue_after(const Stage& stage, const signorini::Prediction& prediction);
+
+/// What is said then: the stage, how long it has taken, the forecast, and what helps.
+/// \param stage       of the run
+/// \param plan        of the run; its bodies may be gone
+/// \param prediction  of the plan
+/// \return one line
+std::string overdue_words(const Stage& stage, const signorini::Plan& plan,
+                          const signorini::Prediction& prediction);
+
+/// Writes a line to standard error if it still lives after so many seconds; one at a time.
+///
+/// A timer of the system interrupts what is being done, so nothing has to ask for the time, not even within one long
+/// factorisation, and there is no second thread.
+class Overdue {
+ public:
+  /// \param seconds  after which to write, more than 0
+  /// \param line     what to write
+  Overdue(double seconds, const std::string& line);
+  ~Overdue();
+  Overdue(const Overdue&) = delete;
+  Overdue& operator=(const Overdue&) = delete;
+  Overdue(Overdue&&) = delete;
+  Overdue& operator=(Overdue&&) = delete;
+};
+
+}  // namespace command_line
