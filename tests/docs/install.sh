@@ -29,7 +29,28 @@ cmake --build build > build.log 2>&1 || { cat build.log; exit 1; }
 "$2/prefix/bin/signorini" --man | cmp - "$2/prefix/share/man/man1/signorini.1"
 
 # The example: a hundred loads, and under all of the load the force of chapter 6.
-cmake -S "$4/hundred_loads" -B loads -DCMAKE_PREFIX_PATH="$2/prefix" -DCMAKE_CXX_COMPILER="$3" -DCMAKE_BUILD_TYPE=Release --log-level=NOTICE > /dev/null
-cmake --build loads > loads.log 2>&1 || { cat loads.log; exit 1; }
-loads/hundred_loads "$4/cantilever.toml" > loads.csv
-[ "$(wc -l < loads.csv)" -eq 101 ] && [ "$(tail -n 1 loads.csv)" = 1,17,71.5944 ] || { tail -n 2 loads.csv; exit 1; }
+example=$4/hundred_loads
+build() { # folder, flags: status 1 if it does not build
+    cmake -S "$example" -B "$1" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS="$2" \
+        --log-level=NOTICE > /dev/null
+    cmake --build "$1" > "$1.log" 2>&1
+}
+right() { # folder
+    "$1/hundred_loads" "$scene" > "$1.csv"
+    [ "$(wc -l < "$1.csv")" -eq 101 ] && [ "$(tail -n 1 "$1.csv")" = 1,17,71.5944 ] || { tail -n 2 "$1.csv"; exit 1; }
+}
+prefix=$2/prefix compiler=$3 scene=$4/cantilever.toml
+build loads '' || { cat loads.log; exit 1; }
+right loads
+
+# Flags with which the program aligns otherwise than the library: the linker says what to do, and that helps.
+name=compile_with_the_march_and_EIGEN_MAX_ALIGN_BYTES_that_signorini_was_built_with
+aligned=$(nm -C "$prefix"/lib*/libsignorini.* "$prefix"/lib/*/libsignorini.* 2> /dev/null | sed -n "s/.* [TW] .*$name<\([0-9]*\), [0-9]*>.*/\1/p")
+refused() { # folder
+    grep -q "undefined reference to .*$name<" "$1.log" || { cat "$1.log"; exit 1; }
+}
+! build other "-DEIGEN_MAX_ALIGN_BYTES=$((2 * aligned + 16))" || { echo "a program with another alignment was linked"; exit 1; }
+refused other
+if build native -march=native; then right native; else refused native; fi
+build same "-march=native -DEIGEN_MAX_ALIGN_BYTES=$aligned" || { cat same.log; exit 1; }
+right same

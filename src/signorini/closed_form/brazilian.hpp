@@ -6,6 +6,8 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// A disc between two opposite forces.

@@ -5,6 +5,8 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// A rigid strip that is pressed down without friction.

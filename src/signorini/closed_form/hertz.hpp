@@ -6,6 +6,8 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// Two cylinders, or a cylinder and a plate, pressed together along a line.

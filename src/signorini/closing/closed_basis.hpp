@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// L with \f$ L L^T = G_{WW} \f$ for a set W of closed pairs, and \f$ y = -L^{-1} d_W \f$.

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// A place on an edge where something is integrated.

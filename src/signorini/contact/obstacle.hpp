@@ -5,6 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// What a point of the body sees of an obstacle.

@@ -5,6 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// P A = L U with partial pivoting, of a square matrix A. Copies share the numbers.

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// A vector of running sums, as ExactSum for each entry, that takes whole columns of a matrix.

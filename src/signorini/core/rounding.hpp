@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// The distance from 1 to the next double: twice what one rounding does.

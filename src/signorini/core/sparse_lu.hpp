@@ -4,6 +4,8 @@
 #include <Eigen/SparseCore>
 #include <memory>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// P A Q = L U of square matrices A that have their entries in the same places, one after the other.

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// A number as text.

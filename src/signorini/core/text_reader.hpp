@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// The words of a text, line by line.

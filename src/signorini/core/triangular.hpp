@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// Solves L x = b in place, down the columns of L.

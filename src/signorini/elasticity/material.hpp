@@ -3,6 +3,8 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// D of sigma = D epsilon: a row per strain component, 3 in the plane and 4 in axial symmetry; never on the heap.

@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "signorini/core/alignment.hpp"
 #include "signorini/elasticity/cells.hpp"
 
 namespace signorini {

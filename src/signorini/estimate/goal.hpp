@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {

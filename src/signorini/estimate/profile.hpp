@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "signorini/closed_form/hertz_fit.hpp"
+#include "signorini/core/alignment.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {

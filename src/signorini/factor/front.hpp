@@ -3,6 +3,8 @@
 #pragma once
 #include <Eigen/Core>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// Eliminates the own unknowns of a front: the columns become those of L, and what they do to the

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// Where on one stack the fronts of a tree put what they hand on, known without any of it.

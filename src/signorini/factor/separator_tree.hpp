@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// Where unknowns are: one row (x, y) of each [length].

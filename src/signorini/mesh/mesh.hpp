@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// Positions or vectors of nodes, one row each.

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// A box around sides, and all normals that a projection on them can have.

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// Least potential energy without penetration, \PaperEq{XuanLi2002, 9} and \PaperEq{XuanLi2002, 10}

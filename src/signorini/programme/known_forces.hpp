@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
 #include "signorini/programme/refine.hpp"
 
 namespace signorini {

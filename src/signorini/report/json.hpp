@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
+
 namespace signorini {
 
 /// Writes one JSON document, value by value, two blanks per level, numbers so that they come back

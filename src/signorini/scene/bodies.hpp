@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "signorini/core/alignment.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/scene_file/toml_value.hpp"
