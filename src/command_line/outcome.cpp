@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "command_line/ambiguity.hpp"
+#include "signorini/closing/undetermined.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -163,6 +165,9 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
     if (state.force.size() == pairs && state.gap.size() == pairs &&
         state.friction.size() == slips && state.slip.size() == slips)
       outcome.certificate = certify(problem, state);
+    if (outcome.status == Status::Solved && outcome.certificate.holds(tolerance))
+      outcome.undetermined = ranges_of(undetermined_forces(carried(problem, state)));
+    outcome.rubbing = state.rubbing;
     outcome.force = std::move(state.force);
     outcome.gap = std::move(state.gap);
     outcome.why = std::move(state.reason);
@@ -197,6 +202,8 @@ std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::st
     // What a method has called a solution has a certificate, which may be good enough for the one who asks.
     const double worst = outcome.certificate.worst();
     if (worst <= tolerance) outcome.status = Status::Solved;
+    if (outcome.status == Status::Solved && worst <= tolerance)
+      outcome.undetermined = undetermined_multipliers(form, solution);
     if (outcome.status == Status::Breakdown && worst < std::sqrt(epsilon))  // half of the digits
       outcome.why =
           text("--tolerance ", number(rounded_up(worst), "%.0e"), " accepts what ",

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "signorini/closing/shared_forces.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem_file/problem_file.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -28,8 +29,10 @@ struct Outcome {
   std::vector<signorini::Motion> motion;  ///< of its pairs
   signorini::Uniqueness uniqueness = signorini::Uniqueness::Unknown;  ///< of its solution
   signorini::Doubt doubt = {};                                        ///< if that is doubtful
-  Eigen::VectorXd unknowns;  ///< x of a quadratic programme
-  double objective = 0;      ///< of a quadratic programme
+  std::vector<Eigen::Index> rubbing = {};                ///< pairs of the friction forces
+  std::vector<signorini::ForceRange> undetermined = {};  ///< forces that could as well be others
+  Eigen::VectorXd unknowns;                              ///< x of a quadratic programme
+  double objective = 0;                                  ///< of a quadratic programme
 };
 
 /// What kind of matrix a complementarity problem has.

@@ -6,6 +6,8 @@
 #include <iomanip>
 #include <ostream>
 
+#include "command_line/ambiguity.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/factor/backend.hpp"
 
@@ -100,7 +102,7 @@ void print_motions(std::ostream& out, const std::vector<Motion>& motions) {
 
 /// What speaks for other solutions.
 void print_doubt(std::ostream& out, const Outcome& outcome) {
-  out << "other solutions may exist: the determinant of ";
+  out << "there are other solutions: the determinant of ";
   if (outcome.doubt.pair < 0)
     out << "the pairs that slide";
   else
@@ -189,9 +191,12 @@ void print(std::ostream& out, const std::string& title, const FiledProblem& file
     if (n <= largest_printed) print_rubbing(out, *solution);
     print_motions(out, solution->motion);
     if (solution->uniqueness == Uniqueness::Doubtful) print_doubt(out, *solution);
-    return;
+  } else if (n <= largest_printed) {
+    print_columns(out, "force z", solution->force, "gap w", solution->gap);
   }
-  if (n <= largest_printed) print_columns(out, "force z", solution->force, "gap w", solution->gap);
+  print_undetermined(out, *solution, n, "force of pair");
+  print_agreement(out, outcomes, largest(free_movement(filed.problem)));
+  if (filed.rubs()) return;
   if (filed.known_force.size() == n)
     out << "largest difference from the z of the file: "
         << number((solution->force - filed.known_force).cwiseAbs().maxCoeff(), "%.1e") << '\n';
@@ -210,6 +215,8 @@ void print(std::ostream& out, const std::string& title, const TwoSidedProgramme&
   if (solution == nullptr) return print_hint(out, outcomes, solvers());
   if (std::max(programme.q.size(), programme.lower.size()) <= largest_printed)
     print_columns(out, "x", solution->unknowns, "multiplier", solution->force);
+  print_undetermined(out, *solution, programme.lower.size(), "multiplier of row");
+  print_agreement(out, outcomes, 0);
 }
 
 void write(Json& json, const FiledProblem& filed, Matrix kind, const std::vector<Outcome>& outcomes,
@@ -218,6 +225,7 @@ void write(Json& json, const FiledProblem& filed, Matrix kind, const std::vector
   json.key("pairs").value(filed.problem.free_gap.size()).key("matrix").value(to_string(kind));
   write_outcomes(json, outcomes, solved, [&](const Outcome& outcome) {
     json.key("force").value(outcome.force).key("gap").value(outcome.gap);
+    write_undetermined(json, outcome, filed.problem.free_gap.size());
     if (!filed.rubs()) return;
     json.key("friction").value(outcome.friction).key("slip").value(outcome.slip);
     json.key("motion").array();
@@ -225,6 +233,7 @@ void write(Json& json, const FiledProblem& filed, Matrix kind, const std::vector
     json.end();
     write_uniqueness(json, outcome);
   });
+  write_agreement(json, outcomes, largest(free_movement(filed.problem)));
   json.end();
 }
 
@@ -237,7 +246,9 @@ void write(Json& json, const TwoSidedProgramme& programme, const std::vector<Out
   write_outcomes(json, outcomes, solved, [&](const Outcome& outcome) {
     json.key("objective").value(outcome.objective).key("x").value(outcome.unknowns);
     json.key("multipliers").value(outcome.force);
+    write_undetermined(json, outcome, programme.lower.size());
   });
+  write_agreement(json, outcomes, 0);
   json.end();
 }
 

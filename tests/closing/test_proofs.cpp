@@ -110,7 +110,7 @@ TEST_CASE("a determinant of the wrong sign warns of other solutions", "[closing]
     const Closure end = close(scaled, both);
     CHECK(solves(scaled, both, end));
     CHECK(end.reversed == (motion == Motion::Forward));
-    CHECK(uniqueness(scaled, end) ==
+    CHECK(uniqueness(scaled, both, end) ==
           (motion == Motion::Forward ? Uniqueness::Doubtful : Uniqueness::Unknown));
     if (motion != Motion::Forward) continue;
     // det [1 -2 mu; -2 1] = 1 - 4 mu with mu the friction of the first alone: -3, and none from mu = 1/4 down.
@@ -151,7 +151,7 @@ TEST_CASE("one solution is proved only if the pairs that press leave no body fre
     const std::vector<Motion> motions = {load > 0 ? Motion::Forward : Motion::Open};
     const Closure closure = close(scaled, motions);
     CHECK(closure.solvable);
-    return uniqueness(scaled, closure);
+    return uniqueness(scaled, motions, closure);
   };
   CHECK(verdict({1, 0}, 1, 1.5) == Uniqueness::Proved);
   CHECK(verdict({1, 0}, 1, 0) == Uniqueness::Unknown);  // it hovers, how high nothing says

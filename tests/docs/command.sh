@@ -34,6 +34,14 @@ expect 0 'quasi_active_set +solved .* 6155\.2508' qp "$qp/DUALC1.txt"
 expect 0 '2 +0\.0552243985742.* backward' friction "$fc/FC2D_SliderCrankLagrangian00000.dat" --solver lemke
 expect 0 'open 16, stick 11, forward 0, backward 1' friction - < "$fc/FrictionContactProblem00374.dat"
 expect 0 'friction_split +solved' friction "$fc/FrictionContactProblem00031.dat" --solver all
+expect 0 'force of pair 2: from 0 to 0\.52356020' friction "$data/found/friction_two_identical_pairs.txt"
+expect 0 '4 accepted solvers differ by 1\.0e\+00 of the largest force .*: the forces are not determined' friction "$data/found/friction_two_identical_pairs.txt" --solver all
+expect 0 'friction force of pair 1: from -0\.7158836.* to 0\.4295302' friction "$data/found/friction_corner_node.txt"
+expect 0 'accepted solvers differ by 0\.0e\+00 of the largest force and 0\.0e\+00 of the largest movement$' lcp "$lcp/lcp_deudeu.dat" --solver all
+printf 'n 1\nm 2\nr 0\nP\n2\nq\n0\nA\n1\n1\nl\n1 1\nu\n1e20 1e20\n' > twice
+expect 0 'multiplier of row 1: from -2 to 0' qp twice
+expect 0 '2 forces are not determined' lcp "$lcp/lcp_CPS_1.dat"
+expect 0 'there are other solutions: the determinant of pair 1' friction "$data/../hard/friction/three_answers.txt"
 expect 1 'friction_split +refused .*must be symmetric' friction "$fc/FC2D_SliderCrankLagrangian00000.dat" --solver friction_split
 expect 0 'may fail on problems that are:' --list
 expect 0 'frontal' --list
@@ -436,6 +444,11 @@ cp immovable 'a "name" \ with	marks'
 json 0 qp "$qp/HS35.txt" --solver all
 json 0 lcp "$data/generated/fathi_spd_lemke_exponential.txt" --solver all
 json 0 friction "$fc/FrictionContactProblem00394.dat" --solver all
+holds 'no differences in JSON' grep -Fq '"differences"' out.json
+json 0 friction "$data/found/friction_corner_node.txt"
+holds 'no undetermined forces in JSON' test "$(grep -c '"least"' out.json)" -eq 4
+json 0 qp twice
+holds 'no undetermined multipliers in JSON' test "$(grep -c '"least": -2' out.json)" -eq 2
 json 1 lcp asymmetric --solver primal_dual_active_set
 json 1 lcp 'a "name" \ with	marks' --solver all
 json 1 qp contradiction --solver all

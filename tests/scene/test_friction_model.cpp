@@ -142,19 +142,13 @@ TEST_CASE("friction that is not solved says why", "[friction][model]") {
   CHECK_FALSE(solution.certificate.holds());
 }
 
-TEST_CASE("a solution beside which others may exist says so", "[friction][model]") {
-  const Solution likely = solve(rough_beam(0.3));
-  CHECK(likely.notes.empty());
-  const Solution doubtful = solve(rough_beam(3));  // mu so high that a pair can lock by itself
-  CHECK(doubtful.contact.uniqueness == Uniqueness::Doubtful);
-  REQUIRE(doubtful.notes.size() == 1);
-  const double mu = 3 / (1 - doubtful.contact.doubt.determinant);
-  CHECK(mu < 3);
-  CHECK_THAT(doubtful.notes[0], ContainsSubstring("may be other solutions") &&
-                                    ContainsSubstring("of node ") && ContainsSubstring("at (") &&
-                                    ContainsSubstring(text("coefficient of ", mu, " on")));
-  CHECK(solve(rough_beam(0.999 * mu)).contact.uniqueness != Uniqueness::Doubtful);
-  CHECK(solve(rough_beam(1.001 * mu)).contact.uniqueness == Uniqueness::Doubtful);
+TEST_CASE("a pair that could lock by itself is no reason to warn of other solutions",
+          "[friction][model]") {
+  for (const double coefficient : {0.3, 3.0}) {  // with 3 it could, under another load
+    const Solution solution = solve(rough_beam(coefficient));
+    CHECK(solution.contact.uniqueness != Uniqueness::Doubtful);
+    CHECK(solution.notes.empty());
+  }
 }
 
 TEST_CASE("names that nothing needs yet are refused too, and idle choices noted", "[plan][input]") {

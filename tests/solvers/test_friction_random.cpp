@@ -89,24 +89,27 @@ TEST_CASE("one node with several solutions: one is found, with the warning", "[f
   CHECK(among(Eigen::Vector2d(0.5, -0.3), solutions));
 }
 
-TEST_CASE("the warning starts where one node stops being unique", "[friction][closed-form]") {
-  // Stiffness [1 0.6; 0.6 1]: several solutions exist from mu = 1 / 0.6 on; the proof ends at 1.6.
+TEST_CASE("the warning starts where one node has other solutions", "[friction][closed-form]") {
+  // Stiffness [1 0.6; 0.6 1]: for some loads several solutions exist from mu = 1 / 0.6 on, the proof ends at 1.6. A load
+  // (-f, 2 f) that leaves a gap is held where mu > 2, or pushed off while it slides.
   Matrix2d F;
   F << 1 / 0.64, -0.6 / 0.64, -0.6 / 0.64, 1 / 0.64;
-  const auto verdict = [&](double mu) {
-    return friction_solvers().front().solve(one_pair(F, -1, 0.3, mu), {}).uniqueness;
+  const auto verdict = [&](double gap, double slip, double mu) {
+    return friction_solvers().front().solve(one_pair(F, gap, slip, mu), {}).uniqueness;
   };
-  CHECK(verdict(1.59) == Uniqueness::Proved);
-  CHECK(verdict(1.61) == Uniqueness::Unknown);
-  CHECK(verdict(1.66) == Uniqueness::Unknown);
-  CHECK(verdict(1.67) == Uniqueness::Doubtful);
+  CHECK(verdict(-1, 0.3, 1.59) == Uniqueness::Proved);
+  for (const double mu : {1.61, 1.66, 1.67, 3.0})
+    CHECK(verdict(-1, 0.3, mu) == Uniqueness::Unknown);
+  const Eigen::Vector2d free = F * Eigen::Vector2d(-1, -2);
+  CHECK(verdict(free(0), free(1), 1.99) == Uniqueness::Unknown);
+  CHECK(verdict(free(0), free(1), 2.01) == Uniqueness::Doubtful);
 }
 
-TEST_CASE("the warning names the pair, its determinant and the friction from which on it holds",
+TEST_CASE("the warning names the pair, its determinant and the friction from which on it can be",
           "[friction][closed-form]") {
-  // Stiffness [1 -k; -k 1]: the determinant is 1 - mu k.
+  // Stiffness [1 -k; -k 1]: the determinant is 1 - mu k. A load (-0.2, 0.5) leaves a gap, but is held if mu > 2.5.
   for (const double k : {0.6, 0.8})
-    for (const double mu : {0.9, 1.01, 3.0, 1e3}) {
+    for (const double mu : {0.9, 2.49, 2.51, 3.0, 1e3}) {
       CAPTURE(k, mu);
       Matrix2d F;
       F << 1, k, k, 1;
@@ -114,12 +117,13 @@ TEST_CASE("the warning names the pair, its determinant and the friction from whi
       // K u = f - r with f = (-0.2, 0.5) would be u = F f without contact.
       const Eigen::Vector2d free = F * Eigen::Vector2d(-0.2, 0.5);
       const ContactState state =
-          friction_solvers().front().solve(one_pair(F, free(0), free(1), mu / k), {});
+          friction_solvers().front().solve(one_pair(F, free(0), free(1), mu), {});
       REQUIRE(state.report.status == Status::Solved);
-      CHECK((state.uniqueness == Uniqueness::Doubtful) == (mu > 1));
-      CHECK(state.doubt.pair == (mu > 1 ? 0 : -1));
-      CHECK(state.doubt.determinant == Approx(mu > 1 ? 1 - mu : 1).epsilon(1e-13).margin(0));
-      if (mu > 1) CHECK(mu / k / (1 - state.doubt.determinant) == Approx(1 / k).epsilon(1e-13));
+      const bool several = mu > 2.5;
+      CHECK((state.uniqueness == Uniqueness::Doubtful) == several);
+      CHECK(state.doubt.pair == (several ? 0 : -1));
+      CHECK(state.doubt.determinant == Approx(several ? 1 - mu * k : 1).epsilon(1e-13).margin(0));
+      if (several) CHECK(mu / (1 - state.doubt.determinant) == Approx(1 / k).epsilon(1e-13));
     }
 }
 
@@ -159,4 +163,23 @@ TEST_CASE("a solution on the turned branch warns of the others", "[friction][har
   CHECK_FALSE(reversed(Motion::Open));
   CHECK_FALSE(reversed(Motion::Stick));
   CHECK(reversed(Motion::Forward));  // 1 - 2 mu < 0
+}
+
+TEST_CASE("others are said to exist where they do", "[friction][hard]") {
+  Random random(78);
+  int several = 0, told = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    const ContactProblem problem =
+        random_friction(random, 1 + trial % 3, std::vector<double>{3, 30, 1e4}[trial / 200]);
+    const ContactState state = friction_solvers().front().solve(problem, {});
+    if (state.report.status != Status::Solved) continue;
+    const bool more = all_solutions(problem).size() > 1;
+    CAPTURE(trial);
+    if (state.uniqueness == Uniqueness::Doubtful) CHECK(more);
+    if (state.uniqueness == Uniqueness::Proved) CHECK_FALSE(more);
+    several += more ? 1 : 0;
+    told += state.uniqueness == Uniqueness::Doubtful ? 1 : 0;
+  }
+  CHECK(several >= 50);
+  CHECK(10 * told >= 8 * several);
 }

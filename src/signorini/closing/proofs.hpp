@@ -88,16 +88,20 @@ inline constexpr double proof_rounding = 1e3 * epsilon;
 /// which leaves no difference if \f$ G - C T^{-1} C^T - \tfrac14\mu\,|T|\,\mu \f$ is positive definite, or
 /// if C = 0, so that the normal forces do not feel the friction. It is not claimed with cohesion, whose
 /// bound jumps, nor with rigid modes, unless nothing rubs and the pairs that press hold all of them: else the
-/// forces are the only ones, but gaps of the same load may not be. *Doubtful* is a warning: either
-/// \f$ \mu_i |C_{ii}| > G_{ii} \f$ for some pair, which alone already has several solutions for some free
-/// gaps and slips, while those of the problem are not asked: for them there may be one only, even of a single pair;
-/// or the system of the motions found has a determinant of the sign opposite to that
-/// without friction, which for held bodies without cohesion means that there are others for this very load. Neither
-/// is needed for several solutions to exist: *Unknown* promises nothing.
+/// forces are the only ones, but gaps of the same load may not be. *Doubtful* means: there are others for this very
+/// load. Either the system of the motions found has a determinant of the sign opposite to that without friction: the
+/// signs of all solutions of a held body without cohesion sum to 1, so there are at least two more. Or one was found: a
+/// pair with \f$ \mu_i |C_{ii}| > G_{ii} \f$, which alone has several solutions for some free gaps and slips, does something
+/// else, the others follow by predict() while fewer and fewer change, and the end satisfies solves(). Others may exist
+/// that are not found so: *Unknown* promises nothing.
 /// \param problem   scaled
+/// \param motions   `n_c` of the solution
 /// \param solution  a confirmed one
+/// \param work      operations that the search for others may take, but one pair is always tried
 /// \return the verdict
-[[nodiscard]] Uniqueness uniqueness(const ScaledProblem& problem, const Closure& solution);
+[[nodiscard]] Uniqueness uniqueness(const ScaledProblem& problem,
+                                    const std::vector<Motion>& motions, const Closure& solution,
+                                    double work = 1e8);
 
 /// Which pair a warning of uniqueness() rests on.
 ///

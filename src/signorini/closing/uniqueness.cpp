@@ -1,6 +1,7 @@
 // How many solutions a problem with friction has, as far as its matrices tell.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "signorini/closing/proofs.hpp"
 #include "signorini/core/rounding.hpp"
@@ -95,15 +96,69 @@ bool holds_modes(const ScaledProblem& problem, const Closure& solution) {
   return column_span(held).rank == problem.rigid.cols();
 }
 
+/// Whether a closure is a solution whose forces or movements are others, beyond rounding.
+bool is_another(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                const Closure& closure, const Closure& solution) {
+  const double known = 1e3 * proof_rounding;  // a thousand roundings of what a proof allows
+  const auto differ = [known](const VectorXd& a, const VectorXd& b) {
+    return largest(a - b) > known * std::max(largest(a), largest(b));
+  };
+  return (differ(closure.force, solution.force) || differ(closure.movement, solution.movement)) &&
+         solves(problem, motions, closure);
+}
+
+/// Looks for another solution where one pair does something else: the others follow it by predict() while fewer and
+/// fewer change.
+/// \param[in,out] sets  that may still be closed
+bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<Motion> motions,
+                     const Closure& solution, Index& sets) {
+  const Motion kept = motions[static_cast<std::size_t>(pair)];
+  for (Index last = problem.pairs() + 1; last > 0 && sets > 0; --sets) {
+    const Closure now = close(problem, motions);
+    if (is_another(problem, motions, now, solution)) return true;
+    const std::vector<Motion> before = motions;
+    predict(problem, now, reach(problem), motions);
+    motions[static_cast<std::size_t>(pair)] = kept;
+    Index changes = 0;
+    for (std::size_t i = 0; i < motions.size(); ++i) changes += motions[i] != before[i] ? 1 : 0;
+    if (changes >= last) return false;
+    last = changes;
+  }
+  return false;
+}
+
+/// Whether another solution was found beside one: a pair whose own determinant is negative does something else there.
+/// The most negative one begins.
+bool found_another(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                   const Closure& solution, double work) {
+  std::vector<std::pair<double, Index>> doubtful;
+  for (Index k = 0; k < problem.law.coefficient.size(); ++k)
+    if (const double own = own_determinant(problem, k); own < 0)
+      doubtful.emplace_back(own, problem.law.pair[static_cast<std::size_t>(k)]);
+  std::sort(doubtful.begin(), doubtful.end());
+  const double most = work / std::pow(static_cast<double>(problem.free.size()), 3);
+  Index sets = static_cast<Index>(std::clamp(most, 3.0, 1e6));
+  for (const auto& [own, pair] : doubtful)
+    for (const Motion motion : {Motion::Open, Motion::Stick, Motion::Forward, Motion::Backward}) {
+      std::vector<Motion> others = motions;
+      if (others[static_cast<std::size_t>(pair)] == motion) continue;
+      others[static_cast<std::size_t>(pair)] = motion;
+      if (is_another_with(problem, pair, std::move(others), solution, sets)) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
-Uniqueness uniqueness(const ScaledProblem& problem, const Closure& solution) {
+Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                      const Closure& solution, double work) {
   const FrictionLaw& law = problem.law;
-  if (solution.reversed) return Uniqueness::Doubtful;
-  for (Index k = 0; k < law.coefficient.size(); ++k)
-    if (own_determinant(problem, k) < 0) return Uniqueness::Doubtful;
-  const bool rubs = !law.coefficient.isZero(0) || !law.cohesion.isZero(0);
-  if (rubs && (problem.rigid.cols() > 0 || !law.cohesion.isZero(0))) return Uniqueness::Unknown;
+  const bool floats = problem.rigid.cols() > 0;
+  const bool holds_together = !law.cohesion.isZero(0);
+  if (solution.reversed && !floats && !holds_together) return Uniqueness::Doubtful;
+  if (found_another(problem, motions, solution, work)) return Uniqueness::Doubtful;
+  const bool rubs = !law.coefficient.isZero(0) || holds_together;
+  if (rubs && (floats || holds_together)) return Uniqueness::Unknown;
   const bool only = bound_excludes_others(problem) && holds_modes(problem, solution);
   return only ? Uniqueness::Proved : Uniqueness::Unknown;
 }

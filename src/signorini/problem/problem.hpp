@@ -141,8 +141,8 @@ void append(Report& total, const Report& run);
 /// Whether other forces would do as well.
 enum class Uniqueness {
   Proved,   ///< no other solution exists, see uniqueness()
-  Unknown,  ///< nothing was found that speaks for another solution, or against it
-  Doubtful  ///< a warning: others may exist, see uniqueness()
+  Unknown,  ///< no other solution was found, and none is excluded
+  Doubtful  ///< others exist: a sign proves it, or one was found, see uniqueness()
 };
 
 /// The pair that a warning of several solutions rests on, see doubt().

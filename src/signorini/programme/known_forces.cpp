@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "signorini/closing/undetermined.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {
@@ -81,19 +82,13 @@ bool Estimate::idle(const VectorXd& force) const {
   return largest(push) <= std::sqrt(epsilon) * largest(terms);
 }
 
-/// One rounding of each term of the movements of all rows.
-VectorXd rounding_of(const QuadraticProgramme& programme, const PrimalDual& solution) {
-  const VectorXd moved = programme.A.cwiseAbs() * solution.displacement.cwiseAbs();
-  return 0.5 * epsilon * (programme.initial_gap.cwiseAbs() + moved);
-}
-
 }  // namespace
 
 ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
                        const PrimalDual& solution, std::vector<Motion> motions) {
   const double most = largest(solution.force);
   if (!refined.closing || most == 0) return {};
-  const VectorXd rounding = rounding_of(data.programme, solution);
+  const VectorXd rounding = movement_rounding(data.programme, solution);
   std::shared_ptr<const Closing> closing = refined.closing;
   bool as_refined = true;
   const auto roundings =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -12,14 +13,23 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+using MatrixX2 = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+
+constexpr double known_sum =
+    1e-12;  // what exchanges may change of it: what a certificate lets pass
+
+std::size_t body_of(const Model& model, Index node) {
+  std::size_t b = model.bodies.size() - 1;
+  while (model.bodies[b].first_node > node) --b;
+  return b;
+}
 
 /// Where a pair is: its node, if it has one, and the place.
 std::string pair_in_words(const Model& model, Index pair) {
   const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
   std::string words = text("pair ", pair);
   if (node >= 0) {
-    std::size_t b = model.bodies.size() - 1;
-    while (model.bodies[b].first_node > node) --b;
+    const std::size_t b = body_of(model, node);
     words += text(" of node ", node - model.bodies[b].first_node, " of body '",
                   model.bodies[b].mesh.name, '\'');
   }
@@ -27,7 +37,106 @@ std::string pair_in_words(const Model& model, Index pair) {
               ')');
 }
 
+/// What the forces of some pairs amount to on one of the bodies that have them.
+struct Sum {
+  std::size_t body = 0;
+  Eigen::Vector2d force = {0.0, 0.0};
+  bool determined = false;  ///< whether no exchange changes it
+};
+
+Sum sum_of(const Model& model, const VectorXd& force, const SharedForces& group) {
+  const Index pairs = model.pairs.opening.rows();
+  Sum sum{
+      body_of(model, NodalRows::InnerIterator(model.pairs.opening, group.pairs.front()).col() / 2)};
+  MatrixX2 push = MatrixX2::Zero(force.size(), 2);  // of a unit of each row
+  const auto add = [&](const NodalRows& rows, Index pair, Index row) {
+    for (NodalRows::InnerIterator it(rows, pair); it; ++it)
+      if (body_of(model, it.col() / 2) == sum.body) push(row, it.col() % 2) += it.value();
+  };
+  const std::vector<Index>& rubbing = model.law.pair;
+  for (const Index pair : group.pairs) {
+    add(model.pairs.opening, pair, pair);
+    const auto slip = std::lower_bound(rubbing.begin(), rubbing.end(), pair);
+    if (slip != rubbing.end() && *slip == pair)
+      add(model.pairs.sliding, pair, pairs + (slip - rubbing.begin()));
+  }
+  sum.force = push.transpose() * force;
+  const MatrixX2 changed = group.exchanges.transpose() * push;
+  const MatrixX2 terms = group.exchanges.cwiseAbs().transpose() * push.cwiseAbs();
+  sum.determined = (changed.cwiseAbs().array() <= known_sum * terms.array()).all();
+  return sum;
+}
+
+/// Numbers such as "0, 4 to 9".
+std::string runs_in_words(const std::set<Index>& numbers) {
+  std::string words;
+  for (auto first = numbers.begin(); first != numbers.end();) {
+    auto next = first;
+    Index last = *first;
+    while (++next != numbers.end() && *next == last + 1) last = *next;
+    words += text(words.empty() ? "" : ", ", *first);
+    if (last > *first) words += text(last > *first + 1 ? " to " : ", ", last);
+    first = next;
+  }
+  return words;
+}
+
+Index pair_of(const Model& model, const ForceRange& range) {
+  const Index pairs = model.pairs.opening.rows();
+  return range.row < pairs ? range.row
+                           : model.law.pair[static_cast<std::size_t>(range.row - pairs)];
+}
+
+/// How far one force goes.
+std::string range_in_words(const Model& model, const ForceRange& range) {
+  const bool normal = range.row < model.pairs.opening.rows();
+  const std::string what =
+      pair_in_words(model, pair_of(model, range)) + (normal ? " presses with" : " rubs with");
+  if (std::isinf(range.low) && std::isinf(range.high)) return what + " any force";
+  if (std::isinf(range.high)) return text(what, ' ', range.low, " or more");
+  if (std::isinf(range.low)) return text(what, ' ', range.high, " or less");
+  return text(what, ' ', range.low, " to ", range.high);
+}
+
+/// Why pairs share what they carry, and the way out.
+std::string cause_in_words(const Model& model, const std::vector<Index>& pairs) {
+  std::set<Index> nodes;
+  for (const Index pair : pairs) nodes.insert(model.pairs.node[static_cast<std::size_t>(pair)]);
+  if (nodes.count(-1) > 0)
+    return "There are more points than nodes to tell them apart: take fewer, or the operator "
+           "'mortar'";
+  if (nodes.size() < pairs.size())
+    return "A node is in several contacts: let one of them have it, or read the sum";
+  return "Their rows repeat each other: leave out what is there twice, or read the sum";
+}
+
 }  // namespace
+
+std::string shared_forces_in_words(const Model& model, const Solution& solution, double least) {
+  std::set<Index> all;
+  for (const SharedForces& group : solution.shared)
+    for (const ForceRange& range : group.forces)
+      if (!(range.high - range.low <= least)) all.insert(pair_of(model, range));
+  if (all.empty()) return {};
+  const SharedForces& widest = solution.shared.front();
+  std::string words =
+      text("contact forces of ", all.size(), " pairs are not determined (", runs_in_words(all),
+           "): with others displacements, gaps and slips are the same");
+  constexpr std::size_t most_told = 4;
+  std::size_t told = 0;
+  for (const ForceRange& range : widest.forces) {
+    if (!(range.high - range.low > least)) continue;
+    if (++told > most_told) break;
+    words += text(told == 1 ? ". " : ", ", range_in_words(model, range));
+  }
+  const Sum sum = sum_of(model, solution.refined.force, widest);
+  if (sum.determined)
+    words +=
+        text(told == 0 ? ". Pairs " : "; pairs ",
+             runs_in_words({widest.pairs.begin(), widest.pairs.end()}), " together push body '",
+             model.bodies[sum.body].mesh.name, "' with (", sum.force.x(), ", ", sum.force.y(), ')');
+  return text(words, ". ", cause_in_words(model, widest.pairs));
+}
 
 std::string escape_in_words(const Model& model, const VectorXd& escape) {
   std::string words;
@@ -40,7 +149,7 @@ std::string escape_in_words(const Model& model, const VectorXd& escape) {
 
 std::string doubt_in_words(const Model& model, const Doubt& doubt) {
   const std::string warning =
-      "friction: there may be other solutions of the same loads, this is one of them";
+      "friction: there are other solutions of the same loads, this is one of them";
   const FrictionLaw& law = model.law;
   const auto found = std::find(law.pair.begin(), law.pair.end(), doubt.pair);
   if (found == law.pair.end())

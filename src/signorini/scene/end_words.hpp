@@ -34,4 +34,13 @@ namespace signorini {
 /// \return a sentence, with contact, pair, percent and the way out
 [[nodiscard]] std::string force_doubt_in_words(const Model& model, const ForceDoubt& doubt);
 
+/// The note on pairs whose forces are not determined.
+/// \param model     that was solved
+/// \param solution  of it
+/// \param least     narrower ranges count as determined [force]
+/// \return sentences: all pairs; of the widest group how far the first forces go, the sum if that is determined, and the way
+///   out; empty if all are determined
+[[nodiscard]] std::string shared_forces_in_words(const Model& model, const Solution& solution,
+                                                 double least);
+
 }  // namespace signorini

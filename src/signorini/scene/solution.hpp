@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "signorini/closing/shared_forces.hpp"
 #include "signorini/contact/pairs.hpp"
 #include "signorini/core/ledger.hpp"
 #include "signorini/elasticity/assembly.hpp"
@@ -72,6 +73,8 @@ struct Solution {
   PrimalDual refined;                    ///< unknowns in two parts, and the forces of all rows of A
   /// Of `refined`, from the original K, p, A, g and the law of friction.
   Certificate certificate = uncertified();
+  /// Of a solution: groups of pairs whose forces are not determined, from undetermined_forces()
+  std::vector<SharedForces> shared = {};
   std::string escape;  ///< if the load pulls a body away: how it moves off
   /// How much of the whole load contact and friction can hold at most [-]: with `escape` it is proved by
   /// balanced_share(), else found by solve_to_limit(). Nothing without friction, and in load steps, which have

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "signorini/closing/proofs.hpp"
+#include "signorini/closing/undetermined.hpp"
+#include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
@@ -104,6 +106,17 @@ void note_open_motions(const Model& model, const PrimalDual& refined, Solution& 
                              ": load and contact do not determine how far, this is one answer");
 }
 
+/// Says which forces could as well be others.
+void note_shared_forces(const Model& model, Solution& solution) {
+  const PrimalDual& refined = solution.refined;
+  Carried all = carried(model.programme, refined, model.law, all_motions(solution.contact));
+  // Gaps and slips are rounded as the positions that they were made of.
+  all.rounding.array() += gap_rounding(model.pairs);
+  solution.shared = undetermined_forces(all);
+  std::string note = shared_forces_in_words(model, solution, known_well * largest(refined.force));
+  if (!note.empty()) solution.notes.push_back(std::move(note));
+}
+
 /// What the road found, as readers want it.
 void recover(const Model& model, PrimalDual refined, Solution& solution) {
   note_open_motions(model, refined, solution);
@@ -114,6 +127,7 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   if (solution.contact.report.status != Status::Solved) return;
   for (std::string& note : doubts_of_solution(model, solution))
     solution.notes.push_back(std::move(note));
+  note_shared_forces(model, solution);
 }
 
 /// How much of the load would be held.

@@ -176,7 +176,7 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
       finished(problem, scaled, attempt.closure, attempt.motions, std::move(report));
   if (state.reason.empty()) state.reason = std::move(attempt.reason);
   if (attempt.confirmed && !scaled.law.pair.empty() && scaled.symmetric)
-    state.uniqueness = uniqueness(scaled, attempt.closure);
+    state.uniqueness = uniqueness(scaled, attempt.motions, attempt.closure);
   if (state.uniqueness == Uniqueness::Doubtful)
     state.doubt = doubt(scaled, attempt.motions, attempt.closure);
   return state;

@@ -1,0 +1,29 @@
+/// \file
+/// Forces that a solution leaves open.
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <vector>
+
+namespace signorini {
+
+/// How far one force goes while all movements stay as they are.
+struct ForceRange {
+  Eigen::Index row;  ///< n_c forces of gaps, then n_s friction forces
+  double low;   ///< least [force]; -infinity if nothing bounds it, NaN if it was not looked for
+  double high;  ///< largest [force]
+};
+
+/// Pairs that share what they carry: forces of one can be exchanged for those of others.
+struct SharedForces {
+  std::vector<Eigen::Index> pairs;  ///< in increasing order
+  std::vector<ForceRange> forces;   ///< that are not determined, rows in increasing order
+  /// `n_c + n_s` by k: the exchanges, forces of all rows that move nothing, each with a largest entry of 1 where
+  /// forces are measured by what they move
+  Eigen::SparseMatrix<double> exchanges;
+
+  /// \return the largest high - low; infinite if a range is, or was not looked for
+  [[nodiscard]] double width() const;
+};
+
+}  // namespace signorini
