@@ -59,8 +59,9 @@ TEST_CASE("a VTU file is well formed and its arrays have the sizes it names", "[
     CHECK(array_of(file, "contact_pressure").size() == points);
     CHECK(array_of(file, "contact_gap").size() == points);
     CHECK(array_of(file, "contact_traction").size() == 3 * points);
-    for (const char* absent :
-         {"contact_shear_traction", "contact_slip", "contact_motion", "contact_number", "body"})
+    CHECK(array_of(file, "contact_slip").size() == points);
+    for (const char* absent : {"contact_shear_traction", "contact_slip_total", "contact_motion",
+                               "contact_number", "body"})
       CHECK(array_of(file, absent).empty());
     CHECK(array_of(file, "cell_stress").size() == 4 * cells);
     CHECK(array_of(file, "points").size() == 3 * points);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "signorini/mesh/disc.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "support/cantilever.hpp"
 #include "support/loose_meshes.hpp"
 
@@ -225,6 +226,57 @@ void add_contact_doubts(std::vector<DoubtfulScene>& all) {
                  disc_on_plate(1e-3)});
 }
 
+/// A quarter of a round pin with a bore in a quarter of a bush, between which there is a clearance.
+Scene pin_in_bush(Eigen::Index pin_edges, Eigen::Index bush_edges) {
+  Scene scene;
+  scene.bodies.resize(2);
+  AnnulusSpec spec;
+  spec.sector = Sector::Quarter;
+  spec.cells_radius = 2;
+  for (std::size_t b : {0, 1}) {
+    spec.name = b == 0 ? "pin" : "bush";
+    spec.inner_radius = b == 0 ? 0.5 : 1.0001;
+    spec.outer_radius = b == 0 ? 1 : 2;
+    spec.cells_angle = b == 0 ? pin_edges : bush_edges;
+    scene.bodies[b].mesh = make_annulus(spec);
+    scene.bodies[b].material = {1000, 0.3, PlaneState::Strain, 1};
+    scene.bodies[b].supports = {symmetric("symmetry"), symmetric("symmetry_y")};
+  }
+  scene.bodies[0].loads.edges = {{"inner", 1, {}}};
+  scene.contacts = {{{"outer", "pin"}, Side{"inner", "bush"}}};
+  return scene;
+}
+
+void add_fit_doubts(std::vector<DoubtfulScene>& all) {
+  const auto on_floor = [](double gap, double adjust, double interference) {
+    return with(confined(1), [=](Scene& s) {
+      s.contacts[0].target = half_plane({0, -gap}, {0, 1});
+      s.contacts[0].adjust = adjust;
+      s.contacts[0].interference = interference;
+    });
+  };
+  all.push_back({"gaps that are adjusted by more than the body is thick",
+                 on_floor(0.5, 10, 0),
+                 Said::Plan,
+                 {"adjusted gaps of the contact of 'bottom' of 'block'", "10 is more", "there, 2"},
+                 on_floor(0.5, 0.6, 0)});
+  all.push_back({"an interference larger than the body is thick",
+                 on_floor(0, 0, 3),
+                 Said::Plan,
+                 {"interference of the contact of 'bottom' of 'block'", "3 is more", "there, 2"},
+                 on_floor(0, 0, 1.9)});
+  all.push_back({"a gap of a thousand sizes of the body",
+                 on_floor(1000 * std::hypot(4.0, 2.0), 0, 0),
+                 Said::Solution,
+                 {"has closed a gap of 4472", "1000 times the size of 'block'", "units"},
+                 on_floor(0.9 * std::hypot(4.0, 2.0), 0, 0)});
+  all.push_back({"edges with more sag than clearance",
+                 pin_in_bush(4, 5),
+                 Said::Plan,
+                 {"straight edges of the target", "within the curve", "same nodes"},
+                 pin_in_bush(4, 4)});
+}
+
 void add_limits(std::vector<DoubtfulScene>& all) {
   all.push_back({"a large strain",
                  squeezed(0.1),
@@ -264,6 +316,7 @@ std::vector<DoubtfulScene> doubtful_scenes() {
   add_mesh_doubts(all);
   add_load_doubts(all);
   add_contact_doubts(all);
+  add_fit_doubts(all);
   add_limits(all);
   return all;
 }

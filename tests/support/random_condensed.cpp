@@ -167,6 +167,7 @@ Verdict verdict(const RandomCondensed& problem, const ContactState& state) {
     case Status::Jump:
     case Status::IterationLimit:
     case Status::Breakdown:
+    case Status::Slid:
       break;
   }
   return Verdict::Failed;

@@ -147,6 +147,7 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
   }
   gaps.A = matrix(n_pairs, unknowns.count, normal);
   gaps.T = matrix(slides ? n_pairs : 0, unknowns.count, tangential);
+  gaps.kept = kept;
   return gaps;
 }
 

@@ -20,6 +20,8 @@ struct Gaps {
   Eigen::SparseMatrix<double, Eigen::RowMajor> A;  ///< `n_c x n` [-]: minus N, free components
   Eigen::SparseMatrix<double, Eigen::RowMajor> T;  ///< `n_c x n` [-]; no entries without friction
   Eigen::VectorXd initial_slip;                    ///< `n_c` [length]
+  /// `n_c` numbers of the pairs of one contact among its candidates; none of several contacts
+  std::vector<Eigen::Index> kept = {};
 };
 
 /// \param pairs  any

@@ -51,10 +51,12 @@ Obstacle pin_in_hole(const Eigen::Vector2d& hole_centre, double clearance,
                      const Eigen::Vector2d& shift) {
   pose(hole_centre.allFinite() && shift.allFinite() && std::isfinite(clearance),
        "obstacle 'pin': centre, clearance and shift must be finite, got the clearance ", clearance);
-  return {"pin", [hole_centre, clearance, shift](const Eigen::Vector2d& x) {
+  return {"pin",
+          [hole_centre, clearance, shift](const Eigen::Vector2d& x) {
             const Eigen::Vector2d n = seen_from(x, hole_centre, "pin").normal;
             return ObstacleContact{clearance - n.dot(shift), n};
-          }};
+          },
+          true};
 }
 
 Obstacle profile(const std::function<double(double)>& height,

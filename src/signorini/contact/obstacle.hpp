@@ -21,6 +21,8 @@ struct ObstacleContact {
 struct Obstacle {
   std::string name;                                             ///< what messages call it
   std::function<ObstacleContact(const Eigen::Vector2d&)> look;  ///< seen from a point [length]
+  /// Whether that is so at the nodes of the mesh alone, because the gap is to be linear in what moves them
+  bool linear = false;
 };
 
 /// Everything behind a line.

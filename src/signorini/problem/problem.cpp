@@ -38,6 +38,8 @@ const char* to_string(Status status) {
       return "iteration limit";
     case Status::Breakdown:
       return "breakdown";
+    case Status::Slid:
+      return "slid too far";
   }
   return "unknown";
 }

@@ -106,7 +106,8 @@ enum class Status {
   Ray,             ///< the method ran off along a ray; a solution may or may not exist
   IterationLimit,  ///< stopped by the limit on iterations
   Breakdown,       ///< a system the method needs is singular to working precision
-  Jump             ///< pairs close only without their cohesion and open only with it; as for a ray
+  Jump,            ///< pairs close only without their cohesion and open only with it; as for a ray
+  Slid  ///< all conditions hold, but pairs have slid too far for them to be those of the bodies
 };
 
 /// A status in words.

@@ -6,6 +6,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/scene/sliding.hpp"
 
 namespace signorini {
 namespace {
@@ -15,12 +16,16 @@ using Eigen::VectorXd;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A number for each pair that rubs, and another for all others.
-VectorXd of_rubbing(const ContactState& contact, const VectorXd& values, double other) {
-  VectorXd all = VectorXd::Constant(contact.force.size(), other);
+/// A number for each pair that rubs in the place of those that all pairs have.
+VectorXd of_rubbing(const ContactState& contact, const VectorXd& values, VectorXd all) {
   for (std::size_t k = 0; k < contact.rubbing.size(); ++k)
     all(contact.rubbing[k]) = values(static_cast<Index>(k));
   return all;
+}
+
+/// A number for each pair that rubs, and another for all others.
+VectorXd of_rubbing(const ContactState& contact, const VectorXd& values, double other) {
+  return of_rubbing(contact, values, VectorXd::Constant(contact.force.size(), other));
 }
 
 /// Words between commas: quoted if they have commas or quotes of their own.
@@ -31,8 +36,9 @@ std::string csv_word(const std::string& word) {
   return quoted + '"';
 }
 
+/// \param slip  in total, as displacements tell it of pairs that do not rub
 void add_friction(const Model& model, const Solution& solution, const PathState* state,
-                  std::vector<PairColumn>& columns) {
+                  const VectorXd& slip, std::vector<PairColumn>& columns) {
   const ContactState& contact = solution.contact;
   VectorXd motion(contact.friction.size());
   for (Index k = 0; k < motion.size(); ++k)
@@ -43,15 +49,16 @@ void add_friction(const Model& model, const Solution& solution, const PathState*
   columns.push_back({"shear_traction", "force/length^2", "contact_shear_traction",
                      shear_tractions(model, solution)});
   columns.push_back({"shear_force", "force", "", of_rubbing(contact, contact.friction, 0)});
-  columns.push_back(
-      {"slip", "length", "contact_slip", of_rubbing(contact, increment(contact), none)});
+  const VectorXd unknown = VectorXd::Constant(slip.size(), none);  // where steps keep only totals
+  columns.push_back({"slip", "length", "contact_slip",
+                     of_rubbing(contact, increment(contact), state == nullptr ? slip : unknown)});
   columns.push_back(
       {"motion", "-", "contact_motion", of_rubbing(contact, motion, none), std::move(motions)});
   columns.push_back(
       {"dissipated", "force*length", "", of_rubbing(contact, dissipated(contact), 0)});
   if (state == nullptr) return;
   columns.push_back(
-      {"slip_total", "length", "contact_slip_total", of_rubbing(contact, state->slip, none)});
+      {"slip_total", "length", "contact_slip_total", of_rubbing(contact, state->slip, slip)});
   columns.push_back(
       {"dissipated_total", "force*length", "", of_rubbing(contact, state->dissipation, 0)});
 }
@@ -100,8 +107,17 @@ std::vector<PairColumn> pair_columns(const Model& model, const Solution& solutio
   columns.push_back({"force", "force", "", contact.force});
   columns.push_back({"status", "-", "contact_status", closed, {"open", "closed"}});
   const std::size_t smooth = columns.size();
-  if (!contact.rubbing.empty()) add_friction(model, solution, state, columns);
-  for (std::size_t k = smooth; k < columns.size(); ++k) columns[k].of_friction = true;
+  const bool moves = !solution.displacements.empty();  // forces alone may have been given
+  const VectorXd slip =
+      moves ? slips(model, solution.displacements) : VectorXd::Constant(n_pairs, none);
+  if (!contact.rubbing.empty())
+    add_friction(model, solution, state, slip, columns);
+  else if (moves && state == nullptr)
+    columns.push_back({"slip", "length", "contact_slip", slip});
+  else if (moves)
+    columns.push_back({"slip_total", "length", "contact_slip_total", slip});
+  for (std::size_t k = smooth; k < columns.size(); ++k)
+    columns[k].of_friction = columns[k].field.find("slip") == std::string::npos;
   if (model.contacts.size() > 1) {
     VectorXd number(n_pairs);
     for (Index pair = 0; pair < n_pairs; ++pair)

@@ -36,15 +36,16 @@ void check_solved(const Solution& solution, const PathState* state, const char* 
 
 /// All columns of a solution. What a scene has not is no column.
 ///
-/// Always, in this order: `x`, `y`, `gap`, `pressure`, `force`, `status` (open, closed).
+/// Always, in this order: `x`, `y`, `gap`, `pressure`, `force`, `status` (open, closed), and `slip` of the source along the
+/// tangent, which points to the right if one looks out of the target. In load steps `slip` is that since the step
+/// before, of pairs that rub alone, see increment(), and `slip_total` that from the first step on, of all pairs.
 ///
-/// With friction: `shear_traction` and `shear_force`, on the source along the tangent, which points to the right if
-/// one looks out of the target; `slip` of the source along the tangent, since the step before, see increment();
-/// `motion` (open, stick, forward, backward), forward being slip > 0, against which the shear force is < 0;
-/// `dissipated`, the work |shear force| |slip| >= 0 that sliding lost in the step. A pair that cannot rub has shear
-/// force 0, dissipates nothing, and has neither slip nor motion.
+/// With friction: `shear_traction` and `shear_force`, on the source along the tangent, before `slip`; `motion` (open,
+/// stick, forward, backward) behind it, forward being slip > 0, against which the shear force is < 0; `dissipated`, the
+/// work |shear force| |slip| >= 0 that sliding lost in the step. A pair that cannot rub has shear force 0, dissipates
+/// nothing, and has no motion.
 ///
-/// With friction and a state of load steps: `slip_total` and `dissipated_total` from the first step on.
+/// With friction and a state of load steps: `slip_total` and `dissipated_total` at the end.
 ///
 /// With several contacts: `contact`, its name as in Model::contacts.
 /// \param model     that was solved

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/contact_doubts.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/fit.hpp"
+#include "signorini/scene/fit_doubts.hpp"
+#include "signorini/scene/follow.hpp"
 
 namespace signorini::effect {
 namespace {
@@ -28,21 +29,6 @@ void check_choices(const ContactSpec& contact, Plan& draft) {
                                idle.substr(2)));
 }
 
-/// Pairs of one contact.
-Pairs pair_up(const ContactSpec& contact, bool sliding, const Plan& draft) {
-  const std::vector<BodyModel>& bodies = draft.bodies;
-  const Surface source = surface(bodies, contact.source);
-  const Depth depth = depth_of(bodies[body_index(bodies, contact.source)].material);
-  const GapOptions options{count_nodes(bodies), depth, sliding, contact.points, contact.quadrature};
-  if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
-    return node_to_obstacle(source, *obstacle, options);
-  const Side& side = std::get<Side>(contact.target);
-  const Depth other = depth_of(bodies[body_index(bodies, side)].material);
-  pose(depth.factor == other.factor, describe(bodies, contact), ": the bodies are ", depth.factor,
-       " and ", other.factor, " thick, but contact in the plane needs one thickness");
-  return find_gap_operator(contact.gap_operator).pair(source, surface(bodies, side), options);
-}
-
 ContactBodies bodies_of(const ContactSpec& contact, const std::vector<BodyModel>& bodies) {
   const Side* target = std::get_if<Side>(&contact.target);
   return {body_index(bodies, contact.source),
@@ -55,12 +41,16 @@ void price_contact(const Scene& scene, Plan& draft) {
   draft.contacts = contact_names(draft.bodies, scene.contacts);
   const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), rubs);
   const double directions = direction_rounding(draft.bodies);
+  std::vector<FollowedContact> followed;
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const ContactSpec& contact = scene.contacts[k];
     const std::string what = describe(draft.bodies, contact);
-    Pairs found = pair_up(contact, sliding, draft);
+    Pairs found = pair_up(contact, draft.bodies, sliding);
+    const Eigen::VectorXd gap = found.initial_gap;
     for (std::string& note : doubts_of_places(contact, draft.bodies, found))
       draft.notes.push_back(std::move(note));
+    std::string sag = doubt_of_sag(contact, draft.bodies, found);
+    if (!sag.empty()) draft.notes.push_back(std::move(sag));
     const std::string fitted = fit(contact, found);
     const Gaps gaps =
         reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what, directions);
@@ -74,9 +64,12 @@ void price_contact(const Scene& scene, Plan& draft) {
       draft.notes.push_back(what +
                             ": no pair can open or close, supports hold both sides everywhere");
     draft.gaps = stacked(draft.gaps, gaps);
+    followed.push_back({contact, gap(gaps.kept)});
+    draft.small_sliding.push_back(contact.small_sliding);
     draft.contact_of.resize(draft.contact_of.size() + pairs, k);
     draft.contact_bodies.push_back(bodies_of(contact, draft.bodies));
   }
+  draft.follow = follow(std::move(followed));
 }
 
 /// Number of pairs that overlap by more than rounding.
@@ -113,6 +106,8 @@ Effect contact() {
             model.contacts = std::move(plan.contacts);
             model.contact_of = std::move(plan.contact_of);
             model.contact_bodies = std::move(plan.contact_bodies);
+            model.follow = std::move(plan.follow);
+            model.small_sliding = std::move(plan.small_sliding);
           }};
 }
 

@@ -2,11 +2,13 @@
 // of the contact.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/fit.hpp"
+#include "signorini/scene/fit_doubts.hpp"
 
 namespace signorini {
 namespace {
@@ -25,7 +27,10 @@ void price(const Scene& scene, Plan& draft, Fit length, const std::string& name)
     const double given = (contact.*length).value_or(0);
     const std::string what = text(name, " of the ", describe(draft.bodies, contact));
     pose(std::isfinite(given) && given >= 0, what, " must be a length >= 0, got ", given);
-    if (given > 0) draft.on.push_back(text(what, ": ", given));
+    if (given <= 0) continue;
+    draft.on.push_back(text(what, ": ", given));
+    std::string doubt = doubt_of_fit(contact, draft.bodies, name, given);
+    if (!doubt.empty()) draft.notes.push_back(std::move(doubt));
   }
 }
 

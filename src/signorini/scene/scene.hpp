@@ -50,6 +50,9 @@ struct ContactSpec {
   std::string interference_history = {};
   /// Gaps and overlaps of the meshes up to this are none [length]: nodes are moved there without strain.
   std::optional<double> adjust = {};
+  /// Whether every pair may stay on the place that it faces at first, however far it slides. Without that, a solution in
+  /// which pairs slide past their sides is none, see sliding.hpp.
+  bool small_sliding = false;
 };
 
 /// Elastic bodies and what they may touch. Every effect is an optional entry, see effects.hpp; one that is
@@ -78,6 +81,8 @@ struct Plan {
   std::vector<std::string> contacts;    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of;  ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
+  FollowPairs follow;                   ///< null without contact
+  std::vector<bool> small_sliding;      ///< of each contact, see ContactSpec
   FrictionLaw law;                      ///< of the pairs that can slide and whose own contact rubs
   std::string solver;                   ///< name of the one that the scene asks for
   Path path;                            ///< load steps, none without

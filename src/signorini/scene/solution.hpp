@@ -1,6 +1,7 @@
 /// \file
 /// The model of a scene, the condensed problem, and the solution.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,12 @@ struct ContactBodies {
   std::size_t source;                 ///< of the source
   std::optional<std::size_t> target;  ///< of the target; a rigid obstacle has none
 };
+struct Model;
+struct MovedPairs;
+
+/// Finds the pairs of a model again where its bodies have moved to, see follow.hpp. \param model  with its bodies
+/// \param displacement  `n_nodes x 2` of all nodes [length] \return the pairs there
+using FollowPairs = std::function<MovedPairs(const Model& model, const NodeArray& displacement)>;
 
 /// Matrices of the bodies and the gaps they may close.
 struct Model {
@@ -54,6 +61,8 @@ struct Model {
   std::vector<std::string> contacts = {};    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of = {};  ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
+  FollowPairs follow = {};                   ///< null without contact
+  std::vector<bool> small_sliding = {};      ///< of each contact, see ContactSpec
 };
 
 /// The model with all unknowns but the contact forces eliminated.

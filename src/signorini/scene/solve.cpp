@@ -18,7 +18,9 @@
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/end_words.hpp"
+#include "signorini/scene/fit_doubts.hpp"
 #include "signorini/scene/scene.hpp"
+#include "signorini/scene/sliding.hpp"
 #include "signorini/scene/steps_limit.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -128,6 +130,8 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   for (std::string& note : doubts_of_solution(model, solution))
     solution.notes.push_back(std::move(note));
   note_shared_forces(model, solution);
+  for (std::string& note : doubts_of_closed_gaps(model, solution))
+    solution.notes.push_back(std::move(note));
 }
 
 /// How much of the load would be held.
@@ -229,6 +233,9 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
   if (contact.report.status == Status::Solved || end.solution.displacement.size() > 0) {
     const Ledger::Phase phase(ledger, "recovery");
     recover(model, std::move(end.solution), solution);
+    if (contact.report.status == Status::Solved)
+      judge_sliding(
+          model, condensed, [&] { return no_forces(model, solution.refined); }, solution);
   }
   solution.ledger = std::move(ledger);
   return solution;

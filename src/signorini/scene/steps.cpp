@@ -259,6 +259,8 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
         if (reach >= held) return ended(std::move(end));
         reach = std::min(target, held);
         halved = 0;
+      } else if (end.status == Status::Slid) {
+        return ended(std::move(end));  // no shorter way leads there
       } else if (end.limit && !known) {
         held = *end.limit - margin;
         if (!divides || held <= begin) return ended(std::move(end));

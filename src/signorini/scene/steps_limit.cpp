@@ -82,7 +82,8 @@ std::optional<double> first_change(const PathState& past, const ContactProblem& 
 Solution solve_to_limit(const Scene& scene, const Model& model, const Condensed& condensed,
                         Ledger ledger) {
   Solution solution = solve(model, condensed, std::move(ledger));
-  if (solution.contact.report.status == Status::Solved || solution.limit) return solution;
+  const Status status = solution.contact.report.status;
+  if (status == Status::Solved || status == Status::Slid || solution.limit) return solution;
   if (std::none_of(scene.contacts.begin(), scene.contacts.end(), rubs)) return solution;
   const PathEnd end = solve_steps(grown(scene));
   solution.limit = end.limit;

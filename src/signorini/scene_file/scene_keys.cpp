@@ -159,7 +159,10 @@ const Keys<ContactDraft>& contact_keys() {
         "Gauss points per edge or segment; without it as many as the operator wants"},
        [](const Value& value, ContactDraft& draft) {
          take(value, draft.contact.points, Bound::Positive);
-       }}};
+       }},
+      {{"small_sliding", type_name<bool>(Bound::Any), "", written(usual.small_sliding),
+        "whether pairs may slide past their sides and still press where they were"},
+       [](const Value& value, ContactDraft& draft) { take(value, draft.contact.small_sliding); }}};
   return keys;
 }
 

@@ -38,6 +38,7 @@ std::string judge(const Instance& instance, const Report& report, bool must,
     case Status::Jump:
     case Status::IterationLimit:
     case Status::Breakdown:
+    case Status::Slid:
       if (!must || instance.expected == Status::Breakdown ||
           (report.status == Status::Ray && instance.may_be_ray))
         return {};

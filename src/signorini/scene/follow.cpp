@@ -1,0 +1,200 @@
+#include "signorini/scene/follow.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "signorini/contact/node_to_obstacle.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/mesh/side_curve.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::RowVector2d;
+using Eigen::VectorXd;
+
+/// Makes the nodes of a boundary know the longest side that they are on. \param length  of all nodes [length]
+void see_sides(const Surface& surface, VectorXd& length) {
+  for (const SideCurve& side : side_curves(surface.mesh, surface.boundary)) {
+    const double chord = (side.point(1) - side.point(-1)).norm();
+    for (const Index node : side.nodes()) {
+      double& longest = length(surface.first_node + node);
+      longest = std::max(longest, chord);
+    }
+  }
+}
+
+std::vector<BodyModel> moved(const std::vector<BodyModel>& bodies, const NodeArray& displacement) {
+  std::vector<BodyModel> there;
+  for (const BodyModel& body : bodies) {
+    there.push_back(
+        {body.mesh, body.element, body.material, {}, {}, body.first_node, body.first_unknown});
+    Mesh& mesh = there.back().mesh;
+    mesh.nodes += displacement.middleRows(body.first_node, mesh.n_nodes());
+  }
+  return there;
+}
+
+/// Where the point of a source has moved to that a pair without a node stands for.
+RowVector2d moved_point(const Model& model, const Surface& source, Index pair,
+                        const NodeArray& displacement) {
+  RowVector2d x = model.pairs.position.row(pair);
+  for (NodalRows::InnerIterator it(model.pairs.opening, pair); it; ++it) {
+    const Index node = it.col() / 2;
+    const Index axis = it.col() % 2;
+    if (node >= source.first_node && node < source.first_node + source.mesh.n_nodes())
+      x += it.value() * model.pairs.normal(pair, axis) * displacement.row(node);
+  }
+  return x;
+}
+
+/// The pairs of a contact; none, and why, if there are none to be found.
+std::pair<Pairs, std::string> found_pairs(const ContactSpec& contact,
+                                          const std::vector<BodyModel>& bodies) {
+  try {
+    return {pair_up(contact, bodies, false), ""};
+  } catch (const ProblemError& error) {
+    return {Pairs{}, error.what()};
+  }
+}
+
+/// Puts the pairs of one contact that are found there in the place of those of the model.
+class Following {
+ public:
+  Following(const Model& model, const NodeArray& displacement, MovedPairs& all)
+      : model_(model), displacement_(displacement), all_(all) {
+    entries_.reserve(static_cast<std::size_t>(model.pairs.opening.nonZeros()));
+  }
+
+  /// \param source  as it was \param there  pairs that were found \param first  pair of the contact in the model
+  /// \param gap     of its pairs before anything moved
+  void match(const Surface& source, const Pairs& there, std::size_t contact, Index first,
+             const VectorXd& gap) {
+    std::vector<bool> taken(there.node.size(), false);
+    std::vector<Index> of_node(static_cast<std::size_t>(source.mesh.n_nodes()), -1);
+    for (std::size_t k = 0; k < there.node.size(); ++k)
+      if (there.node[k] >= 0)
+        of_node[static_cast<std::size_t>(there.node[k])] = static_cast<Index>(k);
+    for (Index pair = first; pair < first + gap.size(); ++pair) {
+      const Index node = model_.pairs.node[static_cast<std::size_t>(pair)];
+      const Index found = node >= 0 ? of_node[static_cast<std::size_t>(node - source.first_node)]
+                                    : nearest(source, there, pair);
+      if (found >= 0) taken[static_cast<std::size_t>(found)] = true;
+      all_.opens(pair) = found >= 0 ? there.initial_gap(found) - gap(pair - first)
+                                    : std::numeric_limits<double>::infinity();
+      add(found >= 0 ? there.opening : model_.pairs.opening, found >= 0 ? found : pair, pair,
+          entries_);
+    }
+    for (std::size_t k = 0; k < taken.size(); ++k)
+      if (!taken[k] && there.initial_gap(static_cast<Index>(k)) < -gap_rounding(there) &&
+          can_move(there.opening, static_cast<Index>(k))) {
+        add(there.opening, static_cast<Index>(k), static_cast<Index>(gaps_.size()), fresh_);
+        gaps_.push_back(there.initial_gap(static_cast<Index>(k)));
+        all_.fresh_contact.push_back(contact);
+      }
+  }
+
+  /// Leaves pairs as they are, with gaps that are linear. \param count  of pairs
+  void stay(Index first, Index count) {
+    const Eigen::Map<const VectorXd> u(displacement_.data(), displacement_.size());
+    all_.opens.segment(first, count) = model_.pairs.opening.middleRows(first, count) * u;
+    for (Index pair = first; pair < first + count; ++pair)
+      add(model_.pairs.opening, pair, pair, entries_);
+  }
+
+  void finish() {
+    const NodalRows& old = model_.pairs.opening;
+    all_.opening.resize(old.rows(), old.cols());
+    all_.opening.setFromTriplets(entries_.begin(), entries_.end());
+    all_.fresh.resize(static_cast<Index>(gaps_.size()), old.cols());
+    all_.fresh.setFromTriplets(fresh_.begin(), fresh_.end());
+    all_.fresh_gap = Eigen::Map<const VectorXd>(gaps_.data(), static_cast<Index>(gaps_.size()));
+  }
+
+ private:
+  using Entries = std::vector<Eigen::Triplet<double>>;
+
+  static void add(const NodalRows& rows, Index from, Index to, Entries& entries) {
+    for (NodalRows::InnerIterator it(rows, from); it; ++it)
+      entries.emplace_back(static_cast<int>(to), static_cast<int>(it.col()), it.value());
+  }
+
+  [[nodiscard]] bool can_move(const NodalRows& rows, Index pair) const {
+    for (NodalRows::InnerIterator it(rows, pair); it; ++it)
+      if (model_.unknowns.number(it.col() / 2, it.col() % 2) >= 0) return true;
+    return false;
+  }
+
+  /// The pair at the point that one without a node has moved to; -1 if there is none.
+  [[nodiscard]] Index nearest(const Surface& source, const Pairs& there, Index pair) const {
+    const RowVector2d x = moved_point(model_, source, pair, displacement_);
+    Index found = -1;
+    if (there.position.rows() > 0)
+      (there.position.rowwise() - x).rowwise().squaredNorm().minCoeff(&found);
+    return found >= 0 && (there.position.row(found) - x).norm() <=
+                             1e-9 * x.norm() + 1e-9 * all_.edge(pair)
+               ? found
+               : -1;
+  }
+
+  const Model& model_;
+  const NodeArray& displacement_;
+  MovedPairs& all_;
+  Entries entries_;
+  Entries fresh_;
+  std::vector<double> gaps_;
+};
+
+}  // namespace
+
+Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, bool sliding) {
+  const Surface source = surface(bodies, contact.source);
+  const Depth depth = depth_of(bodies[body_index(bodies, contact.source)].material);
+  const GapOptions options{count_nodes(bodies), depth, sliding, contact.points, contact.quadrature};
+  if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
+    return node_to_obstacle(source, *obstacle, options);
+  const Side& side = std::get<Side>(contact.target);
+  const Depth other = depth_of(bodies[body_index(bodies, side)].material);
+  pose(depth.factor == other.factor, describe(bodies, contact), ": the bodies are ", depth.factor,
+       " and ", other.factor, " thick, but contact in the plane needs one thickness");
+  return find_gap_operator(contact.gap_operator).pair(source, surface(bodies, side), options);
+}
+
+FollowPairs follow(std::vector<FollowedContact> contacts) {
+  return [contacts = std::move(contacts)](const Model& model, const NodeArray& displacement) {
+    const NodalRows& old = model.pairs.opening;
+    MovedPairs all;
+    all.opens.resize(old.rows());
+    all.edge.setZero(old.rows());
+    all.lost.resize(contacts.size());
+    const std::vector<BodyModel> there = moved(model.bodies, displacement);
+    Following following(model, displacement, all);
+    Index first = 0;
+    for (std::size_t k = 0; k < contacts.size(); first += contacts[k++].gap.size()) {
+      const ContactSpec& contact = contacts[k].contact;
+      const Surface source = surface(model.bodies, contact.source);
+      VectorXd length = VectorXd::Zero(displacement.rows());
+      see_sides(source, length);
+      if (const Side* target = std::get_if<Side>(&contact.target))
+        see_sides(surface(model.bodies, *target), length);
+      for (Index pair = first; pair < first + contacts[k].gap.size(); ++pair)
+        for (NodalRows::InnerIterator it(old, pair); it; ++it)
+          all.edge(pair) = std::max(all.edge(pair), length(it.col() / 2));
+      const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target);
+      if (obstacle != nullptr && obstacle->linear) {
+        following.stay(first, contacts[k].gap.size());
+        continue;
+      }
+      auto [pairs, lost] = found_pairs(contact, there);
+      following.match(source, pairs, k, first, contacts[k].gap);
+      all.lost[k] = std::move(lost);
+    }
+    following.finish();
+    return all;
+  };
+}
+
+}  // namespace signorini
