@@ -4,14 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "signorini/core/index.hpp"
+
 namespace signorini_test {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 using namespace signorini;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 VectorField times(double factor, const VectorField& field) {
   if (!field) return {};

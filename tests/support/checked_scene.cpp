@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "signorini/core/index.hpp"
+
 namespace signorini_test {
 namespace {
 
@@ -18,7 +20,6 @@ using Wide = long double;
 #endif
 using Wides = std::vector<Wide>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 Wide size(Wide x) { return x < 0 ? -x : x; }
 double over(Wide part, Wide whole) {
   if (part == 0) return 0;
@@ -222,8 +223,8 @@ void grow(double& figure, double value) {
 }
 
 double SceneErrors::worst() const {
-  return std::max(
-      {equilibrium, strain, penetration, tension, complementarity, cone, stick, sliding, reading, balance});
+  return std::max({equilibrium, strain, penetration, tension, complementarity, cone, stick, sliding,
+                   reading, balance});
 }
 
 SceneErrors check_scene(const Model& model, const Solution& solution, double length) {

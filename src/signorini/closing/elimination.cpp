@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signorini/core/index.hpp"
+
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// What is left of an entry, and the sum of its terms' sizes.
 struct Entry {

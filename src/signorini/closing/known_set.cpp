@@ -5,6 +5,7 @@
 
 #include "signorini/closing/closing.hpp"
 #include "signorini/closing/proofs.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/problem/certificate.hpp"
 
 namespace signorini {
@@ -12,8 +13,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// What a closed pair that rubs does. \param tau, slip, bound  of the pair, in one unit
 /// \param slack  how far tau of a sticking pair may exceed the bound by rounding \param still  a slip that is rounding

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "signorini/core/dense.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {
@@ -12,12 +13,6 @@ namespace signorini {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
 
 Polyhedron::Polyhedron(const MatrixXd& G, const VectorXd& h)
     : G_(G),

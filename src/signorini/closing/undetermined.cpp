@@ -10,6 +10,7 @@
 #include "signorini/closing/polyhedron.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {
@@ -21,8 +22,6 @@ using Eigen::VectorXd;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double passes = 1e-12;  // what a certificate lets pass, see Certificate::holds()
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// A force that may change, with the friction force that follows it where its pair slides.
 struct FreeForce {

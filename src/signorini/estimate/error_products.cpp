@@ -2,12 +2,12 @@
 
 #include <Eigen/LU>
 
+#include "signorini/core/index.hpp"
+
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// One field at a strain point.
 template <int n_rows>

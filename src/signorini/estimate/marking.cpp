@@ -7,14 +7,13 @@
 #include <queue>
 #include <tuple>
 
+#include "signorini/core/index.hpp"
 #include "signorini/estimate/contact_edges.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
 /// Edges of all bodies, none marked.
 std::vector<MarkedEdges> unmarked(const Model& model) {

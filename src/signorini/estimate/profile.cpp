@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/estimate/contact_edges.hpp"
 
@@ -13,8 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// The part of a walk around a body that runs on along a line from one of its pairs, and does not turn back.
 /// \param ring  whether the first pair follows on the last

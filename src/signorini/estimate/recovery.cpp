@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "signorini/core/index.hpp"
+
 namespace signorini {
 namespace {
 
@@ -12,8 +14,6 @@ using Eigen::Vector2d;
 using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr Index most_samples = 4;  // of a cell
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Numbers of the nodes of cells, other ones in every layer. \param[out] count  of the numbers
 CellArray numbered_by_layer(const Mesh& mesh, const Matter& matter, Index& count) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/mesh/side_curve.hpp"
 #include "signorini/mesh/side_tree.hpp"
 
@@ -17,8 +18,6 @@ using Eigen::Index;
 
 /// What is nearer than that, measured by the sides of the cells there, is in one place.
 constexpr double near = 1e-3;
-
-std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
 /// Calls visit(side, first, last) for the ways from node to node round a cell: one per side, or two by its middle.
 template <typename Visit>

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "signorini/core/index.hpp"
+
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Sets that are joined pair by pair; each is called by its smallest member.
 class Joined {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "signorini/core/index.hpp"
+
 namespace signorini {
 namespace {
 
@@ -10,8 +12,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Places = std::vector<Index>;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Puts numbers where they belong, others being 0; nothing where there are none.
 void put(const VectorXd& part, const Places& places, Index size, VectorXd& whole) {

@@ -4,13 +4,12 @@
 #include <tuple>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
 /// A side of a cell by the numbers of its ends.
 struct Ends {

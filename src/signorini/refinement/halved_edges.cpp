@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "signorini/core/index.hpp"
 #include "signorini/mesh/side_curve.hpp"
 #include "signorini/refinement/outline_shape.hpp"
 
@@ -10,8 +11,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
-
-std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "signorini/core/index.hpp"
 #include "signorini/refinement/halved_edges.hpp"
 
 namespace signorini {
@@ -12,8 +13,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
-
-std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
 /// A corner of a piece as a point of the cell that was cut. Of a cell of n corners, the corners are the points 0 to
 /// n - 1, the middles of its sides n to 2n - 1, and its own middle is 2n.

@@ -6,45 +6,45 @@ namespace {
 using Eigen::Vector2d;
 
 /// All that obstacles are described by.
-struct Shape {
+struct Given {
   Vector2d point = Vector2d::Zero(), normal = Vector2d::Zero(), centre = Vector2d::Zero(),
            shift = Vector2d::Zero();
   double radius = 1, clearance = 0;
 };
 
-Key<Shape> centre_key() { return key("centre", &Shape::centre, "length", "of the circle"); }
+Key<Given> centre_key() { return key("centre", &Given::centre, "length", "of the circle"); }
 
-Key<Shape> radius_key(const char* help) {
-  return required(key("radius", &Shape::radius, "length", help, Bound::Positive));
+Key<Given> radius_key(const char* help) {
+  return required(key("radius", &Given::radius, "length", help, Bound::Positive));
 }
 
 }  // namespace
 
 const std::vector<Kind<Obstacle>>& obstacle_kinds() {
   static const std::vector<Kind<Obstacle>> kinds = {
-      kind_of<Obstacle, Shape>(
+      kind_of<Obstacle, Given>(
           "half_plane", "everything behind a line",
-          {required(key("point", &Shape::point, "length", "on the line")),
-           required(key("normal", &Shape::normal, "", "out of the obstacle, of any length"))},
-          [](const Shape& s) { return half_plane(s.point, s.normal); }),
-      kind_of<Obstacle, Shape>("disc", "a disc; the body lies outside of it",
+          {required(key("point", &Given::point, "length", "on the line")),
+           required(key("normal", &Given::normal, "", "out of the obstacle, of any length"))},
+          [](const Given& s) { return half_plane(s.point, s.normal); }),
+      kind_of<Obstacle, Given>("disc", "a disc; the body lies outside of it",
                                {centre_key(), radius_key("of the disc")},
-                               [](const Shape& s) { return disc(s.centre, s.radius); }),
-      kind_of<Obstacle, Shape>("hole", "what lies around a circle; the body lies inside of it",
+                               [](const Given& s) { return disc(s.centre, s.radius); }),
+      kind_of<Obstacle, Given>("hole", "what lies around a circle; the body lies inside of it",
                                {centre_key(), radius_key("of the hole")},
-                               [](const Shape& s) { return hole(s.centre, s.radius); }),
-      kind_of<Obstacle, Shape>(
+                               [](const Given& s) { return hole(s.centre, s.radius); }),
+      kind_of<Obstacle, Given>(
           "pin_in_hole", "a round pin in a round hole of the body; its gap is linear in the shift",
           {centre_key(),
-           required(key("clearance", &Shape::clearance, "length",
+           required(key("clearance", &Given::clearance, "length",
                         "radius of the hole less radius of the pin")),
-           key("shift", &Shape::shift, "length", "of the pin from the middle of the hole")},
-          [](const Shape& s) { return pin_in_hole(s.centre, s.clearance, s.shift); }),
-      kind_of<Obstacle, Shape>(
+           key("shift", &Given::shift, "length", "of the pin from the middle of the hole")},
+          [](const Given& s) { return pin_in_hole(s.centre, s.clearance, s.shift); }),
+      kind_of<Obstacle, Given>(
           "parabola", "everything below a parabola that opens downwards",
-          {required(key("point", &Shape::point, "length", "its highest point")),
+          {required(key("point", &Given::point, "length", "its highest point")),
            radius_key("of curvature there")},
-          [](const Shape& s) {
+          [](const Given& s) {
             return profile(
                 [s](double x) {
                   return s.point.y() - (x - s.point.x()) * (x - s.point.x()) / (2 * s.radius);

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {
@@ -12,8 +13,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Whether one energy is larger than another beyond rounding.
 bool rises(double now, double before, Index size) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/solvers/group_active_set.hpp"
 
@@ -11,8 +12,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
