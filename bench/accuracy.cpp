@@ -106,7 +106,7 @@ std::vector<Problem> lining_problems() {
   for (const Index rows : {2, 4, 8})
     layouts.emplace_back([=](Index cells) { return lining_rings(cells, rows); });
   return {{"lining",
-           {"force", ContactForce{}},
+           {"force", NormalForce{}},
            lining_rings(9, 5),
            lining_force(),
            layouts,
@@ -138,7 +138,7 @@ std::vector<Problem> shrunk_problems() {
   for (const Index rows : {2, 4, 8})
     layouts.emplace_back([=](Index cells) { return scene(cells, rows * cells / 6); });
   const std::vector<Index> cells = {6, 9, 12, 18, 24, 36, 48, 72};
-  const Goal force{"force", ContactForce{}};
+  const Goal force{"force", NormalForce{}};
   const Goal spread{"outside", Displacement{"hub", Axis::X, "", {{outside, 0}}}};
   return {{"shrunk", force, scene(6, 2), (fit - pull) * radius * std::acos(-1) / 2, layouts, cells},
           {"shrunk", spread, scene(6, 2), turned + pushed, layouts, cells}};

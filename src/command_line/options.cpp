@@ -92,12 +92,14 @@ void declare(CLI::App& app, Request& request) {
           "price is the seconds so far by those of the first mesh")
       ->type_name("PART");
   solve
-      ->add_option("--goal", request.accuracy.goal,
-                   "what --accuracy is about: force, peak or width (both as of Hertz's "
-                   "contact) of a contact, with :CONTACT if "
-                   "there are several, or displacement:BODY.boundary.y; without it the contact "
-                   "force, or, if "
-                   "equilibrium alone says what that is, the displacement of the loaded boundary")
+      ->add_option(
+          "--goal", request.accuracy.goal,
+          "what --accuracy is about: force (how large the resultant is), normal_force (the "
+          "integral of the pressure), peak or width (both as of Hertz's "
+          "contact) of a contact, with :CONTACT if "
+          "there are several, or displacement:BODY.boundary.y; without it normal_force, "
+          "or, if "
+          "equilibrium alone says what that is, the displacement of the loaded boundary")
       ->type_name("GOAL");
   solve
       ->add_option("--unknowns", request.accuracy.unknowns,

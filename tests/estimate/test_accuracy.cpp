@@ -96,7 +96,7 @@ TEST_CASE("Hertz's contact becomes as accurate as asked for from a mesh that har
 TEST_CASE("one ring in another becomes as accurate as asked for", "[accuracy][closed-form]") {
   const double target = GENERATE(0.01, 0.003, 0.001);
   CAPTURE(target);
-  const AccurateSolution result = accurate(lining_rings(9, 5), "force", target);
+  const AccurateSolution result = accurate(lining_rings(9, 5), "normal_force", target);
   REQUIRE(result.met);
   CHECK(result.rounds.size() >= 2);  // a second mesh confirms
   CHECK(result.rounds.back().value == Approx(lining_force()).epsilon(target).margin(0));
@@ -128,10 +128,10 @@ TEST_CASE("two meshes that hardly differ do not confirm each other", "[accuracy]
   Scene scene = pressed_strip(3);
   scene.bodies[0].mesh = split(scene.bodies[0].mesh);
   scene.bodies[0].element = "t3";
-  const double reference = accurate(scene, "force", 1e-3).rounds.back().value;
+  const double reference = accurate(scene, "normal_force", 1e-3).rounds.back().value;
   const double target = GENERATE(0.02, 0.01, 0.005);
   CAPTURE(target);
-  const AccurateSolution result = accurate(scene, "force", target);
+  const AccurateSolution result = accurate(scene, "normal_force", target);
   REQUIRE(result.met);
   CHECK(result.rounds.back().value == Approx(reference).epsilon(target).margin(0));
 }
@@ -156,7 +156,7 @@ TEST_CASE("coarse meshes that are too stiff are no reason to give up", "[accurac
   const bool triangles = GENERATE(true, false);
   CAPTURE(triangles);
   const Scene scene = thin_strip(20, 0.5, 0.05, triangles);
-  const AccurateSolution result = accurate(scene, "force", 0.05);
+  const AccurateSolution result = accurate(scene, "normal_force", 0.05);
   INFO(result.verdict);
   REQUIRE(result.met);
   Scene fine = thin_strip(20, 0.5, 0.05, false);
@@ -167,7 +167,7 @@ TEST_CASE("coarse meshes that are too stiff are no reason to give up", "[accurac
   fine.bodies[0].mesh = make_block(spec);
   fine.bodies[0].element = "q4_incompatible";
   const SolvedScene run = solved(fine, "fine");
-  const double reference = value(run.model, run.solution, {"force", ContactForce{}});
+  const double reference = value(run.model, run.solution, {"normal_force", NormalForce{}});
   CHECK(result.rounds.back().value == Approx(reference).epsilon(0.05).margin(0));
 }
 
@@ -227,27 +227,27 @@ TEST_CASE("neither units nor repetition change the meshes", "[accuracy][units]")
 
 TEST_CASE("what stands in the way is named", "[accuracy]") {
   const Scene scene = cantilever("q4_incompatible", 20, 2);
-  Accuracy wanted{1e-4, {"force", ContactForce{}}, 2000};
+  Accuracy wanted{1e-4, {"normal_force", NormalForce{}}, 2000};
   const AccurateSolution few = solve_to_accuracy(scene, wanted);
   CHECK_FALSE(few.met);
   CHECK(few.solution.contact.report.status == Status::Solved);
   CHECK_THAT(few.verdict, ContainsSubstring("budget of unknowns") && ContainsSubstring("2000"));
-  wanted = {1e-19, {"force", ContactForce{}}};
+  wanted = {1e-19, {"normal_force", NormalForce{}}};
   const AccurateSolution exact = solve_to_accuracy(scene, wanted);
   CHECK_FALSE(exact.met);
   CHECK_THAT(exact.verdict, ContainsSubstring("algebraic"));
   Scene open = scene;
   open.bodies[0].loads.edges.clear();
-  wanted = {0.01, {"force", ContactForce{}}};
+  wanted = {0.01, {"normal_force", NormalForce{}}};
   CHECK_THAT(solve_to_accuracy(open, wanted).verdict, ContainsSubstring("no contact closes"));
 }
 
 TEST_CASE("the answer is the value on the mesh and what the estimate says is missing",
           "[accuracy][closed-form]") {
-  const AccurateSolution result = accurate(lining_rings(9, 5), "force", 0.001);
+  const AccurateSolution result = accurate(lining_rings(9, 5), "normal_force", 0.001);
   const AccuracyRound& last = result.rounds.back();
   const Estimate& estimated = *result.estimate;
-  CHECK(last.of_mesh == value(result.model, result.solution, {"force", ContactForce{}}));
+  CHECK(last.of_mesh == value(result.model, result.solution, {"normal_force", NormalForce{}}));
   CHECK(last.value == Approx(last.of_mesh + estimated.error).epsilon(1e-14).margin(0));
   CHECK(std::abs(last.value - lining_force()) < std::abs(last.of_mesh - lining_force()));
 }
@@ -302,8 +302,8 @@ TEST_CASE("what is one cell thick is halved before anything is estimated", "[acc
     scene.bodies[0].element = element;
     return scene;
   };
-  const double reference = accurate(strip(3), "force", 2e-3).rounds.back().value;
-  const AccurateSolution thin = accurate(strip(1), "force", 0.01);
+  const double reference = accurate(strip(3), "normal_force", 2e-3).rounds.back().value;
+  const AccurateSolution thin = accurate(strip(1), "normal_force", 0.01);
   REQUIRE(thin.met);
   CHECK_FALSE(thin.rounds.front().error.has_value());
   CHECK(thin.rounds.back().value == Approx(reference).epsilon(0.01).margin(0));
@@ -312,12 +312,13 @@ TEST_CASE("what is one cell thick is halved before anything is estimated", "[acc
   BlockSpec spec;
   single.bodies[0].mesh = make_block(spec);
   single.bodies[0].element = "q4";
-  CHECK(accurate(single, "force", 0.02).met);
+  CHECK(accurate(single, "normal_force", 0.02).met);
 }
 
 TEST_CASE("a source that ends where its body is held is named", "[accuracy]") {
   Scene scene = pressed_strip(3);
-  const AccurateSolution result = solve_to_accuracy(scene, {1e-3, {"force", ContactForce{}}, 300});
+  const AccurateSolution result =
+      solve_to_accuracy(scene, {1e-3, {"normal_force", NormalForce{}}, 300});
   CHECK_FALSE(result.met);
   CHECK_THAT(result.verdict, ContainsSubstring("budget of unknowns") &&
                                  ContainsSubstring("'bottom'") && ContainsSubstring("(0, 0)"));
@@ -361,7 +362,7 @@ TEST_CASE("triangles that the arc of a curved side would leave are named", "[acc
 
 TEST_CASE("what cannot be meant is refused by name", "[accuracy]") {
   const Scene scene = cantilever("q4", 10, 2);
-  const Goal force{"force", ContactForce{}};
+  const Goal force{"normal_force", NormalForce{}};
   for (const double target : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN()})
     CHECK_THAT(problem_message([&] {
                  (void)solve_to_accuracy(scene, {target, force});
@@ -403,7 +404,7 @@ TEST_CASE("the usual goal is the contact force unless equilibrium says what that
           "[accuracy]") {
   const Scene held = cantilever("q4", 10, 2);
   const DefaultGoal force = default_goal(held, plan(held));
-  CHECK(force.goal.name == "force");
+  CHECK(force.goal.name == "normal_force");
   CHECK(force.why.empty());
   const Scene floating = scene_of(coarse_hertz());
   const DefaultGoal moved = default_goal(floating, plan(floating));

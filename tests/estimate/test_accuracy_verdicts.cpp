@@ -70,7 +70,7 @@ TEST_CASE("a contact that touches at a point is given up by that name", "[accura
   block.loads.edges.clear();
   block.loads.body_force = [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -1); };
   scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
-  const AccurateSolution result = accurate(scene, "force", 0.05);
+  const AccurateSolution result = accurate(scene, "normal_force", 0.05);
   CHECK_FALSE(result.met);
   CHECK_THAT(result.verdict, ContainsSubstring("touches at points"));
   CHECK(result.solution.contact.active.size() == 1);

@@ -2,8 +2,10 @@
 
 #include "catch_compat.hpp"
 #include "signorini/estimate/dual.hpp"
+#include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/effectivity.hpp"
+#include "support/lining_rings.hpp"
 #include "support/message.hpp"
 
 using namespace signorini;
@@ -92,7 +94,7 @@ TEST_CASE("goals say what they miss", "[goal]") {
   const auto said = [&](const auto& quantity) {
     return problem_message([&] { (void)value(run.model, run.solution, {"mine", quantity}); });
   };
-  CHECK_THAT(said(ContactForce{"beam.top on half plane"}),
+  CHECK_THAT(said(NormalForce{"beam.top on half plane"}),
              ContainsSubstring("beam.bottom on half plane"));
   CHECK_THAT(said(Displacement{}),
              ContainsSubstring("goal 'mine'") && ContainsSubstring("not none"));
@@ -102,15 +104,51 @@ TEST_CASE("goals say what they miss", "[goal]") {
   CHECK_THAT(said(PeakPressure{"", {0, 0}}), ContainsSubstring("goal 'mine': Hertz fit"));
 }
 
+TEST_CASE("the force of a contact is its resultant, with friction and round a curve",
+          "[goal][closed-form]") {
+  const auto of = [](const SolvedScene& run) {
+    return value(run.model, run.solution, {"mine", ContactForce{}});
+  };
+  // A sector of rings: its supports along the axes and the contact hold the inner ring under its pressure.
+  const SolvedScene quarter = solved(lining_rings(9, 5), "quarter");
+  const Resultants sum = resultants(quarter.model.pairs, quarter.solution);
+  CHECK(of(quarter) == Approx(sum.force.norm()).epsilon(1e-13));
+  CHECK(of(quarter) < 0.95 * sum.normal_force);
+  CHECK(defect(quarter, {"mine", ContactForce{}}) <= 1e-12);
+  // A beam that slides along its support: friction is part of the resultant.
+  Scene scene = measured_cantilever().scene("q4", 20);
+  scene.contacts[0].friction = Friction{0.02};
+  const SolvedScene rubbed = solved(scene, "with friction");
+  const ContactState& contact = rubbed.solution.contact;
+  CHECK(contact.friction.sum() != 0);
+  CHECK(of(rubbed) ==
+        Approx(std::hypot(contact.force.sum(), contact.friction.sum())).epsilon(1e-13));
+  CHECK(defect(rubbed, {"mine", ContactForce{}}) <= 1e-12);
+}
+
+TEST_CASE("a contact whose forces balance each other is asked for its normal force", "[goal]") {
+  SolvedScene run = solved(measured_cantilever().scene("q4", 20), "cantilever");
+  const Index pairs = run.solution.contact.force.size();
+  run.solution.contact.force.setOnes();
+  for (Index pair = 0; pair < pairs; ++pair)
+    run.model.pairs.normal.row(pair) *= pair < pairs / 2 ? 1 : -1;
+  if (pairs % 2 == 1) run.solution.contact.force(0) = 2;
+  CHECK_THAT(problem_message([&] {
+               (void)value(run.model, run.solution, {"mine", ContactForce{}});
+             }),
+             ContainsSubstring("goal 'mine'") && ContainsSubstring("normal_force"));
+}
+
 TEST_CASE("goals read what they are named for", "[goal][closed-form]") {
   const SolvedScene run = solved(measured_cantilever().scene("q4", 20), "cantilever");
   const auto read = [&](const auto& quantity) {
     return value(run.model, run.solution, {"mine", quantity});
   };
-  const double force = read(ContactForce{});
+  const double force = read(NormalForce{});
   CHECK(force == Approx(run.solution.contact.force.sum()).epsilon(1e-14));
-  CHECK(read(ContactForce{run.model.contacts[0], [](const Eigen::Vector2d&) { return 0.5; }}) ==
+  CHECK(read(NormalForce{run.model.contacts[0], [](const Eigen::Vector2d&) { return 0.5; }}) ==
         Approx(force / 2).epsilon(1e-14));
+  CHECK(read(ContactForce{}) == Approx(force).epsilon(1e-14));  // along a straight side
   // The mean over a side is that of its nodes with half the weight at its ends.
   const Mesh& mesh = run.model.bodies[0].mesh;
   double mean = 0;

@@ -51,8 +51,8 @@ TEST_CASE("a solution that is exact has no error", "[estimate][closed-form]") {
   CAPTURE(element);
   const SolvedScene run = solved(pressed(element), "block");
   const std::vector<Estimate> all =
-      estimated(run, {{"force", ContactForce{}},
-                      {"part", ContactForce{"", [](const Eigen::Vector2d& x) { return x.x(); }}},
+      estimated(run, {{"normal_force", NormalForce{}},
+                      {"part", NormalForce{"", [](const Eigen::Vector2d& x) { return x.x(); }}},
                       {"top", Displacement{"", Axis::Y, "top"}},
                       {"side", Displacement{"", Axis::X, "right"}}});
   CHECK(all[0].value == Approx(20).epsilon(1e-12));
@@ -68,7 +68,7 @@ TEST_CASE("what a goal overlooks between the nodes is what makes it right", "[go
   // The integral of x^2 times an even pressure: nodal forces see chords of the parabola.
   const SolvedScene run = solved(pressed("q4"), "block");
   const Goal moment{"moment",
-                    ContactForce{"", [](const Eigen::Vector2d& x) { return x.x() * x.x(); }}};
+                    NormalForce{"", [](const Eigen::Vector2d& x) { return x.x() * x.x(); }}};
   const double read = value(run.model, run.solution, moment);
   CHECK(read > 10 * 8.0 / 3 * 1.01);
   CHECK(read + overlooked(run.model, run.solution, moment) == Approx(10 * 8.0 / 3).epsilon(1e-12));
@@ -343,7 +343,7 @@ TEST_CASE("what no estimate is promised for is refused by name", "[estimate]") {
     const SolvedScene run = solved(scene, "scene");
     return problem_message([&] { (void)estimated(run, {goal}); });
   };
-  const Goal force{"force", ContactForce{}};
+  const Goal force{"normal_force", NormalForce{}};
   HertzProblem gauss;
   gauss.gap_operator = "gauss_points";
   gauss.mesh.disc_cells = gauss.mesh.plate_cells = 8;

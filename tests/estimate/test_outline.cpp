@@ -111,7 +111,7 @@ TEST_CASE("sides that do not meet end to end leave gaps that are known", "[outli
           {40, 68, modulus, ratio}, {68 + clearance, 100, modulus, ratio}, pressure};
       const double truth = nested_pressure(rings).inner.outside * 68 * round_bodies::pi / 2;
       const Answer one =
-          answer(two_rings(inside, outside, clearance, pressure), {"force", ContactForce{}});
+          answer(two_rings(inside, outside, clearance, pressure), {"normal_force", NormalForce{}});
       CHECK(truth - one.estimate.value > 2e-3 * truth);
       CHECK(one.estimate.error / (truth - one.estimate.value) == Approx(1).margin(0.05));
     }

@@ -31,7 +31,7 @@ struct Measured {
 inline Measured measured_cantilever() {
   using namespace signorini;
   return {"cantilever",
-          {{"force", ContactForce{}}, {"deflection", Displacement{"", Axis::Y, "", {{26, 5}}}}},
+          {{"force", NormalForce{}}, {"deflection", Displacement{"", Axis::Y, "", {{26, 5}}}}},
           [](const std::string& element, Eigen::Index cells) {
             return cantilever(element, cells, std::max<Eigen::Index>(cells / 10, 3));
           },
@@ -61,7 +61,7 @@ inline Measured measured_hertz() {
 inline Measured measured_push() {
   using namespace signorini;
   return {"push",
-          {{"force", ContactForce{}}},
+          {{"force", NormalForce{}}},
           [](const std::string& element, Eigen::Index cells) {
             Scene scene = measured_hertz().scene(element, cells);
             scene.bodies[0].loads.edges.clear();
@@ -79,7 +79,7 @@ inline Measured measured_footing() {
     return std::clamp((footing_half - x.x()) / (0.2 * footing_half), 0.0, 1.0);
   };
   return {"footing",
-          {{"force", ContactForce{"", fading}},
+          {{"force", NormalForce{"", fading}},
            {"settlement", Displacement{"soil", Axis::Y, "", {{0, 0}}}}},
           [](const std::string& element, Eigen::Index cells) {
             const Element& cell = find_element(element);
@@ -103,7 +103,7 @@ inline Measured measured_pin() {
   using namespace signorini;
   return {"pin",
           {{"pull", Displacement{"", Axis::X, "", {{10, 0}}}},
-           {"force", ContactForce{"", [](const Eigen::Vector2d& x) { return x.y() / 5; }}}},
+           {"force", NormalForce{"", [](const Eigen::Vector2d& x) { return x.y() / 5; }}}},
           [](const std::string& element, Eigen::Index cells) {
             return pin_in_plate(-25, cells, cells / 2, 0.2, element);
           },

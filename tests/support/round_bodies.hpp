@@ -117,7 +117,7 @@ inline std::vector<RoundBody> rings() {
   const double bears = (whirled(2) - gap) / -ring_displacement(ring, {0, 1}, 2);
   const double turned = whirled(1) + ring_displacement(ring, {0, bears}, 1);
   const Goal moved{"inner", Displacement{"", Axis::X, "inner", {}}};
-  const Goal force{"force", ContactForce{}};
+  const Goal force{"normal_force", NormalForce{}};
   return {{"ring under pressure", force, pressed, held * 2 * pi / 2},
           {"ring under pressure", moved, pressed, inner * 2 / pi},
           {"ring under traction", moved, pulled, inner * 2 / pi},
@@ -137,7 +137,7 @@ inline std::vector<RoundBody> shells() {
     return scene;
   };
   const double inner = sphere_displacement(shell, {inside, held}, 1);
-  return {{"shell under pressure", {"force", ContactForce{}}, pressed, held * 8 * pi},
+  return {{"shell under pressure", {"normal_force", NormalForce{}}, pressed, held * 8 * pi},
           {"shell under pressure",
            {"inner", Displacement{"", Axis::Y, "inner", {}}},
            pressed,
@@ -146,7 +146,7 @@ inline std::vector<RoundBody> shells() {
 
 inline std::vector<RoundBody> weights() {
   using namespace signorini;
-  const Goal force{"force", ContactForce{}};
+  const Goal force{"normal_force", NormalForce{}};
   const auto disc = [](const std::string& element, Eigen::Index times) {
     return round_weight(element, times, PlaneState::Strain, 5);
   };

@@ -75,6 +75,7 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
   for (const Goal& goal : goals) {
     Estimate one{goal.name, value(model, solution, goal), {}, 0, true, 0, {}, {}, {}};
     one.is_signed = std::holds_alternative<ContactForce>(goal.quantity) ||
+                    std::holds_alternative<NormalForce>(goal.quantity) ||
                     std::holds_alternative<Displacement>(goal.quantity);
     const GoalGradient change = gradient(model, solution, goal);
     duals.push_back(dual.solve(change, ledger));

@@ -5,6 +5,7 @@
 
 #include "signorini/closed_form/hertz_fit.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/places.hpp"
@@ -108,7 +109,34 @@ void require_numbers(const Solution& solution, const Goal& goal) {
        "': the problem is not solved: ", to_string(solution.contact.report.status));
 }
 
-double share_at(const ContactForce& goal, const Model& model, Index pair) {
+/// The forces of one contact.
+struct Resultant {
+  Vector2d sum = Vector2d::Zero();
+  VectorXd along;  ///< of all rows of A: what a force of one adds in the direction of the sum
+};
+
+Resultant resultant(const Model& model, const Solution& solution, const ContactForce& goal,
+                    const std::string& name) {
+  const ContactState& contact = solution.contact;
+  const Index pairs = contact.force.size();
+  NodeArray direction = NodeArray::Zero(model.programme.A.rows(), 2);
+  for (const Index pair : pairs_of(model, goal.contact))
+    direction.row(pair) = model.pairs.normal.row(pair);
+  for (std::size_t k = 0; k < contact.rubbing.size(); ++k) {
+    const auto n = direction.row(contact.rubbing[k]);
+    direction.row(pairs + static_cast<Index>(k)) << n.y(), -n.x();
+  }
+  VectorXd force(direction.rows());
+  force << contact.force, contact.friction;
+  const Vector2d sum = direction.transpose() * force;
+  const double size = sum.norm();
+  pose(size > std::sqrt(epsilon) * force.lpNorm<1>(), "goal '", name,
+       "': the forces of the contact balance each other, their resultant is ", size,
+       "; ask for its normal_force");
+  return {sum, direction * (sum / size)};
+}
+
+double share_at(const NormalForce& goal, const Model& model, Index pair) {
   return goal.share ? goal.share(model.pairs.position.row(pair).transpose()) : 1;
 }
 
@@ -116,7 +144,9 @@ double share_at(const ContactForce& goal, const Model& model, Index pair) {
 
 double value(const Model& model, const Solution& solution, const Goal& goal) {
   require_numbers(solution, goal);
-  if (const auto* force = std::get_if<ContactForce>(&goal.quantity)) {
+  if (const auto* force = std::get_if<ContactForce>(&goal.quantity))
+    return resultant(model, solution, *force, goal.name).sum.norm();
+  if (const auto* force = std::get_if<NormalForce>(&goal.quantity)) {
     double sum = 0;
     for (const Index pair : pairs_of(model, force->contact))
       sum += share_at(*force, model, pair) * solution.contact.force(pair);
@@ -158,8 +188,12 @@ GoalGradient gradient(const Model& model, const Solution& solution, const Goal& 
     }
     return d;
   }
-  d.force = VectorXd::Zero(model.programme.A.rows());
   if (const auto* force = std::get_if<ContactForce>(&goal.quantity)) {
+    d.force = resultant(model, solution, *force, goal.name).along;
+    return d;
+  }
+  d.force = VectorXd::Zero(model.programme.A.rows());
+  if (const auto* force = std::get_if<NormalForce>(&goal.quantity)) {
     for (const Index pair : pairs_of(model, force->contact))
       d.force(pair) = share_at(*force, model, pair);
     return d;
@@ -186,7 +220,7 @@ GoalGradient gradient(const Model& model, const Solution& solution, const Goal& 
 double overlooked(const Model& model, const Solution& solution, const Goal& goal) {
   require_numbers(solution, goal);
   double sum = 0;
-  if (const auto* force = std::get_if<ContactForce>(&goal.quantity)) {
+  if (const auto* force = std::get_if<NormalForce>(&goal.quantity)) {
     if (!force->share) return 0;
     const std::vector<Index> pairs = pairs_of(model, force->contact);
     for (const ContactEdge& edge : contact_edges(model)) {

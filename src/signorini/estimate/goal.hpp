@@ -12,10 +12,15 @@
 
 namespace signorini {
 
-/// The force that presses the sides of one contact together: the sum of the forces of its pairs, compression > 0. Along a
-/// curved contact it is no resultant.
+/// How large the resultant of one contact is, of normal and friction forces [force].
 struct ContactForce {
   std::string contact = {};  ///< as in Model::contacts; may be left out if there is one only
+};
+
+/// What presses the sides of one contact together: the sum of the normal forces of its pairs, compression > 0, the integral
+/// of the pressure [force]. Along a straight side it is the normal resultant; along a closed ring that has none.
+struct NormalForce {
+  std::string contact = {};  ///< as of ContactForce
   /// Which part of the pressure at a place of the source counts [-]; all of it without one. Where the function jumps
   /// inside a side, nodal forces cannot follow it.
   ScalarField share = {};
@@ -46,7 +51,7 @@ struct HalfWidth {
 /// What a solution is asked for.
 struct Goal {
   std::string name;  ///< what tables call it
-  std::variant<ContactForce, Displacement, PeakPressure, HalfWidth> quantity;  ///< what it is
+  std::variant<ContactForce, NormalForce, Displacement, PeakPressure, HalfWidth> quantity;  ///< what it is
 };
 
 /// Reads a goal off a solution.
@@ -55,7 +60,7 @@ struct Goal {
 /// \param goal      any
 /// \return its value: [force], [length] or [force/length^2]
 /// \throws ProblemError if there is no such body, boundary, point or contact, or the problem is not solved; if a width or a
-///   peak is asked for where the pairs have no nodes, or too few of them press
+///   peak is asked for where the pairs have no nodes, or too few of them press; if the resultant of a contact is nothing beside its forces
 [[nodiscard]] double value(const Model& model, const Solution& solution, const Goal& goal);
 
 /// How a goal changes with the solution: \f$ dJ = j^T du + w^T d\lambda \f$.
@@ -71,7 +76,7 @@ struct GoalGradient {
 /// \throws ProblemError as value()
 [[nodiscard]] GoalGradient gradient(const Model& model, const Solution& solution, const Goal& goal);
 
-/// What a goal overlooks between the nodes: of a ContactForce the pressure there that counts more, or less, than the
+/// What a goal overlooks between the nodes: of a NormalForce the pressure there that counts more, or less, than the
 /// straight lines of `share` between nodes say; of a PeakPressure on sides of two nodes, where a nodal pressure is a mean, what
 /// such means of the ellipse change its fit by.
 /// \param model     from build()

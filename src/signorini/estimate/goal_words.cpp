@@ -110,7 +110,7 @@ bool loaded(const Plan& plan, DefaultGoal& found) {
 DefaultGoal default_goal(const Scene& scene, const Plan& plan) {
   DefaultGoal found;
   if (plan.contacts.size() == 1 && plan.modes.empty()) {
-    found.goal = {"force", ContactForce{}};
+    found.goal = {"normal_force", NormalForce{}};
     return found;
   }
   if (plan.contacts.size() == 1)
@@ -130,11 +130,13 @@ Goal goal_in_words(const std::string& word, const Plan& plan) {
   const std::string kind = word.substr(0, colon);
   const std::string name = colon == std::string::npos ? "" : word.substr(colon + 1);
   if (kind == "displacement") return displacement_in_words(word, name, plan);
-  pose(kind == "force" || kind == "peak" || kind == "width", "unknown goal ", in_quotes(word),
-       suggestion(kind, {"force", "peak", "width", "displacement"}),
-       ". Expected force, peak, width, or displacement:BODY.boundary.y");
+  const std::vector<std::string> kinds = {"force", "normal_force", "peak", "width"};
+  pose(std::find(kinds.begin(), kinds.end(), kind) != kinds.end(), "unknown goal ", in_quotes(word),
+       suggestion(kind, {"force", "normal_force", "peak", "width", "displacement"}),
+       ". Expected force, normal_force, peak, width, or displacement:BODY.boundary.y");
   const std::string contact = contact_in_words(word, name, plan);
-  if (kind == "force") return {word, ContactForce{contact, {}}};
+  if (kind == "force") return {word, ContactForce{contact}};
+  if (kind == "normal_force") return {word, NormalForce{contact, {}}};
   const Vector2d middle = middle_of(plan, contact);
   if (kind == "peak") return {word, PeakPressure{contact, middle}};
   return {word, HalfWidth{contact, middle}};
