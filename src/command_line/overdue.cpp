@@ -53,9 +53,10 @@ std::string faster_contact(const Plan& plan) {
   for (const Solver& solver : plan.law.pair.empty() ? solvers() : friction_solvers())
     if (plan.solver != solver.name && too_many(solver, plan.gaps.pairs.weight.size()).empty())
       others.push_back(solver);
-  return text("Fewer pairs help, by a coarser side as source; ",
-              plan.modes.empty() ? "" : "supports or soft springs for bodies that only contact holds; ",
-              "or another method, --solver NAME with one of ", names_of(others));
+  return text(
+      "Fewer pairs help, by a coarser side as source; ",
+      plan.modes.empty() ? "" : "supports or soft springs for bodies that only contact holds; ",
+      "or another method, --solver NAME with one of ", names_of(others));
 }
 
 /// What the handler writes: all that it may use are calls that are safe in a signal.
@@ -86,8 +87,9 @@ const Stage& assembling() {
 }
 
 const Stage& condensing() {
-  static const Stage stage{"factor and condensation",
-                           {"factor/ordering", "factor/symbolic", "factor/numeric", "condensation"}};
+  static const Stage stage{
+      "factor and condensation",
+      {"factor/ordering", "factor/symbolic", "factor/numeric", "condensation"}};
   return stage;
 }
 

@@ -76,8 +76,8 @@ TEST_CASE("what is overdue is named, with its forecast and what helps", "[overdu
   CHECK_THAT(unknown, ContainsSubstring("the 6 s that it takes with one iteration of contact") &&
                           ContainsSubstring("not known") && ContainsSubstring("springs"));
   const std::string assembly = overdue_words(assembling(), plan, forecast(3, 0, 2));
-  CHECK_THAT(assembly, ContainsSubstring("assembly has taken 70 s") &&
-                           ContainsSubstring("4 MB") && !ContainsSubstring("--solver"));
+  CHECK_THAT(assembly, ContainsSubstring("assembly has taken 70 s") && ContainsSubstring("4 MB") &&
+                           !ContainsSubstring("--solver"));
 }
 
 TEST_CASE("the line is written once while the work goes on, and not after it has ended",

@@ -175,8 +175,9 @@ TEST_CASE("every gap operator: contact forces are in balance, and so are their m
   });
 }
 
-TEST_CASE("every gap operator: the forces on the nodes of a side add up to what is told of the pair",
-          "[conformance][gap_operators]") {
+TEST_CASE(
+    "every gap operator: the forces on the nodes of a side add up to what is told of the pair",
+    "[conformance][gap_operators]") {
   for_every_interface(0.05, [](const GapOperator& member, const TwoBodies& bodies) {
     const Pairs pairs = pairs_of(member, bodies);
     const NodeArray nodes = all_nodes(bodies);

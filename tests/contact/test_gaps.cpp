@@ -54,8 +54,9 @@ TEST_CASE(
   CHECK(twice.A.bottomRows(5).isApprox(full.A));
 }
 
-TEST_CASE("what supports leave of a normal is rounding where coordinates are rounded, and no movement",
-          "[gaps][far]") {
+TEST_CASE(
+    "what supports leave of a normal is rounding where coordinates are rounded, and no movement",
+    "[gaps][far]") {
   const Mesh mesh = block("block", {0, 0}, {4, 1}, 4, 1);
   const Surface source{mesh, "bottom"};
   GapOptions options;

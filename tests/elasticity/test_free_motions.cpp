@@ -163,7 +163,8 @@ const std::vector<Held>& ways_to_hold() {
       {"a hinge and x beside it", [](Unknowns& u) { x(u, 4), y(u, 4), x(u, 7); }, 1},
       {"a hinge and y beside it", [](Unknowns& u) { x(u, 4), y(u, 4), y(u, 7); }, 0},
       {"a hinge and y above it", [](Unknowns& u) { x(u, 2), y(u, 2), y(u, 10); }, 1},
-      {"three normals through one node", [](Unknowns& u) { x(u, 4), x(u, 7), y(u, 1), y(u, 9); }, 1},
+      {"three normals through one node", [](Unknowns& u) { x(u, 4), x(u, 7), y(u, 1), y(u, 9); },
+       1},
       {"three normals past each other", [](Unknowns& u) { x(u, 0), x(u, 11), y(u, 1); }, 0}};
   return all;
 }
@@ -178,8 +179,9 @@ Unknowns turned(const Unknowns& unknowns) {
 
 }  // namespace
 
-TEST_CASE("supports leave the same motions wherever the body is, however it lies and how large it is",
-          "[free_motions][far]") {
+TEST_CASE(
+    "supports leave the same motions wherever the body is, however it lies and how large it is",
+    "[free_motions][far]") {
   // Rounding must show: cos 90 degrees is 6e-17, and the sides are no whole numbers.
   const double c = std::cos(pi / 2), s = std::sin(pi / 2);
   for (const Held& held : ways_to_hold())
@@ -201,8 +203,7 @@ TEST_CASE("supports leave the same motions wherever the body is, however it lies
           });
           const std::vector<FreeMotion> motions = free_motions(mesh, unknowns);
           CHECK(motions.size() == held.left);
-          for (const FreeMotion& motion : motions)
-            CHECK(motion.shape.cwiseAbs().maxCoeff() > 0.1);
+          for (const FreeMotion& motion : motions) CHECK(motion.shape.cwiseAbs().maxCoeff() > 0.1);
         }
 }
 

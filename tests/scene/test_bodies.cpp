@@ -35,7 +35,8 @@ using Map = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
 
 /// A ring of 8 cells in one of 20, which is held: four of their nodes meet.
 Scene ring_in_ring(const Map& map) {
-  const auto body = [&map](const std::string& name, double inner, double outer, Eigen::Index cells) {
+  const auto body = [&map](const std::string& name, double inner, double outer,
+                           Eigen::Index cells) {
     AnnulusSpec spec;
     spec.name = name;
     spec.inner_radius = inner;
@@ -58,8 +59,9 @@ Scene ring_in_ring(const Map& map) {
 std::vector<bool> moved_by_turn(const Scene& scene) {
   const Plan planned = plan(scene);
   REQUIRE(planned.modes.size() == 3);
-  const Eigen::MatrixXd R = rigid_gaps(contact_rows(planned.gaps, planned.law),
-                                       mode_shapes(planned.modes), direction_rounding(planned.modes));
+  const Eigen::MatrixXd R =
+      rigid_gaps(contact_rows(planned.gaps, planned.law), mode_shapes(planned.modes),
+                 direction_rounding(planned.modes));
   std::vector<bool> moved;
   for (Eigen::Index pair = 0; pair < R.rows(); ++pair) moved.push_back(R(pair, 2) != 0);
   return moved;
@@ -67,8 +69,9 @@ std::vector<bool> moved_by_turn(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("a turn moves the same pairs wherever the bodies are, however they lie and how large they are",
-          "[scene][floating][far]") {
+TEST_CASE(
+    "a turn moves the same pairs wherever the bodies are, however they lie and how large they are",
+    "[scene][floating][far]") {
   const std::vector<bool> expected =
       moved_by_turn(ring_in_ring([](const Eigen::Vector2d& x) { return x; }));
   REQUIRE(std::count(expected.begin(), expected.end(), false) == 4);  // where nodes meet

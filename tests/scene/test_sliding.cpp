@@ -207,7 +207,8 @@ TEST_CASE("gaps of a pin that are linear stay linear", "[sliding]") {
   CHECK((there.opens - model.pairs.opening * u).norm() == 0);
 }
 
-TEST_CASE("where a force changes by more than 5 % as bodies move, it is said", "[sliding][random]") {
+TEST_CASE("where a force changes by more than 5 % as bodies move, it is said",
+          "[sliding][random]") {
   int changed = 0;
   int vain = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {

@@ -59,8 +59,8 @@ double rounding(const Model& model, const Solution& solution, const BodyModel& o
     for (Eigen::SparseMatrix<double>::InnerIterator it(K, j); it; ++it)
       stiffest = std::max(stiffest, std::abs(it.value()));
   const Eigen::VectorXd u = strained(solution.refined);
-  const double moved = std::max(u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0,
-                                own.unknowns.held.cwiseAbs().maxCoeff());
+  const double moved =
+      std::max(u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0, own.unknowns.held.cwiseAbs().maxCoeff());
   return 64 * std::numeric_limits<double>::epsilon() * stiffest * moved;
 }
 

@@ -57,8 +57,8 @@ int main(int argc, char** argv) try {
                 << e.equilibrium << ", strain " << e.strain << ", penetration " << e.penetration
                 << ", tension " << e.tension << ", complementarity " << e.complementarity
                 << ", cone " << e.cone << ", stick " << e.stick << ", sliding " << e.sliding
-                << ", reading " << e.reading << ", balance " << e.balance << ", work that nobody got " << trial.imbalance
-                << std::endl;
+                << ", reading " << e.reading << ", balance " << e.balance
+                << ", work that nobody got " << trial.imbalance << std::endl;
   }
   if (lines) return 0;
   std::cout << argv[1] << ' ' << argv[2] << ' ' << first << " + " << count << ':';

@@ -14,7 +14,8 @@ namespace signorini {
 struct FreeMotion {
   std::string sentence;   ///< "body 'x' (8 cells around (2, 0.5)) can move freely in direction x"
   Eigen::VectorXd shape;  ///< `n` displacement of each unknown, at most about 1 [-]
-  double directions = 0;  ///< one rounding of the directions that it goes in, see direction_rounding()
+  double directions =
+      0;  ///< one rounding of the directions that it goes in, see direction_rounding()
 };
 
 /// Finds the rigid motions that the supports leave to each piece of a mesh: those that move no held component by more

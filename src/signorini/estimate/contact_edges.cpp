@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "signorini/elasticity/matter.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace signorini {
 
@@ -12,11 +13,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 const BodyModel& source_of(const Model& model, Index pair) {
-  const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
-  auto body = model.bodies.end();
-  while ((--body)->first_node > node) {
-  }
-  return *body;
+  return model.bodies[body_of_node(model.bodies, model.pairs.node[static_cast<std::size_t>(pair)])];
 }
 
 namespace {

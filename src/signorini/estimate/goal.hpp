@@ -51,7 +51,8 @@ struct HalfWidth {
 /// What a solution is asked for.
 struct Goal {
   std::string name;  ///< what tables call it
-  std::variant<ContactForce, NormalForce, Displacement, PeakPressure, HalfWidth> quantity;  ///< what it is
+  std::variant<ContactForce, NormalForce, Displacement, PeakPressure, HalfWidth>
+      quantity;  ///< what it is
 };
 
 /// Reads a goal off a solution.

@@ -15,14 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 
-/// The body that a node belongs to, of the nodes of all bodies.
-const BodyModel& body_of(const Plan& plan, Index node) {
-  auto body = plan.bodies.end();
-  while ((--body)->first_node > node) {
-  }
-  return *body;
-}
-
 /// Where a contact begins: the place of its smallest gap, of several the first. In axial symmetry it begins on the axis if
 /// the side that this place is on does: of three nodes that side has a pair in its middle, and none on the axis.
 Vector2d middle_of(const Plan& plan, const std::string& contact) {
@@ -38,7 +30,7 @@ Vector2d middle_of(const Plan& plan, const std::string& contact) {
   const Vector2d place = pairs.position.row(nearest).transpose();
   const Index node = pairs.node[static_cast<std::size_t>(nearest)];
   if (node < 0) return place;
-  const BodyModel& body = body_of(plan, node);
+  const BodyModel& body = plan.bodies[body_of_node(plan.bodies, node)];
   if (!depth_of(body.material).axial) return place;
   const Index own = node - body.first_node;
   const auto on_axis = [axis = axis_nodes(body.mesh)](Index other) {

@@ -225,9 +225,8 @@ Certificate figures_of_system(const QuadraticProgramme& programme, const PrimalD
   const Index slips = static_cast<Index>(law.pair.size());
   Certificate certificate =
       pair_figures({solution.force, movement, norm, scale.force, scale.length}, law, equations);
-  certificate.equilibrium =
-      std::max(ratio(largest(residual), scale.force),
-               own_imbalance(programme, solution, residual, equations));
+  certificate.equilibrium = std::max(ratio(largest(residual), scale.force),
+                                     own_imbalance(programme, solution, residual, equations));
   certificate.duality_gap = duality_gap(programme, solution, movement.size() - slips, residual,
                                         movement, scale.length * scale.force);
   return certificate;

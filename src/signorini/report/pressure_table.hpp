@@ -10,15 +10,15 @@ namespace signorini {
 
 /// Sums over pairs: all of a model, or those of one contact.
 struct Resultants {
-  Eigen::Vector2d force;    ///< of the targets on the sources [force]
-  double moment;            ///< of these forces about the origin [force length], anticlockwise > 0
-  double closed_weight;     ///< weights of the closed pairs [length^2], see Pairs
-  double peak_pressure;     ///< largest of a pair [force/length^2], compression > 0
+  Eigen::Vector2d force;  ///< of the targets on the sources [force]
+  double moment;          ///< of these forces about the origin [force length], anticlockwise > 0
+  double closed_weight;   ///< weights of the closed pairs [length^2], see Pairs
+  double peak_pressure;   ///< largest of a pair [force/length^2], compression > 0
   double target_moment =
       0;  ///< of the opposite forces on the targets about the origin [force length]
-  double normal_force = 0;  ///< sum of the contact forces of the pairs [force], compression > 0
-  double shear_force = 0;   ///< sum of their friction forces, each along its tangent [force]
-  double dissipated = 0;    ///< work that sliding lost in this step [force length], >= 0
+  double normal_force = 0;      ///< sum of the contact forces of the pairs [force], compression > 0
+  double shear_force = 0;       ///< sum of their friction forces, each along its tangent [force]
+  double dissipated = 0;        ///< work that sliding lost in this step [force length], >= 0
   double dissipated_total = 0;  ///< and in all steps so far; without steps the same
   Eigen::Index pairs = 0;       ///< how many there are
   Eigen::Index closed = 0;      ///< of them

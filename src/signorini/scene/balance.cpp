@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "signorini/core/rounding.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace signorini {
 namespace {
@@ -59,8 +60,7 @@ class Balance {
   /// The same force by its row, taken away.
   void hand_on(const NodalRows& rows, Index row, double force) {
     for (NodalRows::InnerIterator it(rows, row); it; ++it) {
-      std::size_t body = model_.bodies.size() - 1;
-      while (model_.bodies[body].first_node > it.col() / 2) --body;
+      const std::size_t body = body_of_node(model_.bodies, it.col() / 2);
       const BodyModel& own = model_.bodies[body];
       Vector2d along = Vector2d::Zero();
       along(it.col() % 2) = it.value();

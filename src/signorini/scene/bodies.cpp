@@ -115,6 +115,12 @@ Index count_nodes(const std::vector<BodyModel>& bodies) {
   return bodies.back().first_node + bodies.back().mesh.n_nodes();
 }
 
+std::size_t body_of_node(const std::vector<BodyModel>& bodies, Index node) {
+  std::size_t body = bodies.size() - 1;
+  while (bodies[body].first_node > node) --body;
+  return body;
+}
+
 Index count_unknowns(const std::vector<BodyModel>& bodies) {
   return bodies.back().first_unknown + bodies.back().unknowns.count;
 }

@@ -49,6 +49,11 @@ void add_springs(const BodyModel& body, QuadraticProgramme& programme);
 [[nodiscard]] Eigen::Index count_nodes(const std::vector<BodyModel>& bodies);
 
 /// \param bodies  one or several
+/// \param node    of the nodes of all bodies
+/// \return number of the body that it belongs to
+[[nodiscard]] std::size_t body_of_node(const std::vector<BodyModel>& bodies, Eigen::Index node);
+
+/// \param bodies  one or several
 /// \return number of their unknowns
 [[nodiscard]] Eigen::Index count_unknowns(const std::vector<BodyModel>& bodies);
 

@@ -7,6 +7,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace signorini {
 namespace {
@@ -18,18 +19,12 @@ using MatrixX2 = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 constexpr double known_sum =
     1e-12;  // what exchanges may change of it: what a certificate lets pass
 
-std::size_t body_of(const Model& model, Index node) {
-  std::size_t b = model.bodies.size() - 1;
-  while (model.bodies[b].first_node > node) --b;
-  return b;
-}
-
 /// Where a pair is: its node, if it has one, and the place.
 std::string pair_in_words(const Model& model, Index pair) {
   const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
   std::string words = text("pair ", pair);
   if (node >= 0) {
-    const std::size_t b = body_of(model, node);
+    const std::size_t b = body_of_node(model.bodies, node);
     words += text(" of node ", node - model.bodies[b].first_node, " of body '",
                   model.bodies[b].mesh.name, '\'');
   }
@@ -46,12 +41,13 @@ struct Sum {
 
 Sum sum_of(const Model& model, const VectorXd& force, const SharedForces& group) {
   const Index pairs = model.pairs.opening.rows();
-  Sum sum{
-      body_of(model, NodalRows::InnerIterator(model.pairs.opening, group.pairs.front()).col() / 2)};
+  Sum sum{body_of_node(
+      model.bodies, NodalRows::InnerIterator(model.pairs.opening, group.pairs.front()).col() / 2)};
   MatrixX2 push = MatrixX2::Zero(force.size(), 2);  // of a unit of each row
   const auto add = [&](const NodalRows& rows, Index pair, Index row) {
     for (NodalRows::InnerIterator it(rows, pair); it; ++it)
-      if (body_of(model, it.col() / 2) == sum.body) push(row, it.col() % 2) += it.value();
+      if (body_of_node(model.bodies, it.col() / 2) == sum.body)
+        push(row, it.col() % 2) += it.value();
   };
   const std::vector<Index>& rubbing = model.law.pair;
   for (const Index pair : group.pairs) {

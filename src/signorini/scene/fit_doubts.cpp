@@ -73,8 +73,7 @@ double size_of(const Mesh& mesh) {
 std::size_t smallest(const Model& model, const std::vector<double>& sizes, Index pair) {
   std::size_t found = sizes.size();
   for (NodalRows::InnerIterator it(model.pairs.opening, pair); it; ++it) {
-    std::size_t b = sizes.size() - 1;
-    while (model.bodies[b].first_node > it.col() / 2) --b;
+    const std::size_t b = body_of_node(model.bodies, it.col() / 2);
     if (found == sizes.size() || sizes[b] < sizes[found]) found = b;
   }
   return found;

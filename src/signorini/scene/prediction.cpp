@@ -262,8 +262,7 @@ class Figures {
         1 + static_cast<double>(plan_.parts.size());  // each part of a path has its u0
     // The compliance is cleared and filled, and every rigid motion meets every row.
     const double modes = static_cast<double>(plan_.modes.size());
-    const double touched = 2 * rows_ * rows_ +
-                           modes * static_cast<double>(plan_.unknowns.count) +
+    const double touched = 2 * rows_ * rows_ + modes * static_cast<double>(plan_.unknowns.count) +
                            modes * 2 * static_cast<double>(known_.rows.nonZeros());
     seconds(Built::Once, phase,
             all * solve() + over(known_.paths.operations, speed_.carrying) +
@@ -315,7 +314,7 @@ class Figures {
     // Every system has its own, which walk through its own part of the factor.
     double all_solves = 0;
     double walks = 0;
-    double equations = 0;  // [s]
+    double equations = 0;                                       // [s]
     double residuals = known_.systems.size() > 1 ? steps_ : 0;  // of the certificate of all
     for (const SystemParts& system : known_.systems) {
       const double part = static_cast<double>(system.unknowns.size()) /
@@ -330,8 +329,7 @@ class Figures {
     add(Built::PerIteration, phase, "solves", all_solves, Trust::Estimate);
     add(Built::PerIteration, phase, "operations", walks * known_.fronts.solve_operations(),
         Trust::Estimate);
-    seconds(Built::PerIteration, phase,
-            walks * solve() + residuals * sample_.residual + equations);
+    seconds(Built::PerIteration, phase, walks * solve() + residuals * sample_.residual + equations);
   }
 
   /// Seconds of one solve: two walks through L.

@@ -15,7 +15,7 @@ enum class Trust {
   Exact,  ///< it will be so
   Estimate,  ///< of what depends on the numbers of the problem, or on the machine and who else works on it
   AtLeast,  ///< an estimate without that part of it which is not known
-  Unknown  ///< the amount is not known beforehand, and not a number
+  Unknown   ///< the amount is not known beforehand, and not a number
 };
 
 /// How often something is made.

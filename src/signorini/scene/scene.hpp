@@ -81,11 +81,11 @@ struct Plan {
   std::vector<std::string> contacts;    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of;  ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
-  FollowPairs follow;                   ///< null without contact
-  std::vector<bool> small_sliding;      ///< of each contact, see ContactSpec
-  FrictionLaw law;                      ///< of the pairs that can slide and whose own contact rubs
-  std::string solver;                   ///< name of the one that the scene asks for
-  Path path;                            ///< load steps, none without
+  FollowPairs follow;                              ///< null without contact
+  std::vector<bool> small_sliding;                 ///< of each contact, see ContactSpec
+  FrictionLaw law;                  ///< of the pairs that can slide and whose own contact rubs
+  std::string solver;               ///< name of the one that the scene asks for
+  Path path;                        ///< load steps, none without
   std::vector<LoadPart> parts;      ///< of loads that follow one history each, none without steps
   std::string backend = "frontal";  ///< name of the one that factors K
 };

@@ -181,8 +181,7 @@ ContactState solved_there(const ContactProblem& problem, const ContactState& con
 /// Sum of the forces on the body that the first pair of a contact is on.
 Vector2d resultant(const Model& model, Index pair, const VectorXd& forces) {
   const Index node = NodalRows::InnerIterator(model.pairs.opening, pair).col() / 2;
-  std::size_t b = model.bodies.size() - 1;
-  while (model.bodies[b].first_node > node) --b;
+  const std::size_t b = body_of_node(model.bodies, node);
   const Eigen::Map<const NodeArray> all(forces.data(), forces.size() / 2, 2);
   return all.middleRows(model.bodies[b].first_node, model.bodies[b].mesh.n_nodes())
       .colwise()

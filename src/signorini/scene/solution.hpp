@@ -58,11 +58,11 @@ struct Model {
   Path path = {};                    ///< load steps, none without
   std::vector<LoadPart> parts = {};  ///< p and g are the sum of these times their histories
   std::string backend = "frontal";   ///< that factors K, as the scene names it
-  std::vector<std::string> contacts = {};    ///< names of the contacts, see contact_names()
-  std::vector<std::size_t> contact_of = {};  ///< `n_c` number of the contact of each pair
+  std::vector<std::string> contacts = {};          ///< names of the contacts, see contact_names()
+  std::vector<std::size_t> contact_of = {};        ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
-  FollowPairs follow = {};                   ///< null without contact
-  std::vector<bool> small_sliding = {};      ///< of each contact, see ContactSpec
+  FollowPairs follow = {};                         ///< null without contact
+  std::vector<bool> small_sliding = {};            ///< of each contact, see ContactSpec
 };
 
 /// The model with all unknowns but the contact forces eliminated.

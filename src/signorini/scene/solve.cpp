@@ -172,9 +172,8 @@ void move_freely(const Model& model, VectorXd free_displacement, Condensed& cond
   const Index slips = static_cast<Index>(model.law.pair.size());
   problem.free_gap = free.head(free.size() - slips);
   problem.free_slip = free.tail(slips);
-  if (!model.modes.empty()) 
-    add_rigid_modes(programme, mode_shapes(model.modes), problem,
-                    direction_rounding(model.modes));
+  if (!model.modes.empty())
+    add_rigid_modes(programme, mode_shapes(model.modes), problem, direction_rounding(model.modes));
 }
 
 Condensed condense(const Model& model, Ledger& ledger) {
