@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "signorini/core/rounding.hpp"
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
@@ -61,7 +62,7 @@ double rounding(const Model& model, const Solution& solution, const BodyModel& o
   const Eigen::VectorXd u = strained(solution.refined);
   const double moved =
       std::max(u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0, own.unknowns.held.cwiseAbs().maxCoeff());
-  return 64 * std::numeric_limits<double>::epsilon() * stiffest * moved;
+  return 64 * epsilon * stiffest * moved;
 }
 
 }  // namespace
@@ -82,17 +83,24 @@ double unbalanced(const Model& model, const Solution& solution) {
     noise.push_back(rounding(model, solution, own));
   }
   const std::vector<Resultants> sums = resultants_of_contacts(model, solution);
+  std::vector<double> turned(noise.size(),
+                             0);  // what rounding of the places makes of moments about the origin
   for (std::size_t k = 0; k < sums.size(); ++k) {
     const ContactBodies& sides = model.contact_bodies[k];
     bodies[sides.source].add(sums[k].force, sums[k].moment);
-    if (sides.target) bodies[*sides.target].add(-sums[k].force, sums[k].target_moment);
+    turned[sides.source] += sums[k].normal_force + std::abs(sums[k].shear_force);
+    if (!sides.target) continue;
+    bodies[*sides.target].add(-sums[k].force, sums[k].target_moment);
+    turned[*sides.target] += sums[k].normal_force + std::abs(sums[k].shear_force);
   }
   const bool axial = model.bodies.front().material.bulk.state == PlaneState::Axial;
   double worst = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (int k = axial ? 1 : 0; k < (axial ? 2 : 3); ++k) {
+      const double far = k == 2 ? bodies[b].middle.norm() / bodies[b].reach : 0;
       const double off = std::abs(bodies[b].sum(k)) / (k == 2 ? bodies[b].reach : 1);
-      if (!(off <= noise[b])) worst = std::max(worst, (off - noise[b]) / bodies[b].largest);
+      const double rounded = noise[b] + 64 * epsilon * far * turned[b];
+      if (!(off <= rounded)) worst = std::max(worst, (off - rounded) / bodies[b].largest);
       if (std::isnan(off)) return std::numeric_limits<double>::infinity();
     }
   return worst;

@@ -18,11 +18,7 @@ inline signorini::Pairs three_pairs() {
   gaps.position << 0, 1, 2, 0, 4, -1;
   gaps.normal.resize(3, 2);
   gaps.normal << 0.6, 0.8, 0, 1, 1, 0;
-  for (NodeArray* moments : {&gaps.moment, &gaps.target_moment}) moments->resize(3, 2);
-  for (Eigen::Index pair = 0; pair < 3; ++pair)
-    gaps.moment.row(pair) =
-        moments_at(gaps.position.row(pair).transpose(), gaps.normal.row(pair).transpose());
-  gaps.target_moment = -gaps.moment;
+  gaps.moment = gaps.target_moment = NodeArray::Zero(3, 2);
   gaps.node = {7, 8, 9};
   return gaps;
 }

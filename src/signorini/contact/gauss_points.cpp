@@ -46,7 +46,7 @@ Pairs gauss_points(const Surface& source, const Surface& target, const GapOption
   pairs.node.assign(points.size(), -1);
   for (const Eigen::Index node : boundary_nodes(source.mesh, source.boundary))
     if (paired.count(node) == 0) pairs.unpaired.push_back(node);
-  write_rows(interface, points, options, pairs);
+  write_rows(interface, points, Eigen::VectorXd::Ones(n_pairs), options, pairs);
   return pairs;
 }
 

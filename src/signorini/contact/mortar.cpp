@@ -53,10 +53,16 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
     (weights.count(node) != 0 ? pairs.node : pairs.unpaired).push_back(node);
   interface.check_paired(pairs.node.size());
   std::map<Index, Index> pair_of;
-  for (const Index node : pairs.node) pair_of.emplace(node, static_cast<Index>(pair_of.size()));
+  Eigen::VectorXd total(static_cast<Index>(pairs.node.size()));
+  for (Index pair = 0; pair < total.size(); ++pair) {
+    const Index node = pairs.node[static_cast<std::size_t>(pair)];
+    pair_of[node] = pair;
+    total(pair) = weights.at(node);
+  }
   for (PairPoint& point : points) point.pair = pair_of.at(point.pair);
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
-  pairs.weight = options.depth.factor * write_rows(interface, points, options, pairs);
+  pairs.weight = options.depth.factor * total;
+  write_rows(interface, points, total, options, pairs);
   return pairs;
 }
 

@@ -27,7 +27,6 @@ Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const Ga
   const Index n_pairs = pairs.position.rows();
   pairs.initial_gap.resize(n_pairs);
   pairs.normal.resize(n_pairs, 2);
-  pairs.moment.resize(n_pairs, 2);
   pairs.opening.resize(n_pairs, 2 * options.n_nodes);
   pairs.opening.reserve(Eigen::VectorXi::Constant(n_pairs, 2));
   if (options.sliding) {
@@ -36,15 +35,13 @@ Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const Ga
   }
   for (Index pair = 0; pair < n_pairs; ++pair) {
     const Index node = pairs.node[static_cast<std::size_t>(pair)];
-    const Eigen::Vector2d x = pairs.position.row(pair).transpose();
-    const ObstacleContact seen = obstacle.look(x);
+    const ObstacleContact seen = obstacle.look(pairs.position.row(pair).transpose());
     pose(std::isfinite(seen.gap) && seen.normal.allFinite(), "obstacle '", obstacle.name,
          "': the gap at node ", node, " is not finite, but it must be wherever the body may be");
     pose(std::abs(seen.normal.norm() - 1) < 1e-8, "obstacle '", obstacle.name,
          "': the normal at node ", node, " must have length 1, got ", seen.normal.norm());
     pairs.initial_gap(pair) = seen.gap;
     pairs.normal.row(pair) = seen.normal.transpose();
-    pairs.moment.row(pair) = moments_at(x, seen.normal);
     const Index column = 2 * (source.first_node + node);
     pairs.opening.insert(pair, column) = seen.normal.x();
     pairs.opening.insert(pair, column + 1) = seen.normal.y();
@@ -52,7 +49,7 @@ Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const Ga
     pairs.sliding.insert(pair, column) = seen.normal.y();
     pairs.sliding.insert(pair, column + 1) = -seen.normal.x();
   }
-  pairs.target_moment = -pairs.moment;
+  pairs.moment = pairs.target_moment = NodeArray::Zero(n_pairs, 2);
   pairs.weight = weights_of_nodes(
       boundary_areas(source.mesh, source.boundary, options.depth)(kept, Eigen::all), pairs.normal);
   pairs.opening.makeCompressed();

@@ -32,7 +32,7 @@ Pairs node_to_segment(const Surface& source, const Surface& target, const GapOpt
   }
   interface.check_paired(points.size());
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
-  write_rows(interface, points, options, pairs);
+  write_rows(interface, points, Eigen::VectorXd::Ones(pairs.position.rows()), options, pairs);
   pairs.weight = weights_of_nodes(areas(paired, Eigen::all), pairs.normal);
   return pairs;
 }

@@ -1,7 +1,5 @@
 #include "signorini/contact/pair_rows.hpp"
 
-#include "signorini/core/errors.hpp"
-
 namespace signorini {
 namespace {
 
@@ -39,45 +37,28 @@ void write_matrix(const Entries& entries, const Eigen::VectorXd& total, Index co
   for (Index row = 0; row < total.size(); ++row) matrix.row(row) /= total(row);
 }
 
-/// A pair whose normals point all ways has no direction to press in.
-void check_normals(const Interface& interface, const Pairs& pairs, const Eigen::VectorXd& total) {
-  for (Index pair = 0; pair < total.size(); ++pair)
-    pose(total(pair) > 0, "contact of '", interface.source.boundary, "' of '",
-         interface.source.mesh.name, "' with '", interface.target.boundary, "' of '",
-         interface.target.mesh.name, "': around (", pairs.position(pair, 0), ", ",
-         pairs.position(pair, 1),
-         ") the normals of the target add up to nothing. Give the parts of a side that folds back "
-         "names of their own, and each its own contact");
-}
-
 }  // namespace
 
-Eigen::VectorXd write_rows(const Interface& interface, const std::vector<PairPoint>& points,
-                           const GapOptions& options, Pairs& pairs) {
-  const Index n_pairs = pairs.position.rows();
-  pairs.initial_gap.setZero(n_pairs);
-  for (NodeArray* sums : {&pairs.normal, &pairs.moment, &pairs.target_moment})
-    sums->setZero(n_pairs, 2);
+void write_rows(const Interface& interface, const std::vector<PairPoint>& points,
+                const Eigen::VectorXd& total, const GapOptions& options, Pairs& pairs) {
+  pairs.initial_gap.setZero(total.size());
+  for (NodeArray* means : {&pairs.normal, &pairs.moment, &pairs.target_moment})
+    means->setZero(total.size(), 2);
   Entries opening;
   Entries sliding;
   for (const PairPoint& point : points) {
     const Vector2d n = point.place.normal;
-    const double amount = point.amount;
-    pairs.initial_gap(point.pair) += amount * point.place.gap;
-    pairs.normal.row(point.pair) += amount * n.transpose();
-    pairs.moment.row(point.pair) += amount * moments_at(point.side->point(point.xi).position(), n);
-    pairs.target_moment.row(point.pair) -= amount * moments_at(point.place.point.position(), n);
+    const double share = point.amount / total(point.pair);
+    pairs.initial_gap(point.pair) += share * point.place.gap;
+    pairs.normal.row(point.pair) += share * n.transpose();
+    const AnchoredPoint x(pairs.position.row(point.pair).transpose());
+    pairs.moment.row(point.pair) += share * moments_at(point.side->point(point.xi) - x, n);
+    pairs.target_moment.row(point.pair) -= share * moments_at(point.place.point - x, n);
     act_and_react(interface, point, n, opening);
     if (options.sliding) act_and_react(interface, point, {n.y(), -n.x()}, sliding);
   }
-  const Eigen::VectorXd total = pairs.normal.rowwise().norm();
-  check_normals(interface, pairs, total);
-  pairs.initial_gap.array() /= total.array();
-  for (NodeArray* sums : {&pairs.normal, &pairs.moment, &pairs.target_moment})
-    sums->array().colwise() /= total.array();
   write_matrix(opening, total, 2 * options.n_nodes, pairs.opening);
   write_matrix(sliding, total, 2 * options.n_nodes, pairs.sliding);
-  return total;
 }
 
 }  // namespace signorini

@@ -17,8 +17,7 @@ struct PairPoint {
   double amount = 1;      ///< by which the point counts in the pair
 };
 
-/// Writes gaps, normals, moments and rows: of every pair the sum over its points, divided by the length of the sum of their
-/// normals.
+/// Writes gaps, normals, moments and rows: of every pair the mean over its points.
 ///
 /// What a row of N says can be read both ways. Times the displacements it is how much the gap opens:
 /// the point of the source less the place of the target, along the normal of the target. Transposed,
@@ -28,11 +27,10 @@ struct PairPoint {
 /// balance. S does the same along the tangent.
 /// \param interface  of source and target
 /// \param points     of all pairs; those of one pair are added in this order
+/// \param total      `n_c` what the points of each pair amount to
 /// \param options    of the operator; S is written if it is asked for
 /// \param pairs      with `position`; receives `initial_gap`, `normal`, `moment`, `target_moment`, `opening` and `sliding`
-/// \return `n_c` what was divided by: the sum of the amounts of a pair if its points have one normal, else less
-/// \throws ProblemError if the normals of a pair add up to nothing
-Eigen::VectorXd write_rows(const Interface& interface, const std::vector<PairPoint>& points,
-                           const GapOptions& options, Pairs& pairs);
+void write_rows(const Interface& interface, const std::vector<PairPoint>& points,
+                const Eigen::VectorXd& total, const GapOptions& options, Pairs& pairs);
 
 }  // namespace signorini

@@ -21,32 +21,33 @@ using NodalRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 ///
 /// Contact forces \f$ \lambda \f$ (compression > 0) and friction forces \f$ \tau \f$ act on the nodes
 /// as \f$ N^T\lambda + S^T\tau \f$: they push the source (slave) along the normal and drag it along the
-/// tangent, and the target (master) the other way. Every row adds up to a unit vector on the source, its normal or
-/// its tangent, and to the opposite on the target: a contact force is the force that the pair hands on, whichever
-/// way the sides turn at its points. The weight of a pair is that force of a pressure of one on its share of the side,
-/// which is less than the share where the side turns.
+/// tangent, and the target (master) the other way. Rows, gaps and normals of several points are means by their weight, so
+/// that gap and slip are lengths and a force divided by the weight is a pressure. Every row adds up to the normal on the
+/// source and to its opposite on the target: the resultant of a pair is its force times its normal, and less than its
+/// force where the side turns.
 struct Pairs {
   NodalRows opening;            ///< N `n_c x 2 n_nodes` [-]
   NodalRows sliding;            ///< S `n_c x 2 n_nodes` [-]; no entries unless asked for
   Eigen::VectorXd initial_gap;  ///< g `n_c` before any displacement [length]; overlap < 0
   Eigen::VectorXd weight;       ///< `n_c` > 0 [length^2]: pressure = force / it
   NodeArray position;           ///< `n_c x 2` on the source before loading [length]
-  NodeArray normal;  ///< `n_c x 2` unit vectors out of the target [-]; the tangent is (n_y, -n_x)
-  /// `n_c x 2` moments about the origin of a contact force of one and a friction force of one [length]: on the source
+  /// `n_c x 2` means of unit vectors out of the target [-], not 1 long where it turns; the tangent is (n_y, -n_x)
+  NodeArray normal;
+  /// `n_c x 2` moments about `position` of a contact force of one and a friction force of one [length]: on the source, 0
+  /// if that is all that the pair presses on
   NodeArray moment;
-  NodeArray
-      target_moment;  ///< and on the target: friction across a gap turns the two by more than one
+  NodeArray target_moment;  ///< and on the target: friction across a gap turns it too
   std::vector<Eigen::Index>
       node;  ///< `n_c` source node of each pair in its own mesh; -1 if it has none
   /// Nodes of the source that face no target and have no pair, in walking order.
   std::vector<Eigen::Index> unpaired;
 };
 
-/// \param x       a place [length]
+/// \param arm     from a point to a place [length]
 /// \param normal  unit vector [-]
-/// \return the moments about the origin of a force of one there along the normal, and along its tangent [length]
-inline Eigen::RowVector2d moments_at(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) {
-  return {x.x() * normal.y() - x.y() * normal.x(), -x.dot(normal)};
+/// \return the moments about that point of a force of one there along the normal, and along its tangent [length]
+inline Eigen::RowVector2d moments_at(const Eigen::Vector2d& arm, const Eigen::Vector2d& normal) {
+  return {arm.x() * normal.y() - arm.y() * normal.x(), -arm.dot(normal)};
 }
 
 /// Weights of pairs that are nodes: what a pressure of one on the side does along the normal of each pair. A side that hardly

@@ -70,7 +70,7 @@ ContactLine line_of(const Model& model, const std::string& contact, const Vector
   }
   pose(nearest >= 0,
        "a width or a peak of pressure needs a contact that can close; none of its pairs can move");
-  const Vector2d normal = model.pairs.normal.row(nearest).transpose();
+  const Vector2d normal = model.pairs.normal.row(nearest).transpose().normalized();
   const Vector2d along(normal.y(), -normal.x());
   ContactLine line;
   if (depth_of(source_of(model, nearest).material).axial && middle.x() == 0)
@@ -98,7 +98,7 @@ Profile profile(const Model& model, const Solution& solution, const std::string&
       std::min_element(read.line.x.begin(), read.line.x.end(),
                        [](double a, double b) { return std::abs(a) < std::abs(b); });
   const Index there = pair[at(nearest - read.line.x.begin())];
-  const Vector2d across = model.pairs.normal.row(there).transpose();
+  const Vector2d across = model.pairs.normal.row(there).transpose().normalized();
   if (source_of(model, there).mesh.order() == MeshOrder::Quadratic) read.trace = Trace::Quadratic;
   std::vector<Index> column(at(model.pairs.opening.cols() / 2), -1);
   for (Index k = 0; k < n; ++k) column[at(model.pairs.node[at(pair[at(k)])])] = k;

@@ -19,9 +19,11 @@ void add_pairs(const Pairs& pairs, const Solution& solution, const PathState* st
   const ContactState& contact = solution.contact;
   const auto add = [&](Index pair, int which, double force, const Eigen::Vector2d& direction) {
     Resultants& sum = sum_of(pair);
-    sum.force += force * direction;
-    sum.moment += force * pairs.moment(pair, which);
-    sum.target_moment += force * pairs.target_moment(pair, which);
+    const Eigen::Vector2d f = force * direction;
+    const double here = pairs.position(pair, 0) * f.y() - pairs.position(pair, 1) * f.x();
+    sum.force += f;
+    sum.moment += here + force * pairs.moment(pair, which);
+    sum.target_moment += -here + force * pairs.target_moment(pair, which);
   };
   for (Index pair = 0; pair < contact.force.size(); ++pair) {
     add(pair, 0, contact.force(pair), pairs.normal.row(pair).transpose());

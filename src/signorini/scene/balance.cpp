@@ -50,8 +50,9 @@ class Balance {
     const Vector2d direction = which == 0 ? n : Vector2d(n.y(), -n.x());
     const ContactBodies& bodies =
         model_.contact_bodies[model_.contact_of[static_cast<std::size_t>(pair)]];
+    const Vector2d x = pairs.position.row(pair).transpose();
     const auto act = [&](std::size_t body, const Vector2d& along, double moment) {
-      add(sums_[body], force, along, moment - cross(extents_[body].middle, along));
+      add(sums_[body], force, along, moment + cross(x - extents_[body].middle, along));
     };
     act(bodies.source, direction, pairs.moment(pair, which));
     if (bodies.target) act(*bodies.target, -direction, pairs.target_moment(pair, which));
