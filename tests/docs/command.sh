@@ -120,7 +120,7 @@ expect 0 'assembly +unknowns +2200 +2200 +exact' solve "$cantilever"
 expect 0 'peak pressure 11\.52' solve "$cantilever"
 expect 0 'left out, the first is node' plan "$examples/footing.toml"
 expect 0 'left out, the first is node' solve "$examples/footing.toml"
-expect 0 'asked for: force within 0\.5 %' solve "$cantilever" --accuracy 0.5%
+expect 0 'asked for: normal_force within 0\.5 %' solve "$cantilever" --accuracy 0.5%
 expect 0 'accuracy: met' solve "$cantilever" --accuracy 0.005
 expect 0 'displacement:footing\.top\.y within 1 %; equilibrium alone' solve "$examples/footing.toml" --accuracy 1%
 expect 0 'element: .* %; stresses' solve "$examples/hertz.toml" --accuracy 1% --goal width

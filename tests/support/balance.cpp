@@ -94,13 +94,15 @@ double unbalanced(const Model& model, const Solution& solution) {
     turned[*sides.target] += sums[k].normal_force + std::abs(sums[k].shear_force);
   }
   const bool axial = model.bodies.front().material.bulk.state == PlaneState::Axial;
+  // Below that numbers have lost digits.
+  const double smallest = std::numeric_limits<double>::min() / epsilon;
   double worst = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (int k = axial ? 1 : 0; k < (axial ? 2 : 3); ++k) {
       const double far = k == 2 ? bodies[b].middle.norm() / bodies[b].reach : 0;
       const double off = std::abs(bodies[b].sum(k)) / (k == 2 ? bodies[b].reach : 1);
       const double rounded = noise[b] + 64 * epsilon * far * turned[b];
-      if (!(off <= rounded)) worst = std::max(worst, (off - rounded) / bodies[b].largest);
+      if (!(off <= std::max(rounded, smallest))) worst = std::max(worst, (off - rounded) / bodies[b].largest);
       if (std::isnan(off)) return std::numeric_limits<double>::infinity();
     }
   return worst;

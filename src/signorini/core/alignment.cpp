@@ -2,10 +2,11 @@
 
 namespace signorini {
 
-template <int heap, int stack>
-void compile_with_the_march_and_EIGEN_MAX_ALIGN_BYTES_that_signorini_was_built_with() {}
+template <int heap, int stack, int packet>
+void compile_with_the_march_that_signorini_was_built_with() {}
 
-template void compile_with_the_march_and_EIGEN_MAX_ALIGN_BYTES_that_signorini_was_built_with<
-    EIGEN_MAX_ALIGN_BYTES, EIGEN_MAX_STATIC_ALIGN_BYTES>();
+template void compile_with_the_march_that_signorini_was_built_with<
+    EIGEN_MAX_ALIGN_BYTES, EIGEN_MAX_STATIC_ALIGN_BYTES,
+    Eigen::internal::packet_traits<double>::size>();
 
 }  // namespace signorini

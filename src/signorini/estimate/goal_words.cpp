@@ -41,7 +41,7 @@ Vector2d middle_of(const Plan& plan, const std::string& contact) {
     const std::vector<Index> nodes = body.mesh.side_nodes(side);
     if (nodes.size() < 3 || std::find(nodes.begin(), nodes.end(), own) == nodes.end()) continue;
     for (const Index end : {nodes.front(), nodes.back()})
-      if (on_axis(end)) return place;
+      if (on_axis(end)) return {0, body.mesh.nodes(end, 1)};
   }
   return place;
 }
