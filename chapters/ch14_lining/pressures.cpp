@@ -26,8 +26,8 @@ void refine(const ProgramOptions& run, Results& results) {
     rings.cells_radius *= times;
     const SolvedScene mortar = run_of(rings);
     rings.gap_operator = "node_to_segment";
-    const double chords = run_of(rings).solution.pressure.mean();
     const double half_cell = quarter_turn / 2 / double(rings.cells_angle);
+    const double chords = run_of(rings).solution.pressure.mean() * std::cos(half_cell);
     const double arc = chords * std::sin(half_cell) / half_cell;
     // [refine]
     table.row({text(rings.cells_angle, " x ", rings.cells_radius),
