@@ -3,8 +3,10 @@
 #include <utility>
 
 #include "catch_compat.hpp"
+#include "signorini/mesh/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/follow.hpp"
+#include "signorini/scene/moved_forces.hpp"
 #include "signorini/scene/sliding.hpp"
 #include "signorini/scene/steps.hpp"
 #include "support/paths.hpp"
@@ -63,9 +65,44 @@ bool tells(const Solution& solution) {
   return false;
 }
 
-Slid only(const Solved& all) { return slid(all.model, all.condensed, all.solution).front(); }
+Slid only(const Solved& all) {
+  return slid(
+             all.model, all.condensed, [] { return 0.0; }, all.solution)
+      .front();
+}
 
 }  // namespace
+
+TEST_CASE("rows along tangents are the rows along normals, turned", "[sliding][friction]") {
+  for (const GapOperator& gap_operator : gap_operators()) {
+    Scene scene = on_base(0, 0.01, gap_operator.name);
+    Mesh& base = scene.bodies[1]
+                     .mesh;  // whose top bends, so that rows of several points have several normals
+    base = mapped(base, [](const Vector2d& x) {
+      return Vector2d(x.x(), x.y() - (1 + x.y()) * x.x() * x.x() / 8);
+    });
+    scene.contacts[0].friction = Friction{0.3};
+    Ledger ledger;
+    const Model model = build(scene, ledger);
+    CAPTURE(gap_operator.name);
+    REQUIRE(model.pairs.sliding.norm() > 1);
+    CHECK((turned(model.pairs.opening) - model.pairs.sliding).norm() <= 1e-15);
+  }
+}
+
+TEST_CASE("the force that slid() tells is that on the source, whichever body comes first",
+          "[sliding]") {
+  for (const bool swapped : {false, true}) {
+    Scene scene = on_base(0.5 * edge, 0.01);
+    if (swapped) std::swap(scene.contacts[0].source, std::get<Side>(scene.contacts[0].target));
+    const Slid one = only(solved(scene));
+    CAPTURE(swapped);
+    REQUIRE(one.new_force);
+    CHECK(one.moves);
+    CHECK(one.force.y() * (swapped ? -1 : 1) > 0.9 * one.normal);
+    CHECK(one.new_force->y() * (swapped ? -1 : 1) > 0.9 * one.normal);
+  }
+}
 
 TEST_CASE("slips told by displacements are those of friction", "[sliding][friction]") {
   int seen = 0;

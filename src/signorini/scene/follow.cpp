@@ -134,10 +134,7 @@ class Following {
     Index found = -1;
     if (there.position.rows() > 0)
       (there.position.rowwise() - x).rowwise().squaredNorm().minCoeff(&found);
-    return found >= 0 && (there.position.row(found) - x).norm() <=
-                             1e-9 * x.norm() + 1e-9 * all_.edge(pair)
-               ? found
-               : -1;
+    return found >= 0 && (there.position.row(found) - x).norm() <= gap_rounding(there) ? found : -1;
   }
 
   const Model& model_;

@@ -15,6 +15,10 @@
 
 namespace signorini {
 
+/// A change of a contact force that is noted [-]: half of 5 %, because one step of Newton's method may foresee half of a
+/// change only.
+constexpr double noted_change = 0.025;
+
 /// What the pairs of one contact would do where the bodies have moved to.
 struct Slid {
   Eigen::Index pair =
@@ -27,10 +31,9 @@ struct Slid {
   /// Of the sum of normal forces: the larger of its own change and that of the resultant [-]; infinite if there are only
   /// forces there, or if it is proved that there are none
   double change = 0;
-  double elsewhere =
-      0;               ///< share of the forces on nodes that act on others there [-], of a loss 1/2
-  double normal = 0;   ///< the larger sum of normal forces, as solved or there [force]
-  bool moves = false;  ///< whether any row or gap of its pairs is another there
+  double elsewhere = 0;  ///< share of the forces on nodes that act on others there [-], 1 of a loss
+  double normal = 0;     ///< the larger sum of normal forces, as solved or there [force]
+  bool moves = false;    ///< whether any row or gap of its pairs is another there
   std::string lost = {};  ///< why its pairs face nothing there; empty if some do
 };
 
@@ -44,17 +47,10 @@ struct Slid {
 /// Finds the pairs of a solution again where the bodies have moved to.
 /// \param model      that was solved
 /// \param condensed  from condense() of it
+/// \param none       says up to which force a pair carries none that matters [force]
 /// \param solution   of it, Solved
 /// \return of each contact
 [[nodiscard]] std::vector<Slid> slid(const Model& model, const Condensed& condensed,
-                                     const Solution& solution);
-
-/// Looks at whether a solution can be meant that takes sliding for small: adds notes, or withdraws it as `Slid`.
-/// \param model      that was solved
-/// \param condensed  from condense() of it
-/// \param no_forces  `n` per row of A: up to which force it carries none [force]
-/// \param[in,out] solution  of it, Solved
-void judge_sliding(const Model& model, const Condensed& condensed,
-                   const std::function<Eigen::VectorXd()>& no_forces, Solution& solution);
+                                     const std::function<double()>& none, const Solution& solution);
 
 }  // namespace signorini

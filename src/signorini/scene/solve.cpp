@@ -20,7 +20,7 @@
 #include "signorini/scene/end_words.hpp"
 #include "signorini/scene/fit_doubts.hpp"
 #include "signorini/scene/scene.hpp"
-#include "signorini/scene/sliding.hpp"
+#include "signorini/scene/sliding_verdict.hpp"
 #include "signorini/scene/steps_limit.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -234,7 +234,12 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
     recover(model, std::move(end.solution), solution);
     if (contact.report.status == Status::Solved)
       judge_sliding(
-          model, condensed, [&] { return no_forces(model, solution.refined); }, solution);
+          model, condensed,
+          [&] {
+            return std::max(known_well * largest(solution.refined.force),
+                            largest(no_forces(model, solution.refined)));
+          },
+          solution);
   }
   solution.ledger = std::move(ledger);
   return solution;

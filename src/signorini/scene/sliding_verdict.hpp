@@ -1,0 +1,18 @@
+/// \file
+/// Whether a solution that takes sliding for small can be meant.
+#pragma once
+#include <functional>
+
+#include "signorini/scene/solution.hpp"
+
+namespace signorini {
+
+/// Looks at how far the pairs of a solution have slid: adds notes, or withdraws it as `Slid`.
+/// \param model      that was solved
+/// \param condensed  from condense() of it
+/// \param none       says up to which force a pair carries none that matters [force]
+/// \param[in,out] solution  of it, Solved
+void judge_sliding(const Model& model, const Condensed& condensed,
+                   const std::function<double()>& none, Solution& solution);
+
+}  // namespace signorini
