@@ -12,6 +12,7 @@
 #include "signorini/core/table.hpp"
 #include "signorini/factor/frontal_factor.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/motions.hpp"
 
 namespace signorini::bench {
 namespace {

@@ -6,6 +6,7 @@
 #include "naive_methods.hpp"
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/elasticity/elements.hpp"
+#include "signorini/scene/motions.hpp"
 #include "verdicts.hpp"
 
 namespace museum {

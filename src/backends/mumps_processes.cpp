@@ -55,7 +55,9 @@ Processes::Processes() {
 #endif
   int running = 0;
   MPI_Initialized(&running);
-  if (running == 0) MPI_Init(nullptr, nullptr);
+  // The command has a second thread, which says when a run is overdue and sends no messages.
+  int provided = MPI_THREAD_SINGLE;
+  if (running == 0) MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &size_);
 }

@@ -1,12 +1,9 @@
 #include "command_line/overdue.hpp"
 
-#include <sys/time.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cmath>
-#include <csignal>
+#include <chrono>
+#include <iostream>
+#include <system_error>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
@@ -19,7 +16,8 @@ namespace {
 using namespace signorini;
 
 constexpr double times = 10;
-constexpr double patience = 2;  // [s]
+constexpr double patience = 2;   // [s]
+constexpr double longest = 1e8;  // [s], three years; what a clock counts may not be much more
 
 /// What the phases of a stage are said to take.
 struct Forecast {
@@ -59,26 +57,6 @@ std::string faster_contact(const Plan& plan) {
       "or another method, --solver NAME with one of ", names_of(others));
 }
 
-/// What the handler writes: all that it may use are calls that are safe in a signal.
-std::string& pending() {
-  static std::string line;
-  return line;
-}
-
-void write_pending(int /*signal*/) {
-  const int before = errno;
-  static_cast<void>(!write(STDERR_FILENO, pending().data(), pending().size()));
-  errno = before;
-}
-
-void set_timer(double seconds) {
-  itimerval timer{};
-  const double whole = std::floor(seconds);
-  timer.it_value.tv_sec = static_cast<time_t>(whole);
-  timer.it_value.tv_usec = static_cast<suseconds_t>(999999 * (seconds - whole));
-  setitimer(ITIMER_REAL, &timer, nullptr);
-}
-
 }  // namespace
 
 const Stage& assembling() {
@@ -115,14 +93,26 @@ std::string overdue_words(const Stage& stage, const Plan& plan, const Prediction
 }
 
 Overdue::Overdue(double seconds, const std::string& line) {
-  pending() = line + '\n';
-  struct sigaction action {};
-  action.sa_handler = write_pending;
-  action.sa_flags = SA_RESTART;  // reading and writing go on as if nothing had happened
-  sigaction(SIGALRM, &action, nullptr);
-  set_timer(std::clamp(seconds, 1e-5, 1e8));
+  const std::chrono::duration<double> patient(std::min(seconds, longest));
+  try {
+    clock_ = std::thread([this, patient, whole = line + '\n'] {
+      std::unique_lock<std::mutex> lock(guard_);
+      if (!end_.wait_for(lock, patient, [this] { return ended_; }))
+        std::cerr << whole << std::flush;
+    });
+  } catch (const std::
+               system_error&) {  // a machine without room for a thread: the work goes on unwatched
+  }
 }
 
-Overdue::~Overdue() { set_timer(0); }
+Overdue::~Overdue() {
+  if (!clock_.joinable()) return;
+  {
+    const std::lock_guard<std::mutex> lock(guard_);
+    ended_ = true;
+  }
+  end_.notify_one();
+  clock_.join();
+}
 
 }  // namespace command_line

@@ -1,6 +1,9 @@
 // A word on standard error while a stage of a run takes far longer than its forecast.
 #pragma once
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "signorini/scene/prediction.hpp"
@@ -32,10 +35,10 @@ double overdue_after(const Stage& stage, const signorini::Prediction& prediction
 std::string overdue_words(const Stage& stage, const signorini::Plan& plan,
                           const signorini::Prediction& prediction);
 
-/// Writes a line to standard error if it still lives after so many seconds; one at a time.
+/// Writes a line to standard error if it still lives after so many seconds.
 ///
-/// A timer of the system interrupts what is being done, so nothing has to ask for the time, not even within one long
-/// factorisation, and there is no second thread.
+/// A second thread waits for the end of the stage or of the seconds, so nothing has to ask for the time, not even within one
+/// long factorisation. It shares nothing with the work, and it has ended when this has.
 class Overdue {
  public:
   /// \param seconds  after which to write, more than 0
@@ -46,6 +49,12 @@ class Overdue {
   Overdue& operator=(const Overdue&) = delete;
   Overdue(Overdue&&) = delete;
   Overdue& operator=(Overdue&&) = delete;
+
+ private:
+  std::mutex guard_;
+  std::condition_variable end_;
+  bool ended_ = false;
+  std::thread clock_;
 };
 
 }  // namespace command_line

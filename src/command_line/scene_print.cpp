@@ -99,6 +99,7 @@ void write_plan(Json& json, const SceneRun& run) {
   write_lines(json, "on", run.plan.on);
   write_lines(json, "off", run.plan.off);
   json.key("method").value(run.prediction.method);
+  json.key("unknown").value(run.prediction.unknown);
   json.key("bodies").array();
   for (const BodySummary& body : run.prediction.bodies) {
     json.object().key("name").value(body.name).key("unknowns").value(body.unknowns);

@@ -24,6 +24,9 @@ namespace {
 
 using namespace signorini;
 
+/// What takes back the last line of a terminal; nothing where the error stream is none.
+const char* taking_back() { return isatty(STDERR_FILENO) == 1 ? "\r\033[K" : ""; }
+
 /// One line on the error stream that says what is being done; none unless that is a terminal.
 class Progress {
  public:
@@ -34,11 +37,11 @@ class Progress {
   Progress(Progress&&) = delete;
   Progress& operator=(Progress&&) = delete;
   void say(const std::string& what) const {
-    if (shown_) std::cerr << "\r\033[K" << what << std::flush;
+    if (*back_ != 0) std::cerr << back_ + what << std::flush;
   }
 
  private:
-  bool shown_ = isatty(STDERR_FILENO) == 1;
+  const char* back_ = taking_back();
 };
 
 /// The plan as build() wants it. What is large, and nobody looks at any more, leaves the other one.
@@ -54,7 +57,7 @@ Plan taken_out(Plan& plan) {
 /// Says, while a stage lasts, that it lasts far longer than forecast.
 Overdue watch(const Stage& stage, const SceneRun& run) {
   return Overdue(overdue_after(stage, run.prediction),
-                 overdue_words(stage, run.plan, run.prediction));
+                 taking_back() + overdue_words(stage, run.plan, run.prediction));
 }
 
 /// Goes along the load steps of a scene.
@@ -163,7 +166,7 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
     return run.prediction.amount(phase, what);
   };
   const auto total = std::find_if(run.prediction.figures.begin(), run.prediction.figures.end(),
-                                  [](const auto& one) { return one.phase == "all phases"; });
+                                  [](const auto& one) { return one.phase == all_phases; });
   const std::string all = text(to_string(total->trust), ' ', total->amount, " s: ");
   Ledger ledger;
   progress.say(text(all, "assembling ", figure("assembly", "unknowns"), " unknowns"));

@@ -142,6 +142,24 @@ TEST_CASE("the shortest solution lies in the span of the rows", "[dense]") {
   CHECK((pseudo_inverse(A) * b - x).norm() < rounding);
 }
 
+TEST_CASE(
+    "the shortest solution of blocks is that of the whole, however their rows and columns are "
+    "mixed",
+    "[dense]") {
+  Random random(11);
+  for (int trial = 0; trial < 200; ++trial) {
+    CAPTURE(trial);
+    const Index rows = random.whole(1, 12);
+    const Index columns = random.whole(1, 12);
+    MatrixXd A = random_matrix(rows, columns, static_cast<std::uint64_t>(100 + trial));
+    for (double& entry : A.reshaped())
+      if (random.whole(1, 5) > 1) entry = 0;  // so that there are blocks, rows and columns of zeros
+    const VectorXd b = random_matrix(rows, 1, static_cast<std::uint64_t>(500 + trial));
+    const VectorXd whole = pseudo_inverse(A) * b;
+    CHECK((least_norm_solution(A, b) - whole).norm() <= 1e-9 * (1 + whole.norm()));
+  }
+}
+
 TEST_CASE("singular values of a matrix made of known ones", "[dense]") {
   const MatrixXd U = column_span(random_matrix(6, 3, 8)).basis;
   const MatrixXd V = column_span(random_matrix(3, 3, 9)).basis;

@@ -71,6 +71,27 @@ my $summary = $plan->{plan}{bodies}[0];
 my @loads = (6, -28, -62);
 for my $k (0 .. 2) { is_near('loads', $line[$k], $loads[$k], 1e-5, 1e-9); is_near('loads in JSON', (@{ $summary->{load} }, $summary->{moment})[$k], $loads[$k], 1e-9, 1e-9) }
 
+# What cannot be known before is called so: the block moves up and down. Where all is held, it is known.
+check('iterations that are not known', $text =~ /not known before \(rigid motions: 1\)$/m && $text =~ /^    contact +iterations not known, seconds of one iteration about \S+ s, seconds not known$/m);
+check('all that is known at least', $text =~ /^    all phases +seconds at least \S+ s$/m);
+my %figure = map { ("$_->{phase} $_->{what}", $_) } @{ $plan->{plan}{predicted} };
+check('why that is, in JSON', $plan->{plan}{unknown} =~ /rigid motions: 1/);
+check("$_ in JSON", !defined $figure{$_}{amount} && $figure{$_}{trust} eq 'not known') for 'contact iterations', 'contact seconds';
+check('the rest, in JSON', $figure{'all phases seconds'}{trust} eq 'at least' && $figure{'all phases seconds'}{amount} > 0);
+put('held.toml', <<'END');
+material = { youngs_modulus = 1000, poisson_ratio = 0 }
+[[body]]
+name = "block"
+mesh = { kind = "block", size = [4, 2], cells = [1, 4] }
+fixed = "left"
+[[contact]]
+source = "block.bottom"
+target = { kind = "half_plane", point = [0, 0], normal = [0, 1] }
+END
+($text) = told('plan', 'held.toml');
+($plan) = json('plan', 'held.toml');
+check('all is known', $text !~ /not known|at least/ && $plan->{plan}{unknown} eq '' && !grep { !defined $_->{amount} || $_->{trust} !~ /^(exact|about)$/ } @{ $plan->{plan}{predicted} });
+
 # A round floor under a block that is held at its left end and pushed: some pairs are open, some stick, some slide, and one cannot rub.
 my $rough = <<'END';
 [[body]]

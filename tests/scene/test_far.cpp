@@ -119,30 +119,39 @@ TEST_CASE("pressures of random scenes far away are those at the origin", "[far][
       int compared = 0;
       int without_digits = 0;
       int ties = 0;
+      int depends = 0;
       for (std::uint64_t seed = 0; seed < 200; ++seed) {
         const RandomScene drawn = random_scene(seed, kind);
         const double size = size_of(drawn.scene);
         const double step = std::exp2(std::ilogb(size) - 24);
         const Scene scene = on_grid(drawn.scene, step);
         const End here = end_of(scene);
-        const End there = end_of(moved(scene, rounded({sizes * size, -0.75 * sizes * size}, step)));
+        const Vector2d shift = rounded({sizes * size, -0.75 * sizes * size}, step);
+        const End there = end_of(moved(scene, shift));
         CAPTURE(seed, sizes, drawn.text, here.refused, there.refused);
         if (there.refused.find("has lost its digits") != std::string::npos) {
           ++without_digits;
           continue;
         }
-        REQUIRE(here.solution.has_value() == there.solution.has_value());
-        if (!here.solution) continue;
-        if (tie(here.pairs, there.pairs)) {
+        const bool both = here.solution && there.solution;
+        if (both && tie(here.pairs, there.pairs)) {
           ++ties;
           continue;
         }
-        ++compared;
-        CHECK(difference(*here.solution, *there.solution) <= 1e-10);
+        const double off = both ? difference(*here.solution, *there.solution) : 0;
+        const bool same = here.solution.has_value() == there.solution.has_value() && off <= 1e-10;
+        if (!same && here.refused.empty() && hidden(scene, shift)) {
+          ++depends;
+          continue;
+        }
+        CAPTURE(off);
+        CHECK(same);
+        compared += both ? 1 : 0;
       }
       CHECK(compared >= 170);
       CHECK(without_digits <= 5);
       CHECK(ties <= 4);
+      CHECK(depends <= 6);
     }
 }
 

@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "catch_compat.hpp"
+#include "signorini/core/bytes.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/factor/frontal_factor.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -63,6 +65,25 @@ Scene rubbing_blocks() {
   return scene;
 }
 
+/// Loose blocks on each other, of which the lowest is held and the highest pressed.
+Scene tower(int count) {
+  Scene scene = pressed_block();
+  const Body first = scene.bodies[0];
+  scene.bodies.clear();
+  scene.contacts.clear();
+  for (int k = 0; k < count; ++k) {
+    const std::string name = "block " + std::to_string(k);
+    scene.bodies.push_back(first);
+    scene.bodies.back().mesh = named_block(name, {0, 2.0 * k}, {2, 2}, 20, 20);
+    scene.bodies.back().supports = {symmetric("left")};
+    if (k > 0)
+      scene.contacts.push_back({{"bottom", name}, Side{"top", scene.bodies[at(k - 1)].mesh.name}});
+  }
+  scene.bodies.front().supports = {fixed("bottom")};
+  scene.bodies.back().loads.edges = {{"top", 3, {}}};
+  return scene;
+}
+
 Scene without_contact() {
   Scene scene = cantilever("q8", 20, 4);
   scene.contacts.clear();
@@ -84,6 +105,7 @@ const std::map<std::string, std::function<Scene()>>& scenes() {
       {"floating", floating_block},
       {"floating, friction", rubbing_blocks},
       {"cantilever, friction", rubbing_cantilever},
+      {"tower", [] { return tower(8); }},
       {"without contact", without_contact},
       {"four blocks", [] { return row_of_blocks(4); }}};
   return all;

@@ -254,7 +254,7 @@ class Loop {
         static_cast<double>(unknowns) / static_cast<double>(run_.rounds.back().unknowns);
     if (last * std::pow(growth, 3) <= wanted_.most_seconds) return true;
     const auto forecast = [](const Scene& scene) {
-      return predict(plan(scene)).amount("all phases", "seconds");
+      return predict(plan(scene)).amount(all_phases, "seconds");
     };
     const double seconds = last * forecast(next) / forecast(run_.scene);
     if (seconds <= wanted_.most_seconds) return true;

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/motions.hpp"
 
 namespace signorini {
 namespace {

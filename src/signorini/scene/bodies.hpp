@@ -1,5 +1,5 @@
 /// \file
-/// The bodies of a scene by name, their nodes and unknowns one after another, and their rigid motions.
+/// The bodies of a scene by name, their nodes and unknowns one after another.
 #pragma once
 #include <Eigen/SparseCore>
 #include <string>
@@ -89,40 +89,10 @@ void each_history(SomeBody& body, Visit&& visit) {
 /// \return whether it has friction or cohesion: a law that allows no friction force is none
 [[nodiscard]] bool rubs(const ContactSpec& contact);
 
-/// Rigid motions that supports and springs leave to the bodies, each on the unknowns of all of them.
-/// \param bodies  with their unknowns and springs
-/// \return `n_r` independent motions
-[[nodiscard]] std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies);
-
-/// \param bodies  one or several
-/// \return one rounding of the directions of their sides [-]: that of the body that knows them worst
-[[nodiscard]] double direction_rounding(const std::vector<BodyModel>& bodies);
-
-/// \param modes  from rigid_modes()
-/// \return one rounding of the directions that they were made from [-], 0 if there are none
-[[nodiscard]] double direction_rounding(const std::vector<FreeMotion>& modes);
-
 /// The rows of A as the programme has them.
 /// \param gaps  of all pairs \param law  of those that rub
 /// \return the rows of the gaps, and below them those of the slips of the law
 [[nodiscard]] NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law);
-
-/// Rigid motions that open and close no gap.
-/// \param A      `n_c x n` gaps, see Gaps
-/// \param modes  `n_r` rigid motions of `n` unknowns
-/// \return sentences of the modes that take part in such a motion, empty if every motion moves some gap
-[[nodiscard]] std::vector<std::string> motions_without_contact(
-    const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const std::vector<FreeMotion>& modes);
-
-/// One unknown per rigid mode to attach a spring to, so that the springs alone hold the bodies.
-/// \param modes  `n_r` independent rigid motions of `n` unknowns
-/// \return `n_r` numbers of unknowns
-[[nodiscard]] std::vector<Eigen::Index> grounding(const std::vector<FreeMotion>& modes);
-
-/// The shapes of rigid modes side by side.
-/// \param modes  `n_r`
-/// \return `n x n_r`; empty if there are none
-[[nodiscard]] Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes);
 
 /// Puts matrices of the bodies along the diagonal of one, without a copy if there is one body only.
 /// \param bodies  one or several, `n` unknowns in all
@@ -141,20 +111,5 @@ void put_along_diagonal(const std::vector<BodyModel>& bodies,
 /// \param model  from build()
 /// \return `n x 2` position of the node of each unknown [length]
 [[nodiscard]] NodeArray unknown_positions(const Model& model);
-
-/// Memory that a row or column of a compressed matrix takes, with where its entries are.
-/// \param entries  how many it has \return [byte]
-[[nodiscard]] constexpr long long bytes_of_row(Eigen::Index entries) {
-  return entries * static_cast<long long>(sizeof(double) + sizeof(int)) +
-         static_cast<long long>(sizeof(int));
-}
-
-/// Memory that the entries of a compressed matrix take, with where they are.
-/// \param matrix  any
-/// \return [byte]
-template <int Options>
-[[nodiscard]] long long bytes_of(const Eigen::SparseMatrix<double, Options>& matrix) {
-  return bytes_of_row(matrix.nonZeros()) + matrix.outerSize() * static_cast<long long>(sizeof(int));
-}
 
 }  // namespace signorini

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "signorini/core/bytes.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"

@@ -9,6 +9,7 @@
 #include "signorini/contact/facing.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/mesh/far.hpp"
 #include "signorini/mesh/side_curve.hpp"
 #include "signorini/scene/bodies.hpp"
 
@@ -104,7 +105,8 @@ std::string doubt_of_passage(const std::string& what, const Surface& source, con
 
 /// How far a side turns at a node, if that is too far for one pair with one normal and one pressure.
 std::string doubt_of_turn(const std::string& what, const Surface& source) {
-  constexpr double cosine_of_30_degrees = 0.8660254037844386;
+  // A side of twelve edges turns by as much, and rounding does not decide about it.
+  const double too_far = std::cos(pi / 6) - 16 * direction_rounding(source.mesh);
   std::map<Index, Eigen::Vector2d> normals;
   std::vector<std::pair<double, Index>> turns;  // cosine and node
   for (const SideCurve& side : side_curves(source.mesh, source.boundary))
@@ -113,16 +115,15 @@ std::string doubt_of_turn(const std::string& what, const Surface& source) {
       const Eigen::Vector2d normal = side.normal(end);
       const auto [known, first] = normals.emplace(node, normal);
       const double cosine = known->second.dot(normal);
-      if (!first && cosine < cosine_of_30_degrees) turns.emplace_back(cosine, node);
+      if (!first && cosine < too_far) turns.emplace_back(cosine, node);
     }
   if (turns.empty()) return "";
   const auto [cosine, node] = *std::min_element(turns.begin(), turns.end());
   return text(
       what, ": the source turns by ",
-      std::round(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::acos(-1.0)),
-      " degrees at node ", node, ", (", source.mesh.nodes(node, 0), ", ",
-      source.mesh.nodes(node, 1), "), and by more than 30 at ", turns.size(),
-      turns.size() == 1 ? " node" : " nodes",
+      std::round(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / pi), " degrees at node ", node,
+      ", (", source.mesh.nodes(node, 0), ", ", source.mesh.nodes(node, 1),
+      "), and by more than 30 at ", turns.size(), turns.size() == 1 ? " node" : " nodes",
       ": a pair there has one normal and one pressure for both sides. Give the parts of a "
       "side with a corner names of their own, and each its contact; make a round side finer");
 }

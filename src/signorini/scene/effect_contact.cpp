@@ -8,6 +8,7 @@
 #include "signorini/scene/fit.hpp"
 #include "signorini/scene/fit_doubts.hpp"
 #include "signorini/scene/follow.hpp"
+#include "signorini/scene/motions.hpp"
 
 namespace signorini::effect {
 namespace {

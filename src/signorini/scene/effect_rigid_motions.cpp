@@ -3,6 +3,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
+#include "signorini/scene/motions.hpp"
 
 namespace signorini::effect {
 namespace {

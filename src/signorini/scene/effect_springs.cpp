@@ -4,6 +4,7 @@
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
+#include "signorini/scene/motions.hpp"
 
 namespace signorini::effect {
 namespace {

@@ -109,7 +109,7 @@ std::string doubt_of_sag(const ContactSpec& contact, const std::vector<BodyModel
   }
   const double meant = std::max(contact.adjust.value_or(0), contact.interference.value_or(0));
   const double mean = pairs.initial_gap.cwiseAbs().mean();
-  if (most <= std::max(mean, meant)) return "";
+  if (most <= std::max({mean, meant, gap_rounding(pairs)})) return "";
   return text(describe(bodies, contact), ": the straight edges of the target lie up to ", most,
               " within the curve that they stand for, but the mean gap is ", mean,
               ". So the meshes, not the bodies, say where they touch: let both sides have the same "

@@ -4,6 +4,7 @@
 #include "signorini/contact/gaps.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/motions.hpp"
 #include "signorini/solvers/solvers.hpp"
 #include "signorini/solvers/springs.hpp"
 

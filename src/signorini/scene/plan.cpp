@@ -2,12 +2,14 @@
 #include <set>
 #include <utility>
 
+#include "signorini/core/bytes.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/mesh/regions.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
+#include "signorini/scene/motions.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {

@@ -1,31 +1,21 @@
 #include "signorini/scene/prediction.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
-#include <map>
 #include <utility>
 
+#include "signorini/core/bytes.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/elasticity/along_boundary.hpp"
 #include "signorini/factor/front_speed.hpp"
-#include "signorini/problem/systems.hpp"
-#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/pattern.hpp"
+#include "signorini/scene/sample.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-using Eigen::VectorXd;
-
-/// Seconds of one call.
-template <typename Call>
-double seconds_of(Call&& call) {
-  const auto begin = std::chrono::steady_clock::now();
-  call();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 BodySummary summary_of(const BodyModel& body) {
   const NodeArray load = nodal_loads(body.mesh, body.element, body.material, body.loads);
@@ -61,132 +51,23 @@ std::string method_of(const Plan& plan) {
 std::string why_not_counted(const Plan& plan) {
   if (plan.gaps.A.rows() == 0) return "";
   std::string why;
-  if (plan.solver != Scene().solver) why += ", the method asked for";
-  if (!plan.law.pair.empty()) why += text(", ", plan.law.pair.size(), " pairs that rub");
-  if (!plan.modes.empty()) why += text(", ", plan.modes.size(), " rigid motions");
-  return why.empty() ? why
-                     : text("how many iterations contact takes is not known before: with ",
-                            why.substr(2), " it depends on the numbers");
-}
-
-/// Some cells of a body as a mesh of their own, without boundaries: the first ones, and among them one that the
-/// element is for.
-Mesh some_cells(const BodyModel& body) {
-  constexpr Index enough = 200;
-  const Mesh& mesh = body.mesh;
-  Mesh part;
-  part.name = mesh.name;
-  part.cells = mesh.cells.topRows(std::min(enough, mesh.n_cells()));
-  for (Index cell = part.n_cells(); cell < mesh.n_cells(); ++cell)
-    if (mesh.cell_size(cell) == body.element.n_nodes) {
-      part.cells.row(0) = mesh.cells.row(cell);
-      break;
-    }
-  std::map<Index, Index> number;
-  for (Index cell = 0; cell < part.n_cells(); ++cell)
-    for (Index k = 0; k < part.cell_size(cell); ++k) {
-      Index& node = part.cells(cell, k);
-      node = number.try_emplace(node, static_cast<Index>(number.size())).first->second;
-    }
-  part.nodes.resize(static_cast<Index>(number.size()), 2);
-  for (const auto& [from, to] : number) part.nodes.row(to) = mesh.nodes.row(from);
-  return part;
-}
-
-/// What assembly and one residual in twice the working precision take [s], from a few cells of every body.
-struct Sampled {
-  double assembly = 0;
-  double residual = 0;
-};
-
-Sampled sampled(const Plan& plan, Index stiffness_entries) {
-  Sampled all;
-  Index entries = 0;
-  for (const BodyModel& body : plan.bodies) {
-    const Mesh part = some_cells(body);
-    QuadraticProgramme programme;
-    const double assembly = seconds_of([&] {
-      LinearSystem system =
-          assemble(part, body.element, body.material.bulk, number_unknowns(part, {}), {});
-      programme.stiffness.swap(system.stiffness);
-      programme.load.swap(system.load);
-    });
-    const Index n = programme.load.size();
-    programme.A.resize(0, n);
-    const PrimalDual at{VectorXd::Ones(n), VectorXd::Zero(n), VectorXd()};
-    all.residual += seconds_of([&] { static_cast<void>(equilibrium_residual(programme, at)); });
-    entries += programme.stiffness.nonZeros();
-    all.assembly +=
-        assembly * static_cast<double>(body.mesh.n_cells()) / static_cast<double>(part.n_cells());
-  }
-  all.residual *= static_cast<double>(stiffness_entries) / static_cast<double>(entries);
-  return all;
-}
-
-/// Everything about K, its factor and the rows of A that needs no numbers.
-struct Symbolic {
-  Eigen::SparseMatrix<double> stiffness;
-  NodalRows rows;
-  std::vector<SystemParts> systems;  // one at least
-  Fronts fronts;
-  RowPaths paths;
-  double ordering = 0;  // [s]
-  double analysis = 0;  // [s]
-};
-
-/// The systems that a plan falls into, as far as the patterns of K and A tell.
-std::vector<SystemParts> systems_of(const Plan& plan, Symbolic& known) {
-  QuadraticProgramme pattern;
-  pattern.stiffness.swap(known.stiffness);
-  pattern.A.swap(known.rows);
-  pattern.stiffness.coeffs().setOnes();
-  pattern.load.setZero(pattern.stiffness.cols());
-  std::vector<SystemParts> systems =
-      unconnected_systems(pattern, plan.law, mode_shapes(plan.modes));
-  if (systems.empty()) systems = {whole_system(pattern, static_cast<Index>(plan.modes.size()))};
-  pattern.stiffness.swap(known.stiffness);
-  pattern.A.swap(known.rows);
-  return systems;
-}
-
-constexpr const char* all_phases = "all phases";
-constexpr const char* later_step = "a later step";
-constexpr const char* one_iteration = "seconds of one iteration";
-
-/// Seconds of all phases that no other one contains. \param first  of the ledgers that count
-double seconds_in(const std::vector<Ledger>& ledgers, std::size_t first) {
-  double sum = 0;
-  for (std::size_t k = first; k < ledgers.size(); ++k)
-    for (const LedgerEntry& entry : ledgers[k].entries())
-      if (entry.path.find('/') == std::string::npos) sum += entry.seconds;
-  return sum;
-}
-
-Symbolic symbolic(const Plan& plan) {
-  Symbolic known;
-  std::vector<Eigen::SparseMatrix<double>> blocks;
-  for (const BodyModel& body : plan.bodies)
-    blocks.push_back(stiffness_pattern(body.mesh, body.unknowns));
-  put_along_diagonal(plan.bodies, blocks, known.stiffness);
-  known.rows = contact_rows(plan.gaps, plan.law);
-  known.systems = systems_of(plan, known);
-  SeparatorTree tree;
-  known.ordering =
-      seconds_of([&] { tree = separator_tree(known.stiffness, unknown_positions(plan.bodies)); });
-  known.analysis = seconds_of([&] { known.fronts = fronts_of(known.stiffness, tree); });
-  known.paths = row_paths(known.fronts, known.rows);
-  return known;
+  if (plan.solver != Scene().solver) why += text(", solver ", plan.solver);
+  if (!plan.law.pair.empty()) why += text(", pairs that rub: ", plan.law.pair.size());
+  if (!plan.modes.empty()) why += text(", rigid motions: ", plan.modes.size());
+  if (why.empty()) return why;
+  return text("how many iterations contact takes depends on the numbers and is not known before (",
+              why.substr(2), ')');
 }
 
 /// Collects the figures phase by phase.
 class Figures {
  public:
-  Figures(const Plan& plan, const Symbolic& known)
+  Figures(const Plan& plan, const Pattern& known)
       : plan_(plan),
         known_(known),
         rows_(static_cast<double>(known.rows.rows())),
         speed_(measure_speed(known.fronts, known.paths)),
-        sample_(sampled(plan, known.stiffness.nonZeros())),
+        sample_(sample_of(plan, known.stiffness.nonZeros())),
         steps_(std::max(1.0, static_cast<double>(plan.path.times.size()))),
         of_factor_(plan.backend == Scene().backend ? Trust::Exact : Trust::Estimate),
         counted_(why_not_counted(plan).empty()) {}
@@ -339,10 +220,10 @@ class Figures {
   }
 
   const Plan& plan_;
-  const Symbolic& known_;
+  const Pattern& known_;
   double rows_;
   FrontSpeed speed_;
-  Sampled sample_;
+  Sample sample_;
   double steps_;
   Trust of_factor_;  // its fronts are those of ours
   bool counted_;     // whether the iterations of contact are known beforehand
@@ -363,37 +244,9 @@ Prediction predict(const Plan& plan) {
   for (const BodyModel& body : plan.bodies) prediction.bodies.push_back(summary_of(body));
   prediction.method = method_of(plan);
   prediction.unknown = why_not_counted(plan);
-  const Symbolic known = symbolic(plan);
+  const Pattern known = pattern_of(plan);
   prediction.figures = Figures(plan, known).all();
   return prediction;
-}
-
-std::vector<ConfrontedFigure> confront(const Prediction& prediction,
-                                       const std::vector<Ledger>& ledgers) {
-  std::vector<ConfrontedFigure> figures;
-  const std::size_t later = ledgers.size() - std::min<std::size_t>(ledgers.size(), 1);
-  for (const PredictedFigure& figure : prediction.figures) {
-    figures.push_back({figure, {}});
-    std::optional<double>& measured = figures.back().measured;
-    if (figure.phase == all_phases && !ledgers.empty()) measured = seconds_in(ledgers, 0);
-    if (figure.phase == later_step && later > 0)
-      measured = seconds_in(ledgers, 1) / static_cast<double>(later);
-    const auto add = [&](double amount) { measured = measured.value_or(0) + amount; };
-    double iterations = 0;
-    for (const Ledger& ledger : ledgers)
-      for (const LedgerEntry& entry : ledger.entries()) {
-        if (entry.path != figure.phase) continue;
-        if (figure.what == "seconds" || figure.what == one_iteration)
-          add(entry.seconds);
-        else if (figure.what == "bytes")
-          add(static_cast<double>(entry.bytes));
-        else if (entry.counts.count(figure.what) > 0)
-          add(static_cast<double>(entry.counts.at(figure.what)));
-        iterations += static_cast<double>(ledger.counted(entry.path, "iterations"));
-      }
-    if (figure.what == one_iteration && measured) *measured /= std::max(1.0, iterations);
-  }
-  return figures;
 }
 
 }  // namespace signorini

@@ -10,6 +10,12 @@
 
 namespace signorini {
 
+/// What figures are about that are no phase of the ledger: the whole run, and a load step after the first.
+inline constexpr const char* all_phases = "all phases";
+inline constexpr const char* later_step = "a later step";
+/// What is said of a phase that nobody knows how often it goes round.
+inline constexpr const char* one_iteration = "seconds of one iteration";
+
 /// How a figure of a prediction is meant.
 enum class Trust {
   Exact,  ///< it will be so
@@ -93,7 +99,7 @@ std::ostream& operator<<(std::ostream& out, const Prediction& prediction);
 /// Prints a table of predicted and measured figures. \param out where to \param figures what \return `out`
 std::ostream& operator<<(std::ostream& out, const std::vector<ConfrontedFigure>& figures);
 
-/// \param trust  any \return "exact" or "about"
+/// \param trust  any \return "exact", "about", "at least" or "not known"
 [[nodiscard]] const char* to_string(Trust trust);
 /// \param built  any \return "once", "per load step" or "per iteration"
 [[nodiscard]] const char* to_string(Built built);

@@ -19,6 +19,7 @@
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/end_words.hpp"
 #include "signorini/scene/fit_doubts.hpp"
+#include "signorini/scene/motions.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/scene/sliding_verdict.hpp"
 #include "signorini/scene/steps_limit.hpp"

@@ -7,6 +7,7 @@
 #include "signorini/closing/proofs.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/motions.hpp"
 
 namespace signorini {
 namespace {

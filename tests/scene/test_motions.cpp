@@ -11,6 +11,7 @@
 #include "signorini/mesh/ring.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/motions.hpp"
 
 using namespace signorini;
 
