@@ -100,10 +100,10 @@ bool solves(const ScaledProblem& problem, const std::vector<Motion>& motions,
   const Index pairs = problem.pairs();
   claim.force.head(pairs) = closure.force.head(pairs).cwiseMax(0.0);
   claim.movement.head(pairs) = closure.movement.head(pairs).cwiseMax(0.0);
-  // Its bound is 1e-12; in the units of the problem every number is rounded once more.
+  // In the units of the problem every number is rounded once more.
   const ProblemBlocks blocks{problem.compliance, problem.free, problem.law, problem.rigid,
                              problem.resultant};
-  return certify(blocks, claim).holds(0.25e-12);
+  return certify(blocks, claim).holds(0.25 * certificate_tolerance);
 }
 
 Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& candidates,

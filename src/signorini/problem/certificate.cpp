@@ -166,7 +166,7 @@ bool strains(const QuadraticProgramme& programme, const Eigen::VectorXd& rigid) 
       stiffness += std::abs(it.value());
       motion = std::max(motion, std::abs(rigid(it.row())));
     }
-    if (!(std::abs(force) <= 1e-12 * stiffness * motion)) return true;
+    if (!(std::abs(force) <= certificate_tolerance * stiffness * motion)) return true;
   }
   return false;
 }

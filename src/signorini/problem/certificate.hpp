@@ -8,6 +8,9 @@
 
 namespace signorini {
 
+/// What a certificate lets pass [-]: a larger figure refutes a solution, and what is at most so large is none.
+constexpr double certificate_tolerance = 1e-12;
+
 /// How far a claimed solution is from satisfying each condition, made free of units; 0 is perfect.
 ///
 /// Lengths are divided by the largest |a_i||u| of a row, or by what the largest entry of p - A^T lambda would move the stiffest
@@ -35,7 +38,9 @@ struct Certificate {
   /// Whether this is good enough.
   /// \param tolerance  for all of them [-]
   /// \return whether none exceeds it
-  [[nodiscard]] bool holds(double tolerance = 1e-12) const { return worst() <= tolerance; }
+  [[nodiscard]] bool holds(double tolerance = certificate_tolerance) const {
+    return worst() <= tolerance;
+  }
 };
 
 /// The certificate of what was not solved, or holds a number that is not finite.
@@ -72,7 +77,7 @@ struct PrimalDual {
 /// \param equations  so many of the first rows are equations: both signs of their gap count as
 ///   penetration, and no force as tension
 /// \return the figures; all infinite if any number, given or claimed, is not finite, or if the rigid
-///   part strains a body: an entry of K times it exceeds 1e-12 of its terms
+///   part strains a body: an entry of K times it exceeds certificate_tolerance of its terms
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                                   Eigen::Index equations = 0);

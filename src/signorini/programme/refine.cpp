@@ -304,7 +304,8 @@ Judgement judge(const RefinementData& data, const Refinement& refined,
                 const std::vector<Motion>& motions) {
   const double rounding = epsilon * static_cast<double>(closed_pairs(motions).size() + 1);
   // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.
-  const double contradicted = std::max(rounding, 1e-12) * length_of(data, refined.solution);
+  const double contradicted =
+      std::max(rounding, certificate_tolerance) * length_of(data, refined.solution);
   Closure numbers = scaled_numbers(data, refined.solution, refined.movement, rounding);
   bool closes = true;
   for (const Index row : known_set(motions, data.condensed.law).closed) {

@@ -111,8 +111,8 @@ Judgement Road::look(const std::vector<Motion>& motions, const VectorXd& force) 
 
 void Road::read_off() {
   const std::vector<Motion> taken = motions_;
-  // What a certificate lets pass.
-  predict(scaled_, scaled_numbers(data_, end_.solution, kept_.movement, 1e-12), 1, motions_);
+  predict(scaled_, scaled_numbers(data_, end_.solution, kept_.movement, certificate_tolerance), 1,
+          motions_);
   // With cohesion a pair that nothing presses carries shear all the same: it is closed.
   const FrictionLaw& law = problem_.law;
   const VectorXd friction = end_.solution.force.tail(law.coefficient.size());

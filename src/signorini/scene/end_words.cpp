@@ -16,9 +16,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using MatrixX2 = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
-constexpr double known_sum =
-    1e-12;  // what exchanges may change of it: what a certificate lets pass
-
 /// Where a pair is: its node, if it has one, and the place.
 std::string pair_in_words(const Model& model, Index pair) {
   const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
@@ -59,7 +56,7 @@ Sum sum_of(const Model& model, const VectorXd& force, const SharedForces& group)
   sum.force = push.transpose() * force;
   const MatrixX2 changed = group.exchanges.transpose() * push;
   const MatrixX2 terms = group.exchanges.cwiseAbs().transpose() * push.cwiseAbs();
-  sum.determined = (changed.cwiseAbs().array() <= known_sum * terms.array()).all();
+  sum.determined = (changed.cwiseAbs().array() <= certificate_tolerance * terms.array()).all();
   return sum;
 }
 

@@ -63,7 +63,6 @@ constexpr double known_well = 1e-6;
 /// Up to which force a row carries none: a share, which a certificate lets pass, of the largest force and load of the
 /// system that it is in; or what rounding of the entries of K makes along its rigid motions, if that is more.
 VectorXd no_forces(const Model& model, const PrimalDual& refined) {
-  constexpr double passes = 1e-12;
   const QuadraticProgramme& programme = model.programme;
   const VectorXd& force = refined.force;
   const double row = static_cast<double>(programme.stiffness.nonZeros()) /
@@ -79,8 +78,9 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined) {
   if (systems.empty()) systems = {whole_system(programme, static_cast<Index>(model.modes.size()))};
   VectorXd none(force.size());
   for (const SystemParts& parts : systems) {
-    double most = passes * std::max(largest(VectorXd(force(parts.rows))),
-                                    largest(VectorXd(programme.load(parts.unknowns))));
+    double most =
+        certificate_tolerance * std::max(largest(VectorXd(force(parts.rows))),
+                                         largest(VectorXd(programme.load(parts.unknowns))));
     for (const Index mode : parts.modes) most = std::max(most, along(mode));
     none(parts.rows).setConstant(most);
   }
