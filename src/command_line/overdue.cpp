@@ -100,8 +100,8 @@ Overdue::Overdue(double seconds, const std::string& line) {
       if (!end_.wait_for(lock, patient, [this] { return ended_; }))
         std::cerr << whole << std::flush;
     });
-  } catch (const std::
-               system_error&) {  // a machine without room for a thread: the work goes on unwatched
+  } catch (const std::system_error&) {
+    // A machine without room for a thread: the work goes on unwatched.
   }
 }
 

@@ -12,8 +12,8 @@ namespace command_line {
 
 /// A stage of a run and the phases of the ledger that it is made of.
 struct Stage {
-  const char* name;
-  std::vector<const char*> phases;
+  const char* name;                 ///< what messages call it
+  std::vector<const char*> phases;  ///< of the ledger
 };
 
 const Stage& assembling();
