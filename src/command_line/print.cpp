@@ -110,7 +110,7 @@ void print_doubt(std::ostream& out, const Outcome& outcome) {
   out << ", 1 without friction, is " << number(outcome.doubt.determinant, "%.6g") << '\n';
 }
 
-/// Whether there may be other solutions, and what speaks for them: the pair counts from 1 as in the table, 0 being all
+/// Whether there are other solutions, and what speaks for them: the pair counts from 1 as in the table, 0 being all
 /// pairs that slide.
 void write_uniqueness(Json& json, const Outcome& outcome) {
   const bool doubtful = outcome.uniqueness == Uniqueness::Doubtful;

@@ -119,6 +119,24 @@ TEST_CASE("elimination finds every combination of columns that is nothing", "[cl
   }
 }
 
+TEST_CASE("of many full columns those that depend on others are found, and no more", "[closing]") {
+  Random random(4);
+  const Index n = 160;
+  for (const bool repeats : {false, true}) {
+    std::vector<SparseEntries> entries(static_cast<std::size_t>(n));
+    for (Index j = 0; j < n; ++j)
+      for (Index i = 0; i < n; ++i)
+        entries[static_cast<std::size_t>(j)].emplace_back(i, random.uniform(-1, 1));
+    if (repeats) entries[70] = entries[12];
+    const std::vector<SparseEntries> all = null_combinations(entries, n, 1e-12);
+    REQUIRE(all.size() == (repeats ? 1 : 0));
+    if (!repeats) continue;
+    REQUIRE(all[0].size() == 2);
+    CHECK(all[0][0].first + all[0][1].first == 82);
+    CHECK(all[0][0].second + all[0][1].second == Approx(0).margin(1e-12));
+  }
+}
+
 TEST_CASE("two pairs of one node share what presses it", "[closing][closed-form]") {
   // Both walls push along x: the sum of 3 is given. A wall on the other side takes what the first gives more.
   const MatrixXd same = (MatrixXd(2, 2) << 1, 1, 0, 0).finished();
@@ -136,6 +154,16 @@ TEST_CASE("two pairs of one node share what presses it", "[closing][closed-form]
   CHECK(groups[0].forces[0].low == Approx(2).epsilon(1e-15));
   CHECK(groups[0].forces[1].low == 0);
   CHECK(groups[0].width() == infinite);
+  groups = undetermined_forces(node(same, {}, Vector2d(1, 2)), 0);  // without an operation
+  REQUIRE(groups.size() == 1);
+  CHECK(groups[0].width() == infinite);
+  for (const ForceRange& range : groups[0].forces) CHECK(std::isnan(range.low + range.high));
+  const MatrixXd thrice = (MatrixXd(2, 3) << 1, 1, 1, 0, 0, 0).finished();
+  groups = undetermined_forces(node(thrice, {}, Vector3d(1, 2, 3)));
+  REQUIRE(groups.size() == 1);
+  CHECK(groups[0].exchanges.cols() == 2);
+  REQUIRE(groups[0].forces.size() == 3);
+  for (const ForceRange& range : groups[0].forces) CHECK(range.high == Approx(6).epsilon(1e-15));
   const MatrixXd apart = (MatrixXd(2, 2) << 1, 0, 0, 1).finished();
   CHECK(undetermined_forces(node(apart, {}, Vector2d(1, 2))).empty());
   Carried equation = node(same, {}, Vector2d(1, 2));
@@ -176,6 +204,20 @@ TEST_CASE("a corner without a load holds by itself only if friction wedges it",
     const auto groups = undetermined_forces(node(corner, law, VectorXd::Zero(4)));
     CHECK(groups.empty() == !wedges);
     if (wedges) CHECK(groups[0].width() == infinite);
+  }
+}
+
+// Sticking without friction takes c at most: each wall carries what the other takes.
+TEST_CASE("cohesion wedges a corner by as much as it is", "[closing][closed-form]") {
+  const MatrixXd corner = (MatrixXd(2, 4) << 0, 1, 1, 0, 1, 0, 0, 1).finished();
+  const FrictionLaw law = law_of_all(Vector2d::Zero(), Vector2d(0.5, 0.25));
+  const auto groups = undetermined_forces(node(corner, law, VectorXd::Zero(4)));
+  REQUIRE(groups.size() == 1);
+  REQUIRE(groups[0].forces.size() == 4);
+  for (const ForceRange& range : groups[0].forces) {
+    const double most = range.row == 1 || range.row == 2 ? 0.5 : 0.25;
+    CHECK(range.low == Approx(range.row < 2 ? 0 : -most).epsilon(1e-15).margin(1e-15));
+    CHECK(range.high == Approx(range.row < 2 ? most : 0).epsilon(1e-15).margin(1e-15));
   }
 }
 

@@ -3,61 +3,48 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signorini/core/dense.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// What is left of an entry, and the sum of its terms' sizes.
-struct Entry {
-  Index row;
-  double value;
-  double size;
-};
 
 /// A column that changes until it is a pivot or nothing.
 struct Column {
-  std::vector<Entry> left;                      ///< by rising rows
+  SparseEntries left;                           ///< by rising rows
+  double terms = 0;                             ///< the largest that made an entry
   std::vector<std::pair<Index, double>> taken;  ///< multiples of pivot columns, in order
   bool pivoted = false;
 
-  /// The largest entry, or null if there is none beyond a share of the terms.
-  [[nodiscard]] const Entry* largest(double share) const {
-    double terms = 0;
-    const Entry* most = nullptr;
-    for (const Entry& entry : left) {
-      terms = std::max(terms, entry.size);
-      if (most == nullptr || std::abs(entry.value) > std::abs(most->value)) most = &entry;
-    }
-    return most != nullptr && std::abs(most->value) > share * terms ? most : nullptr;
-  }
-
-  /// Takes a multiple of another column away, so that nothing is left in one row.
-  void take(const Column& other, double factor, Index row) {
-    std::vector<Entry> sum;
+  /// Takes a multiple of another column away, so that nothing is left in one row. \return rows of new entries
+  std::vector<Index> take(const Column& other, double factor, Index row) {
+    std::vector<Index> filled;
+    SparseEntries sum;
     sum.reserve(left.size() + other.left.size());
     auto mine = left.begin();
-    for (const Entry& entry : other.left) {
-      while (mine != left.end() && mine->row < entry.row) sum.push_back(*mine++);
-      Entry now{entry.row, -factor * entry.value, std::abs(factor) * entry.size};
-      if (mine != left.end() && mine->row == entry.row) {
-        now.value += mine->value;
-        now.size += (mine++)->size;
-      }
-      if (entry.row != row) sum.push_back(now);
+    for (const auto& [its_row, its_value] : other.left) {
+      while (mine != left.end() && mine->first < its_row) sum.push_back(*mine++);
+      const bool had = mine != left.end() && mine->first == its_row;
+      const double before = had ? (mine++)->second : 0;
+      if (!had) filled.push_back(its_row);
+      if (its_row != row) sum.emplace_back(its_row, before - factor * its_value);
     }
     sum.insert(sum.end(), mine, left.end());
     left = std::move(sum);
+    terms = std::max(terms, std::abs(factor) * other.terms);
+    return filled;
   }
 };
 
 double value(const Column& column, Index row) {
   const auto found = std::lower_bound(column.left.begin(), column.left.end(), row,
-                                      [](const Entry& entry, Index r) { return entry.row < r; });
-  return found != column.left.end() && found->row == row ? found->value : 0;
+                                      [](const auto& entry, Index r) { return entry.first < r; });
+  return found != column.left.end() && found->first == row ? found->second : 0;
 }
 
 class Elimination {
@@ -83,23 +70,25 @@ Elimination::Elimination(const std::vector<SparseEntries>& columns, Index rows, 
   for (std::size_t j = 0; j < columns.size(); ++j) {
     SparseEntries sorted = columns[j];
     std::sort(sorted.begin(), sorted.end());
-    std::vector<Entry>& left = columns_[j].left;
+    Column& column = columns_[j];
     for (const auto& [row, value] : sorted) {
-      if (left.empty() || left.back().row != row) {
-        left.push_back({row, 0, 0});
+      if (column.left.empty() || column.left.back().first != row) {
+        column.left.emplace_back(row, 0);
         of_row_[at(row)].push_back(static_cast<Index>(j));
       }
-      left.back().value += value;
-      left.back().size += std::abs(value);
+      column.left.back().second += value;
+      column.terms = std::max(column.terms, std::abs(value));
     }
     measure(static_cast<Index>(j));
   }
 }
 
 void Elimination::measure(Index column) {
-  const Entry* most = columns_[at(column)].largest(share_);
-  largest_[at(column)] =
-      most == nullptr ? std::pair(0.0, Index{-1}) : std::pair(std::abs(most->value), most->row);
+  std::pair<double, Index> most{0, -1};
+  for (const auto& [row, value] : columns_[at(column)].left)
+    if (std::abs(value) > most.first) most = {std::abs(value), row};
+  const bool nothing = most.first <= share_ * columns_[at(column)].terms;
+  largest_[at(column)] = nothing ? std::pair(0.0, Index{-1}) : most;
 }
 
 void Elimination::eliminate(Index column) {
@@ -114,9 +103,7 @@ void Elimination::eliminate(Index column) {
     Column& other = columns_[at(j)];
     const double factor = other.pivoted ? 0 : value(other, row) / divisor;
     if (factor == 0) continue;
-    for (const Entry& entry : pivot.left)
-      if (value(other, entry.row) == 0) of_row_[at(entry.row)].push_back(j);  // a new entry
-    other.take(pivot, factor, row);
+    for (const Index filled : other.take(pivot, factor, row)) of_row_[at(filled)].push_back(j);
     other.taken.emplace_back(step, factor);
     measure(j);
   }
@@ -153,10 +140,27 @@ SparseEntries Elimination::combination(Index column) const {
   return result;
 }
 
+/// Whether columns that fill most of a matrix are independent beyond doubt: if E^T E, of columns of length 1, is positive definite
+/// less what rounding can be. Elimination of such columns takes longer than to solve their problem.
+bool surely_independent(const std::vector<SparseEntries>& columns, Index rows) {
+  const Index n = static_cast<Index>(columns.size());
+  std::size_t entries = 0;
+  for (const SparseEntries& column : columns) entries += column.size();
+  if (n > rows || 2 * entries < at(n) * at(rows)) return false;
+  MatrixXd E = MatrixXd::Zero(rows, n);
+  for (Index j = 0; j < n; ++j)
+    for (const auto& [row, value] : columns[at(j)]) E(row, j) += value;
+  for (auto column : E.colwise()) column.normalize();
+  MatrixXd products = E.transpose() * E;
+  products.diagonal().array() -= static_cast<double>(n) * static_cast<double>(n + rows) * epsilon;
+  return CholeskyFactor(products).positive();
+}
+
 }  // namespace
 
 std::vector<SparseEntries> null_combinations(const std::vector<SparseEntries>& columns, Index rows,
                                              double share) {
+  if (surely_independent(columns, rows)) return {};
   return Elimination(columns, rows, share).combinations();
 }
 

@@ -13,8 +13,8 @@ using SparseEntries = std::vector<std::pair<Eigen::Index, double>>;
 /// Finds the combinations of columns that are nothing, by Gaussian elimination with complete pivoting.
 ///
 /// The largest entry that is left is the next pivot; its column is subtracted from all that have an entry in its
-/// row. What is left of a column is nothing if it is at most a share of the terms that made it: of as many roundings
-/// as it took, and of what the data may have of them. Where columns along a line are coupled with their neighbours only,
+/// row, so no multiple is larger than 1. What is left of a column is nothing if it is at most a share of the largest term that
+/// made it, which is to be what rounding of the data can be. Where columns along a line are coupled with their neighbours only,
 /// so are those that are left, and the work of the eliminations grows with their number only.
 /// \param columns  entries by rows; a row may occur more than once
 /// \param rows     of the matrix

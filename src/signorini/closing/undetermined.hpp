@@ -52,9 +52,9 @@ struct Carried {
 /// They are determined if this polyhedron is a point. Otherwise columns of A^T depend on each other, as those
 /// of a node in two contacts that rub, of a contact listed twice, or of more Gauss points than nodes. The exchanges, a
 /// basis of \f$ A^T \Delta f = 0 \f$, are found by elimination: a column depends on those before it if what is left
-/// of it is at most 1e-12, what a certificate lets pass, of the terms that made it. Exchanges that have a pair in common
+/// of it is at most certificate_tolerance of the largest term that made it. Exchanges that have a pair in common
 /// belong together, and for each of these groups every force is driven to both ends by Polyhedron. A slack that is at
-/// most 1e-12 of the largest force is none.
+/// most certificate_tolerance of the largest force is none.
 ///
 /// A pair with cohesion that touches and is open counts as open: closing it changes its bound.
 /// \param carried  a solution
