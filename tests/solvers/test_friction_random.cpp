@@ -168,9 +168,9 @@ TEST_CASE("a solution on the turned branch warns of the others", "[friction][har
 TEST_CASE("others are said to exist where they do", "[friction][hard]") {
   Random random(78);
   int several = 0, told = 0;
-  for (int trial = 0; trial < 600; ++trial) {
+  for (int trial = 0; trial < 900; ++trial) {
     const ContactProblem problem =
-        random_friction(random, 1 + trial % 3, std::vector<double>{3, 30, 1e4}[trial / 200]);
+        random_friction(random, 1 + trial % 3, std::vector<double>{3, 30, 1e4}[trial / 300]);
     const ContactState state = friction_solvers().front().solve(problem, {});
     if (state.report.status != Status::Solved) continue;
     const bool more = all_solutions(problem).size() > 1;
