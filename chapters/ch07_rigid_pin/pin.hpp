@@ -50,6 +50,7 @@ inline Scene pin_in_plate(const Pin& pin, Index cells_radius, const VectorXd& ra
   scene.contacts = {{{"hole"},
                      pin.linear_gap ? pin_in_hole({0, 0}, pin.clearance, shift)
                                     : disc(shift, hole_radius - pin.clearance)}};
+  scene.contacts[0].small_sliding = true;  // linear theory, however far it goes
   return scene;
 }
 // [scene]

@@ -15,15 +15,15 @@ class FreeForces {
   /// \param carried  a solution, which must outlive this
   explicit FreeForces(const Carried& carried);
 
-  /// Groups of pairs that share exchanges, without how far their forces go.
+  /// \return groups of pairs that share exchanges, without how far their forces go
   [[nodiscard]] std::vector<SharedForces> groups() const;
-  /// `n_c + n_s` > 0: of all rows force * unit is in one unit, the length of the column of the effect.
+  /// \return `n_c + n_s` > 0: of all rows force * unit is in one unit, the length of the column of the effect
   [[nodiscard]] const Eigen::VectorXd& unit() const { return unit_; }
-  /// The largest force in these units.
+  /// \return the largest force in these units
   [[nodiscard]] double largest_force() const { return largest_; }
-  /// The row of the friction force of a pair; -1 if it does not rub.
+  /// \param pair  any \return the row of its friction force; -1 if it does not rub
   [[nodiscard]] Eigen::Index slip_row(Eigen::Index pair) const;
-  /// Whether the friction force of a pair is free within its bound.
+  /// \param pair  any \return whether its friction force is free within its bound
   [[nodiscard]] bool sticks(Eigen::Index pair) const;
 
  private:

@@ -34,9 +34,11 @@ Obstacle half_plane(const Eigen::Vector2d& point, const Eigen::Vector2d& normal)
        "obstacle 'half plane': needs a finite point and a normal of positive length, got (",
        normal.x(), ", ", normal.y(), ')');
   const Eigen::Vector2d n = normal.stableNormalized();
-  return {"half plane", [point, n](const Eigen::Vector2d& x) {
+  return {"half plane",
+          [point, n](const Eigen::Vector2d& x) {
             return ObstacleContact{n.dot(x - point), n};
-          }};
+          },
+          true};
 }
 
 Obstacle disc(const Eigen::Vector2d& centre, double radius) {

@@ -21,7 +21,8 @@ struct ObstacleContact {
 struct Obstacle {
   std::string name;                                             ///< what messages call it
   std::function<ObstacleContact(const Eigen::Vector2d&)> look;  ///< seen from a point [length]
-  /// Whether that is so at the nodes of the mesh alone, because the gap is to be linear in what moves them
+  /// Whether the gap is linear in what moves a point, along the normal at its place in the mesh: as of a half plane it is,
+  /// and of pin_in_hole() it is meant to be
   bool linear = false;
 };
 

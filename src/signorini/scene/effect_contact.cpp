@@ -30,6 +30,12 @@ void check_choices(const ContactSpec& contact, Plan& draft) {
                                idle.substr(2)));
 }
 
+/// Whether its pairs are the same wherever the body slides.
+bool stays_linear(const ContactSpec& contact) {
+  const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target);
+  return obstacle != nullptr && obstacle->linear;
+}
+
 ContactBodies bodies_of(const ContactSpec& contact, const std::vector<BodyModel>& bodies) {
   const Side* target = std::get_if<Side>(&contact.target);
   return {body_index(bodies, contact.source),
@@ -70,7 +76,8 @@ void price_contact(const Scene& scene, Plan& draft) {
     draft.contact_of.resize(draft.contact_of.size() + pairs, k);
     draft.contact_bodies.push_back(bodies_of(contact, draft.bodies));
   }
-  draft.follow = follow(std::move(followed));
+  if (!std::all_of(scene.contacts.begin(), scene.contacts.end(), stays_linear))
+    draft.follow = follow(std::move(followed));
 }
 
 /// Number of pairs that overlap by more than rounding.

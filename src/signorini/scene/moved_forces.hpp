@@ -42,6 +42,11 @@ struct PairForces {
 
 /// The same with the rows and the compliance of the pairs in the meshes, so that only gaps are others: for pairs that hardly
 /// moved, and no fresh ones.
+/// \param condensed     from condense() of the model
+/// \param displacement  `2 n_nodes` [length]
+/// \param opens         `n_c` by how much gaps are larger there than the linear ones [length]
+/// \param contact       that was found
+/// \return of the pairs there were; no solution unless its status is Solved
 [[nodiscard]] ContactState forces_nearby(const Condensed& condensed,
                                          const Eigen::VectorXd& displacement,
                                          const Eigen::VectorXd& opens, const ContactState& contact);

@@ -10,8 +10,9 @@
 
 namespace signorini {
 
-/// What figures are about that are no phase of the ledger: the whole run, and a load step after the first.
+/// What figures are about that are no phase of the ledger: the whole run.
 inline constexpr const char* all_phases = "all phases";
+/// The same: a load step after the first.
 inline constexpr const char* later_step = "a later step";
 /// What is said of a phase that nobody knows how often it goes round.
 inline constexpr const char* one_iteration = "seconds of one iteration";

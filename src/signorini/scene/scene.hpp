@@ -81,7 +81,7 @@ struct Plan {
   std::vector<std::string> contacts;    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of;  ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
-  FollowPairs follow;                              ///< null without contact
+  FollowPairs follow;                              ///< null without contact, or if all gaps are linear
   std::vector<bool> small_sliding;                 ///< of each contact, see ContactSpec
   FrictionLaw law;                  ///< of the pairs that can slide and whose own contact rubs
   std::string solver;               ///< name of the one that the scene asks for

@@ -61,7 +61,7 @@ struct Model {
   std::vector<std::string> contacts = {};          ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of = {};        ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
-  FollowPairs follow = {};                         ///< null without contact
+  FollowPairs follow = {};                         ///< null without contact, or if all gaps are linear
   std::vector<bool> small_sliding = {};            ///< of each contact, see ContactSpec
 };
 
