@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <iostream>
 
+#include "signorini/closing/undetermined.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/elasticity/elements.hpp"
@@ -77,6 +78,9 @@ void by_hand(const Scene& scene) {
                                  [&](const VectorXd& load) { return factor.solve(load); }};
   const CertifiedEnd end =
       certified_end(programme, small, {}, find_solver(scene.solver), {}, ledger);
+  // Of every solution it is asked whether its forces are determined.
+  static_cast<void>(
+      undetermined_forces(carried(programme, end.solution, {}, all_motions(end.state))));
   print(end.state.force, expand(unknowns, end.solution.displacement));
 }
 
