@@ -135,3 +135,17 @@ TEST_CASE("three Gauss points on two nodes share the force of an edge", "[scene]
   scene.contacts[0].points = 2;
   CHECK(note_of(solve(scene)).empty());
 }
+
+TEST_CASE("the sum of many points is told where not all ranges are looked for", "[scene]") {
+  Scene scene = two_blocks(named_block("lower", {0, -1}, {100, 1}, 50, 2),
+                           named_block("upper", {0, 0}, {100, 1}, 50, 2));
+  scene.bodies[1].supports = {symmetric("left")};
+  scene.bodies[1].loads.edges = {{"top", 3, {}}};
+  scene.contacts[0].friction = Friction{0.3, 0};
+  scene.contacts[0].gap_operator = "gauss_points";
+  scene.contacts[0].points = 3;
+  const Solution solution = solve(scene);
+  REQUIRE(solution.shared.size() == 1);
+  CHECK(std::isinf(solution.shared[0].width()));
+  CHECK_THAT(note_of(solution), ContainsSubstring("airs 0 to 149 together push body 'lower' with"));
+}

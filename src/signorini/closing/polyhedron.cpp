@@ -83,7 +83,7 @@ VectorXd Polyhedron::vertex() const {
 
 double Polyhedron::most(const VectorXd& c) {
   constexpr double unbounded = std::numeric_limits<double>::infinity();
-  const Index limit = pivots_ + 100 * rows_.rows();
+  const Index limit = pivots_ + 10 * rows_.rows();
   for (bool moves = true; pivots_ < limit;) {
     const auto coordinates = rows_.bottomRows(k_);
     const VectorXd gain = coordinates.transpose() * c;

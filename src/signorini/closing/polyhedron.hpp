@@ -21,7 +21,7 @@ class Polyhedron {
   Polyhedron(const Eigen::MatrixXd& G, const Eigen::VectorXd& h);
 
   /// \param c  `k`
-  /// \return least and largest c^T y; infinite where nothing bounds it, NaN if 100 pivots per row are not enough
+  /// \return least and largest c^T y; infinite where nothing bounds it, NaN if 10 pivots per row are not enough
   ///   or the vertex is not in the polyhedron to rounding
   [[nodiscard]] std::pair<double, double> range(const Eigen::VectorXd& c);
 

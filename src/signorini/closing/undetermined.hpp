@@ -62,6 +62,6 @@ struct Carried {
 /// \return groups with forces that are not determined, with the widest range first; none if all are
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] std::vector<SharedForces> undetermined_forces(const Carried& carried,
-                                                            double work = 1e9);
+                                                            double work = 1e8);
 
 }  // namespace signorini

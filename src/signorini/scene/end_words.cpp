@@ -56,7 +56,10 @@ Sum sum_of(const Model& model, const VectorXd& force, const SharedForces& group)
   sum.force = push.transpose() * force;
   const MatrixX2 changed = group.exchanges.transpose() * push;
   const MatrixX2 terms = group.exchanges.cwiseAbs().transpose() * push.cwiseAbs();
-  sum.determined = (changed.cwiseAbs().array() <= certificate_tolerance * terms.array()).all();
+  // Along each unknown an exchange may leave so much of its terms, whatever their direction.
+  const double rounding = static_cast<double>(pairs) * certificate_tolerance;
+  const VectorXd least = rounding * terms.rowwise().maxCoeff();
+  sum.determined = (changed.cwiseAbs().rowwise().maxCoeff().array() <= least.array()).all();
   return sum;
 }
 
