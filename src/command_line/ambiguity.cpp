@@ -88,8 +88,9 @@ std::vector<ForceRange> undetermined_multipliers(const OneSided& form,
 void print_undetermined(std::ostream& out, const Outcome& outcome, Index pairs,
                         const std::string& what) {
   if (outcome.undetermined.empty()) return;
-  out << outcome.undetermined.size()
-      << " forces are not determined: others give the same certificate\n";
+  const std::size_t count = outcome.undetermined.size();
+  out << count << (count == 1 ? " force is" : " forces are")
+      << " not determined: others give the same certificate\n";
   Index told = 0;
   for (const ForceRange& range : outcome.undetermined) {
     if (++told > largest_told) break;

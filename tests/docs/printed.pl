@@ -220,7 +220,7 @@ my @accuracy = ('solve', 'sinks.toml', '--accuracy', '1%', '--goal', 'displaceme
 ($read) = json(@accuracy);
 my @rounds = @{ $read->{accuracy}{rounds} };
 for my $round (grep { exists $_->{value} } @rounds) {
-    my $parts = $round->{interior} + $round->{gap} + $round->{reading} + $round->{free_boundary};
+    my $parts = $round->{interior} + $round->{gap} + $round->{reading} + $round->{free_boundary} + $round->{outline};
     is_near('what the estimate adds in JSON', $round->{value} - $round->{of_mesh}, $parts, 1e-9);
     check('an error', $round->{value} < 0 && $round->{error} > 0 && $parts != 0);
 }

@@ -29,7 +29,7 @@ struct FrictionBound {
 struct FrictionLawMember {
   const char* name;     ///< as in find_friction_law() and in a scene
   const char* summary;  ///< one line for lists
-  /// The bound of a pair of a given weight [length^2], its share of the source. Throws ProblemError, which says what to
+  /// The bound of a pair of a given weight, see Pairs [length^2]. Throws ProblemError, which says what to
   /// do, for a number that has no meaning in this law. That slope and offset are numbers >= 0 is looked at elsewhere.
   FrictionBound (*bound)(const Friction& friction, double weight);
 };

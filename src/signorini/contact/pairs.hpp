@@ -51,7 +51,7 @@ inline Eigen::RowVector2d moments_at(const Eigen::Vector2d& arm, const Eigen::Ve
 }
 
 /// Weights of pairs that are nodes: what a pressure of one on the side does along the normal of each pair. A side that hardly
-/// faces the target, by 60 degrees or more, counts with half of its share.
+/// faces the target, by 60 degrees or more, counts with half of its share: at 90 degrees it would weigh nothing.
 /// \param area    `n_c x 2` of the nodes, see boundary_areas() [length^2]
 /// \param normal  `n_c x 2` out of the target [-]
 /// \return `n_c` [length^2]

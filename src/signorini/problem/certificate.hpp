@@ -30,7 +30,7 @@ struct Certificate {
   /// that of its bound| / force, the largest over the pairs; 0 without friction
   double sliding = 0;
   /// Of a scene: by how much the resultants of its contacts differ from what the forces of all rows do to the bodies,
-  /// see imbalance(); 0 of a programme
+  /// see imbalance() in scene/balance.hpp; 0 of a programme
   double balance = 0;
 
   /// \return the worst of all

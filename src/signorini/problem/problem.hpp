@@ -139,7 +139,7 @@ struct Report {
 /// \param run            the last run
 void append(Report& total, const Report& run);
 
-/// Whether other forces would do as well.
+/// Whether there are other solutions of the same problem.
 enum class Uniqueness {
   Proved,   ///< no other solution exists, see uniqueness()
   Unknown,  ///< no other solution was found, and none is excluded

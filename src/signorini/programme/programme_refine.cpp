@@ -166,7 +166,8 @@ bool ProgrammeRows::beyond_doubt(const ClosedBasis& basis, Refined& refined,
   // |K_ij| <= root_i root_j bounds what the residual may have lost in its own rounding.
   const double load = largest(programme_.load);
   const double lost = largest(root_) * root_.dot(displacement.cwiseAbs()) * epsilon;
-  if (largest(moved_) > terms * epsilon * load || (load > 0 && lost > 0.25e-12 * load))
+  if (largest(moved_) > terms * epsilon * load ||
+      (load > 0 && lost > 0.25 * certificate_tolerance * load))
     return false;
   for (Index j = 0; j < unknowns(); ++j) {  // as a certificate does, by what the unknown itself has
     double own = std::abs(programme_.load(j)) + (equations() > 0 ? 0 : root_(j) * left);

@@ -36,9 +36,10 @@ void check_solved(const Solution& solution, const PathState* state, const char* 
 
 /// All columns of a solution. What a scene has not is no column.
 ///
-/// Always, in this order: `x`, `y`, `gap`, `pressure`, `force`, `status` (open, closed), and `slip` of the source along the
-/// tangent, which points to the right if one looks out of the target. In load steps `slip` is that since the step
-/// before, of pairs that rub alone, see increment(), and `slip_total` that from the first step on, of all pairs.
+/// Always, in this order: `x`, `y`, `gap`, `pressure`, `force`, `status` (open, closed). Then, except in load steps, `slip` of
+/// the source along the tangent, which points to the right if one looks out of the target. In load steps there is `slip`
+/// since the step before only with friction and only of pairs that rub, see increment(), and always `slip_total` from the
+/// first step on, of all pairs.
 ///
 /// With friction: `shear_traction` and `shear_force`, on the source along the tangent, before `slip`; `motion` (open,
 /// stick, forward, backward) behind it, forward being slip > 0, against which the shear force is < 0; `dissipated`, the

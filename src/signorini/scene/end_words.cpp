@@ -116,8 +116,9 @@ std::string shared_forces_in_words(const Model& model, const Solution& solution,
   if (all.empty()) return {};
   const SharedForces& widest = solution.shared.front();
   std::string words =
-      text("contact forces of ", all.size(), " pairs are not determined (", runs_in_words(all),
-           "): with others displacements, gaps and slips are the same");
+      text("contact forces of ", all.size(),
+           (all.size() == 1 ? " pair are not determined (" : " pairs are not determined ("),
+           runs_in_words(all), "): with others displacements, gaps and slips are the same");
   constexpr std::size_t most_told = 4;
   std::size_t told = 0;
   for (const ForceRange& range : widest.forces) {

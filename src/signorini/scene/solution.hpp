@@ -89,7 +89,7 @@ struct Solution {
   /// balanced_share(), else found by solve_to_limit(). Nothing without friction, and in load steps, which have
   /// PathEnd::limit
   std::optional<double> limit = {};
-  /// What a user should know: the notes of the plan, then such as that others may exist or that strains are large.
+  /// What a user should know: the notes of the plan, then such as that other solutions exist, that forces are not determined, or that strains are large.
   std::vector<std::string> notes;
   Ledger ledger;  ///< what it cost
 };

@@ -161,7 +161,8 @@ const Keys<ContactDraft>& contact_keys() {
          take(value, draft.contact.points, Bound::Positive);
        }},
       {{"small_sliding", type_name<bool>(Bound::Any), "", written(usual.small_sliding),
-        "whether pairs may slide past their sides and still press where they were"},
+        "whether a pair may slide farther than its edge and still press on the place that it faced "
+        "at first"},
        [](const Value& value, ContactDraft& draft) { take(value, draft.contact.small_sliding); }}};
   return keys;
 }
