@@ -1,11 +1,12 @@
 #!/usr/bin/env perl
 # transcripts.pl PROGRAM TRANSCRIPTS FOLDER [--update]: what the program `signorini` prints and writes, word for word and number for number.
 # A transcript in TRANSCRIPTS has commands, each behind "$ ", and below each what it prints: `signorini ...`, whose files
-# stand beside the transcripts, and `cat FILE` for what it wrote into FOLDER.  Numbers may differ by 1e-6 of themselves, or by rounding of those of their line.
+# are copied from beside the transcripts, and `cat FILE` for what it wrote into FOLDER.  Numbers may differ by 1e-6 of themselves, or by rounding of those of their line.
 # Seconds, bytes, certificates and forecasts, which differ from machine to machine, are left out: printed.pl looks at them.
 # A picture is the script that gnuplot gets.  With --update transcripts get what is printed now: read the difference before you commit it.
 use strict;
 use warnings;
+use File::Copy 'copy';
 use File::Path qw(make_path remove_tree);
 use Cwd 'abs_path';
 
@@ -14,6 +15,7 @@ remove_tree($folder);
 make_path("$folder/programs");
 $transcripts = abs_path($transcripts);
 chdir $folder or die "transcripts.pl: $folder: $!\n";
+copy($_, '.') or die "transcripts.pl: $_: $!\n" for grep { !/\.txt$/ } glob("$transcripts/*");    # notes name files as they are given
 sub content { my ($file) = @_; open my $in, '<', $file or return "there is no $file\n"; local $/; return scalar <$in> }
 sub put { my ($file, $text) = @_; open my $out, '>', $file or die "$file: $!\n"; print $out $text; close $out or die "$file: $!\n" }
 
@@ -42,10 +44,8 @@ sub answer {
     my ($command) = @_;
     my ($what, @words) = split ' ', $command;
     return content($words[0]) if $what eq 'cat';
-    @words = map { -e "$transcripts/$_" ? "$transcripts/$_" : $_ } @words;
     my $said = do { open my $in, '-|', "\"$program\" " . join(' ', map { "'$_'" } @words) . ' 2>&1' or die "$program: $!\n"; local $/; <$in> // '' };
     my $status = $? >> 8;
-    $said =~ s{\Q$transcripts\E/}{}g;
     return comparable($said) . ($status ? "status $status\n" : '');
 }
 
