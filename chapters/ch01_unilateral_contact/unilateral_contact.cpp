@@ -63,7 +63,7 @@ void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Resul
       {{"x", x}, {"obstacle", obstacle_at(x)}, {"base_x", moved.col(0)}, {"base_y", moved.col(1)}});
   write_file(run.out / "fig_1_5_obstacle.csv", outline.csv("rel 1e-6 abs 1e-8"));
   write_vtu(run.out / "ch01.vtu", block.model, block.solution);
-  const Resultants sum = resultants(pairs, block.solution);
+  const Resultants sum = resultants(block.model, block.solution);
   results.add("candidates", static_cast<double>(block.model.programme.A.rows()), "-");
   results.add("unknowns", static_cast<double>(block.model.programme.load.size()), "-");
   results.add("closed", static_cast<double>(block.solution.contact.active.size()), "-");
@@ -79,7 +79,7 @@ Status chapter(const ProgramOptions& run) {
   gap_and_pressure(run, shown(block_on_obstacle(160), "the block"), results);
   if (run.full) {
     const SolvedScene fine = shown(block_on_obstacle(640), "the block");
-    results.add("fine_force", resultants(fine.model.pairs, fine.solution).force.y(), "N",
+    results.add("fine_force", resultants(fine.model, fine.solution).force.y(), "N",
                 Repeats::No);
   }
   results.add("reference_force", reference_force, "N");

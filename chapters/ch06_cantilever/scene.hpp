@@ -43,7 +43,7 @@ inline SolvedScene solve_cantilever(const BeamOnFoundation& beam, const std::str
 }
 
 inline double total_force(const SolvedScene& run) {
-  return resultants(run.model.pairs, run.solution).force.y();
+  return resultants(run.model, run.solution).force.y();
 }
 
 }  // namespace ch06

@@ -21,7 +21,7 @@ int main(int argc, char** argv) try {
     std::cout << "load,closed,force\n";
     const PathEnd end = solve_steps(file.scene, [](const Model& model, const Step& step) {
       std::cout << step.state.time << ',' << step.solution.contact.active.size() << ','
-                << resultants(model.pairs, step.solution).force.y() << '\n';
+                << resultants(model, step.solution).force.y() << '\n';
     });
     if (end.status != Status::Solved) throw NotSolved(end.reason);
   });

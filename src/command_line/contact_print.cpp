@@ -9,6 +9,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/report/pair_columns.hpp"
 #include "signorini/report/pressure_table.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace command_line {
 namespace {
@@ -89,11 +90,11 @@ std::string force_in_words(const Eigen::Vector2d& force, bool axial) {
 void print_contacts(std::ostream& out, const Model& model, const Solution& solution,
                     const PathState* state) {
   if (model.contacts.empty()) return;
-  const bool axial = model.bodies[0].material.bulk.state == PlaneState::Axial;
+  const bool axial = is_axial(model.bodies[0]);
   const std::vector<PairColumn> columns = pair_columns(model, solution, state);
   const std::vector<Resultants> sums = resultants_of_contacts(model, solution, state);
   if (sums.size() > 1)
-    print_sums(out, "all contacts: force on the sources", resultants(model.pairs, solution, state),
+    print_sums(out, "all contacts: force on the sources", resultants(model, solution, state),
                axial);
   for (std::size_t k = 0; k < sums.size(); ++k) {
     print_sums(out, "contact " + model.contacts[k] + ": force on the source", sums[k], axial);
@@ -108,7 +109,7 @@ void print_contacts(std::ostream& out, const Model& model, const Solution& solut
 void write_contacts(Json& json, const Model& model, const Solution& solution,
                     const PathState* state) {
   json.key("resultants").object();
-  write_sums(json, resultants(model.pairs, solution, state));
+  write_sums(json, resultants(model, solution, state));
   json.end().key("contacts").array();
   const std::vector<Resultants> sums = resultants_of_contacts(model, solution, state);
   for (std::size_t k = 0; k < sums.size(); ++k) {

@@ -126,7 +126,7 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
     all.push_back({name, step == nullptr ? 0.0 : static_cast<double>(value()), format});
   };
   std::optional<Resultants> sum;
-  if (step != nullptr) sum = resultants(model->pairs, step->solution, &step->state);
+  if (step != nullptr) sum = resultants(*model, step->solution, &step->state);
   const bool rubs = !run.plan.law.pair.empty();
   add("step", "%.0f", [&] { return step->state.steps; });
   add("time", "%.5g", [&] { return step->state.time; });

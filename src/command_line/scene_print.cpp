@@ -7,6 +7,7 @@
 #include "command_line/print.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/elasticity/stress.hpp"
+#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace command_line {
@@ -61,11 +62,11 @@ std::vector<BodyFigures> figures_of(const Model& model, const Solution& solution
         figures.stress = now;
         figures.stressed_at = body.mesh.nodes.row(body.mesh.cells(cell, 0));
       }
-    figures.supports = support_forces(model, solution, b).colwise().sum();
+    figures.supports = sum_of_forces(body, support_forces(model, solution, b));
     figures.supported = (body.unknowns.number.array() < 0).any();
     figures.on_springs = body.springs.rows() > 0;
-    if (figures.on_springs) figures.springs = spring_forces(model, solution, b).colwise().sum();
-    figures.axial = body.material.bulk.state == PlaneState::Axial;
+    if (figures.on_springs) figures.springs = sum_of_forces(body, spring_forces(model, solution, b));
+    figures.axial = is_axial(body);
     all.push_back(figures);
   }
   return all;

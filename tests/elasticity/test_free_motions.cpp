@@ -20,7 +20,7 @@ Mesh plate() { return block("plate", {0, 0}, {3, 2}, 3, 2); }
 /// What free_motions() says, a sentence per motion.
 std::vector<std::string> sentences(const Mesh& mesh, const Unknowns& unknowns) {
   std::vector<std::string> all;
-  for (const FreeMotion& motion : free_motions(mesh, unknowns)) all.push_back(motion.sentence);
+  for (const FreeMotion& motion : free_motions(mesh, unknowns)) all.push_back(in_words(motion));
   return all;
 }
 
@@ -34,7 +34,7 @@ TEST_CASE("a body of revolution can move along its axis and no other way", "[fre
   };
   const std::vector<FreeMotion> free = motions({});
   REQUIRE(free.size() == 1);
-  CHECK_THAT(free[0].sentence, ContainsSubstring("move freely in direction y"));
+  CHECK_THAT(in_words(free[0]), ContainsSubstring("move freely in direction y"));
   const Unknowns unknowns = number_unknowns(tube, {}, PlaneState::Axial);
   for (Eigen::Index node = 0; node < tube.n_nodes(); ++node) {
     CHECK(free[0].shape(unknowns.number(node, 0)) == 0);

@@ -111,7 +111,7 @@ TEST_CASE("the force of a contact is its resultant, with friction and round a cu
   };
   // A sector of rings: its supports along the axes and the contact hold the inner ring under its pressure.
   const SolvedScene quarter = solved(lining_rings(9, 5), "quarter");
-  const Resultants sum = resultants(quarter.model.pairs, quarter.solution);
+  const Resultants sum = resultants(quarter.model, quarter.solution);
   CHECK(of(quarter) == Approx(sum.force.norm()).epsilon(1e-13));
   CHECK(of(quarter) < 0.95 * sum.normal_force);
   CHECK(defect(quarter, {"mine", ContactForce{}}) <= 1e-12);

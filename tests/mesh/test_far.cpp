@@ -27,10 +27,10 @@ TEST_CASE("the shortest side turns the most by rounding", "[mesh][far]") {
     const auto rounding = [&](double away) {  // of cells of size / 4 and size / 2
       return direction_rounding(block("block", {away * size, 0}, {size, size}, 4, 2)) / epsilon;
     };
-    CHECK(rounding(0) == 1);
-    CHECK(rounding(-1) == 1);
-    CHECK(rounding(3) == Approx(13).epsilon(1e-14));
-    CHECK(rounding(1e6) == Approx(4e6 + 1).epsilon(1e-9));
+    CHECK(rounding(-0.5) == Approx(5).epsilon(1e-14));  // the height
+    CHECK(rounding(-2) == Approx(9).epsilon(1e-14));
+    CHECK(rounding(2) == Approx(13).epsilon(1e-14));
+    CHECK(rounding(1e6) == Approx(4e6 + 5).epsilon(1e-9));
   }
   // Cut along their diagonals, cells keep their shortest side.
   const Mesh cells = block("block", {7, 0}, {1, 1}, 4, 2);

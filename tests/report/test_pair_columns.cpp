@@ -54,14 +54,14 @@ TEST_CASE("on a path the table has slip and work so far", "[pressure_table][step
         "x,y,gap,pressure,force,status,shear_traction,shear_force,slip,motion,dissipated,"
         "slip_total,dissipated_total");
   CHECK(lines[3] == "0,1,0,20,10,closed,-10,-5,0.5,forward,2.5,1.5,12.5");
-  CHECK(resultants(three_pairs(), solution, &state).dissipated_total == 13.5);
+  CHECK(resultants(three_gaps(), solution, &state).dissipated_total == 13.5);
   const std::vector<PairColumn> columns = pair_columns(three_gaps(), solution, &state);
   CHECK(lines_of(csv_head(columns) + csv_lines(columns)) ==
         std::vector<std::string>(lines.begin() + 2, lines.end()));
   state.slip = Eigen::Vector2d(0, 0);
   CHECK_THROWS_WITH(pair_columns(three_gaps(), solution, &state),
                     ContainsSubstring("the solution has 3 slips, but the state of its path 2"));
-  CHECK_THROWS_AS(resultants(three_pairs(), solution, &state), std::invalid_argument);
+  CHECK_THROWS_AS(resultants(three_gaps(), solution, &state), std::invalid_argument);
 }
 
 TEST_CASE("words have a name each, numbers their digits, and what is missing is empty",

@@ -13,21 +13,21 @@ using signorini_test::three_gaps;
 using signorini_test::three_pairs;
 
 TEST_CASE("the resultants are the sums of the pairs, with sign", "[pressure_table]") {
-  const Resultants sum = resultants(three_pairs(), three_forces());
+  const Resultants sum = resultants(three_gaps(), three_forces());
   CHECK(sum.force == Eigen::Vector2d(6, 11));         // out of the obstacle, onto the body
   CHECK(sum.moment == Approx(-6 + 6).margin(1e-14));  // x fy - y fx: 0 x 8 - 1 x 6 and 2 x 3 - 0
   CHECK(sum.closed_weight == 1.5);
   CHECK(sum.peak_pressure == 20);
   Solution shifted = three_forces();
   shifted.contact.force(1) = 5;
-  CHECK(resultants(three_pairs(), shifted).moment == Approx(-6 + 10).epsilon(1e-14));
+  CHECK(resultants(three_gaps(), shifted).moment == Approx(-6 + 10).epsilon(1e-14));
 }
 
 TEST_CASE("friction counts in the resultants, and notes stand in front of the table",
           "[pressure_table][friction]") {
   Solution solution = three_forces_with_friction();
   // Tangents (0.8, -0.6) and (1, 0): friction adds (-4, 3) at (0, 1) and (2, 0) at (2, 0).
-  const Resultants sum = resultants(three_pairs(), solution);
+  const Resultants sum = resultants(three_gaps(), solution);
   CHECK((sum.force - Eigen::Vector2d(6 - 4 + 2, 11 + 3)).norm() <= 1e-14);
   CHECK(sum.moment == Approx(4).epsilon(1e-14));
   CHECK(sum.normal_force == 13);
@@ -40,12 +40,12 @@ TEST_CASE("friction counts in the resultants, and notes stand in front of the ta
 
 TEST_CASE("the pairs of every kind are counted", "[pressure_table][friction]") {
   Solution solution = three_forces_with_friction();
-  const Resultants sum = resultants(three_pairs(), solution);
+  const Resultants sum = resultants(three_gaps(), solution);
   CHECK(std::vector<Eigen::Index>{sum.pairs, sum.closed, sum.rubbing, sum.stick, sum.slide} ==
         std::vector<Eigen::Index>{3, 2, 3, 1, 1});
   solution.contact.motion[0] = Motion::Backward;
-  CHECK(resultants(three_pairs(), solution).slide == 1);
-  const Resultants smooth = resultants(three_pairs(), three_forces());
+  CHECK(resultants(three_gaps(), solution).slide == 1);
+  const Resultants smooth = resultants(three_gaps(), three_forces());
   CHECK(std::vector<Eigen::Index>{smooth.closed, smooth.rubbing, smooth.stick, smooth.slide} ==
         std::vector<Eigen::Index>{2, 0, 0, 0});
 }
@@ -56,7 +56,7 @@ TEST_CASE("sums of the contacts add up to that of all", "[pressure_table][fricti
   model.contact_of = {0, 1, 1};
   const Solution solution = three_forces_with_friction();
   const std::vector<Resultants> each = resultants_of_contacts(model, solution);
-  const Resultants all = resultants(model.pairs, solution);
+  const Resultants all = resultants(model, solution);
   REQUIRE(each.size() == 2);
   CHECK(each[0].normal_force == 10);
   CHECK(each[1].normal_force == 3);
@@ -102,5 +102,5 @@ TEST_CASE("no table is made of a problem that is not solved", "[pressure_table]"
   Solution solution = three_forces();
   solution.contact.report.status = Status::Breakdown;
   CHECK_THROWS_WITH(pressure_csv(three_gaps(), solution), ContainsSubstring("breakdown"));
-  CHECK_THROWS_AS(resultants(three_pairs(), solution), std::invalid_argument);
+  CHECK_THROWS_AS(resultants(three_gaps(), solution), std::invalid_argument);
 }

@@ -7,8 +7,10 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/elasticity/stress.hpp"
+#include "signorini/estimate/goal.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
+#include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/message.hpp"
 
@@ -152,6 +154,13 @@ TEST_CASE("what pushes a shaft out of its hub is friction times the normal force
     CHECK(push == Approx(mu * contact.force.sum()).epsilon(1e-11));
     CHECK(sum_along_axis(run) == Approx(0).margin(1e-10 * push));
     CHECK(contact.rubbing.size() == 13);
+    // All round the axis, what presses sideways and turns cancels.
+    const Resultants sum = resultants(run.model, run.solution);
+    CHECK(sum.force.x() == 0);
+    CHECK(sum.force.y() == Approx(-push).epsilon(1e-11));
+    CHECK(sum.moment == 0);
+    CHECK(sum.target_moment == 0);
+    CHECK(value(run.model, run.solution, {"push", ContactForce{}}) == Approx(push).epsilon(1e-11));
   }
 }
 

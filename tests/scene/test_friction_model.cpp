@@ -2,6 +2,7 @@
 #include "catch_compat.hpp"
 #include "signorini/as_printed/saddle_point_newton.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/mesh/ring.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/hertz.hpp"
@@ -88,6 +89,35 @@ TEST_CASE("slip rows are those of pairs that can slide and whose own contact rub
   CHECK(plan(scene).law.pair.empty());
   CHECK(plan(scene).solver == scene.solver);
   CHECK(build(scene, ledger).programme.A.rows() == pairs);
+}
+
+// On the lines of symmetry of two quarters the tangent at the ends of the contact is held, but for rounding and for the
+// normal that a mortar operator takes from the half of the side that is there.
+TEST_CASE("a pair on a line of symmetry does not rub, in any unit", "[friction][model][units]") {
+  for (const char* name : {"node_to_segment", "mortar"})
+    for (const auto& [unit, cells] : std::vector<std::pair<double, Index>>{
+             {1e-3, 9}, {1.0, 9}, {7.3, 9}, {25.4, 9}, {1e4, 9}, {1.0, 4}, {1.0, 16}}) {
+      CAPTURE(name, unit, cells);
+      Scene scene;
+      scene.bodies.resize(2);
+      for (const bool around : {false, true}) {
+        AnnulusSpec spec;
+        spec.name = around ? "around" : "inside";
+        spec.inner_radius = unit * (around ? 68.15 : 60);
+        spec.outer_radius = unit * (around ? 76.15 : 68);
+        spec.cells_angle = cells;
+        spec.cells_radius = 5;
+        spec.sector = Sector::Quarter;
+        scene.bodies[around].mesh = make_annulus(spec);
+        scene.bodies[around].supports = {symmetric("symmetry"), symmetric("symmetry_y")};
+      }
+      scene.contacts = {{{"outer", "inside"}, Side{"inner", "around"}}};
+      scene.contacts[0].gap_operator = name;
+      scene.contacts[0].friction = Friction{0.3, 0};
+      const Plan planned = plan(scene);
+      CHECK(planned.gaps.pairs.weight.size() == cells + 1);
+      CHECK(planned.law.pair.size() == static_cast<std::size_t>(cells - 1));
+    }
 }
 
 TEST_CASE("a smooth contact beside a rough one has no friction forces", "[friction][model]") {

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/contact/obstacle.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/mesh/ring.hpp"
 #include "signorini/programme/rigid_modes.hpp"
@@ -22,12 +24,38 @@ TEST_CASE("a motion is held or not in whatever unit it is written", "[scene][flo
   for (const double unit : {1.0, 1e-20}) {
     std::vector<FreeMotion> modes(3);
     for (int k = 0; k < 3; ++k) {
-      modes[static_cast<std::size_t>(k)].sentence = std::to_string(k);
+      modes[static_cast<std::size_t>(k)].body = std::to_string(k);
+      modes[static_cast<std::size_t>(k)].motion = Eigen::Vector3d::UnitX();
       modes[static_cast<std::size_t>(k)].shape = Eigen::Vector3d::Unit(k);
     }
     modes[1].shape *= unit;
-    CHECK(motions_without_contact(A, modes) == std::vector<std::string>{"2"});
+    CHECK(motions_without_contact(A, modes) == std::vector<std::string>{"2 can move freely in direction x"});
   }
+}
+
+TEST_CASE("the motion that contact leaves is named, be it along no axis", "[scene][floating]") {
+  const double c = 0.6, s = 0.8;  // of the plane that a block lies on
+  for (const double away : {0.0, 1e6}) {
+    CAPTURE(away);
+    Scene scene;
+    scene.bodies.resize(1);
+    scene.bodies[0].mesh = mapped(block("block", {0, 0}, {2, 1}, 4, 2), [&](const Eigen::Vector2d& x) {
+      return Eigen::Vector2d(away + c * x.x() - s * x.y(), s * x.x() + c * x.y());
+    });
+    scene.contacts = {{{"bottom"}, half_plane({away, 0}, {-s, c})}};
+    CHECK_THROWS_WITH(plan(scene), ContainsSubstring("can move freely in direction (0.6, 0.8), and"));
+  }
+  // Two motions of one body are one; a body that hardly moves is not named.
+  std::vector<FreeMotion> modes(3);
+  modes[0].body = modes[1].body = "one";
+  modes[2].body = "other";
+  modes[0].motion = Eigen::Vector3d(1, 0, 0);
+  modes[1].motion = Eigen::Vector3d(0, 0, 1);
+  modes[2].motion = Eigen::Vector3d(0, 1, 0);
+  using Words = std::vector<std::string>;
+  CHECK(in_words(modes, Eigen::Vector3d(2, 1, 1e-7)) == Words{"one can turn freely about (0, 2)"});
+  CHECK(in_words(modes, Eigen::Vector3d(-3, 0, 3)) ==
+        Words{"one can move freely in direction x", "other can move freely in direction y"});
 }
 
 namespace {

@@ -52,7 +52,7 @@ TEST_CASE("the pressure on a polygon in a round hole is that of even shrinking",
     scene.contacts = {{{"rim"}, hole({0, 0}, 1 - overlap)}};
     const SolvedScene run = solved(scene, "disc");
     for (const double p : run.solution.pressure) CHECK(p == Approx(pressure).epsilon(1e-10));
-    const Resultants sum = resultants(run.model.pairs, run.solution);
+    const Resultants sum = resultants(run.model, run.solution);
     CHECK(sum.force.norm() <= 1e-10 * pressure);
     CHECK(std::abs(sum.moment) <= 1e-10 * pressure);
     CHECK(unbalanced(run.model, run.solution) <= 1e-10);
@@ -88,7 +88,7 @@ TEST_CASE("a disc on a disc presses with its weight, coarse as both may be",
         scene.contacts = {contact};
         const SolvedScene run = solved(scene, "discs");
         const NodeArray loads = nodal_loads(upper.mesh, find_element("q4"), {steel}, upper.loads);
-        const Resultants sum = resultants(run.model.pairs, run.solution);
+        const Resultants sum = resultants(run.model, run.solution);
         CHECK(sum.force.y() == Approx(loads.col(1).sum()).epsilon(1e-10));
         CHECK(unbalanced(run.model, run.solution) <= 1e-10);
         CHECK(run.solution.certificate.holds());

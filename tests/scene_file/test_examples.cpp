@@ -71,7 +71,7 @@ TEST_CASE("no example is longer than 25 lines", "[scene_file]") {
 TEST_CASE("the cantilever of the examples is that of chapter 6", "[scene_file][examples]") {
   const SolvedScene run = run_of("cantilever");
   const std::string chapter = "ch06_cantilever";
-  check_equal(resultants(run.model.pairs, run.solution).force.y(),
+  check_equal(resultants(run.model, run.solution).force.y(),
               committed(chapter, "total_contact_force"));
   CHECK(static_cast<double>(run.solution.contact.active.size()) ==
         committed(chapter, "closed_nodes"));
@@ -152,7 +152,7 @@ TEST_CASE("the random programme of the examples is one of chapter 5", "[scene_fi
 TEST_CASE("the punch of the examples sticks inside and slides at its front",
           "[scene_file][examples]") {
   const SolvedScene run = run_of("punch");
-  const Resultants sum = resultants(run.model.pairs, run.solution);
+  const Resultants sum = resultants(run.model, run.solution);
   CHECK(std::abs(sum.force.y() - 1000) < 1e-9 * 1000);  // the load, upwards on the punch
   CHECK(std::abs(sum.force.x() + 150) < 1e-9 * 1000);
   std::size_t stuck = 0, slid = 0;
@@ -167,7 +167,7 @@ TEST_CASE("the punch of the examples sticks inside and slides at its front",
 TEST_CASE("the wheel of the examples rolls on no more than friction lets it",
           "[scene_file][examples]") {
   const SolvedScene run = run_of("wheel_on_rail");
-  const Resultants sum = resultants(run.model.pairs, run.solution);
+  const Resultants sum = resultants(run.model, run.solution);
   CHECK(sum.force.y() > 0);
   CHECK(sum.force.x() < 0);  // the rail holds the wheel back
   CHECK(-sum.force.x() <= 0.3 * sum.force.y() * (1 + 1e-12));
@@ -200,7 +200,7 @@ TEST_CASE("the block of the examples slides at the force of its weight times mu"
   WorkMeter meter;
   const PathEnd end = solve_steps(file.scene, [&](const Model& model, const Step& step) {
     meter.add(model, step);
-    drag.push_back(resultants(model.pairs, step.solution).force.x());
+    drag.push_back(resultants(model, step.solution).force.x());
     lost.push_back(step.state.dissipation.sum());
     if (step.state.steps == 11) at_first = meter.work();
     at_last = meter.work();

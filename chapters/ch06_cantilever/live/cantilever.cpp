@@ -22,7 +22,7 @@ Answer lie_down(const Request& now) {
   BeamOnFoundation theory = ch06::paper;
   theory.pressure = now["load"];
   const Solution solution = beam.at(theory.pressure / ch06::paper.pressure);
-  const Resultants sum = resultants(beam.model.pairs, solution);
+  const Resultants sum = resultants(beam.model, solution);
   const VectorXd x = beam.model.pairs.position.col(0);
 
   Panel body{"The beam after loading, displacements to scale", "x [cm]", "y [cm]", true};

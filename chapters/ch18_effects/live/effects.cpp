@@ -40,7 +40,7 @@ Answer switched(const Request& now) {
   const Scene scene = scene_of(now);
   const Plan planned = plan(scene);
   const SolvedScene run = solved(scene, "the scene");
-  const Resultants sum = resultants(run.model.pairs, run.solution);
+  const Resultants sum = resultants(run.model, run.solution);
 
   Panel pressure{"Contact pressure", "x [mm]", "pressure [MPa]"};
   const VectorXd x = run.model.pairs.position.col(0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -23,13 +24,19 @@ struct FreeRow {
 FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns, double directions) {
   FreeRow found;
   double largest = 0;
-  for (NodalRows::InnerIterator it(rows, row); it; ++it)
-    largest = std::max(largest, std::abs(it.value()));
+  std::map<Index, double> of_node;  // the larger of its two entries
+  for (NodalRows::InnerIterator it(rows, row); it; ++it) {
+    const double size = std::abs(it.value());
+    largest = std::max(largest, size);
+    double& own = of_node[it.col() / 2];
+    own = std::max(own, size);
+  }
   for (NodalRows::InnerIterator it(rows, row); it; ++it) {
     const Index node = it.col() / 2;
     const Index axis = it.col() % 2;
     const Index unknown = unknowns.number(node, axis);
-    if (unknown >= 0 && std::abs(it.value()) > 4 * std::max(epsilon, directions) * largest)
+    const double rounding = 4 * std::max(epsilon * largest, directions * of_node[node]);
+    if (unknown >= 0 && std::abs(it.value()) > rounding)
       found.entries.emplace_back(unknown, it.value());
     else
       found.held += it.value() * unknowns.held(node, axis);

@@ -36,8 +36,8 @@ struct Gaps {
 /// \param source    the boundary they are on
 /// \param unknowns  `n` of all bodies
 /// \param what      what a message calls the two sides, such as "contact of 'bottom' with the disc"
-/// \param directions  one rounding of the directions of the sides [-]: a normal that supports turn away from by no more
-///   cannot move; 0 if they are as exact as numbers can be
+/// \param directions  one rounding of the directions of the sides [-]: what it may do to a node's share of a normal or
+///   tangent moves nothing; 0 if they are as exact as numbers can be
 /// \return the pairs that can open or close
 /// \throws ProblemError if a dropped pair overlaps, which no contact force can undo, or if both ends of a
 ///   side of the source are dropped: the boundary was meant for a support or for contact

@@ -44,10 +44,15 @@ std::string clipped(std::string_view text) {
 
 std::string in_quotes(std::string_view text) { return "'" + clipped(text) + "'"; }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string joined(const std::vector<std::string>& words, std::string_view between) {
   std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all.empty() ? "none" : all;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    all.append(k == 0 ? "" : between).append(words[k]);
+  return all;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : joined(names, ", ");
 }
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& known) {

@@ -19,6 +19,9 @@ namespace signorini {
 /// \return the text in quotes, clipped()
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
+/// \param words  any \param between  such as ", " \return them one after the other
+[[nodiscard]] std::string joined(const std::vector<std::string>& words, std::string_view between);
+
 /// \param names  some words \return them with commas, or "none"
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 

@@ -71,24 +71,51 @@ std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknown
   return motions;
 }
 
-/// Says in words what the rigid motion (a, b, c) of a body does: translation (a, b) and rotation c about
-/// its centre. Parts are compared as displacements, whose largest is 1: rotation times size.
-std::string motion_in_words(const Eigen::Vector3d& motion, const ConnectedBody& body) {
-  constexpr double visible = 1e-6;  // one more digit than is printed
-  const bool x = std::abs(motion(0)) > visible;
-  const bool y = std::abs(motion(1)) > visible;
-  if (std::abs(motion(2)) * body.size > visible) {
-    const auto printed = [&body](double coordinate) {
-      return std::abs(coordinate) > visible * body.size ? coordinate : 0.0;
-    };
-    return text("turn freely about (", printed(body.centre.x() - motion(1) / motion(2)), ", ",
-                printed(body.centre.y() + motion(0) / motion(2)), ')');
-  }
-  if (x && y) return text("move freely in direction (", motion(0), ", ", motion(1), ')');
-  return x ? "move freely in direction x" : "move freely in direction y";
+/// One more digit than is printed.
+constexpr double visible = 1e-6;
+
+/// The larger of the displacements by its translation and by its rotation.
+double displacement(const FreeMotion& free) {
+  return std::max(free.motion.head<2>().norm(), std::abs(free.motion(2)) * free.size);
 }
 
 }  // namespace
+
+std::string in_words(const FreeMotion& free) {
+  const Eigen::Vector3d motion = free.motion / displacement(free);
+  const std::string can = free.body + " can ";
+  if (std::abs(motion(2)) * free.size > visible) {
+    const auto printed = [&free](double coordinate) {
+      return std::abs(coordinate) > visible * free.size ? coordinate : 0.0;
+    };
+    return text(can, "turn freely about (", printed(free.centre.x() - motion(1) / motion(2)), ", ",
+                printed(free.centre.y() + motion(0) / motion(2)), ')');
+  }
+  if (std::abs(motion(1)) <= visible) return can + "move freely in direction x";
+  if (std::abs(motion(0)) <= visible) return can + "move freely in direction y";
+  const double forward = motion(0) > 0 ? 1 : -1;
+  return text(can, "move freely in direction (", forward * motion(0), ", ", forward * motion(1),
+              ')');
+}
+
+std::vector<std::string> in_words(const std::vector<FreeMotion>& motions,
+                                  const Eigen::VectorXd& amplitude) {
+  std::vector<FreeMotion> bodies;
+  double farthest = 0;
+  for (Index k = 0; k < amplitude.size(); ++k) {
+    const FreeMotion& one = motions[static_cast<std::size_t>(k)];
+    if (bodies.empty() || bodies.back().body != one.body || bodies.back().centre != one.centre) {
+      bodies.push_back(one);
+      bodies.back().motion.setZero();
+    }
+    bodies.back().motion += amplitude(k) * one.motion;
+  }
+  for (const FreeMotion& body : bodies) farthest = std::max(farthest, displacement(body));
+  std::vector<std::string> words;
+  for (const FreeMotion& body : bodies)
+    if (displacement(body) > visible * farthest) words.push_back(in_words(body));
+  return words;
+}
 
 std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPiece>& pieces,
                                      const Unknowns& unknowns, PlaneState state) {
@@ -99,8 +126,10 @@ std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPie
     for (const Eigen::Vector3d& motion : motions_of(body, unknowns, state)) {
       FreeMotion free;
       free.directions = directions;
-      free.sentence = text("body '", mesh.name, "' (", in_words(mesh, piece), ") can ",
-                           motion_in_words(motion, body));
+      free.body = text("body '", mesh.name, "' (", in_words(mesh, piece), ')');
+      free.motion = motion;
+      free.centre = body.centre;
+      free.size = body.size;
       free.shape.setZero(unknowns.count);
       for (std::size_t k = 0; k < body.nodes.size(); ++k) {
         const Index node = body.nodes[k];

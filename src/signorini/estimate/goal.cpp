@@ -126,6 +126,7 @@ Resultant resultant(const Model& model, const Solution& solution, const ContactF
     const auto n = direction.row(contact.rubbing[k]);
     direction.row(pairs + static_cast<Index>(k)) << n.y(), -n.x();
   }
+  if (is_axial(model.bodies.front())) direction.col(0).setZero();
   VectorXd force(direction.rows());
   force << contact.force, contact.friction;
   const Vector2d sum = direction.transpose() * force;

@@ -24,7 +24,7 @@ double direction_rounding(const Mesh& mesh) {
                                      mesh.nodes.row(mesh.cells(cell, k)))
                                         .norm());
   }
-  return epsilon * (1 + ratio(distance_from_origin(mesh.nodes), shortest));
+  return epsilon * (1 + ratio(mesh.nodes.cwiseAbs().maxCoeff(), shortest));
 }
 
 }  // namespace signorini

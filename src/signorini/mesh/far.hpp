@@ -9,10 +9,10 @@ namespace signorini {
 /// \return distance of the origin from the box around them; 0 if it lies inside [length]
 [[nodiscard]] double distance_from_origin(const NodeArray& nodes);
 
-/// How well a mesh knows the directions of its sides: a coordinate is rounded by its distance from the origin, and the
-/// shortest side turns the most by it.
+/// How well a mesh knows the directions of its sides: the largest coordinate is rounded the most, and the shortest side
+/// turns the most by it.
 /// \param mesh  whose cells refer to existing nodes
-/// \return what one rounding does to a direction [-]; epsilon where the mesh lies around the origin
+/// \return what one rounding does to a direction [-], epsilon at least
 [[nodiscard]] double direction_rounding(const Mesh& mesh);
 
 }  // namespace signorini

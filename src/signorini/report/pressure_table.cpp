@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "signorini/report/pair_columns.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace signorini {
 namespace {
@@ -13,15 +14,19 @@ using Eigen::Index;
 
 /// Adds every pair to the sum that it belongs to. \param sum_of  gives that of a pair
 template <typename SumOf>
-void add_pairs(const Pairs& pairs, const Solution& solution, const PathState* state,
+void add_pairs(const Model& model, const Solution& solution, const PathState* state,
                const SumOf& sum_of) {
   check_solved(solution, state, "resultants");
+  const Pairs& pairs = model.pairs;
   const ContactState& contact = solution.contact;
+  const bool axial = std::any_of(model.bodies.begin(), model.bodies.end(), is_axial);
   const auto add = [&](Index pair, int which, double force, const Eigen::Vector2d& direction) {
     Resultants& sum = sum_of(pair);
-    const Eigen::Vector2d f = force * direction;
-    const double here = pairs.position(pair, 0) * f.y() - pairs.position(pair, 1) * f.x();
+    Eigen::Vector2d f = force * direction;
+    if (axial) f.x() = 0;
     sum.force += f;
+    if (axial) return;
+    const double here = pairs.position(pair, 0) * f.y() - pairs.position(pair, 1) * f.x();
     sum.moment += here + force * pairs.moment(pair, which);
     sum.target_moment += -here + force * pairs.target_moment(pair, which);
   };
@@ -67,16 +72,16 @@ void write_comment(std::ostream& out, const std::string& what, const Resultants&
 
 }  // namespace
 
-Resultants resultants(const Pairs& pairs, const Solution& solution, const PathState* state) {
+Resultants resultants(const Model& model, const Solution& solution, const PathState* state) {
   Resultants sum{Eigen::Vector2d::Zero(), 0, 0, 0};
-  add_pairs(pairs, solution, state, [&](Index /*pair*/) -> Resultants& { return sum; });
+  add_pairs(model, solution, state, [&](Index /*pair*/) -> Resultants& { return sum; });
   return sum;
 }
 
 std::vector<Resultants> resultants_of_contacts(const Model& model, const Solution& solution,
                                                const PathState* state) {
   std::vector<Resultants> sums(model.contacts.size(), Resultants{Eigen::Vector2d::Zero(), 0, 0, 0});
-  add_pairs(model.pairs, solution, state, [&](Index pair) -> Resultants& {
+  add_pairs(model, solution, state, [&](Index pair) -> Resultants& {
     return sums[model.contact_of[static_cast<std::size_t>(pair)]];
   });
   return sums;
@@ -85,7 +90,7 @@ std::vector<Resultants> resultants_of_contacts(const Model& model, const Solutio
 std::string pressure_csv(const Model& model, const Solution& solution, const std::string& tolerance,
                          const PathState* state) {
   const std::vector<PairColumn> columns = pair_columns(model, solution, state);
-  const Resultants sum = resultants(model.pairs, solution, state);
+  const Resultants sum = resultants(model, solution, state);
   std::ostringstream out;
   out << std::setprecision(10);
   if (!tolerance.empty()) out << "# tolerance " << tolerance << '\n';

@@ -28,13 +28,14 @@ struct Resultants {
 };
 
 /// Sums the contact forces of a solution, friction included, as they act on the nodes before loading: with the loads and
-/// the forces of supports they are in balance, on either side.
-/// \param pairs     of the model, `n_c` pairs
-/// \param solution  of the model
+/// the forces of supports they are in balance, on either side. In axial symmetry they are those of the whole circle, whose
+/// radial forces and moments cancel.
+/// \param model     that was solved
+/// \param solution  of it
 /// \param state     after this step of a path, see Step; null: the solution is no step
 /// \return the sums, all 0 without contact
 /// \throws std::invalid_argument if the problem is not solved, or the state has another number of slips
-[[nodiscard]] Resultants resultants(const Pairs& pairs, const Solution& solution,
+[[nodiscard]] Resultants resultants(const Model& model, const Solution& solution,
                                     const PathState* state = nullptr);
 
 /// The same for each contact.

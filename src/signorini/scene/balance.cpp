@@ -72,7 +72,7 @@ class Balance {
 
   /// The largest entry of a body, made free of units.
   [[nodiscard]] double worst(double largest_force) const {
-    const bool axial = model_.bodies.front().material.bulk.state == PlaneState::Axial;
+    const bool axial = is_axial(model_.bodies.front());
     double worst = 0;
     for (std::size_t body = 0; body < sums_.size(); ++body)
       for (int k = axial ? 1 : 0; k < (axial ? 2 : 3); ++k) {

@@ -132,6 +132,14 @@ std::vector<std::string> contact_names(const std::vector<BodyModel>& bodies,
   return names;
 }
 
+bool is_axial(const BodyModel& body) { return body.material.bulk.state == PlaneState::Axial; }
+
+Eigen::Vector2d sum_of_forces(const BodyModel& body, const NodeArray& forces) {
+  Eigen::Vector2d sum = forces.colwise().sum().transpose();
+  if (is_axial(body)) sum.x() = 0;
+  return sum;
+}
+
 bool rubs(const ContactSpec& contact) {
   return contact.friction &&
          (contact.friction->coefficient != 0 || contact.friction->cohesion != 0);

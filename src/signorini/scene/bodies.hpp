@@ -85,6 +85,16 @@ void each_history(SomeBody& body, Visit&& visit) {
   if (body.temperature) visit(body.temperature->history);
 }
 
+/// \param body  of a scene
+/// \return whether it is one of revolution: all round the axis, radial forces and moments about the origin cancel
+[[nodiscard]] bool is_axial(const BodyModel& body);
+
+/// Adds forces on the nodes of a body up.
+/// \param body    any
+/// \param forces  `n_nodes x 2` [force]
+/// \return their sum; in axial symmetry that of the whole circle, which has no radial component
+[[nodiscard]] Eigen::Vector2d sum_of_forces(const BodyModel& body, const NodeArray& forces);
+
 /// \param contact  any
 /// \return whether it has friction or cohesion: a law that allows no friction force is none
 [[nodiscard]] bool rubs(const ContactSpec& contact);

@@ -171,7 +171,7 @@ std::pair<Most, Most> deformation(const Model& model, const Solution& solution) 
       strain.see(std::abs(G(0, 0) + G(1, 1)) / 2 + std::sqrt(half * half + shear * shear), body,
                  cell);
       rotation.see(std::abs(G(1, 0) - G(0, 1)) / 2, body, cell);
-      if (body.material.bulk.state == PlaneState::Axial)
+      if (is_axial(body))
         strain.see(std::abs(hoop_strain(body.mesh, solution.displacements[b], cell)), body, cell);
     }
   }

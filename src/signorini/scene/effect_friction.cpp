@@ -5,6 +5,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -31,6 +32,26 @@ bool any_has(const Scene& scene, Constant constant) {
 /// and all of it counts as theirs.
 bool can_slide(const Gaps& gaps, Index pair) {
   return gaps.initial_slip(pair) != 0 || gaps.T.row(pair).norm() > 0;
+}
+
+/// Whether a pair is that of a node on a line of symmetry which a side crosses squarely, but for what its own half of the
+/// mesh makes of the normal: there sliding to one side is sliding to the other, so there is none.
+bool on_line_of_symmetry(const Scene& scene, const Plan& draft, Index pair) {
+  constexpr double least_corner = pi / 8;  // a side and its image that turn by more meet in a corner
+  const Index node = draft.gaps.pairs.node[static_cast<std::size_t>(pair)];
+  if (node < 0) return false;
+  const std::size_t b = body_of_node(draft.bodies, node);
+  const BodyModel& body = draft.bodies[b];
+  const Index own = node - body.first_node;
+  const Eigen::Vector2d normal = draft.gaps.pairs.normal.row(pair).transpose().normalized();
+  const auto& supports = scene.bodies[b].supports;
+  return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
+    if (!support.normal_only) return false;
+    const std::vector<Index> line = boundary_nodes(body.mesh, support.boundary);
+    if (std::find(line.begin(), line.end(), own) == line.end()) return false;
+    const Index across = body.unknowns.number(own, 0) < 0 ? 0 : 1;
+    return std::abs(normal(across)) < std::sin(least_corner);
+  });
 }
 
 /// Notes contacts that rub in vain.
@@ -75,7 +96,8 @@ void take_slips(const Scene& scene, Plan& draft) {
   if (!law.pair.empty()) return;
   for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
     if (rubs(scene.contacts[draft.contact_of[pair]]) &&
-        can_slide(draft.gaps, static_cast<Index>(pair)))
+        can_slide(draft.gaps, static_cast<Index>(pair)) &&
+        !on_line_of_symmetry(scene, draft, static_cast<Index>(pair)))
       law.pair.push_back(static_cast<Index>(pair));
   if (law.pair.empty()) return;
   pose(find_solver(scene.solver).friction != Takes::No, "solver '", scene.solver,

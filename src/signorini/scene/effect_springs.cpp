@@ -47,7 +47,7 @@ void note_soft_springs(const BodyModel& body, Model& model) {
         nodes(k) = motion.shape(own);
     const double resisted = nodes.dot(body.springs * nodes);
     if (resisted > 0 && rounding > 1e-8 * resisted)
-      model.notes.push_back(text(motion.sentence, " but for its springs, which are so soft beside ",
+      model.notes.push_back(text(in_words(motion), " but for its springs, which are so soft beside ",
                                  "the body that rounding changes this motion by up to ",
                                  100 * rounding / resisted,
                                  " %: make them stiffer, or add a support"));

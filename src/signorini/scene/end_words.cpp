@@ -7,6 +7,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
@@ -136,12 +137,7 @@ std::string shared_forces_in_words(const Model& model, const Solution& solution,
 }
 
 std::string escape_in_words(const Model& model, const VectorXd& escape) {
-  std::string words;
-  const double most = largest(escape);
-  for (Index k = 0; k < escape.size(); ++k)
-    if (std::abs(escape(k)) > 1e-6 * most)
-      words += (words.empty() ? "" : "; ") + model.modes[static_cast<std::size_t>(k)].sentence;
-  return words;
+  return joined(in_words(model.modes, escape), "; ");
 }
 
 std::string doubt_in_words(const Model& model, const Doubt& doubt) {

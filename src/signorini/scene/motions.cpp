@@ -5,6 +5,7 @@
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/mesh/far.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 
@@ -80,17 +81,24 @@ std::vector<std::string> motions_without_contact(
   if (modes.empty()) return sentences;
   const double directions = direction_rounding(modes);
   Eigen::MatrixXd moved = rigid_gaps(A, mode_shapes(modes), directions);
+  Eigen::VectorXd unit = Eigen::VectorXd::Ones(moved.cols());
   const double rounding = 64 * std::max(epsilon, directions);
   // Against the terms: where these cancel, as for a ring that turns on a pin, what is left is rounding.
   const Eigen::RowVectorXd size =
       (A.cwiseAbs() * mode_shapes(modes).cwiseAbs()).colwise().lpNorm<Eigen::Infinity>();
   for (Index k = 0; k < moved.cols(); ++k)
-    if (size(k) > 0) moved.col(k) /= size(k);
+    if (size(k) > 0) moved.col(k) /= unit(k) = size(k);
   if (moved.rows() < moved.cols())
     moved.conservativeResizeLike(Eigen::MatrixXd::Zero(moved.cols(), moved.cols()));
   const ColumnSpan span = column_span(moved, rounding * static_cast<double>(moved.cols()));
-  for (auto k = span.order.begin() + span.rank; k != span.order.end(); ++k)
-    sentences.push_back(modes[static_cast<std::size_t>(*k)].sentence);
+  const std::vector<Index> held(span.order.begin(), span.order.begin() + span.rank);
+  for (auto k = span.order.begin() + span.rank; k != span.order.end(); ++k) {
+    Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(moved.cols());
+    amplitude(*k) = 1;
+    amplitude(held) = -least_norm_solution(moved(Eigen::all, held), moved.col(*k));
+    const std::vector<std::string> words = in_words(modes, amplitude.cwiseQuotient(unit));
+    sentences.push_back(joined(words, " while "));
+  }
   return sentences;
 }
 

@@ -8,6 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/elasticity/along_boundary.hpp"
 #include "signorini/factor/front_speed.hpp"
+#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/pattern.hpp"
 #include "signorini/scene/sample.hpp"
 #include "signorini/solvers/solvers.hpp"
@@ -24,7 +25,7 @@ BodySummary summary_of(const BodyModel& body) {
     sum.add(body.mesh.nodes.row(node).transpose(), load.row(node).transpose());
   BodySummary summary{body.mesh.name, body.unknowns.count, static_cast<Index>(body.pieces.size()),
                       sum.force, sum.moment};
-  if (body.material.bulk.state == PlaneState::Axial) {  // all round the axis, these cancel
+  if (is_axial(body)) {  // all round the axis, these cancel
     summary.force.x() = 0;
     summary.moment = 0;
   }

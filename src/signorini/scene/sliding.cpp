@@ -34,9 +34,10 @@ PairForces of_contact(PairForces forces, const std::vector<std::size_t>& contact
 }
 
 /// Sum of forces on the nodes of a body.
+/// \param forces  on the nodes of all bodies, x and y of each [force]
 Vector2d resultant(const BodyModel& body, const VectorXd& forces) {
   const Eigen::Map<const NodeArray> all(forces.data(), forces.size() / 2, 2);
-  return all.middleRows(body.first_node, body.mesh.n_nodes()).colwise().sum().transpose();
+  return sum_of_forces(body, all.middleRows(body.first_node, body.mesh.n_nodes()));
 }
 
 /// By how much gaps are larger there than the linear ones. A node stands for half of the edges beside it: one that has
