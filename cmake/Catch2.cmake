@@ -11,13 +11,10 @@ if(NOT TARGET Catch2::Catch2WithMain)
   add_library(Catch2::Catch2WithMain ALIAS catch_main)
 endif()
 
-# Tests and exercises: one optimisation, less than that of the library, and one precompiled header.  At -O1 g++ takes
-# copies of Eigen's matrices for uninitialised; at -O3, where it sees more, it does not.
+# Tests and exercises: one precompiled header.
 add_library(signorini_checks INTERFACE)
-target_compile_options(signorini_checks INTERFACE $<$<CONFIG:Release>:-O1>
-  $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 target_include_directories(signorini_checks INTERFACE ${PROJECT_SOURCE_DIR}/tests)
-target_link_libraries(signorini_checks INTERFACE signorini::signorini Catch2::Catch2WithMain)
+target_link_libraries(signorini_checks INTERFACE signorini::signorini signorini_light Catch2::Catch2WithMain)
 if(SIGNORINI_PRECOMPILE)
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/checks_headers.cpp CONTENT "// only its precompiled header is used\n")
   add_library(checks_headers OBJECT ${PROJECT_BINARY_DIR}/checks_headers.cpp)
@@ -35,4 +32,5 @@ endfunction()
 # The problems that tests of many rooms solve, compiled once.
 file(GLOB test_problems CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/problems/*.cpp)
 add_library(test_problems STATIC EXCLUDE_FROM_ALL ${test_problems})
+set_target_properties(test_problems PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
 signorini_checks(test_problems)

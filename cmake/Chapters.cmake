@@ -1,7 +1,8 @@
-# Every chapters/chNN_topic with a topic.cpp becomes the program chNN, every other NAME.cpp beside it the program
-# chNN_NAME, which writes chNN_NAME.results into the same folder and is compiled and run with chNN; and these tests:
+# The programs of a chapter, chapters/chNN_topic/*.cpp, become one: build/bin/chNN runs them one after the other, topic.cpp first,
+# `chNN NAME` the one of NAME.cpp, which writes chNN_NAME.results into the same folder.  They are compiled as one file, see
+# tools/batch.pl; and these tests:
 #   chNN/run      the programs solve their problems and write into build/out/chNN
-#   chNN/results  what it wrote agrees with the committed numbers, tables and curves
+#   chNN/results  what they wrote agrees with the committed numbers, tables and curves
 #   chNN/figures  gnuplot draws every figure from the fresh curves without a warning, and the committed
 #                 pictures were drawn from the committed curves
 #   chNN/text     the text quotes the committed numbers, tables and code
@@ -11,40 +12,37 @@ find_program(GNUPLOT gnuplot)
 set(tools ${PROJECT_SOURCE_DIR}/tools)
 add_custom_target(chapters)
 
-file(GLOB texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/README.md)
-file(GLOB programs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/*.cpp)
-file(GLOB scripts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/figures/*.gp)
+file(GLOB folders LIST_DIRECTORIES true CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*)
 set(chapter_names "")
-set(further "")
-foreach(program IN LISTS programs)
-  get_filename_component(dir ${program} DIRECTORY)
+foreach(dir IN LISTS folders)
   get_filename_component(dir_name ${dir} NAME)
-  get_filename_component(program_name ${program} NAME_WE)
   string(SUBSTRING ${dir_name} 0 4 name)
   string(SUBSTRING ${dir_name} 5 -1 topic)
-  if(NOT EXISTS ${dir}/${topic}.cpp)
-    message(FATAL_ERROR "${program}: the first program of ${dir_name} is called ${topic}.cpp")
-  endif()
-  set(out ${PROJECT_BINARY_DIR}/out/${name})
-  set(target ${name})
-  if(NOT program_name STREQUAL topic)
-    set(target ${name}_${program_name})
-    list(APPEND further "${name} ${target}")
-  endif()
-  add_executable(${target} ${program})
-  target_link_libraries(${target} PRIVATE signorini::signorini signorini_warnings)
-  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)  # for scenes that tests share
-  target_compile_definitions(${target} PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
-  signorini_precompiled(${target})
-  file(STRINGS ${program} asks REGEX "bench/yardsticks\\.hpp")
-  if(asks)
-    include(cmake/Yardsticks.cmake)
-    target_link_libraries(${target} PRIVATE yardsticks)
-  endif()
-  add_dependencies(chapters ${target})
-  if(NOT target STREQUAL name)
+  file(GLOB programs CONFIGURE_DEPENDS ${dir}/*.cpp)
+  if(NOT programs)
     continue()
   endif()
+  if(NOT EXISTS ${dir}/${topic}.cpp)
+    message(FATAL_ERROR "${dir}: the first program of ${dir_name} is called ${topic}.cpp")
+  endif()
+  list(REMOVE_ITEM programs ${dir}/${topic}.cpp)
+  list(PREPEND programs ${dir}/${topic}.cpp)
+  set(out ${PROJECT_BINARY_DIR}/out/${name})
+  set(batch ${PROJECT_BINARY_DIR}/batches/${name}.cpp)
+  add_custom_command(OUTPUT ${batch} DEPENDS ${programs} ${tools}/batch.pl VERBATIM
+    COMMAND ${PERL_EXECUTABLE} ${tools}/batch.pl ${batch} --main ${name} ${programs})
+  add_executable(${name} ${batch})
+  target_link_libraries(${name} PRIVATE signorini::signorini signorini_warnings signorini_light)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)  # for scenes that tests share
+  target_compile_definitions(${name} PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
+  foreach(program IN LISTS programs)
+    file(STRINGS ${program} asks REGEX "bench/yardsticks\\.hpp")
+    if(asks)
+      include(cmake/Yardsticks.cmake)
+      target_link_libraries(${name} PRIVATE yardsticks)
+    endif()
+  endforeach()
+  add_dependencies(chapters ${name})
   list(APPEND chapter_names ${name})
 
   add_test(NAME ${name}/run COMMAND ${tools}/chapter.sh run $<TARGET_FILE:${name}> ${out})
@@ -56,11 +54,8 @@ foreach(program IN LISTS programs)
     set_tests_properties(${name}/figures PROPERTIES FIXTURES_REQUIRED ${name} LABELS "chapter;figure")
   endif()
 endforeach()
-foreach(pair IN LISTS further)  # only now is each first program there
-  separate_arguments(pair)
-  add_dependencies(${pair})
-endforeach()
 
+file(GLOB texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/README.md)
 foreach(text IN LISTS texts)
   get_filename_component(dir ${text} DIRECTORY)
   get_filename_component(dir_name ${dir} NAME)

@@ -1,7 +1,8 @@
 # Every chapters/chNN_topic/exercises/exK_topic is exercise N.K, proven from both ends:
 #   exN.K/solution, exN.K/solution-heldout   the reference solution passes both test files
 #   exN.K/starter                            attempt.cpp compiles with both and fails a check of the first
-# Your own answer is checked by `make exN.K` (tools/exercise.sh).  For those who collect answers the same are tests:
+# All of them are two programs, exercise_solutions and exercise_starters, whose tests begin with the name of the exercise.
+# Your own answer is compiled and checked alone, by `make exN.K` (tools/exercise.sh).  For those who collect answers the same are tests:
 #   exN.K/answer, then exN.K/answer-heldout  the held-out tests open when the first ones pass
 # They exist only for `ctest -C answer`, so that `make test` does not depend on half an answer.
 # Exercises whose test.cpp includes support/problem_classes.hpp, for answers that are solvers, are linked with it.
@@ -57,12 +58,14 @@ function(signorini_exercise dir)
     signorini_exercise_part(${ex}_solution ${solution})
     signorini_exercise_program(${ex}.solution ${ex}_test ${ex}_solution)
     signorini_exercise_program(${ex}.solution-heldout ${ex}_heldout ${ex}_solution)
-    add_dependencies(exercises ${ex} ${ex}.solution ${ex}.solution-heldout)
-    add_test(NAME ${ex}/solution COMMAND ${ex}.solution)
-    add_test(NAME ${ex}/solution-heldout COMMAND ${ex}.solution-heldout)
+    add_test(NAME ${ex}/solution COMMAND exercise_solutions "${ex} *" "~${ex} held out*" ${some_tests})
+    add_test(NAME ${ex}/solution-heldout COMMAND exercise_solutions "${ex} held out*" ${some_tests})
     set_tests_properties(${ex}/solution ${ex}/solution-heldout PROPERTIES LABELS exercise TIMEOUT 300)
-    add_test(NAME ${ex}/starter COMMAND perl ${PROJECT_SOURCE_DIR}/tools/judge.pl starter $<TARGET_FILE:${ex}.answer>)
+    add_test(NAME ${ex}/starter COMMAND perl ${PROJECT_SOURCE_DIR}/tools/judge.pl starter $<TARGET_FILE:exercise_starters>
+             "${ex} *" "~${ex} held out*")
     set_tests_properties(${ex}/starter PROPERTIES LABELS "exercise;starter" TIMEOUT 120)
+    list(APPEND exercise_tests ${dir}/test.cpp ${heldout})
+    set(exercise_tests ${exercise_tests} PARENT_SCOPE)
   endif()
 
   set(libraries signorini Catch2::Catch2WithMain)
@@ -92,8 +95,31 @@ libraries ${libraries}
   endif()
 endfunction()
 
-add_custom_target(exercises ALL)
+# Without a test of the name Catch2 3 fails by itself.
+set(some_tests "")
+if(Catch2_VERSION VERSION_LESS 3)
+  set(some_tests -w NoTests)
+endif()
+set(exercise_tests "")
 foreach(header IN LISTS exercise_headers)
   get_filename_component(dir ${header} DIRECTORY)
   signorini_exercise(${dir})
 endforeach()
+if(exercise_solutions AND exercise_tests)
+  add_custom_target(exercises ALL)
+  signorini_in_batches(batches exercise_tests 16 ${exercise_tests})
+  add_library(all_exercise_tests OBJECT ${batches})
+  signorini_checks(all_exercise_tests)
+  foreach(kind solution attempt)
+    string(REGEX REPLACE "/exercise\\.hpp" "/${kind}.cpp" answers "${exercise_headers}")
+    set(program exercise_solutions)
+    if(kind STREQUAL attempt)
+      set(program exercise_starters)
+    endif()
+    add_executable(${program} $<TARGET_OBJECTS:exercise_judge> $<TARGET_OBJECTS:all_exercise_tests> ${answers})
+    set_target_properties(${program} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+    signorini_checks(${program})
+    target_link_libraries(${program} PRIVATE problem_classes)
+    add_dependencies(exercises ${program})
+  endforeach()
+endif()

@@ -1,18 +1,10 @@
 #!/bin/sh
-# chapter.sh run PROGRAM OUT      runs a chapter's programs into the emptied folder OUT, notes their seconds
+# chapter.sh run PROGRAM OUT      runs the programs of a chapter, build/bin/chNN, into the emptied folder OUT, notes their seconds
 # chapter.sh figures CHAPTER OUT  draws the chapter's figures from the curves in OUT into OUT, and checks
 #                                 that the committed pictures were drawn from the committed curves
-# PROGRAM is build/bin/chNN, which runs first; for every other NAME.cpp of the chapter PROGRAM_NAME follows.
 # CHAPTER is chapters/chNN_topic.  Exit status: that of the program that fails, or 1.
 set -eu
 tools=$(cd "$(dirname "$0")" && pwd)
-
-others() { # what the names of all programs of a chapter but the first end with, from its sources
-    for source in "$tools/../chapters/$(basename "$1")"_*/*.cpp; do
-        folder=$(basename "$(dirname "$source")")
-        [ ! -f "$source" ] || [ "$folder" = "$(basename "$1")_$(basename "$source" .cpp)" ] || echo "_$(basename "$source" .cpp)"
-    done
-}
 
 case $1 in
 run)
@@ -20,9 +12,7 @@ run)
     mkdir -p "$3"
     echo "$(basename "$2")"
     start=$(date +%s%N)
-    for name in '' $(others "$2"); do
-        "$2$name" --out "$3" || { status=$?; echo "$(basename "$2")$name ends with status $status" >&2; exit "$status"; }
-    done
+    "$2" --out "$3" || { status=$?; echo "$(basename "$2") ends with status $status" >&2; exit "$status"; }
     end=$(date +%s%N)
     echo "$((end - start))" > "$3/nanoseconds"
     ;;
@@ -37,7 +27,7 @@ figures)
     exit $bad
     ;;
 *)
-    sed -n '2,6s/^# *//p' "$0" >&2
+    sed -n '2,5s/^# *//p' "$0" >&2
     exit 2
     ;;
 esac

@@ -1,6 +1,6 @@
 #!/usr/bin/perl
 # judge.pl ex6.1 FILE TESTS [HELDOUT]   runs the program TESTS and, when it passes, HELDOUT: what fails, then the verdict on FILE
-# judge.pl starter PROGRAM              a starter must fail a check of its tests: one that passes, crashes or does not run is refused
+# judge.pl starter PROGRAM [TESTS ...]  a starter must fail a check of its tests: one that passes, crashes or does not run is refused
 # Exit status: 0 if that is so, 1 if not, 2 for other arguments.  tools/grade.pl judges whole folders with the same run_tests().
 #
 # A program is right if its tests say so to this judge by a secret, tests/tools/judged.cpp.  What it prints, and its exit status,
@@ -50,7 +50,7 @@ sub slurp {
     return <$in> // '';
 }
 
-# Runs the tests of a program in $folder.  Returns a hash: status (passed, failed, crashed, timed out, out of memory, forbidden,
+# Runs the tests of a program, or of [program, arguments], in $folder.  Returns a hash: status (passed, failed, crashed, timed out, out of memory, forbidden,
 # fake), message (the first thing that is wrong), said (all that it printed), seconds, names of the test cases in their order,
 # tests (name => [assertions passed, failed]), enclosed.  With $reads it may read files.  With $reference, the result of the reference solution, what passes must
 # have ended the same test cases.
@@ -81,7 +81,7 @@ sub run_tests {
         close $from_program;
     };
     # The wall is for a program that waits for ever: on a busy machine a tenth of a processor is enough.
-    my ($wait, $used, $over) = run_limited(10 * $seconds, "$folder/said", $enter, $listen, $program);
+    my ($wait, $used, $over) = run_limited(10 * $seconds, "$folder/said", $enter, $listen, ref $program ? @$program : $program);
 
     my %is = (seconds => $used, said => slurp("$folder/said"), names => [], tests => {}, enclosed => 0);
     my $ended = 0;
@@ -172,7 +172,7 @@ sub starter {
 if (!caller) {
     require File::Spec;
     $| = 1;
-    if (@ARGV == 2 && $ARGV[0] eq 'starter') { exit starter(File::Spec->rel2abs($ARGV[1])) }
+    if (@ARGV > 1 && $ARGV[0] eq 'starter') { exit starter([File::Spec->rel2abs($ARGV[1]), @ARGV[2 .. $#ARGV]]) }
     if (@ARGV == 3 || @ARGV == 4) { exit judge(@ARGV[0, 1], map { File::Spec->rel2abs($_) } @ARGV[2 .. $#ARGV]) }
     print STDERR "judge.pl ex6.1 FILE TESTS [HELDOUT], or judge.pl starter PROGRAM\n";
     exit 2;

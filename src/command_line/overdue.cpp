@@ -15,7 +15,7 @@ namespace {
 
 using namespace signorini;
 
-constexpr double times = 10;
+constexpr double overdue_times = 10;
 constexpr double patience = 2;   // [s]
 constexpr double longest = 1e8;  // [s], three years; what a clock counts may not be much more
 
@@ -77,14 +77,14 @@ const Stage& solving() {
 }
 
 double overdue_after(const Stage& stage, const Prediction& prediction) {
-  return std::max(patience, times * forecast(stage, prediction).seconds);
+  return std::max(patience, overdue_times * forecast(stage, prediction).seconds);
 }
 
 std::string overdue_words(const Stage& stage, const Plan& plan, const Prediction& prediction) {
   const Forecast before = forecast(stage, prediction);
   const std::string seconds = number(before.seconds, "%.2g") + " s";
   return text("signorini: ", stage.name, " has taken ",
-              number(overdue_after(stage, prediction), "%.2g"), " s, more than ", times, " times ",
+              number(overdue_after(stage, prediction), "%.2g"), " s, more than ", overdue_times, " times ",
               before.known ? "its forecast of " + seconds
                            : "the " + seconds +
                                  " that it takes with one iteration of contact; how many there "

@@ -146,7 +146,7 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
 }
 
 /// How wide a column is. \param column  of print_step()
-int width(const Column& column) {
+int width_of(const Column& column) {
   return static_cast<int>(std::max<std::size_t>(13, std::strlen(column.name) + 2));
 }
 
@@ -297,7 +297,7 @@ void PathTeller::begin(const SceneRun& run) {
     out_ << file << " is new: it begins with step " << run.from.steps + 1 << '\n';
   out_ << '\n';
   for (const Column& column : columns(run, nullptr, nullptr))
-    out_ << std::setw(width(column)) << column.name;
+    out_ << std::setw(width_of(column)) << column.name;
   out_ << '\n';
 }
 
@@ -344,7 +344,7 @@ void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step)
   }
   keep_notes(step);
   for (const Column& column : columns(run, &model, &step))
-    out_ << std::setw(width(column)) << number(column.value, column.format);
+    out_ << std::setw(width_of(column)) << number(column.value, column.format);
   out_ << std::endl;  // now: the next step may take long
 }
 

@@ -102,13 +102,13 @@ struct Layout {
   double top = 0;
 };
 
-constexpr double width = 720;
-constexpr double left = 84;
-constexpr double right = 690;
+constexpr double panel_width = 720;
+constexpr double panel_left = 84;
+constexpr double panel_right = 690;
 
 /// As flat as the scene is, within reason.
 Layout layout_of(const Box& box, double panels) {
-  const double wanted = (right - left) * box.sizes().y() / box.sizes().x();
+  const double wanted = (panel_right - panel_left) * box.sizes().y() / box.sizes().x();
   Layout layout;
   layout.bottom = 60 + panels;
   layout.top = layout.bottom + std::clamp(wanted, 60.0, 520.0);
@@ -120,17 +120,17 @@ void draw_meshes(std::ostream& gp, const Box& box, const Layout& layout, double 
                  const std::string& time, const Cells& stress, Index n_cells) {
   const double tics = round_down(box.sizes().maxCoeff() / 4);
   constexpr Index most_outlined = 6000;  // beyond that, outlines are all there is to see
-  gp << "set lmargin at screen " << left / width << "\nset rmargin at screen " << right / width
+  gp << "set lmargin at screen " << panel_left / panel_width << "\nset rmargin at screen " << panel_right / panel_width
      << "\nset bmargin at screen " << layout.bottom / layout.height << "\nset tmargin at screen "
      << layout.top / layout.height << "\nset size ratio -1\nset xlabel 'x'\nset ylabel 'y'\n"
      << "set xtics " << tics << "\nset ytics " << tics << "\nset xrange [" << box.min().x() << ':'
      << box.max().x() << "]\nset yrange [" << box.min().y() << ':' << box.max().y()
      << "]\nset cbrange " << range(stress.least, stress.most)
-     << "\nset colorbox horizontal user origin screen " << left / width << ", screen "
-     << (layout.top + 34) / layout.height << " size screen " << (right - left) / width
+     << "\nset colorbox horizontal user origin screen " << panel_left / panel_width << ", screen "
+     << (layout.top + 34) / layout.height << " size screen " << (panel_right - panel_left) / panel_width
      << ", screen " << 10 / layout.height
      << "\nset label 1 'von Mises'' stress; displacements times " << scale << time << "' at screen "
-     << left / width << ", screen " << (layout.top + 66) / layout.height << "\n";
+     << panel_left / panel_width << ", screen " << (layout.top + 66) / layout.height << "\n";
   gp << "plot $cells using 1:2:3 with polygons fc palette lw 0.3";
   if (n_cells <= most_outlined) gp << ", '' using 1:2 with lines lw 0.4 lc rgb '#a0ffffff'";
   gp << '\n';
@@ -150,13 +150,13 @@ void draw_tractions(std::ostream& gp, const TractionCurve& curve, bool named, do
                          : "[0:*]")
      << "\nset xrange " << range(curve.from, curve.to) << '\n';
   if (named)
-    gp << "set label 1 " << for_gnuplot(curve.name) << " noenhanced at screen " << left / width
+    gp << "set label 1 " << for_gnuplot(curve.name) << " noenhanced at screen " << panel_left / panel_width
        << ", screen " << (top + (curve.rubs ? 38 : 16)) / layout.height << '\n';
   if (!curve.rubs) {
     gp << "plot " << block << " using 1:2 with linespoints ls 1\n";
     return;
   }
-  gp << "set key horizontal left center noopaque at screen " << left / width << ", screen "
+  gp << "set key horizontal left center noopaque at screen " << panel_left / panel_width << ", screen "
      << (top + 16) / layout.height << "\nset xzeroaxis lt 8\nplot " << block
      << " using 1:4 with lines ls 7 lw 0.8 title 'bound of the shear', '' using 1:(-$4) with lines "
         "ls 7 lw 0.8 notitle, '' using 1:2 with linespoints ls 1 title 'pressure', '' using 1:3 "
@@ -174,7 +174,7 @@ std::string script(const std::filesystem::path& file, PictureKind kind, const Sc
   Index n_cells = 0;
   for (const BodyModel& body : run.model->bodies) n_cells += body.mesh.n_cells();
   std::ostringstream gp;
-  gp << "out = " << for_gnuplot(file.string()) << "\nwidth = " << width
+  gp << "out = " << for_gnuplot(file.string()) << "\nwidth = " << panel_width
      << "; height = " << layout.height << '\n'
      << figure_style;
   const Cells stress = cells(run, scale);

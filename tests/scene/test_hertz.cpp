@@ -98,7 +98,7 @@ TEST_CASE("Hertz: contact carries the load on both bodies, whoever is the source
 }
 
 TEST_CASE("Hertz: the nodes that touch first move together to 1e-12 mm", "[hertz]") {
-  const SolvedScene run = solved(scene_of({}), "Hertz");
+  const SolvedScene run = solved(scene_of(HertzProblem{}), "Hertz");
   const Index disc = touching_node(run.model.bodies[0].mesh);
   const Index plate = touching_node(run.model.bodies[1].mesh);
   REQUIRE(run.model.bodies[0].mesh.nodes.row(disc).isZero());
@@ -110,7 +110,7 @@ TEST_CASE("Hertz: the nodes that touch first move together to 1e-12 mm", "[hertz
 
 // The same pairs close after the same number of iterations; forces agree to what rounding leaves.
 TEST_CASE("Hertz: lengths and forces in units of 1e-6 to 1e6 change nothing", "[hertz]") {
-  const SolvedScene base = solved(scene_of({}), "Hertz");
+  const SolvedScene base = solved(scene_of(HertzProblem{}), "Hertz");
   for (const double length : {1e-6, 1.0, 1e6})
     for (const double force : {1e-6, 1e6}) {
       HertzProblem problem;

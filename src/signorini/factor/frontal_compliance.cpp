@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/factor/frontal_factor.hpp"
 
 namespace signorini {
@@ -10,12 +11,6 @@ namespace signorini {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-namespace {
-
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
-
-}  // namespace
 
 /// Carries the rows of A up the tree, and collects what the fronts on their paths contribute.
 class FrontalFactor::Walk {

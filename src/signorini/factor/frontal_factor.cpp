@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/triangular.hpp"
 #include "signorini/factor/front.hpp"
@@ -17,8 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
-
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 Index first_not_finite(const Eigen::SparseMatrix<double>& K) {
   for (Index k = 0; k < K.cols(); ++k)

@@ -5,14 +5,13 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using Matrix = Eigen::SparseMatrix<double>;
-
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 /// Whether a tree has each of n unknowns once, and separators that follow each other.
 bool is_of(const SeparatorTree& tree, Index n) {

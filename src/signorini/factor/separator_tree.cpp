@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 using Matrix = Eigen::SparseMatrix<double>;
-
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 /// So many groups are eliminated together rather than cut again: below that, fronts are so small that to walk
 /// through them costs more than the zeros that they would save (between 4 and 16 it hardly matters).

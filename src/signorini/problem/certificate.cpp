@@ -238,7 +238,7 @@ Eigen::VectorXd entries(const Eigen::VectorXd& v, const std::vector<Index>& plac
 }
 
 /// An entry of K up to this share of sqrt(K_ii K_jj) adds to no energy more than rounding does.
-constexpr double weak = epsilon;
+constexpr double weak_coupling = epsilon;
 
 /// p and what displacements of other systems add to it through entries of K that are weak.
 Eigen::VectorXd loads_of_systems(const QuadraticProgramme& programme, const PrimalDual& solution,
@@ -259,7 +259,7 @@ Eigen::VectorXd loads_of_systems(const QuadraticProgramme& programme, const Prim
 Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& solution,
                         const FrictionLaw& law, Index equations) {
   const Left left{equilibrium_residual(programme, solution), gaps(programme, solution)};
-  const std::vector<SystemParts> systems = unconnected_systems(programme, law, {}, weak);
+  const std::vector<SystemParts> systems = unconnected_systems(programme, law, {}, weak_coupling);
   if (systems.empty()) return figures_of_system(programme, solution, left, law, equations);
   const Eigen::VectorXd load = loads_of_systems(programme, solution, systems);
   const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());

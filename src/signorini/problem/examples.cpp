@@ -6,6 +6,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/random.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -30,8 +31,6 @@ std::vector<Index> random_choice(Random& random, Index n, Index count) {
   order.resize(static_cast<std::size_t>(count));
   return order;
 }
-
-const double pi = std::acos(-1.0);
 
 /// Share of the total force left of x, under Hertz's pressure (2 / pi b) sqrt(1 - (x/b)^2).
 double share_parabola(double x, double b) {

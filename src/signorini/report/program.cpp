@@ -1,6 +1,6 @@
 #include "signorini/report/program.hpp"
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -10,6 +10,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
+#include "signorini/core/wording.hpp"
 
 namespace signorini {
 namespace {
@@ -46,16 +47,40 @@ class Staging {
   std::filesystem::path draft_;
 };
 
-/// Reads the command line. \return whether it asks for help
-bool asks_for_help(CLI::App& app, int argc, const char* const* argv) {
-  try {
-    app.parse(argc, argv);
-    return false;
-  } catch (const CLI::ParseError& wanted) {
-    pose(wanted.get_exit_code() == 0, wanted.what(),
-         ". Known options: --out FOLDER, --full, --help");
-    return true;
+/// What the command line says.
+struct Command {
+  ProgramOptions options;
+  bool help = false;
+};
+
+Command read(const std::filesystem::path& default_out, int argc, const char* const* argv) {
+  Command command{{default_out, false}};
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    if (word == "--help" || word == "-h") {
+      command.help = true;
+    } else if (word == "--full") {
+      command.options.full = true;
+    } else if (word == "--out") {
+      pose(++k < argc, "--out needs a folder: --out FOLDER");
+      command.options.out = argv[k];
+    } else {
+      pose(false, "unknown option ", in_quotes(word),
+           ". Known options: --out FOLDER, --full, --help");
+    }
   }
+  return command;
+}
+
+void print_help(const std::string& name, const std::string& title,
+                const std::filesystem::path& default_out) {
+  std::string usage = name;  // ch06_pressure is asked for as ch06 pressure
+  std::replace(usage.begin(), usage.end(), '_', ' ');
+  std::cout << title << "\nUsage: " << usage << " [--out FOLDER] [--full] [--help]\n\n"
+            << "  --out FOLDER  for results, tables and figure data [" << default_out.string()
+            << "]\n"
+            << "  --full        also run the longer studies\n"
+            << "  --help        this text\n";
 }
 
 }  // namespace
@@ -66,19 +91,15 @@ int run_program(const std::string& name, const std::string& title,
   constexpr int solved = 0;
   constexpr int not_solved = 1;
   constexpr int bad_input = 2;
-  std::string folder = default_out.string();
-  ProgramOptions options;
-  CLI::App app(title, name);
-  app.add_option("--out", folder, "folder for results, tables and figure data")
-      ->capture_default_str();
-  app.add_flag("--full", options.full, "also run the longer studies");
   try {
-    if (asks_for_help(app, argc, argv)) {
-      std::cout << app.help();
+    const Command command = read(default_out, argc, argv);
+    if (command.help) {
+      print_help(name, title, default_out);
       finish_printing();
       return solved;
     }
-    const Staging staging(folder);
+    ProgramOptions options = command.options;
+    const Staging staging(options.out);
     options.out = staging.folder();
     const Status status = body(options);
     finish_printing();
@@ -100,6 +121,32 @@ int run_program(const std::string& name, const std::string& title,
     return not_solved;
   }
   return bad_input;
+}
+
+int run_programs(const std::string& chapter, const std::vector<ChapterProgram>& programs, int argc,
+                 char** argv) {
+  std::vector<std::string> names;
+  for (const ChapterProgram& program : programs) names.emplace_back(program.name);
+  if (argc > 1 && argv[1][0] != '-') {
+    const auto wanted = std::find(names.begin(), names.end(), argv[1]);
+    if (wanted != names.end()) {
+      argv[1] = argv[0];
+      return programs[static_cast<std::size_t>(wanted - names.begin())].main(argc - 1, argv + 1);
+    }
+    std::cerr << chapter << ": no program " << in_quotes(argv[1]) << suggestion(argv[1], names)
+              << '\n';
+    return 2;
+  }
+  const bool help = std::find(argv, argv + argc, std::string("--help")) != argv + argc;
+  for (const ChapterProgram& program : programs) {
+    if (const int status = program.main(argc, argv); status != 0 || help) {
+      if (help && names.size() > 1)
+        std::cout << "\nPrograms, one after the other or one alone, " << chapter
+                  << " NAME: " << listed(names) << '\n';
+      return status;
+    }
+  }
+  return 0;
 }
 
 }  // namespace signorini

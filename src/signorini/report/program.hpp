@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "signorini/problem/problem.hpp"
 
@@ -31,5 +32,20 @@ struct ProgramOptions {
                               const std::filesystem::path& default_out, int argc,
                               const char* const* argv,
                               const std::function<Status(const ProgramOptions&)>& body);
+
+/// One of the programs of a chapter.
+struct ChapterProgram {
+  const char* name;          ///< of its file
+  int (*main)(int, char**);  ///< ends with run_program()
+};
+
+/// Runs the programs of a chapter one after the other, `ch06`, or the one that is named first, `ch06 pressure`.
+/// \param chapter   such as "ch06", for messages
+/// \param programs  in the order of the text
+/// \param argc      of main()
+/// \param argv      of main(): perhaps a name, then options as of run_program()
+/// \return exit code of the first program that does not end with 0, else 0; 2 with a message if there is none of the name
+[[nodiscard]] int run_programs(const std::string& chapter,
+                               const std::vector<ChapterProgram>& programs, int argc, char** argv);
 
 }  // namespace signorini

@@ -22,7 +22,7 @@ bool any_has(const Scene& scene, Fit length) {
   });
 }
 
-void price(const Scene& scene, Plan& draft, Fit length, const std::string& name) {
+void price_fit(const Scene& scene, Plan& draft, Fit length, const std::string& name) {
   for (const ContactSpec& contact : scene.contacts) {
     const double given = (contact.*length).value_or(0);
     const std::string what = text(name, " of the ", describe(draft.bodies, contact));
@@ -62,7 +62,7 @@ Effect adjusted_gaps() {
             return any_has(scene, &ContactSpec::adjust);
           },
           [](const Scene& scene, Plan& draft) {
-            price(scene, draft, &ContactSpec::adjust, "adjusted gaps");
+            price_fit(scene, draft, &ContactSpec::adjust, "adjusted gaps");
           },
           nullptr};
 }
@@ -73,7 +73,7 @@ Effect interference() {
             return any_has(scene, &ContactSpec::interference);
           },
           [](const Scene& scene, Plan& draft) {
-            price(scene, draft, &ContactSpec::interference, "interference");
+            price_fit(scene, draft, &ContactSpec::interference, "interference");
           },
           nullptr};
 }

@@ -10,7 +10,7 @@ namespace signorini::effect {
 namespace {
 
 /// Motions that supports leave are unknowns if contact can stop them, and errors if not.
-void price(const Scene& scene, Plan& draft) {
+void price_motions(const Scene& scene, Plan& draft) {
   for (const FreeMotion& mode : draft.modes)
     draft.on.push_back(in_words(mode) + ": only contact holds it, one amplitude");
   const NodalRows felt = contact_rows(draft.gaps, draft.law);
@@ -23,7 +23,7 @@ void price(const Scene& scene, Plan& draft) {
 
 Effect rigid_motions() {
   return {"rigid motions",
-          [](const Scene& /*scene*/, const Plan& draft) { return !draft.modes.empty(); }, price,
+          [](const Scene& /*scene*/, const Plan& draft) { return !draft.modes.empty(); }, price_motions,
           [](Plan& plan, Model& model) { model.modes = std::move(plan.modes); }};
 }
 

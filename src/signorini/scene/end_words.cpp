@@ -31,15 +31,15 @@ std::string pair_in_words(const Model& model, Index pair) {
 }
 
 /// What the forces of some pairs amount to on one of the bodies that have them.
-struct Sum {
+struct SharedSum {
   std::size_t body = 0;
   Eigen::Vector2d force = {0.0, 0.0};
   bool determined = false;  ///< whether no exchange changes it
 };
 
-Sum sum_of(const Model& model, const VectorXd& force, const SharedForces& group) {
+SharedSum sum_of(const Model& model, const VectorXd& force, const SharedForces& group) {
   const Index pairs = model.pairs.opening.rows();
-  Sum sum{body_of_node(
+  SharedSum sum{body_of_node(
       model.bodies, NodalRows::InnerIterator(model.pairs.opening, group.pairs.front()).col() / 2)};
   MatrixX2 push = MatrixX2::Zero(force.size(), 2);  // of a unit of each row
   const auto add = [&](const NodalRows& rows, Index pair, Index row) {
@@ -127,7 +127,7 @@ std::string shared_forces_in_words(const Model& model, const Solution& solution,
     if (++told > most_told) break;
     words += text(told == 1 ? ". " : ", ", range_in_words(model, range));
   }
-  const Sum sum = sum_of(model, solution.refined.force, widest);
+  const SharedSum sum = sum_of(model, solution.refined.force, widest);
   if (sum.determined)
     words +=
         text(told == 0 ? ". Pairs " : "; pairs ",

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "signorini/core/family.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/mesh/regions.hpp"
 #include "signorini/scene_file/kinds.hpp"
@@ -24,8 +25,6 @@ struct Words<PlaneState> {
 };
 
 namespace {
-
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 std::vector<std::string> boundary_names(const Mesh& mesh) {
   std::vector<std::string> names;
