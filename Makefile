@@ -21,11 +21,14 @@ help:                     ## list what there is
 	@sed -n 's/^\([a-z][a-zA-Z0-9.%-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | sed 's/ch%/ch06/; s/ex%/ex6.1/' | expand -t 16
 configure:
 	@cmake --preset release --log-level=NOTICE > /dev/null
-run: $(firstword $(PROGRAMS))  ## run every chapter, draw its figures into build/out, print the summary
-	@$(MAKE) chapters         # only now, so that the first figure is there before the others are compiled
-	@status=0; for c in $(wordlist 2,$(words $(PROGRAMS)),$(PROGRAMS)); do tools/chapter.sh run $B/bin/$$c $B/out/$$c || status=1; \
-	    FIGURES=draw tools/chapter.sh figures chapters/$${c}_* $B/out/$$c || status=1; done; \
-	    echo; perl tools/summary.pl $B/out || status=1; exit $$status
+run: configure            ## run every chapter, draw its figures into build/out, print the summary, make the book
+	@rm -f $B/out/*/nanoseconds
+	@cmake --build $B -j $(JOBS) --target run_$(firstword $(PROGRAMS))  # alone, so that the first figure is there first
+	@status=0; cmake --build $B -j $(JOBS) --target run_chapters signorini_command -- -k || status=1; \
+	    echo; perl tools/summary.pl $B/out || status=1; echo; \
+	    if command -v doxygen > /dev/null && [ -f /usr/share/javascript/mathjax/MathJax.js ]; then \
+	        tools/docs.sh $B/book && echo "open $B/book/index.html" || status=1; \
+	    else echo "the book is left out, for want of doxygen and MathJax: tools/setup.sh book, then make book"; fi; exit $$status
 chapters: configure       # and the program, without which nothing can be installed
 	@cmake --build $B -j $(JOBS) --target chapters signorini_command
 test: all                 ## compile and run every test

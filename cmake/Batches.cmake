@@ -1,11 +1,10 @@
 # Files that are compiled as one: what they all include is read once.
 
 # The rooms of the library, at most ten files at a time.  The table of a family stays alone, because a program may be linked with
-# one of its own; and so does the file that takes longest.
-function(signorini_rooms_in_batches target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+# one of its own; and so do the factorisations of Eigen, which take longest.
+function(signorini_rooms_in_batches)
   foreach(source IN LISTS ARGN)
-    if(source MATCHES "/(elements|gap_operators|solver_table|effects|backends|backend|dense[a-z_]*)\\.cpp$")
+    if(source MATCHES "/(elements|gap_operators|solver_table|effects|backends|backend|core/dense[a-z_]*)\\.cpp$")
       continue()
     endif()
     get_filename_component(room ${source} DIRECTORY)

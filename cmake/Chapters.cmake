@@ -7,10 +7,9 @@
 #                 pictures were drawn from the committed curves
 #   chNN/text     the text quotes the committed numbers, tables and code
 # `ctest -R ch06/` runs one chapter.  The target `chapters` compiles all of them and nothing else.
-find_package(Perl REQUIRED)
 find_program(GNUPLOT gnuplot)
-set(tools ${PROJECT_SOURCE_DIR}/tools)
 add_custom_target(chapters)
+add_custom_target(run_chapters)  # compiled or not: one runs while the next is compiled
 
 file(GLOB folders LIST_DIRECTORIES true CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*)
 set(chapter_names "")
@@ -32,7 +31,11 @@ foreach(dir IN LISTS folders)
   add_custom_command(OUTPUT ${batch} DEPENDS ${programs} ${tools}/batch.pl VERBATIM
     COMMAND ${PERL_EXECUTABLE} ${tools}/batch.pl ${batch} --main ${name} ${programs})
   add_executable(${name} ${batch})
-  target_link_libraries(${name} PRIVATE signorini::signorini signorini_warnings signorini_light)
+  set(library signorini::signorini)
+  if(NOT chapter_names)
+    set(library signorini_first)
+  endif()
+  target_link_libraries(${name} PRIVATE ${library} signorini_warnings signorini_light)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)  # for scenes that tests share
   target_compile_definitions(${name} PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
   foreach(program IN LISTS programs)
@@ -43,6 +46,8 @@ foreach(dir IN LISTS folders)
     endif()
   endforeach()
   add_dependencies(chapters ${name})
+  add_custom_target(run_${name} COMMAND ${tools}/chapter.sh show $<TARGET_FILE:${name}> ${out} ${dir} VERBATIM)
+  add_dependencies(run_chapters run_${name})
   list(APPEND chapter_names ${name})
 
   add_test(NAME ${name}/run COMMAND ${tools}/chapter.sh run $<TARGET_FILE:${name}> ${out})

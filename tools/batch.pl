@@ -26,7 +26,8 @@ for my $file (@files) {
     $name = basename($folder) . "_$name" if $name =~ /^test(?:_heldout)?$/;    # of an exercise
     (my $space = $name) =~ s/\W/_/g;
     $wrapped .= qq(namespace batch_$space {\n#include ") . abs_path($file) . qq("\n}\n);
-    $programs .= qq(    {"$name", batch_$space\::main},\n);
+    my $long = content($file) =~ m{^// Takes longer than 5 s}m ? ', true' : '';
+    $programs .= qq(    {"$name", batch_$space\::main$long},\n);
 }
 @headers = sort { ($a =~ /^</) <=> ($b =~ /^</) } @headers;    # ours first, so that each still has what it needs
 push @headers, '"signorini/report/program.hpp"' if $main;

@@ -1,6 +1,7 @@
 // Chapter 16 - What accuracy costs: error against seconds, and a list of prices.
 // Run:  make ch16     Reads: nothing     Writes: ch16.results, prices.md, fig_16_2.csv
 // --full: one mesh more of each way but the last, half a minute more.
+// Takes longer than 5 s: ./run.sh shows its committed results.
 #include <iostream>
 
 #include "signorini/core/errors.hpp"

@@ -1,6 +1,7 @@
 // Chapter 16 - What the estimates are worth: estimated beside true errors.
 // Run:  make ch16     Reads: nothing     Writes: ch16_effectivity.results, effectivity.md, fig_16_1.csv, fig_16_1_width.csv
 // --full: six elements instead of four, and three of the problems with friction, half a minute.
+// Takes longer than 5 s: ./run.sh shows its committed results.
 #include "../../tests/support/effectivity.hpp"
 
 #include <iostream>

@@ -3,6 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <streambuf>
+#include <utility>
 #include <vector>
 
 #include "catch_compat.hpp"
@@ -234,4 +235,50 @@ TEST_CASE("a file that cannot be put in its place ends with 2 and is named", "[p
   CHECK(blocked.code == 2);
   CHECK_THAT(blocked.errors, ContainsSubstring("ch00: cannot write") &&
                                  ContainsSubstring("data.csv") && ContainsSubstring("--out"));
+}
+
+namespace {
+
+std::string ran;
+int well_called(int argc, char** argv) {
+  ran += "well";
+  for (int k = 1; k < argc; ++k) ran += std::string(" ") + argv[k];
+  ran += ';';
+  return 0;
+}
+int ill_called(int /*argc*/, char** /*argv*/) {
+  ran += "ill;";
+  return 1;
+}
+
+/// What is run, and the exit code, for some words behind the name of the program.
+std::pair<std::string, int> run_words(std::vector<std::string> words) {
+  words.insert(words.begin(), "ch00");
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  ran.clear();
+  const std::vector<ChapterProgram> programs = {{"one", well_called},
+                                                {"two", well_called, true},
+                                                {"three", ill_called},
+                                                {"four", well_called}};
+  const int code = run_programs("ch00", programs, static_cast<int>(argv.size()), argv.data());
+  return {ran, code};
+}
+
+}  // namespace
+
+TEST_CASE("the programs of a chapter run in order until one fails, or one alone", "[program]") {
+  using Ran = std::pair<std::string, int>;
+  const Caught output(std::cout);
+  const Caught errors(std::cerr);
+  CHECK(run_words({}) == Ran{"well;well;ill;", 1});
+  CHECK(run_words({"--out", "x"}) == Ran{"well --out x;well --out x;ill;", 1});
+  CHECK(run_words({"--quick", "--full"}) == Ran{"well --full;ill;", 1});
+  CHECK(run_words({"four", "--full"}) == Ran{"well --full;", 0});
+  CHECK(run_words({"two"}) == Ran{"well;", 0});
+  CHECK(run_words({"--help"}) == Ran{"well --help;", 0});
+  CHECK_THAT(output.text(), ContainsSubstring("one, two, three, four"));
+  CHECK(errors.text().empty());
+  CHECK(run_words({"fuor"}) == Ran{"", 2});
+  CHECK_THAT(errors.text(), ContainsSubstring("ch00: no program 'fuor'; did you mean 'four'?"));
 }

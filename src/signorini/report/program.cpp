@@ -137,12 +137,25 @@ int run_programs(const std::string& chapter, const std::vector<ChapterProgram>& 
               << '\n';
     return 2;
   }
-  const bool help = std::find(argv, argv + argc, std::string("--help")) != argv + argc;
+  std::vector<char*> arguments(argv, argv + argc);
+  const auto said = [&](const char* option) {
+    const auto found = std::find(arguments.begin(), arguments.end(), std::string(option));
+    return found == arguments.end() ? nullptr : &*found;
+  };
+  char** const quick = said("--quick");
+  if (quick != nullptr) arguments.erase(arguments.begin() + (quick - arguments.data()));
+  const bool help = said("--help") != nullptr;
   for (const ChapterProgram& program : programs) {
-    if (const int status = program.main(argc, argv); status != 0 || help) {
+    if (quick != nullptr && program.takes_long) {
+      std::cout << chapter << ' ' << program.name << " takes longer than 5 s and is left out\n";
+      continue;
+    }
+    const int status = program.main(static_cast<int>(arguments.size()), arguments.data());
+    if (status != 0 || help) {
       if (help && names.size() > 1)
         std::cout << "\nPrograms, one after the other or one alone, " << chapter
-                  << " NAME: " << listed(names) << '\n';
+                  << " NAME: " << listed(names)
+                  << "\n  --quick       without those that take longer than 5 s\n";
       return status;
     }
   }

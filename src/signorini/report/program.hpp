@@ -37,9 +37,11 @@ struct ProgramOptions {
 struct ChapterProgram {
   const char* name;          ///< of its file
   int (*main)(int, char**);  ///< ends with run_program()
+  bool takes_long = false;   ///< more than 5 s
 };
 
-/// Runs the programs of a chapter one after the other, `ch06`, or the one that is named first, `ch06 pressure`.
+/// Runs the programs of a chapter one after the other, `ch06`, or the one that is named first, `ch06 pressure`; with `--quick`
+/// those that take long are left out.
 /// \param chapter   such as "ch06", for messages
 /// \param programs  in the order of the text
 /// \param argc      of main()
