@@ -16,6 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using Eigen::Vector4d;
 using Eigen::VectorXd;
 using namespace signorini;
 using namespace signorini_test;
@@ -164,6 +165,12 @@ TEST_CASE("two pairs of one node share what presses it", "[closing][closed-form]
   CHECK(groups[0].exchanges.cols() == 2);
   REQUIRE(groups[0].forces.size() == 3);
   for (const ForceRange& range : groups[0].forces) CHECK(range.high == Approx(6).epsilon(1e-15));
+  const MatrixXd twice = (MatrixXd(2, 4) << 1, 1, 0, 0, 0, 0, 1, 1).finished();
+  groups = undetermined_forces(node(twice, {}, Vector4d(1, 2, 3, 4)));
+  REQUIRE(groups.size() == 2);  // the one with the widest range first
+  CHECK(groups[0].pairs == std::vector<Index>{2, 3});
+  CHECK(groups[0].width() == Approx(7).epsilon(1e-15));
+  CHECK(groups[1].width() == Approx(3).epsilon(1e-15));
   const MatrixXd apart = (MatrixXd(2, 2) << 1, 0, 0, 1).finished();
   CHECK(undetermined_forces(node(apart, {}, Vector2d(1, 2))).empty());
   Carried equation = node(same, {}, Vector2d(1, 2));

@@ -65,6 +65,16 @@ TEST_CASE("a body on rollers moves along them and in no other way", "[free_motio
                                !ContainsSubstring("direction x") && !ContainsSubstring("turn"));
 }
 
+TEST_CASE("a direction is told to the right, whichever way a motion goes", "[free_motions]") {
+  FreeMotion free;
+  free.body = "it";
+  free.size = 1;
+  for (const double way : {1.0, -1.0}) {
+    free.motion = way * Eigen::Vector3d(0.6, -0.8, 0);
+    CHECK(in_words(free) == "it can move freely in direction (0.6, -0.8)");
+  }
+}
+
 TEST_CASE("a body held at one point turns about it", "[free_motions]") {
   Unknowns unknowns = number_unknowns(plate(), {});
   SECTION("a hinge at node 6") {

@@ -6,6 +6,7 @@
 #include "signorini/closed_form/rings.hpp"
 #include "signorini/estimate/accuracy.hpp"
 #include "signorini/estimate/goal_words.hpp"
+#include "signorini/estimate/hindrance.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/mesh/ring.hpp"
@@ -107,4 +108,15 @@ TEST_CASE("a body of two layers becomes as accurate as asked for", "[accuracy][c
   const double opens = ring_displacement(rings.inner, nested_pressure(rings).inner, 60);
   // The mean of cos over a quarter; sides of 5 degrees miss a fifth of the square of their angle.
   CHECK(result.rounds.back().value == Approx(opens * 2 / std::acos(-1)).epsilon(0.012).margin(0));
+}
+
+TEST_CASE("gaps and their reading are one part of the error", "[accuracy]") {
+  AccurateSolution run;
+  run.rounds.emplace_back();
+  AccuracyRound& last = run.rounds.back();
+  last.error = last.of_estimate = 2.2;
+  last.parts.interior = -1;
+  last.parts.gap = 0.6;
+  last.parts.reading = -0.6;
+  CHECK_THAT(hindrance(run), ContainsSubstring("gaps between the nodes of the contact are most"));
 }

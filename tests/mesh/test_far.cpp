@@ -32,6 +32,10 @@ TEST_CASE("the shortest side turns the most by rounding", "[mesh][far]") {
     CHECK(rounding(2) == Approx(13).epsilon(1e-14));
     CHECK(rounding(1e6) == Approx(4e6 + 5).epsilon(1e-9));
   }
+  Mesh uneven = block("block", {0, 0}, {4, 1}, 4, 1);
+  for (double& x : uneven.nodes.col(0))
+    if (x == 4) x = 3.125;  // the last cell is an eighth wide
+  CHECK(direction_rounding(uneven) / epsilon == Approx(1 + 3.125 * 8).epsilon(1e-14));
   // Cut along their diagonals, cells keep their shortest side.
   const Mesh cells = block("block", {7, 0}, {1, 1}, 4, 2);
   CHECK(direction_rounding(split(cells)) == Approx(direction_rounding(cells)).epsilon(1e-14));

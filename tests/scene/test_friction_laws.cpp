@@ -1,4 +1,6 @@
 // The laws of friction by name, and friction that cannot be meant.
+#include <algorithm>
+
 #include "catch_compat.hpp"
 #include "signorini/contact/friction_laws.hpp"
 #include "signorini/mesh/block.hpp"
@@ -90,6 +92,14 @@ TEST_CASE("Tresca's law in a scene: no coefficient, and the bound is the cohesio
       ++at_bound;
   }
   CHECK(at_bound > 0);
+  const auto said = [](const Scene& scene) {
+    const std::vector<std::string> on = plan(scene).on;
+    return std::count_if(on.begin(), on.end(), [](const std::string& line) {
+      return line.find(": 2.5, law 'tresca': ") != line.npos;
+    });
+  };
+  CHECK(said(dragged({0, 2.5, "tresca"})) == 1);
+  CHECK(said(dragged({0, 2.5})) == 0);
   CHECK(tresca.contact.friction.sum() == Approx(-8).epsilon(1e-12).margin(0));
 }
 

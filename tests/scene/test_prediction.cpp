@@ -228,6 +228,16 @@ TEST_CASE("a path is predicted with all its steps, and its ledgers add up to wha
   CHECK(prediction.amount("refinement", "solves") == steps * first.amount("refinement", "solves"));
   CHECK(prediction.amount("a later step", "seconds") > 0);
   CHECK(first.amount("a later step", "seconds") == 0);
+  Scene smooth_one = one;  // held and smooth: iterations are known beforehand
+  Scene smooth_many = many;
+  for (Scene* scene : {&smooth_one, &smooth_many}) {
+    scene->contacts[0].friction.reset();
+    scene->bodies[0].supports.push_back(fixed("left"));
+    scene->solver = Scene().solver;
+  }
+  const double iterations = predict(plan(smooth_one)).amount("contact", "iterations");
+  CHECK(iterations > 0);
+  CHECK(predict(plan(smooth_many)).amount("contact", "iterations") == steps * iterations);
 }
 
 TEST_CASE("iterations that depend on the numbers are not predicted, and the whole only from below",

@@ -8,6 +8,7 @@
 #include "signorini/scene/balance.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/balance.hpp"
+#include "support/two_bodies.hpp"
 
 using Eigen::Index;
 using Eigen::Vector2d;
@@ -110,4 +111,27 @@ TEST_CASE("the certificate sees a resultant that is not that of the forces", "[r
   CHECK(imbalance(run.model, told, force) > 1e-8);
   run.model.pairs.normal.row(3) *= 0.99;
   CHECK(imbalance(run.model, run.solution.contact, force) > 1e-4);
+}
+
+TEST_CASE("the certificate sees a moment that is not that of the forces, on either body",
+          "[resultants][closed-form]") {
+  for (const double unit : {1e-3, 1.0, 1e3}) {
+    Scene scene = signorini_test::two_blocks(
+        signorini_test::named_block("lower", {0, 0}, {2 * unit, unit}, 4, 2),
+        signorini_test::named_block("upper", {0, unit}, {2 * unit, 3 * unit}, 4, 6));
+    scene.bodies[1].supports = {prescribed("top", Axis::Y, -0.01 * unit), symmetric("left")};
+    const SolvedScene run = solved(scene, "blocks");
+    const Eigen::VectorXd& force = run.solution.refined.force;
+    CHECK(imbalance(run.model, run.solution.contact, force) <= 1e-14);
+    const double arm = 1e-3 * unit;
+    const double share = arm * force(2) / force.maxCoeff();
+    Model model = run.model;
+    model.pairs.target_moment(2, 0) += arm;  // on the lower body, by its farthest node
+    CHECK(imbalance(model, run.solution.contact, force) ==
+          Approx(share / std::hypot(unit, 0.5 * unit)).epsilon(1e-9));
+    model = run.model;
+    model.pairs.moment(2, 0) += arm;  // and on the upper
+    CHECK(imbalance(model, run.solution.contact, force) ==
+          Approx(share / std::hypot(unit, 1.5 * unit)).epsilon(1e-9));
+  }
 }

@@ -1,4 +1,5 @@
 // Pairs that slide: how far, when that is exact, when it is noted, and when a solution is none.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -35,8 +36,8 @@ Scene ironed(double along, double down, std::variant<Obstacle, Side> target, dou
 }
 
 /// On a mesh of edges of the same length.
-Scene on_base(double along, double down, const char* gap_operator = "mortar") {
-  Scene scene = ironed(along, down, Side{"top", "base"});
+Scene on_base(double along, double down, const char* gap_operator = "mortar", double begin = 0) {
+  Scene scene = ironed(along, down, Side{"top", "base"}, begin);
   scene.bodies.emplace_back();
   scene.bodies[1].mesh = named_block("base", {-2, -1}, {4, 1}, 32, 8);
   scene.bodies[1].material = scene.bodies[0].material;
@@ -162,6 +163,55 @@ TEST_CASE("the force where a block has moved to over a disc is foreseen", "[slid
     CHECK(foreseen.edge == edge);
     CHECK(foreseen.slip == Approx(edges * edge).epsilon(0.1));
   }
+}
+
+TEST_CASE("of uneven edges the pair that slid by most of its own is told", "[sliding]") {
+  for (const double bend : {-0.3, 0.3}) {
+    Scene scene = ironed(0.5 * edge, 0.02, disc({0, -4}, 4));
+    Mesh& iron = scene.bodies[0].mesh;
+    iron = mapped(iron,
+                  [&](const Vector2d& x) { return Vector2d(x.x() + bend * x.x() * x.x(), x.y()); });
+    scene.contacts[0].small_sliding = true;
+    const Solved all = solved(scene);
+    const std::vector<Index> nodes = boundary_nodes(iron, "bottom");  // from the left
+    const Eigen::VectorXd slip = slips(all.model, all.solution.displacements).cwiseAbs();
+    const auto own_edge = [&](Index pair) {  // the longer of those beside its node
+      const auto at = std::find(nodes.begin(), nodes.end(), all.model.pairs.node[pair]);
+      const auto length = [&](auto left) {
+        return iron.nodes(left[1], 0) - iron.nodes(left[0], 0);
+      };
+      return std::max(at == nodes.begin() ? 0 : length(at - 1),
+                      at + 1 == nodes.end() ? 0 : length(at));
+    };
+    Index most = -1;
+    for (Index pair = 0; pair < slip.size(); ++pair)
+      if (all.solution.contact.force(pair) > 0 &&
+          (most < 0 || slip(pair) / own_edge(pair) > slip(most) / own_edge(most)))
+        most = pair;
+    const Slid one = only(all);
+    CAPTURE(bend);
+    CHECK(one.pair == most);
+    CHECK(one.edge == Approx(own_edge(most)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a change is by the force as solved, also where it grows", "[sliding]") {
+  Scene scene = ironed(edge, 0.01, hole({0, 4}, 4));
+  scene.contacts[0].small_sliding = true;
+  const Solved all = solved(scene);
+  const Slid one = only(all);
+  REQUIRE(one.new_force);
+  REQUIRE(one.new_force->y() > 1.05 * one.force.y());
+  CHECK(one.change * all.solution.contact.force.sum() >= (*one.new_force - one.force).norm());
+}
+
+TEST_CASE("past the end of a target the force is that of what is still on it", "[sliding]") {
+  Scene scene = on_base(2.5 * edge, 0.01, "mortar", 1.5);  // the base ends where the iron does
+  scene.contacts[0].small_sliding = true;
+  const Slid one = only(solved(scene));
+  const Slid true_end = only(solved(on_base(0, 0.01, "mortar", 1.5 + 2.5 * edge)));
+  REQUIRE(one.new_force);
+  CHECK(one.new_force->y() == Approx(true_end.force.y()).epsilon(0.02));
 }
 
 TEST_CASE("past an edge a solution is none, unless the contact says so", "[sliding]") {

@@ -131,3 +131,15 @@ TEST_CASE("the steps of a file are loaded as they say", "[scene_file][steps]") {
   CHECK((all[1] - once.displacements[0]).norm() <= 1e-12 * size);
   CHECK((2 * all[0] - once.displacements[0]).norm() <= 1e-12 * size);
 }
+
+TEST_CASE("what is wrong with the second of two histories has its line", "[scene_file][steps]") {
+  const std::string scene =
+      head + block +
+      "pressure = { top = { value = 3, history = \"a\" }, left = { value = 1, history = \"b\" } }\n"
+      "[[history]]\nname = \"a\"\n"
+      "[[history]]\nname = \"b\"\n";  // in line 7
+  CHECK_THAT(problem_message([&] { scene_of(scene + "[[steps]]\nvalues = { b = 2 }\n"); }),
+             ContainsSubstring("the history 'b' has its values in line 7: leave one of them out"));
+  CHECK_THAT(problem_message([&] { scene_of(scene + "[[history]]\nname = \"b\"\n[[steps]]\n"); }),
+             ContainsSubstring("the history of line 7 is called 'b' too"));
+}
