@@ -17,11 +17,11 @@ for target in test ch06 ex6.1 grade book book-pdf results; do
 done
 # cmake --install needs the library and the program `signorini`; what ./run.sh builds must do for that.
 run=$(make -n run 2>&1)
-for target in chapters signorini_command; do
+for target in run_chapters signorini_command; do
     printf '%s\n' "$run" | grep -q -e "--build .*--target.* $target\>" || { echo "make run does not build $target"; bad=1; }
 done
 # The first chapter is run before the others are compiled.
-printf '%s\n' "$run" | awk '/chapter.sh figures .*ch01/ { shown = 1 } /--target chapters/ { found = shown } END { exit !found }' ||
+printf '%s\n' "$run" | awk '/--target run_ch01/ { shown = 1 } /--target run_chapters/ { found = shown } END { exit !found }' ||
     { echo "make run does not show the first chapter before it compiles the others"; bad=1; }
 # An exercise ends with a verdict and a status, without what make has to say about a command that fails.
 scratch=$(mktemp -d)
