@@ -9,6 +9,7 @@
 #include "bench/peers/linear_comparison.hpp"
 #include "bench/peers/peer.hpp"
 #include "bench/peers/turns.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -133,7 +134,7 @@ bool contact(Table& table) {
     std::vector<double> seconds;
     for (int round = 0; round < 5; ++round)
       seconds.push_back(mean_seconds(1, [&] { (void)solver.solve(condensed.problem, {}); }));
-    const Solution solution = solve(model, condensed, solver.name, ledger);
+    const Solution solution = solve(model, condensed, solver, ledger);
     certified = certified && solution.contact.report.status == Status::Solved;
     table.row({text(model.unknowns.count), text(model.programme.A.rows()),
                text(solution.contact.active.size()), number(factor, "%.3f"),

@@ -2,8 +2,8 @@
 
 #include "bench/measure.hpp"
 #include "bench/peers/peer.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/programme/dense_programme.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace signorini::bench {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "signorini/as_printed/quasi_active_set_literal.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"

@@ -2,6 +2,7 @@
 #pragma once
 #include "cases.hpp"
 #include "group_step.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/problem/examples.hpp"
 #include "which_rows.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/problem/examples.hpp"
 #include "signorini/programme/dense_programme.hpp"
 

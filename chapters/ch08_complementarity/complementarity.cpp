@@ -5,13 +5,13 @@
 
 #include "functions.hpp"
 #include "problems.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/elasticity/stress.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace {
 

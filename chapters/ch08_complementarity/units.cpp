@@ -6,10 +6,10 @@
 
 #include "functions.hpp"
 #include "problems.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace {
 

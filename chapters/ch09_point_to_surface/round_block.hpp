@@ -4,6 +4,7 @@
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
 #include "signorini/scene/scene.hpp"
+#include "signorini/solvers/fischer_burmeister.hpp"
 
 namespace ch09 {
 
@@ -41,7 +42,7 @@ inline Scene round_block(Index n, const Units& units) {
   scene.contacts[0].source = {"bottom", "upper"};
   scene.contacts[0].target = Side{"top", "lower"};
   scene.contacts[0].gap_operator = "node_to_segment";
-  scene.solver = "fischer_burmeister";
+  scene.solver = signorini::fischer_burmeister();  // the member, not the function of two numbers
   return scene;
 }
 

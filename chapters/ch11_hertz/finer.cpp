@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "hertz_run.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -39,7 +40,7 @@ void iterations(const ProgramOptions& run) {
   for (const char* name : {"fischer_burmeister", "primal_dual_active_set", "quasi_active_set"}) {
     std::vector<std::string> row = {name};
     for (const SolvedScene* scene : {&small.run, &large.run}) {
-      const Solution found = solve(scene->model, scene->condensed, name, {});
+      const Solution found = solve(scene->model, scene->condensed, find_solver(name), {});
       require_solved(found, name);
       row.push_back(std::to_string(found.contact.report.iterations));
     }

@@ -22,7 +22,7 @@ struct HertzCase {
   std::string element = "q4_incompatible";
   std::string gap_operator = "mortar";
   int points = 0;  // Gauss points of an operator that wants them
-  std::string solver = "primal_dual_active_set";
+  Solver solver = primal_dual_active_set();
   bool plate_is_source = false;
 
   // Hertz's two bodies.

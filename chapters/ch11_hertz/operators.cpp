@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "hertz_run.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -21,7 +22,7 @@ HertzRun solve_with(const Operator& one, bool match) {
   HertzCase now = match ? HertzCase{} : not_matching();
   now.gap_operator = one.name;
   now.points = one.points;
-  now.solver = "quasi_active_set";  // takes gaps that depend on each other
+  now.solver = find_solver("quasi_active_set");  // takes gaps that depend on each other
   return solve_hertz(now);
 }
 

@@ -9,6 +9,7 @@
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/solvers/fischer_burmeister.hpp"
 
 namespace {
 
@@ -78,7 +79,7 @@ std::vector<std::string> converged(Results& results, const std::string& key, int
 // 5. The condensed method, for comparison.
 std::vector<std::string> condensed() {
   HertzCase now;
-  now.solver = "fischer_burmeister";
+  now.solver = fischer_burmeister();
   const HertzRun ours = solve_hertz(now);
   const std::string active = std::to_string(ours.run.solution.contact.active.size());
   const double peak = *std::max_element(ours.pressure.begin(), ours.pressure.end());

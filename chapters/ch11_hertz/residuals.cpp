@@ -5,6 +5,7 @@
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/solvers/fischer_burmeister.hpp"
 
 namespace {
 
@@ -51,7 +52,7 @@ Status chapter(const ProgramOptions& run) {
   // 3. Nodes: uncondensed, condensed, and the paper's last residual.
   add_residuals(residuals, run_as_printed(example_with(0, true), {1, 0, 20}).residuals);
   HertzCase now;
-  now.solver = "fischer_burmeister";
+  now.solver = fischer_burmeister();
   const HertzRun nodes = solve_hertz(now);
   add_residuals(residuals, residuals_of(nodes.run));
   residuals.row({16.0, 6.13e-9});

@@ -64,7 +64,7 @@ inline Base rigid_base(const EdgeBlockSpec& soil) {
   ContactProblem problem = condensed.problem;
   problem.rigid = -Eigen::MatrixXd::Ones(n, 1);
   problem.resultant = VectorXd::Constant(1, -strip.force / 2);
-  const ContactState state = solve(problem, find_solver(scene.solver));
+  const ContactState state = solve(problem, scene.solver);
   // [rigid]
   if (state.report.status != Status::Solved) throw NotSolved("the rigid footing");
   return compared(model.pairs.position.col(0).reverse(), state.force.reverse(), state.amplitude(0));

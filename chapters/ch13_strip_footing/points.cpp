@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
 
@@ -15,7 +16,8 @@ using namespace ch13;
 void points(Results& results) {
   Scene scene = on_soil(coarse, {});
   scene.contacts.front().gap_operator = "gauss_points";
-  scene.solver = "quasi_active_set";  // does not mind gaps that depend on each other
+  // It does not mind gaps that depend on each other.
+  scene.solver = find_solver("quasi_active_set");
   const SolvedScene now = solved(scene, "the footing on points");
   const Base nodal = base_of(settle(coarse, {}));
   const Index n = nodal.force.size();

@@ -47,9 +47,9 @@ Budget budget(bool full) {
   coarse.mesh = meshes(16, 13);
   SolvedScene ours = run_of(coarse, Quadrature::SourceEdges);
   const Values refined = read(ours);
-  ours.solution.contact.force =
-      find_solver(coarse.solver).solve(ours.condensed.problem, {}).force;  // plain doubles
-  const SolvedScene gaps = run_of(coarse);                                 // on segments
+  // Plain doubles.
+  ours.solution.contact.force = coarse.solver.solve(ours.condensed.problem, {}).force;
+  const SolvedScene gaps = run_of(coarse);  // on segments
   HertzProblem fine = coarse;  // second order, and 16 times as many elements
   fine.element = "q8";
   fine.mesh = meshes(full ? 128 : 64, full ? 104 : 52);

@@ -72,7 +72,7 @@ void digits(const ProgramOptions& run, Results& results) {
     Scene scene = cantilever(8);
     scene.bodies[0].mesh.nodes.col(0) *= slender / 10;
     const SolvedScene now = solved(scene, "the beam");
-    const ContactState state = find_solver(now.model.solver).solve(now.condensed.problem, {});
+    const ContactState state = now.model.solver.solve(now.condensed.problem, {});
     const QuadraticProgramme& posed = now.model.programme;
     PrimalDual plain{now.condensed.free_displacement, {}, state.force};
     plain.displacement -= now.condensed.factor.solve(posed.A.transpose() * state.force);

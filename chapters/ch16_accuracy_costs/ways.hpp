@@ -8,6 +8,7 @@
 
 #include "runs.hpp"
 #include "signorini/as_printed/saddle_point_newton.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace ch16 {
@@ -36,7 +37,7 @@ inline Scene scene_of(const Way& way, Index cells) {
   problem.mesh = meshes(cells, way.meet ? cells : std::max<Index>(1, cells * 13 / 16));
   problem.element = way.element;
   problem.gap_operator = way.gap_operator;
-  if (way.solver != newton) problem.solver = way.solver;
+  if (way.solver != newton) problem.solver = find_solver(way.solver);
   Scene scene = signorini_test::scene_of(problem);
   scene.contacts[0].points = way.points;
   return scene;

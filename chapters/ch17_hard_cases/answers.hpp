@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "exhibit.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/problem_file/problem_file.hpp"
 #include "signorini/programme/dense_programme.hpp"
 #include "signorini/programme/programme_rows.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/steps_limit.hpp"
 #include "signorini/scene_file/scene_file.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace museum {
 
@@ -133,14 +133,14 @@ inline Answer answer(const Posed& posed, const std::string& solver = "") {
   const Solver* member = solver.empty() ? nullptr : &find_solver(solver);
   for (const Solver& each : family)
     if (member == nullptr && takes(each, posed.small)) member = &each;
-  if (posed.model && solver.empty()) member = &find_solver(posed.scene.solver);
+  if (posed.model && solver.empty()) member = &posed.scene.solver;
   answer.asked = member != nullptr && takes(*member, posed.small);
   if (!answer.asked) return answer;
   try {
     if (posed.model)
       return answer_of(solver.empty()
                            ? solve_to_limit(posed.scene, *posed.model, *posed.condensed, {})
-                           : solve(*posed.model, *posed.condensed, solver, {}));
+                           : solve(*posed.model, *posed.condensed, *member, {}));
     if (posed.form) {
       const DenseSolution solution = solve(posed.form->programme, *member);
       answer.said = to_string(solution.report.status);

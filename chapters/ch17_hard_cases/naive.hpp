@@ -4,6 +4,7 @@
 #include <string>
 
 #include "naive_methods.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/scene/motions.hpp"
@@ -30,8 +31,7 @@ inline Answer claimed(const Posed& posed, const ContactState& state) {
 /// \return the answer, certified from K, p, A and g
 inline Answer unrefined(const Posed& posed, const signorini::Condensed& condensed) {
   const signorini::Model& model = *posed.model;
-  const std::string& name = posed.scene.solver;
-  ContactState state = signorini::find_solver(name).solve(condensed.problem, {});
+  ContactState state = posed.scene.solver.solve(condensed.problem, {});
   Answer answer;
   answer.said = to_string(state.report.status);
   if (!answer.solved()) return answer;

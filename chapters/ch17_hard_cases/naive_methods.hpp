@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/solvers/solvers.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 
 namespace museum {
 

@@ -106,7 +106,7 @@ class CholmodFactor {
 };
 
 Factor factored(const Stiffness& K, Ledger& ledger) {
-  if (K.matrix.cols() == 0) return backends().front().factor(K, ledger);  // CHOLMOD minds
+  if (K.matrix.cols() == 0) return frontal().factor(K, ledger);  // CHOLMOD minds
   if (!K.matrix.coeffs().allFinite()) refuse(K, "cholmod");
   const Ledger::Phase phase(ledger, "numeric");
   const auto factor = std::make_shared<CholmodFactor>(K);

@@ -82,8 +82,7 @@ Factor factored(const Stiffness& K, Ledger& ledger) {
   const Processes& processes = Processes::all();
   require(processes.rank() == 0, "back end mumps: process 0 factors, this is process ",
           processes.rank(), ", which helps: see Team::help");
-  if (K.matrix.cols() == 0)
-    return backends().front().factor(K, ledger);  // MUMPS takes no empty matrix
+  if (K.matrix.cols() == 0) return frontal().factor(K, ledger);  // MUMPS takes no empty matrix
   if (!K.matrix.coeffs().allFinite()) refuse(K, "mumps");
   const auto factor = std::make_shared<MumpsFactor>(K, ledger);
   const over_mpi::Share& share = processes.share();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "command_line/ambiguity.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/closing/undetermined.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"

@@ -5,10 +5,10 @@
 #include <iostream>
 #include <system_error>
 
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace command_line {
 namespace {
@@ -49,7 +49,8 @@ std::string faster_factor(const Prediction& prediction) {
 std::string faster_contact(const Plan& plan) {
   std::vector<Solver> others;
   for (const Solver& solver : plan.law.pair.empty() ? solvers() : friction_solvers())
-    if (plan.solver != solver.name && too_many(solver, plan.gaps.pairs.weight.size()).empty())
+    if (plan.solver.solve != solver.solve &&
+        too_many(solver, plan.gaps.pairs.weight.size()).empty())
       others.push_back(solver);
   return text(
       "Fewer pairs help, by a coarser side as source; ",

@@ -338,7 +338,7 @@ void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step)
     json_.object().key("step").value(step.state.steps).key("time").value(step.state.time);
     if (!run.plan.law.pair.empty())
       json_.key("dissipated_total").value(step.state.dissipation.sum());
-    write_result(json_, run.plan.solver, model, step.solution, &step.state);
+    write_result(json_, model, step.solution, &step.state);
     json_.end();
     return;
   }

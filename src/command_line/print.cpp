@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "command_line/ambiguity.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/factor/backend.hpp"

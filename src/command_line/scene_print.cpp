@@ -65,7 +65,8 @@ std::vector<BodyFigures> figures_of(const Model& model, const Solution& solution
     figures.supports = sum_of_forces(body, support_forces(model, solution, b));
     figures.supported = (body.unknowns.number.array() < 0).any();
     figures.on_springs = body.springs.rows() > 0;
-    if (figures.on_springs) figures.springs = sum_of_forces(body, spring_forces(model, solution, b));
+    if (figures.on_springs)
+      figures.springs = sum_of_forces(body, spring_forces(model, solution, b));
     figures.axial = is_axial(body);
     all.push_back(figures);
   }
@@ -174,12 +175,12 @@ void write_head(Json& json, const SceneRun& run) {
   write_plan(json, run);
 }
 
-void write_result(Json& json, const std::string& solver, const Model& model,
-                  const Solution& solution, const PathState* state) {
+void write_result(Json& json, const Model& model, const Solution& solution,
+                  const PathState* state) {
   const bool solved = solution.contact.report.status == Status::Solved;
   write_lines(json, "notes", solution.notes);
   json.key("solved").value(solved);
-  json.key("solver").value(solver);
+  json.key("solver").value(model.solver.name);
   json.key("status").value(to_string(solution.contact.report.status));
   json.key("reason").value(why_unsolved(solution));
   if (solution.limit) json.key("limit").value(*solution.limit);
@@ -196,7 +197,7 @@ void write_result(Json& json, const std::string& solver, const Model& model,
 void write_keys(Json& json, const SceneRun& run) {
   write_head(json, run);
   if (run.solution)
-    write_result(json, run.plan.solver, *run.model, *run.solution, run.state());
+    write_result(json, *run.model, *run.solution, run.state());
   else
     write_lines(json, "notes", run.notes());
 }

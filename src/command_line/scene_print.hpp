@@ -40,11 +40,10 @@ void write_head(signorini::Json& json, const SceneRun& run);
 
 /// Writes a solution, as keys of an object that is open, from notes to ledger.
 /// \param json      the document
-/// \param solver    name of the one that was asked
 /// \param model     that was solved or not
 /// \param solution  of it
 /// \param state     after this load step; null: the solution is no step
-void write_result(signorini::Json& json, const std::string& solver, const signorini::Model& model,
+void write_result(signorini::Json& json, const signorini::Model& model,
                   const signorini::Solution& solution, const signorini::PathState* state);
 
 /// Writes a scene as keys of an object that is open: plan, and as far as it came, certificate, ledger, pairs and notes.

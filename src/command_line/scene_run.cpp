@@ -10,6 +10,7 @@
 
 #include "command_line/overdue.hpp"
 #include "command_line/picture.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
@@ -152,8 +153,8 @@ SceneRun plan_scene(const std::string& file, const Means& means, const char* com
   SceneRun run;
   run.file = read_or_hint(name, content, command,
                           [&] { return parse_scene(content, name, folder_of(file)); });
-  if (!means.solver.empty()) run.file.scene.solver = means.solver;
-  run.file.scene.backend = means.backend;
+  if (!means.solver.empty()) run.file.scene.solver = find_solver(means.solver);
+  run.file.scene.backend = find_backend(means.backend);
   run.plan = at_file(run.file, [&] { return plan(run.file.scene); });
   add_notes(run.file.notes, run.plan.notes);
   run.prediction = run.step([&] { return predict(run.plan); });

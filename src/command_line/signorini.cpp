@@ -21,6 +21,7 @@
 #include "command_line/picture.hpp"
 #include "command_line/print.hpp"
 #include "command_line/scene_print.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/results.hpp"
 #include "signorini/core/wording.hpp"

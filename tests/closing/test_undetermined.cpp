@@ -4,11 +4,11 @@
 #include <limits>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/closing/elimination.hpp"
 #include "signorini/closing/polyhedron.hpp"
 #include "signorini/closing/undetermined.hpp"
 #include "signorini/problem_file/problem_file.hpp"
-#include "signorini/solvers/solvers.hpp"
 #include "support/friction.hpp"
 #include "support/problems.hpp"
 

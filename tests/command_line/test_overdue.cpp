@@ -9,6 +9,7 @@
 #include "catch_compat.hpp"
 #include "command_line/overdue.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/solvers/lemke.hpp"
 
 using namespace command_line;
 using namespace signorini;
@@ -64,7 +65,7 @@ TEST_CASE("a stage is overdue after ten times its forecast, and not within a mom
 
 TEST_CASE("what is overdue is named, with its forecast and what helps", "[overdue]") {
   Plan plan;
-  plan.solver = "lemke";
+  plan.solver = lemke();
   const std::string known = overdue_words(solving(), plan, forecast(3, 0, 2));
   CHECK_THAT(known, StartsWith("signorini: contact and refinement has taken 50 s, more than 10 "
                                "times its forecast of 5 s. "));

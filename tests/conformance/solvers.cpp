@@ -1,10 +1,10 @@
 // What every member of the family of solvers promises besides the right answer, which classes.cpp asks
 // for: the same bits again, no knowledge of units, and that bad input is refused.
-#include "signorini/solvers/solvers.hpp"
 
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/solvers/springs.hpp"
 #include "support/chosen.hpp"
 #include "support/problem_classes.hpp"

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/programme/dense_programme.hpp"
 #include "support/chosen.hpp"
 #include "support/problem_classes.hpp"

@@ -20,7 +20,7 @@ check() ( # the library in $1/src/signorini; a line per fault
             below["contact"] = "core mesh elasticity"
             below["scene"] = "core mesh problem factor closing solvers programme elasticity contact"
             below["estimate"] = below["scene"] " closed_form refinement scene"
-            below["scene_file"] = below["scene"] " gmsh scene"
+            below["scene_file"] = below["scene"] " gmsh as_printed scene"
             below["report"] = "core mesh closed_form problem factor closing solvers programme as_printed problem_file elasticity contact scene estimate"
         }
         FNR == 1 {

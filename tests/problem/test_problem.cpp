@@ -3,8 +3,8 @@
 #include <string>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/solvers/solvers.hpp"
 #include "support/message.hpp"
 #include "support/problems.hpp"
 

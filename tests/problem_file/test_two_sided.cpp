@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/problem_file/problem_file.hpp"
 #include "signorini/problem_file/two_sided.hpp"
 #include "signorini/programme/dense_programme.hpp"

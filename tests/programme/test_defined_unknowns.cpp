@@ -4,10 +4,10 @@
 #include <cstdint>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/dense_programme.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

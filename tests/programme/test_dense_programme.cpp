@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/problem/examples.hpp"

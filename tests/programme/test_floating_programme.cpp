@@ -2,6 +2,7 @@
 #include <string>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/programme/floating_programme.hpp"
 #include "signorini/solvers/springs.hpp"
 #include "support/floating.hpp"

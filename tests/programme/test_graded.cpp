@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/dense_programme.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

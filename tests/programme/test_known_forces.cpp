@@ -1,5 +1,6 @@
 // How far rounding of the gaps moves the forces, against the largest of all signs.
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/road.hpp"

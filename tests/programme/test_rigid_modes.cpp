@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/programme/rigid_modes.hpp"

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/programme/road.hpp"
+#include "signorini/solvers/lemke.hpp"
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -35,10 +37,12 @@ ContactState claim(Status status, const VectorXd& force, const std::vector<Eigen
   return state;
 }
 
+Solver one_by_one() { return find_solver("goldfarb_idnani"); }
+
 /// The road of a body with K = I.
 CertifiedEnd end_of_road(const VectorXd& load, const MatrixXd& A, const VectorXd& gap,
                          std::vector<ContactState> answers,
-                         const std::vector<const char*>& others = {},
+                         const std::vector<Solver (*)()>& others = {},
                          const SolverOptions& options = {}) {
   recital = {std::move(answers)};
   const Eigen::Index n = load.size();
@@ -103,18 +107,18 @@ TEST_CASE("where a method breaks down the first of the others that arrives has t
           "[road]") {
   ContactState lost = claim(Status::Breakdown, Eigen::Vector2d::Zero(), {});
   lost.escape = VectorXd::Ones(1);  // is not refined
-  const auto ends = [&](const std::vector<const char*>& others, Eigen::Index limit = 0) {
+  const auto ends = [&](const std::vector<Solver (*)()>& others, Eigen::Index limit = 0) {
     SolverOptions options;
     options.iteration_limit = limit;
     return end_of_road(pull, step, Eigen::Vector2d::Zero(), {lost}, others, options);
   };
   CHECK(ends({}).state.report.status == Status::Breakdown);
-  const CertifiedEnd end = ends({"goldfarb_idnani", "lemke"});
+  const CertifiedEnd end = ends({one_by_one, lemke});
   CHECK(end.state.report.status == Status::Solved);
   CHECK(end.state.active == std::vector<Eigen::Index>{1});
   CHECK(end.certificate.holds());
   // Who limits the iterations of a method wants that method.
-  CHECK(ends({"goldfarb_idnani"}, 100).state.report.status == Status::Breakdown);
+  CHECK(ends({one_by_one}, 100).state.report.status == Status::Breakdown);
 }
 
 TEST_CASE("pairs whose set was never confirmed are named by their numbers", "[road]") {

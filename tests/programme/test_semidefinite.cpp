@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/programme/dense_programme.hpp"
-#include "signorini/solvers/solvers.hpp"
 #include "support/message.hpp"
 
 using namespace signorini;

@@ -1,5 +1,6 @@
 // Systems that nothing connects are solved as if each were alone, whatever the others are like.
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/programme/road.hpp"
 #include "support/random.hpp"
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/closed_form/moduli.hpp"
 #include "support/footing.hpp"
 
@@ -87,7 +88,7 @@ TEST_CASE("points of integration push the nodes as nodes would, with pressures o
           "[footing]") {
   const Scene scene = footing_on(soil_spec(7, 9, 5, 4, 10 * a));
   Scene points = by(scene, "gauss_points");
-  points.solver = "quasi_active_set";
+  points.solver = find_solver("quasi_active_set");
   const SolvedScene run = settled(points);
   const Ground nodal = ground_of(settled(scene)), ground = ground_of(run);
   CHECK(run.solution.pressure.size() == 14);

@@ -46,7 +46,7 @@ TEST_CASE("pairs that just touch without force do not keep the solver busy", "[d
     const Condensed factor = condense(model, ledger);
     model.programme.initial_gap = model.programme.A * factor.factor.solve(load);
     const Condensed condensed = condense(model, ledger);
-    const Solution solution = solve(model, condensed, "primal_dual_active_set", {});
+    const Solution solution = solve(model, condensed, primal_dual_active_set(), {});
     CHECK(solution.contact.report.status == Status::Solved);
     CHECK(solution.certificate.holds());
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "support/hertz_reading.hpp"
 #include "support/message.hpp"
 #include "support/two_bodies.hpp"
@@ -80,7 +81,7 @@ TEST_CASE("units change neither forces nor iterations", "[contact][hard]") {
         given.length = length;
         given.force = force;
         Scene scene = scene_of(given);
-        scene.solver = solver;
+        scene.solver = find_solver(solver);
         const SolvedScene run = solved(scene, "the disc");
         if (iterations == 0) iterations = run.solution.contact.report.iterations;
         CHECK(run.solution.contact.report.iterations == iterations);
@@ -145,7 +146,7 @@ TEST_CASE("a body without load is pushed out of overlap by nothing", "[contact][
     Scene scene = two_blocks(named_block("lower", {-2, -2}, {4, 2}, 11, 4),
                              named_block("upper", {-1, -0.01}, {2, 1}, 8, 4));
     scene.bodies[1].supports = {prescribed_at("top", {-1, 0.99}, Axis::X)};
-    scene.solver = solver;
+    scene.solver = find_solver(solver);
     const SolvedScene run = solved(scene, "the block");
     CHECK(run.solution.contact.force.cwiseAbs().maxCoeff() <= 1e-15);
     CHECK(run.solution.contact.gap.minCoeff() >= -1e-16);

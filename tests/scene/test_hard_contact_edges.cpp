@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/mesh/half_space.hpp"
 #include "support/two_bodies.hpp"
 
@@ -91,7 +92,7 @@ TEST_CASE("blocks that touch without load stay where they are", "[contact][hard]
     for (const char* solver : {"primal_dual_active_set", "fischer_burmeister", "quasi_active_set",
                                "goldfarb_idnani", "lemke"}) {
       CAPTURE(solver);
-      scene.solver = solver;
+      scene.solver = find_solver(solver);
       const SolvedScene run = solved(scene, "the blocks");
       CHECK(run.solution.contact.report.iterations <= 2);
       CHECK(run.solution.contact.force.isZero(0));
@@ -185,7 +186,7 @@ TEST_CASE("more pairs than the mesh can tell apart are solved", "[contact][hard]
     }
     for (const char* solver : {"quasi_active_set", "goldfarb_idnani"}) {
       CAPTURE(floats, solver);
-      scene.solver = solver;
+      scene.solver = find_solver(solver);
       const SolvedScene run = solved(scene, "the blocks");
       CHECK(run.solution.certificate.worst() <= 1e-14);
       const NodeArray reaction = support_forces(run.model, run.solution, 0);

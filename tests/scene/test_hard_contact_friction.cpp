@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/solvers/solvers.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "support/hertz.hpp"
 #include "support/two_bodies.hpp"
 
@@ -44,7 +44,7 @@ TEST_CASE("hardly any friction, and friction that nothing overcomes", "[contact]
       CAPTURE(floats, solver);
       const auto run = [&](double mu) {
         Scene scene = scene_with(mu);
-        scene.solver = solver;
+        scene.solver = find_solver(solver);
         return solved(scene, "with friction");
       };
       const SolvedScene little = run(1e-6);
@@ -84,7 +84,7 @@ TEST_CASE("a pair that supports keep from sliding has no friction", "[contact][h
   for (const char* solver : {"primal_dual_active_set", "lemke", "friction_split"}) {
     CAPTURE(solver);
     Scene scene = stiffer_disc(0.3);
-    scene.solver = solver;
+    scene.solver = find_solver(solver);
     const SolvedScene run = solved(scene, "the disc");
     REQUIRE(run.model.pairs.position(0, 0) == 0);
     CHECK(run.solution.contact.force(0) > 0);

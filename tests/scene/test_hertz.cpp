@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/elasticity/stress.hpp"
 #include "support/hertz_reading.hpp"
 
@@ -39,7 +40,7 @@ TEST_CASE("Hertz: 1399 nodes give pressure to 0.1 % and half-width to 0.2 % in 1
           "[hertz][LinEtAl-43]") {
   for (const char* solver : {"primal_dual_active_set", "fischer_burmeister"}) {
     HertzProblem problem;
-    problem.solver = solver;
+    problem.solver = find_solver(solver);
     CAPTURE(solver);
     const SolvedScene run = solved(scene_of(problem), "Hertz");
     const HertzReading out = read_hertz(problem, run);

@@ -1,5 +1,6 @@
 // Bodies that one closed pair carries, or none: their position is not determined, and the solution says so.
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/disc.hpp"
 #include "signorini/scene/scene.hpp"
@@ -46,7 +47,7 @@ TEST_CASE("a disc that rests on one node is solved by the family, and free to ro
   for (const Eigen::Index cells : {3, 4, 5})
     for (const char* solver : family) {
       Scene scene = disc_on_plane(cells);
-      scene.solver = solver;
+      scene.solver = find_solver(solver);
       const Solution solution = solve(scene);
       CAPTURE(cells, solver);
       REQUIRE(solution.contact.report.status == Status::Solved);
@@ -63,7 +64,7 @@ TEST_CASE("a block that hovers is solved, and that its height is open is said",
           "[floating][hard]") {
   for (const char* solver : family) {
     Scene scene = hovering_block();
-    scene.solver = solver;
+    scene.solver = find_solver(solver);
     const Solution solution = solve(scene);
     CAPTURE(solver);
     REQUIRE(solution.contact.report.status == Status::Solved);

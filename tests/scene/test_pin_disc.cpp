@@ -3,10 +3,10 @@
 
 #include "catch_compat.hpp"
 #include "reference/pin.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/closed_form/pin.hpp"
 #include "signorini/mesh/ring.hpp"
 #include "signorini/scene/readings.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 using Eigen::Index;
 using namespace signorini;

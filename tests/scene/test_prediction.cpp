@@ -11,6 +11,7 @@
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/prediction.hpp"
 #include "signorini/scene/readings.hpp"
+#include "signorini/solvers/lemke.hpp"
 #include "support/cantilever.hpp"
 #include "support/effect_examples.hpp"
 #include "support/hertz.hpp"
@@ -249,7 +250,7 @@ TEST_CASE("iterations that depend on the numbers are not predicted, and the whol
     return PredictedFigure();
   };
   Scene other = pressed_block();
-  other.solver = "lemke";
+  other.solver = lemke();
   for (const Scene& scene : {floating_block(), rubbing_cantilever(), other}) {
     for (const char* what : {"iterations", "seconds"}) {
       CHECK(predicted(scene, "contact", what).trust == Trust::Unknown);

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/scene.hpp"
@@ -132,7 +133,7 @@ TEST_CASE("the gap in a solution is that of the displaced nodes", "[solve][XuanL
 TEST_CASE("both solvers give the same solution of a small scene", "[solve]") {
   Scene scene = cantilever("q4_incompatible", 12, 2);
   const Solution fast = solve(scene);
-  scene.solver = "enumerate";
+  scene.solver = find_solver("enumerate");
   const Solution sure = solve(scene);
   CHECK(fast.contact.active == sure.contact.active);
   CHECK_FALSE(fast.contact.active.empty());

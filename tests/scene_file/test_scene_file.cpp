@@ -46,7 +46,7 @@ TEST_CASE("title, solver and output of a scene file", "[scene_file]") {
       "title = \"A beam\"\nsolver = \"lemke\"\n" + material +
       "output = { vtu = \"a\", csv = \"b\", plot = \"c\", state = \"d\" }\n[[body]]\n" + block);
   CHECK(file.title == "A beam");
-  CHECK(file.scene.solver == "lemke");
+  CHECK(file.scene.solver.name == std::string("lemke"));
   CHECK(file.output.vtu == "a");
   CHECK(file.output.csv == "b");
   CHECK(file.output.plot == "c");

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/examples.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"

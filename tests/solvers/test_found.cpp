@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/closing/closing.hpp"
 #include "signorini/closing/proofs.hpp"
 #include "signorini/problem/certificate.hpp"

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/closed_form/cattaneo.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/solvers/solvers.hpp"
 #include "support/friction.hpp"
 
 using Eigen::Index;

@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/closing/proofs.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/solvers/solvers.hpp"
 #include "support/friction.hpp"
 
 using Eigen::Index;

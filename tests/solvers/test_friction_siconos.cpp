@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem_file/problem_file.hpp"
-#include "signorini/solvers/solvers.hpp"
 #include "support/friction.hpp"
 
 using namespace signorini;

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/closing/closing.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/solvers/solvers.hpp"
 #include "support/random.hpp"
 
 using namespace signorini;

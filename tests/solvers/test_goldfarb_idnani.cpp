@@ -1,6 +1,6 @@
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/programme/active_set_programme.hpp"
-#include "signorini/solvers/solvers.hpp"
 #include "support/whole_numbers.hpp"
 
 using Eigen::Index;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/problem/examples.hpp"
 #include "signorini/programme/active_set_programme.hpp"
 #include "support/problems.hpp"

@@ -3,11 +3,11 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/factor/backend.hpp"
 #include "signorini/scene/effects.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace signorini_test {
 namespace {

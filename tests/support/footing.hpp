@@ -111,7 +111,7 @@ inline RigidRest rigid_on(const signorini::EdgeBlockSpec& spec,
     problem.rigid.col(1) = -x;
     problem.resultant = -2 * footing_load * footing_half * Eigen::Vector2d(1, *eccentricity);
   }
-  const ContactState state = solve(problem, find_solver(scene.solver));
+  const ContactState state = solve(problem, scene.solver);
   if (state.report.status != Status::Solved) throw NotSolved("the rigid footing");
   return {x.reverse(), state.force.reverse(), state.amplitude(0),
           eccentricity == nullptr ? 0 : state.amplitude(1)};

@@ -32,7 +32,7 @@ struct HertzProblem {
   double load = hertz_load;
   double lift = 0;  ///< of the disc before loading; < 0 is overlap
   std::string gap_operator = "mortar";
-  std::string solver = "primal_dual_active_set";
+  signorini::Solver solver = signorini::primal_dual_active_set();
   bool plate_is_source = false;
   double length = 1;  ///< units in a mm
   double force = 1;   ///< units in an N

@@ -6,8 +6,11 @@
 #include <initializer_list>
 #include <utility>
 
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/closing/closing.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/solvers/fischer_burmeister.hpp"
+#include "signorini/solvers/lemke.hpp"
 #include "support/balance.hpp"
 
 namespace signorini_test {
@@ -77,11 +80,10 @@ void judge(const SceneErrors& errors, const Solution& solution, Trial& trial) {
 }
 
 /// Another method with another way to the solution.
-std::string other_method(const Model& model) {
-  const std::string usual = Scene().solver;
-  const bool rubs = !model.law.pair.empty();
-  if (model.solver != usual) return usual;
-  return rubs ? "fischer_burmeister" : "lemke";
+Solver other_method(const Model& model) {
+  const Solver usual = Scene().solver;
+  if (model.solver.solve != usual.solve) return usual;
+  return model.law.pair.empty() ? lemke() : fischer_burmeister();
 }
 
 /// Whether another method finds other gaps or forces where the solution is the only one: those of pairs without
@@ -99,7 +101,7 @@ bool differs(const Model& model, const Solution& solution, Trial& trial) {
   const double apart = moved.cwiseAbs().maxCoeff();
   const double size =
       std::max(solution.refined.displacement.cwiseAbs().maxCoeff(), trial.errors.length);
-  trial.text += text("\n  ", other_method(model), " differs by ", apart, " of ", size);
+  trial.text += text("\n  ", other_method(model).name, " differs by ", apart, " of ", size);
   return !(apart <= most_difference * size);
 }
 
@@ -175,7 +177,7 @@ bool is_clear(const std::string& message) {
 Trial try_scene(std::uint64_t seed, RandomScenes kind, const std::string& solver,
                 void (*change)(Solution& solution)) {
   RandomScene drawn = random_scene(seed, kind);
-  if (!solver.empty()) drawn.scene.solver = solver;
+  if (!solver.empty()) drawn.scene.solver = find_solver(solver);
   // The linear problem is looked at, whether its pairs are those of bodies that moved or not.
   for (ContactSpec& contact : drawn.scene.contacts) contact.small_sliding = true;
   Trial trial;

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "signorini/solvers/solvers.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "support/far.hpp"
 
 namespace signorini_test {
@@ -216,9 +216,12 @@ const std::vector<Change>& wrong_entries() {
          scene.bodies.clear();
          return true;
        }},
-      {"solver of that name does not exist",
+      {"solver or back end that is none",
        [](Draws& draw, Scene& scene, Body&, ContactSpec*) {
-         scene.solver = draw.pick<const char*>({"", "newton", "Lemke"});
+         if (draw.chance(50))
+           scene.solver = {};
+         else
+           scene.backend = {};
          return true;
        }},
       {"history that does not exist",
@@ -401,8 +404,8 @@ const std::vector<Change>& odd() {
       {"any solver",
        [](Draws& draw, Scene& scene, Body&, ContactSpec*) {
          std::vector<Solver> family = all_solvers();
-         scene.solver = any_of(draw, family)->name;
-         draw.say(' ', scene.solver);
+         scene.solver = *any_of(draw, family);
+         draw.say(' ', scene.solver.name);
          return true;
        }},
       {"one node moved", [](Draws& draw, Scene& scene, Body& body, ContactSpec*) {

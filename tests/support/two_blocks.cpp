@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/elasticity/assembly.hpp"
 #include "signorini/elasticity/elements.hpp"
 #include "signorini/mesh/block.hpp"

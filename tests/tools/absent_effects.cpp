@@ -76,8 +76,7 @@ void by_hand(const Scene& scene) {
   problem.free_gap = signorini::gaps(programme, {free, {}, VectorXd::Zero(programme.A.rows())});
   const CondensedProgramme small{problem, free,
                                  [&](const VectorXd& load) { return factor.solve(load); }};
-  const CertifiedEnd end =
-      certified_end(programme, small, {}, find_solver(scene.solver), {}, ledger);
+  const CertifiedEnd end = certified_end(programme, small, {}, scene.solver, {}, ledger);
   // Of every solution it is asked whether its forces are determined.
   static_cast<void>(
       undetermined_forces(carried(programme, end.solution, {}, all_motions(end.state))));

@@ -1,6 +1,7 @@
 // Live figure of chapter 6: load, mesh, element and solver of the beam. One factor serves all loads.
 #include "../scene.hpp"
 #include "live/figure.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 
 namespace live {
 namespace {
@@ -13,7 +14,7 @@ Loaded loaded(const Request& now) {
       ch06::cantilever(ch06::paper, now.chosen("element"), std::stol(now.chosen("cells")));
   scene.bodies[0].loads.edges[0].history = "load";
   scene.path = Path{{1}, {proportional("load")}};
-  scene.solver = now.chosen("solver");
+  scene.solver = find_solver(now.chosen("solver"));
   return Loaded(scene);
 }
 

@@ -1,6 +1,7 @@
 // Live figure of chapter 11: load, meshes, operator and element of Hertz's contact. One factor serves all loads.
 #include "../hertz_run.hpp"
 #include "live/figure.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 
 namespace live {
 namespace {
@@ -21,7 +22,7 @@ HertzCase case_of(const Request& now) {
   if (out.gap_operator.rfind("gauss_points_", 0) == 0) {
     out.points = out.gap_operator.back() - '0';
     out.gap_operator = "gauss_points";
-    out.solver = "quasi_active_set";  // takes gaps that depend on each other
+    out.solver = find_solver("quasi_active_set");  // takes gaps that depend on each other
   }
   out.load = now["load"];
   return out;

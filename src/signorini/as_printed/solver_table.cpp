@@ -1,6 +1,9 @@
+#include "signorini/as_printed/solver_table.hpp"
+
 #include "signorini/as_printed/friction_split.hpp"
 #include "signorini/as_printed/quasi_active_set_literal.hpp"
 #include "signorini/as_printed/surrogate_dual.hpp"
+#include "signorini/core/family.hpp"
 #include "signorini/programme/active_set_programme.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
@@ -10,7 +13,6 @@
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "signorini/solvers/projected_gauss_seidel.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 namespace {
@@ -28,6 +30,14 @@ const std::vector<Trait> everything = {Trait::Ordinary,   Trait::Asymmetric, Tra
                                        Trait::Infeasible, Trait::Degenerate, Trait::IllConditioned,
                                        Trait::Slow,       Trait::Several};
 
+/// The members that do not say `no` of friction.
+std::vector<Solver> without(Takes no) {
+  std::vector<Solver> members;
+  for (const Solver& solver : all_solvers())
+    if (solver.friction != no) members.push_back(solver);
+  return members;
+}
+
 }  // namespace
 
 const std::vector<Solver>& all_solvers() {
@@ -41,21 +51,11 @@ const std::vector<Solver>& all_solvers() {
              "the paper's equations (30)-(39): minimum moved, one last step; often not optimal",
              quasi_active_set_literal)
           .may_fail_on(all_but_several),
-      member("primal_dual_active_set",
-             "whole groups of pairs change what they do; another method where that does not arrive",
-             primal_dual_active_set)
-          .may_fail_on({Trait::Asymmetric})
-          .with_friction(Takes::Also)
-          .with_rigid_modes()
-          .before({"fischer_burmeister", "lemke"}),
+      primal_dual_active_set(),
       member("enumerate", "tries every set of closed pairs; the oracle of the tests", enumerate)
           .up_to(largest_enumeration)
           .may_fail_on({Trait::Infeasible}),
-      member("lemke", "complementary pivoting along a path, ties lexicographic; any square matrix",
-             lemke)
-          .may_fail_on({Trait::IllConditioned, Trait::Slow})
-          .with_friction(Takes::Also)
-          .with_rigid_modes(),
+      lemke(),
       member("goldfarb_idnani", "dual active set: one pair joins or leaves at a time",
              goldfarb_idnani)
           .may_fail_on({Trait::Asymmetric, Trait::IllConditioned})
@@ -86,12 +86,7 @@ const std::vector<Solver>& all_solvers() {
              "one weighted gap; weight moves from the worst pair to the best",
              surrogate_dual<WeightRule::Pairwise>)
           .may_fail_on(all_but_several),
-      member("fischer_burmeister",
-             "one equation per pair, solved by Newton's method with a line search",
-             fischer_burmeister)
-          .may_fail_on({Trait::Dependent, Trait::Infeasible})
-          .with_friction(Takes::Also)
-          .with_rigid_modes(),
+      fischer_burmeister(),
       member("linear_programme",
              "simplex steps to the least sum of artificial gaps, one pair at a time",
              linear_programme)
@@ -107,6 +102,20 @@ const std::vector<Solver>& all_solvers() {
           .with_rigid_modes(),
   };
   return family;
+}
+
+const std::vector<Solver>& solvers() {
+  static const std::vector<Solver> members = without(Takes::Only);
+  return members;
+}
+
+const std::vector<Solver>& friction_solvers() {
+  static const std::vector<Solver> members = without(Takes::No);
+  return members;
+}
+
+const Solver& find_solver(const std::string& name) {
+  return find_member(all_solvers(), name, "solver");
 }
 
 }  // namespace signorini

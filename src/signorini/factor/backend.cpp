@@ -68,15 +68,15 @@ void check_held(const Stiffness& stiffness, const Factor::Solve& solve) {
   const VectorXd moved = solve(load).cwiseProduct(root);
   if (moved.allFinite() && epsilon * static_cast<double>(n) * largest(moved) < 1) return;
   Ledger unused;
-  static_cast<void>(backends().front().factor(stiffness, unused));  // throws unless it is held
+  static_cast<void>(frontal().factor(stiffness, unused));  // throws unless it is held
 }
 
 void refuse(const Stiffness& stiffness, const char* backend) {
   Ledger unused;
-  static_cast<void>(backends().front().factor(stiffness, unused));
+  static_cast<void>(frontal().factor(stiffness, unused));
   throw ProblemError(text("back end ", backend,
-                          ": it could not factor the stiffness matrix, which ",
-                          backends().front().name, " can: leave out --backend"));
+                          ": it could not factor the stiffness matrix, which ", frontal().name,
+                          " can: leave out --backend"));
 }
 
 }  // namespace signorini

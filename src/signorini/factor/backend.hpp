@@ -134,6 +134,9 @@ struct Backend {
   Team (*team)() = nullptr;
 };
 
+/// \return the member that is ours, needs no other library and is the default
+[[nodiscard]] Backend frontal();
+
 /// The family.
 /// \return all members that this program has, ours first
 [[nodiscard]] const std::vector<Backend>& backends();

@@ -318,12 +318,11 @@ CertifiedEnd certified_end(const QuadraticProgramme& programme, const CondensedP
   if (!systems.empty())
     return separate_ends(programme, condensed, null_vectors, systems, solver, options, ledger);
   CertifiedEnd end = Road(programme, condensed, null_vectors, ledger).run(solver, options);
-  for (const char* const name : solver.others) {
+  for (Solver (*const next)() : solver.others) {
     const Status status = end.state.report.status;
     const bool lost = status == Status::Breakdown || status == Status::IterationLimit;
     if (!lost || options.iteration_limit > 0) break;
-    CertifiedEnd other =
-        Road(programme, condensed, null_vectors, ledger).run(find_solver(name), options);
+    CertifiedEnd other = Road(programme, condensed, null_vectors, ledger).run(next(), options);
     Report both = end.state.report;
     append(both, other.state.report);
     if (other.state.report.status == Status::Solved)

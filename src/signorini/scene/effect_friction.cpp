@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/core/family.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
@@ -100,8 +99,8 @@ void take_slips(const Scene& scene, Plan& draft) {
         !on_line_of_symmetry(scene, draft, static_cast<Index>(pair)))
       law.pair.push_back(static_cast<Index>(pair));
   if (law.pair.empty()) return;
-  pose(find_solver(scene.solver).friction != Takes::No, "solver '", scene.solver,
-       "' takes no friction; those that do: ", names_of(friction_solvers()));
+  pose(scene.solver.friction != Takes::No, "solver '", scene.solver.name,
+       "' takes no friction: take the default, '", Scene().solver.name, "'");
   take_bounds(scene, draft);
   draft.on.push_back(text("slips of ", law.pair.size(), " pairs"));
 }

@@ -5,7 +5,7 @@
 #include "signorini/programme/rigid_modes.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
-#include "signorini/solvers/solvers.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
 #include "signorini/solvers/springs.hpp"
 
 namespace signorini {
@@ -39,9 +39,7 @@ ContactState solved(const ContactProblem& problem, const ContactState& contact) 
   SolverOptions options;
   options.start = all_motions(contact);
   options.start.resize(static_cast<std::size_t>(problem.free_gap.size()), Motion::Open);
-  const Solver& solver =
-      problem.law.pair.empty() ? find_solver(Scene().solver) : friction_solvers().front();
-  return solve(problem, solver, options);
+  return solve(problem, primal_dual_active_set(), options);
 }
 
 }  // namespace

@@ -4,13 +4,11 @@
 
 #include "signorini/core/bytes.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/family.hpp"
 #include "signorini/mesh/regions.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/motions.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 namespace {
@@ -23,8 +21,9 @@ void check_names(const Scene& scene) {
   for (const Body& body : scene.bodies)
     pose(names.insert(body.mesh.name).second, "two bodies are called '", body.mesh.name,
          "': give every mesh a name of its own");
-  static_cast<void>(find_solver(scene.solver));  // needed or not
-  static_cast<void>(find_backend(scene.backend));
+  pose(scene.solver.solve != nullptr && scene.backend.factor != nullptr,  // needed or not
+       "a scene's solver and back end must be members of their families, got one without a ",
+       "function: take find_solver(name) and find_backend(name), or leave the defaults");
 }
 
 /// Refuses loads that would follow a history that is not there.
@@ -152,13 +151,9 @@ void plan_effects(const Scene& scene, Plan& plan) {
 
 /// Refuses a solver that takes fewer pairs than there are.
 void check_pairs(const Plan& plan) {
-  const Index pairs = plan.gaps.A.rows();
-  const std::string why = too_many(find_solver(plan.solver), pairs);
-  if (why.empty()) return;
-  std::vector<Solver> others;
-  for (const Solver& solver : plan.law.pair.empty() ? solvers() : friction_solvers())
-    if (too_many(solver, pairs).empty()) others.push_back(solver);
-  pose(false, "solver '", plan.solver, "' ", why, "; those that take so many: ", names_of(others));
+  const std::string why = too_many(plan.solver, plan.gaps.A.rows());
+  pose(why.empty(), "solver '", plan.solver.name, "' ", why, ": take the default, '",
+       Scene().solver.name, "'");
 }
 
 }  // namespace
@@ -182,8 +177,8 @@ Plan plan(const Scene& scene) {
   for (const Body& body : scene.bodies)
     for (std::string& note : doubts_of_loads(body)) plan.notes.push_back(std::move(note));
   if (plan.gaps.A.rows() > 0)
-    plan.on.push_back("solver " + plan.solver +
-                      " on the condensed problem, certified from K, p, A, g");
+    plan.on.push_back(
+        text("solver ", plan.solver.name, " on the condensed problem, certified from K, p, A, g"));
   return plan;
 }
 

@@ -11,7 +11,6 @@
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/pattern.hpp"
 #include "signorini/scene/sample.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 namespace {
@@ -32,13 +31,15 @@ BodySummary summary_of(const BodyModel& body) {
   return summary;
 }
 
+bool is_default(const Solver& solver) { return solver.solve == Scene().solver.solve; }
+
 /// Why the run will go the way it goes.
 std::string method_of(const Plan& plan) {
   if (plan.gaps.A.rows() == 0) return "one linear solve: nothing touches";
-  const Solver& solver = find_solver(plan.solver);
-  std::string why = text("solver ", plan.solver,
-                         plan.solver == Scene().solver ? ", the default," : ", as asked for,",
-                         " on the condensed problem (", solver.summary, ")");
+  const Solver& solver = plan.solver;
+  std::string why =
+      text("solver ", solver.name, is_default(solver) ? ", the default," : ", as asked for,",
+           " on the condensed problem (", solver.summary, ")");
   if (!plan.law.pair.empty()) why += "; it takes friction";
   if (!plan.modes.empty())
     why += text("; ", plan.modes.size(),
@@ -52,7 +53,7 @@ std::string method_of(const Plan& plan) {
 std::string why_not_counted(const Plan& plan) {
   if (plan.gaps.A.rows() == 0) return "";
   std::string why;
-  if (plan.solver != Scene().solver) why += text(", solver ", plan.solver);
+  if (!is_default(plan.solver)) why += text(", solver ", plan.solver.name);
   if (!plan.law.pair.empty()) why += text(", pairs that rub: ", plan.law.pair.size());
   if (!plan.modes.empty()) why += text(", rigid motions: ", plan.modes.size());
   if (why.empty()) return why;
@@ -70,7 +71,7 @@ class Figures {
         speed_(measure_speed(known.fronts, known.paths)),
         sample_(sample_of(plan, known.stiffness.nonZeros())),
         steps_(std::max(1.0, static_cast<double>(plan.path.times.size()))),
-        of_factor_(plan.backend == Scene().backend ? Trust::Exact : Trust::Estimate),
+        of_factor_(plan.backend.factor == Scene().backend.factor ? Trust::Exact : Trust::Estimate),
         counted_(why_not_counted(plan).empty()) {}
 
   std::vector<PredictedFigure> all() {

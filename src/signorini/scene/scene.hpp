@@ -58,11 +58,11 @@ struct ContactSpec {
 /// Elastic bodies and what they may touch. Every effect is an optional entry, see effects.hpp; one that is
 /// absent costs nothing.
 struct Scene {
-  std::vector<Body> bodies = {{}};                ///< one or more
-  std::vector<ContactSpec> contacts;              ///< none by default
-  std::string solver = "primal_dual_active_set";  ///< name in solvers()
-  std::optional<Path> path = {};    ///< load steps, for solve_steps(); none by default
-  std::string backend = "frontal";  ///< name in backends(), of the one that factors K
+  std::vector<Body> bodies = {{}};           ///< one or more
+  std::vector<ContactSpec> contacts;         ///< none by default
+  Solver solver = primal_dual_active_set();  ///< a member of the family, see find_solver()
+  std::optional<Path> path = {};             ///< load steps, for solve_steps(); none by default
+  Backend backend = frontal();               ///< factors K, see find_backend()
 };
 
 struct Effect;
@@ -81,13 +81,13 @@ struct Plan {
   std::vector<std::string> contacts;    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of;  ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
-  FollowPairs follow;                              ///< null without contact, or if all gaps are linear
-  std::vector<bool> small_sliding;                 ///< of each contact, see ContactSpec
+  FollowPairs follow;               ///< null without contact, or if all gaps are linear
+  std::vector<bool> small_sliding;  ///< of each contact, see ContactSpec
   FrictionLaw law;                  ///< of the pairs that can slide and whose own contact rubs
-  std::string solver;               ///< name of the one that the scene asks for
-  Path path;                        ///< load steps, none without
-  std::vector<LoadPart> parts;      ///< of loads that follow one history each, none without steps
-  std::string backend = "frontal";  ///< name of the one that factors K
+  Solver solver = primal_dual_active_set();  ///< of the scene
+  Path path;                                 ///< load steps, none without
+  std::vector<LoadPart> parts;  ///< of loads that follow one history each, none without steps
+  Backend backend = frontal();  ///< of the scene
 };
 
 /// Reads a scene and says what will be computed. \param scene  to be solved

@@ -16,6 +16,7 @@
 #include "signorini/mesh/joints.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/scene/path.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {
 
@@ -47,22 +48,22 @@ using FollowPairs = std::function<MovedPairs(const Model& model, const NodeArray
 
 /// Matrices of the bodies and the gaps they may close.
 struct Model {
-  std::vector<BodyModel> bodies;     ///< as in the scene
-  Unknowns unknowns;                 ///< `n` of all bodies, one after another
-  QuadraticProgramme programme;      ///< K, p, A, g of the gaps, then of the slips of `law`
-  Pairs pairs;                       ///< `n_c` that can close; see Gaps
-  std::vector<FreeMotion> modes;     ///< `n_r` null vectors of K
-  FrictionLaw law;                   ///< of the pairs that rub, empty if none does
-  std::string solver;                ///< of the family that the model needs, as the scene names it
-  std::vector<std::string> notes;    ///< of the plan
-  Path path = {};                    ///< load steps, none without
-  std::vector<LoadPart> parts = {};  ///< p and g are the sum of these times their histories
-  std::string backend = "frontal";   ///< that factors K, as the scene names it
-  std::vector<std::string> contacts = {};          ///< names of the contacts, see contact_names()
-  std::vector<std::size_t> contact_of = {};        ///< `n_c` number of the contact of each pair
+  std::vector<BodyModel> bodies;             ///< as in the scene
+  Unknowns unknowns;                         ///< `n` of all bodies, one after another
+  QuadraticProgramme programme;              ///< K, p, A, g of the gaps, then of the slips of `law`
+  Pairs pairs;                               ///< `n_c` that can close; see Gaps
+  std::vector<FreeMotion> modes;             ///< `n_r` null vectors of K
+  FrictionLaw law;                           ///< of the pairs that rub, empty if none does
+  Solver solver = primal_dual_active_set();  ///< of the scene
+  std::vector<std::string> notes;            ///< of the plan
+  Path path = {};                            ///< load steps, none without
+  std::vector<LoadPart> parts = {};          ///< p and g are the sum of these times their histories
+  Backend backend = frontal();               ///< of the scene, factors K
+  std::vector<std::string> contacts = {};    ///< names of the contacts, see contact_names()
+  std::vector<std::size_t> contact_of = {};  ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
-  FollowPairs follow = {};                         ///< null without contact, or if all gaps are linear
-  std::vector<bool> small_sliding = {};            ///< of each contact, see ContactSpec
+  FollowPairs follow = {};               ///< null without contact, or if all gaps are linear
+  std::vector<bool> small_sliding = {};  ///< of each contact, see ContactSpec
 };
 
 /// The model with all unknowns but the contact forces eliminated.
@@ -113,14 +114,13 @@ void move_freely(const Model& model, Eigen::VectorXd free_displacement, Condense
 /// problem is solved again with free gaps from the refined solution.
 /// \param model      from build()
 /// \param condensed  from condense() of it
-/// \param solver     name in solvers(), with friction in friction_solvers()
+/// \param solver     a member of its family that takes friction where pairs rub
 /// \param ledger     goes on in the solution, with the phases `contact`, `refinement`, `recovery`
 /// \param options    handed to the solver
 /// \return the solution; check its `contact.report.status` first, or call require_solved()
-/// \throws ProblemError for an unknown name or numbers beyond all units; std::invalid_argument for more pairs than it takes
-[[nodiscard]] Solution solve(const Model& model, const Condensed& condensed,
-                             const std::string& solver, Ledger ledger,
-                             const SolverOptions& options = {});
+/// \throws ProblemError for numbers beyond all units; std::invalid_argument for more pairs than it takes
+[[nodiscard]] Solution solve(const Model& model, const Condensed& condensed, const Solver& solver,
+                             Ledger ledger, const SolverOptions& options = {});
 
 /// The same with `model.solver`. \param model  from build() \param condensed  from condense() of it
 /// \param ledger  as above \return the solution

@@ -45,7 +45,7 @@ Factor factor(const Model& model, Ledger& ledger) {
   const Stiffness K{
       model.programme.stiffness, model.programme.A, [&model] { return unknown_positions(model); },
       [&model](Index unknown) { return describe_unknown(model, unknown); }, grounding(model.modes)};
-  return find_backend(model.backend).factor(K, ledger);
+  return model.backend.factor(K, ledger);
 }
 
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
@@ -190,8 +190,8 @@ Condensed condense(const Model& model, Ledger& ledger) {
   return condensed;
 }
 
-Solution solve(const Model& model, const Condensed& condensed, const std::string& solver,
-               Ledger ledger, const SolverOptions& options) {
+Solution solve(const Model& model, const Condensed& condensed, const Solver& solver, Ledger ledger,
+               const SolverOptions& options) {
   const auto counted = [&ledger](double operations, Factor::Solve solve_for) {
     return [&ledger, operations, solve_for = std::move(solve_for)](const VectorXd& load) {
       ledger.count("operations", static_cast<long long>(operations));
@@ -209,8 +209,8 @@ Solution solve(const Model& model, const Condensed& condensed, const std::string
       }};
   CertifiedEnd end = [&] {
     try {
-      return certified_end(model.programme, small, mode_shapes(model.modes), find_solver(solver),
-                           options, ledger);
+      return certified_end(model.programme, small, mode_shapes(model.modes), solver, options,
+                           ledger);
     } catch (const std::invalid_argument&) {
       check_numbers(condensed.problem);
       throw;

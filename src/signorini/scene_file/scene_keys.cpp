@@ -2,10 +2,10 @@
 
 #include <utility>
 
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/scene_file/kinds.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 
@@ -180,10 +180,12 @@ const Keys<SceneDraft>& scene_keys() {
   static const Keys<SceneDraft> keys = {
       {{"title", "text", "", "", "what it is, one line"},
        [](const Value& value, SceneDraft& draft) { take(value, draft.file.title); }},
-      {{"solver", "text", "", written(Scene().solver),
+      {{"solver", "text", "", written(std::string(Scene().solver.name)),
         "of the contact problem, see signorini --list"},
        [](const Value& value, SceneDraft& draft) {
-         take_member(value, all_solvers(), "solver", draft.file.scene.solver);
+         std::string name;
+         take_member(value, all_solvers(), "solver", name);
+         draft.file.scene.solver = find_solver(name);
        }},
       {{"material", "table", "", "", "of the bodies that have none of their own, see material"},
        [](const Value& value, SceneDraft& draft) {

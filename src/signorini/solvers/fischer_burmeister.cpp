@@ -24,4 +24,13 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
   return finished(problem, scaled, std::move(attempt));
 }
 
+Solver fischer_burmeister() {
+  return Solver{"fischer_burmeister",
+                "one equation per pair, solved by Newton's method with a line search",
+                fischer_burmeister}
+      .may_fail_on({Trait::Dependent, Trait::Infeasible})
+      .with_friction(Takes::Also)
+      .with_rigid_modes();
+}
+
 }  // namespace signorini

@@ -1,7 +1,7 @@
 /// \file
 /// Semismooth Newton method for the Fischer-Burmeister equations of contact.
 #pragma once
-#include "signorini/problem/problem.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 
@@ -40,5 +40,8 @@ namespace signorini {
 /// \throws std::invalid_argument as check_finite(), with rigid modes as check_problem()
 [[nodiscard]] ContactState fischer_burmeister(const ContactProblem& problem,
                                               const SolverOptions& options = {});
+
+/// \return the member of the family
+[[nodiscard]] Solver fischer_burmeister();
 
 }  // namespace signorini

@@ -179,4 +179,12 @@ ContactState lemke(const ContactProblem& problem, const SolverOptions& options) 
   }
 }
 
+Solver lemke() {
+  return Solver{"lemke",
+                "complementary pivoting along a path, ties lexicographic; any square matrix", lemke}
+      .may_fail_on({Trait::IllConditioned, Trait::Slow})
+      .with_friction(Takes::Also)
+      .with_rigid_modes();
+}
+
 }  // namespace signorini

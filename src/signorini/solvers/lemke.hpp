@@ -1,7 +1,7 @@
 /// \file
 /// Lemke's complementary pivoting.
 #pragma once
-#include "signorini/problem/problem.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 
@@ -65,5 +65,8 @@ namespace signorini {
 ///   with `escape` if no forces balance r, and `Jump` if a set of cohesive pairs cannot be found
 /// \throws std::invalid_argument as check_finite(), with rigid modes as check_problem()
 [[nodiscard]] ContactState lemke(const ContactProblem& problem, const SolverOptions& options = {});
+
+/// \return the member of the family
+[[nodiscard]] Solver lemke();
 
 }  // namespace signorini

@@ -188,4 +188,15 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   return other;
 }
 
+Solver primal_dual_active_set() {
+  return Solver{
+      "primal_dual_active_set",
+      "whole groups of pairs change what they do; another method where that does not arrive",
+      primal_dual_active_set}
+      .may_fail_on({Trait::Asymmetric})
+      .with_friction(Takes::Also)
+      .with_rigid_modes()
+      .before({fischer_burmeister, lemke});
+}
+
 }  // namespace signorini

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/core/family.hpp"
 
 namespace signorini {
 
@@ -65,9 +64,9 @@ Solver Solver::with_rigid_modes() const {
   return member;
 }
 
-Solver Solver::before(std::vector<const char*> names) const {
+Solver Solver::before(std::vector<Solver (*)()> members) const {
   Solver member = *this;
-  member.others = std::move(names);
+  member.others = std::move(members);
   return member;
 }
 
@@ -75,32 +74,6 @@ Solver Solver::on_programmes(decltype(solve_programme) function) const {
   Solver member = *this;
   member.solve_programme = function;
   return member;
-}
-
-namespace {
-
-/// The members that do not say `no` of friction.
-std::vector<Solver> without(Takes no) {
-  std::vector<Solver> members;
-  for (const Solver& solver : all_solvers())
-    if (solver.friction != no) members.push_back(solver);
-  return members;
-}
-
-}  // namespace
-
-const std::vector<Solver>& solvers() {
-  static const std::vector<Solver> members = without(Takes::Only);
-  return members;
-}
-
-const std::vector<Solver>& friction_solvers() {
-  static const std::vector<Solver> members = without(Takes::No);
-  return members;
-}
-
-const Solver& find_solver(const std::string& name) {
-  return find_member(all_solvers(), name, "solver");
 }
 
 }  // namespace signorini

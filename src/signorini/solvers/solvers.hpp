@@ -1,6 +1,7 @@
 /// \file
-/// The family of solvers. To add one: write `NAME.cpp` with a function of this signature, declare
+/// What a solver is. To add one: write `NAME.cpp` with a function of this signature, declare
 /// it in `NAME.hpp` and add its line to the table in as_printed/solver_table.cpp; the conformance suite finds it.
+/// A member that is the default of something, or that another one asks, is returned by a function of its name.
 #pragma once
 #include <string>
 #include <vector>
@@ -38,7 +39,7 @@ enum class Takes {
 
 /// One member of the family. What most members have is the default; the functions below give the others a name.
 struct Solver {
-  const char* name;     ///< as in find_solver() and in a scene
+  const char* name;     ///< as in find_solver() and in scene files
   const char* summary;  ///< one line for lists
   /// Solves a problem. It may claim `Solved` only if all conditions hold to rounding, and throws
   /// std::invalid_argument as check_problem(), for what it does not take or for more than `largest` pairs.
@@ -53,9 +54,9 @@ struct Solver {
   /// The same from K, p, A and g to the refined end, or null: then the programme is condensed.
   DenseSolution (*solve_programme)(const DenseProgramme& programme,
                                    const SolverOptions& options) = nullptr;
-  /// Members that certified_end() asks one by one where this one breaks down: rounding that leads one method astray
-  /// mostly does not meet the other
-  std::vector<const char*> others = {};
+  /// Return the members that certified_end() asks one by one where this one breaks down: rounding that leads one
+  /// method astray mostly does not meet the other
+  std::vector<Solver (*)()> others = {};
 
   /// \param pairs  most that it accepts \return the member with it
   [[nodiscard]] Solver up_to(Eigen::Index pairs) const;
@@ -65,8 +66,8 @@ struct Solver {
   [[nodiscard]] Solver with_friction(Takes takes) const;
   /// \return the member, taking rigid modes
   [[nodiscard]] Solver with_rigid_modes() const;
-  /// \param names  of the members to ask after it \return the member with them
-  [[nodiscard]] Solver before(std::vector<const char*> names) const;
+  /// \param members  functions that return those to ask after it \return the member with them
+  [[nodiscard]] Solver before(std::vector<Solver (*)()> members) const;
   /// \param function  for `solve_programme` \return the member with it
   [[nodiscard]] Solver on_programmes(decltype(solve_programme) function) const;
 };
@@ -81,23 +82,5 @@ struct Solver {
 /// \param pairs   of a problem
 /// \return why it does not take so many, or nothing if it does
 [[nodiscard]] std::string too_many(const Solver& solver, Eigen::Index pairs);
-
-/// The whole family: a line each, with names. A scene that names no solver takes `primal_dual_active_set`: with its fall-back it solves the
-/// same random condensed problems as `quasi_active_set`, 99.8 % of the feasible ones, and on ordinary contact
-/// its own few steps are all it needs.
-/// \return all members, in the order of lists and tables
-[[nodiscard]] const std::vector<Solver>& all_solvers();
-
-/// \return the members that take problems without friction
-[[nodiscard]] const std::vector<Solver>& solvers();
-
-/// \return the members that take friction, the one to use first
-[[nodiscard]] const std::vector<Solver>& friction_solvers();
-
-/// Looks up a member.
-/// \param name  of the solver
-/// \return the member
-/// \throws ProblemError listing the known names if there is none
-[[nodiscard]] const Solver& find_solver(const std::string& name);
 
 }  // namespace signorini

@@ -7,8 +7,8 @@
 
 #include "signorini/closing/proofs.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/family.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {
 namespace {
@@ -91,7 +91,7 @@ ContactState solve(const ContactProblem& problem, const Solver& solver,
                    const SolverOptions& options) {
   const bool floats = problem.resultant.size() > 0;
   pose(problem.law.pair.empty() || solver.friction != Takes::No, "solver '", solver.name,
-       "' takes no friction; those that do: ", names_of(friction_solvers()));
+       "' takes no friction: take '", primal_dual_active_set().name, "'");
   if (!floats || solver.rigid_modes || !problem.law.pair.empty()) {
     ContactState state = solver.solve(problem, options);
     const Status status = state.report.status;

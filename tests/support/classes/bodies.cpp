@@ -1,4 +1,5 @@
 // Contact of elastic bodies: the compliances that the chapters condense, a half-plane, a string.
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/scene/scene.hpp"

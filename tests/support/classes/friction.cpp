@@ -1,6 +1,7 @@
 // Pairs that rub: one pair in every motion, random ones with all their solutions, a cylinder in partial slip.
 #include "support/friction.hpp"
 
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/problem_file/problem_file.hpp"
 #include "support/classes/classes.hpp"

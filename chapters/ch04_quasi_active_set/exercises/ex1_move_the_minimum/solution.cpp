@@ -1,8 +1,8 @@
 #include <limits>
 
 #include "exercise.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/dense.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 namespace ex4_1 {
 

@@ -3,9 +3,9 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/problem/examples.hpp"
 #include "signorini/programme/dense_programme.hpp"
-#include "signorini/solvers/solvers.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

@@ -3,6 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/mesh/block.hpp"
 #include "signorini/mesh/reshape.hpp"
@@ -56,7 +57,7 @@ TEST_CASE("ex10.3 held out: bang-bang pressures of two blocks become the uniform
     contact.gap_operator = "gauss_points";
     contact.points = points;
     scene.contacts = {contact};
-    scene.solver = "quasi_active_set";
+    scene.solver = find_solver("quasi_active_set");
     const SolvedScene run = solved(scene, "two blocks");
     const Pairs& pairs = run.model.pairs;
     const VectorXd p = ex10_3::lumped_pressure(VectorXd::LinSpaced(7, 0, 1), pairs.position.col(0),
