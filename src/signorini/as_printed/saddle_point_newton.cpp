@@ -181,7 +181,7 @@ bool step_on(const QuadraticProgramme& programme, const Units& units, SparseLuFa
 SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
                                         const SaddlePointOptions& options) {
   const Index n = programme.load.size();
-  const bool printed = options.form == SaddlePointForm::AsPrinted;
+  const bool as_printed = options.form == SaddlePointForm::AsPrinted;
   const Units units = units_of(programme, options.form);
   Point point{{VectorXd::Zero(n), VectorXd::Zero(n), start(programme, options)}, {}, {}};
   evaluate(programme, units, point);
@@ -191,8 +191,8 @@ SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
   report.status = Status::Breakdown;
   SparseLuFactor factor;
   const auto done = [&] {
-    return printed ? point.size <= options.tolerance * first
-                   : certify(programme, point.solution).holds(options.tolerance);
+    return as_printed ? point.size <= options.tolerance * first
+                      : certify(programme, point.solution).holds(options.tolerance);
   };
   while (!done()) {
     if (report.iterations >= options.iteration_limit) {
@@ -202,14 +202,14 @@ SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
     ++report.iterations;
     ++report.factorisations;
     // Equilibrium is linear: from the first step on, which is whole, it holds.
-    if (!step_on(programme, units, factor, printed || report.iterations == 1, point)) {
-      if (!printed) return {std::move(point.solution), std::move(report)};
+    if (!step_on(programme, units, factor, as_printed || report.iterations == 1, point)) {
+      if (!as_printed) return {std::move(point.solution), std::move(report)};
       break;
     }
     const std::vector<bool> last = closed;
     report.history.push_back(summary(units, point, last, closed, first));
   }
-  if (!printed || certify(programme, point.solution).holds()) report.status = Status::Solved;
+  if (!as_printed || certify(programme, point.solution).holds()) report.status = Status::Solved;
   return {std::move(point.solution), std::move(report)};
 }
 
