@@ -65,7 +65,8 @@ VectorXd lacking(const Pushes& all) {
   VectorXd weight = VectorXd::Zero(D.rows());
   std::vector<Index> used;
   const double rounding = static_cast<double>(D.rows() + D.cols()) * epsilon * all.target.norm();
-  while (true) {
+  const Index most_rounds = 10 * D.rows() + 100;
+  for (Index round = 0; round < most_rounds; ++round) {
     const VectorXd missing = all.target - D.transpose() * weight;
     VectorXd gain = D * missing;
     for (Index i = 0; i < gain.size(); ++i)  // at its upper bound a weight can only fall
@@ -102,7 +103,7 @@ VectorXd lacking(const Pushes& all) {
       done = kept.size() == used.size();
       used = std::move(kept);
     }
-    if ((all.target - D.transpose() * weight).norm() >= missing.norm()) {  // only rounding moved
+    if (!((all.target - D.transpose() * weight).norm() < missing.norm())) {  // rounding, or too large
       weight = before;
       break;
     }
