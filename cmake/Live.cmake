@@ -3,6 +3,7 @@
 file(GLOB live_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/live/figure*.cpp
      ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/live/*.cpp)
 add_library(live_figures STATIC EXCLUDE_FROM_ALL ${live_sources})
+set_target_properties(live_figures PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
 target_include_directories(live_figures PUBLIC ${PROJECT_SOURCE_DIR}/src PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 include(cmake/Exhibits.cmake)
 signorini_exhibits(${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)

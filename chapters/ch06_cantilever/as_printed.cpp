@@ -4,7 +4,7 @@
 #include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/field_csv.hpp"
-#include "signorini/report/printed_method.hpp"
+#include "signorini/as_printed/printed_method.hpp"
 #include "signorini/report/program.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 #include "pin.hpp"
 #include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/results.hpp"
-#include "signorini/report/printed_method.hpp"
+#include "signorini/as_printed/printed_method.hpp"
 #include "signorini/report/program.hpp"
 
 namespace {

@@ -20,7 +20,7 @@ rooms='
         below["scene"] = "core mesh problem factor closing solvers programme elasticity contact"
         below["estimate"] = below["scene"] " closed_form refinement scene"
         below["scene_file"] = below["scene"] " gmsh as_printed scene"
-        below["report"] = "core mesh closed_form problem factor closing solvers programme as_printed problem_file elasticity contact scene estimate"
+        below["report"] = "core mesh closed_form problem factor closing solvers programme problem_file elasticity contact scene estimate"
     }
     function may_use(room, other) { return room == other || index(" " below[room] " ", " " other " ") > 0 }
     function all_below(room) { return below[room] == "" ? "no other room" : below[room] }

@@ -10,7 +10,7 @@ using Eigen::Vector2d;
 
 const exact::Programme* small[] = {&corner, &fan, &four_walls};
 
-ContactProblem problem_of(const Request& now) {
+ContactProblem pairs_problem(const Request& now) {
   const Index k = now.whole("problem");
   if (k < 3) return condensed(*small[k]);
   if (k == 5) return half_plane_indentation(200).problem;
@@ -20,8 +20,8 @@ ContactProblem problem_of(const Request& now) {
 }
 
 Way walk(const Request& now) {
-  if (now.chosen("method") == "repaired") return repaired_way(problem_of(now));
-  return printed_way(problem_of(now), choices[static_cast<std::size_t>(now.whole("method"))].rows);
+  if (now.chosen("method") == "repaired") return repaired_way(pairs_problem(now));
+  return printed_way(pairs_problem(now), choices[static_cast<std::size_t>(now.whole("method"))].rows);
 }
 
 // Each of the last twelve steps is a column of marks, one for each pair that overlapped before it.
@@ -74,7 +74,7 @@ Panel plane(const exact::Programme& q, const Way& way, std::size_t last) {
   return panel;
 }
 
-Answer step_by_step(const Request& now) {
+Answer group_by_group(const Request& now) {
   const Way& way = kept(now.key({"step"}), [&now] { return walk(now); });
   const std::size_t end = way.stages.size() - 1;
   const std::size_t step = std::min(static_cast<std::size_t>(now.whole("step")), end);
@@ -112,7 +112,7 @@ Figure groups() {
                   {"all_violated", "by_number", "by_overlap", "most_violated", "repaired"}),
            slider("step", "step shown", 6, 0, 200, 1),
            slider("seed", "number of the random programme", 1, 1, 100, 1)},
-          step_by_step};
+          group_by_group};
 }
 
 }  // namespace live

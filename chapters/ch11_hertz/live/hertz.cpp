@@ -47,7 +47,7 @@ std::vector<Index> shown_pairs(const Pairs& pairs) {
   return near;
 }
 
-Panel pressures(const HertzRun& out) {
+Panel pressure_curves(const HertzRun& out) {
   const LineContact theory = out.now.theory();
   const Solution& solution = out.run.solution;
   const VectorXd fine = VectorXd::LinSpaced(201, 0, widest);
@@ -99,7 +99,7 @@ Answer press(const Request& now) {
   answer.number("rms", "pressures off by, root mean square", rms, "%", "%.2f");
   answer.number("last", "last closed pair at", out.last_closed / b, "b", "%.3f");
   answer.solution(solution, out.now.points == 0);
-  answer.panels = {pressures(out), gap, near};
+  answer.panels = {pressure_curves(out), gap, near};
   return answer;
 }
 

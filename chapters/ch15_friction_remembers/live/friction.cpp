@@ -83,7 +83,7 @@ Panel stick_map(const Way& way, std::size_t last) {
   return panel;
 }
 
-Answer push(const Request& now) {
+Answer push_and_turn(const Request& now) {
   Way& way = kept(now.key({"step"}), [&now] { return pressed_way(now); });
   const auto last = static_cast<std::size_t>(now.whole("step"));
   while (way.steps.size() <= last) way.go_on(now.on("memory"));
@@ -114,7 +114,7 @@ Figure friction() {
            slider("coefficient", "coefficient of friction \u03bc", 0.3, 0.1, 0.8, 0.1),
            slider("turn", "the push turns at, over \u03bcP", 0.6, 0.1, 0.95, 0.05),
            toggle("memory", "slip counts from the step before", true)},
-          push};
+          push_and_turn};
 }
 
 }  // namespace live

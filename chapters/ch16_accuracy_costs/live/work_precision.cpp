@@ -12,8 +12,8 @@ const std::vector<std::string> elements = {"q4_incompatible", "q4", "q8"};
 const std::vector<Look> looks = {Look::Line, Look::Dashed, Look::Dotted};
 
 // The way of the chapter with another element and solver.
-Way way_of(const std::string& gaps, const std::string& element, const std::string& solver) {
-  Way way{"", element, gaps, solver};
+ch16::Way way_of(const std::string& gaps, const std::string& element, const std::string& solver) {
+  ch16::Way way{"", element, gaps, solver};
   way.meet = gaps == "mortar_nodes_meet";
   if (way.meet) way.gap_operator = "mortar";
   if (gaps == "two_gauss_points") way.gap_operator = "gauss_points", way.points = 2;
@@ -21,7 +21,7 @@ Way way_of(const std::string& gaps, const std::string& element, const std::strin
 }
 
 // Cells with eight nodes are half as many.
-SolvedScene run_of(const Way& way, Index cells) {
+SolvedScene run_of(const ch16::Way& way, Index cells) {
   Ledger ledger;
   Model model = build(scene_of(way, way.element == "q8" ? cells / 2 : cells), ledger);
   Condensed condensed = condense(model, ledger);

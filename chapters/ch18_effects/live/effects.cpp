@@ -19,7 +19,7 @@ Scene scene_of(const Request& now) {
   if (now.on("weight")) scene = with_weight(scene);
   if (now.chosen("cells") == "40") return scene;
   HertzMeshSpec coarse;
-  coarse.radius = R;
+  coarse.radius = signorini::R;
   coarse.disc_cells = coarse.plate_cells = 20;
   coarse.disc_rows = coarse.plate_rows = 10;
   coarse.disc_layers = coarse.plate_layers = 14;
@@ -31,7 +31,7 @@ Scene scene_of(const Request& now) {
 
 // A pressure of Hertz with the force that the contact bears.
 VectorXd theory(const Request& now, double half_force, const VectorXd& x) {
-  const LineContact contact{R, now.on("plate") ? contact_modulus(stiff, stiff) : stiff,
+  const LineContact contact{signorini::R, now.on("plate") ? contact_modulus(stiff, stiff) : stiff,
                             2 * half_force};
   return x.unaryExpr([&contact](double at) { return hertz_pressure(contact, at); });
 }

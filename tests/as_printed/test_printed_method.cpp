@@ -1,7 +1,7 @@
 // The steps of the paper's method on problems small enough to do by hand.
 #include "catch_compat.hpp"
 #include "signorini/as_printed/weight_iteration.hpp"
-#include "signorini/report/printed_method.hpp"
+#include "signorini/as_printed/printed_method.hpp"
 
 using Eigen::Vector3d;
 using namespace signorini;

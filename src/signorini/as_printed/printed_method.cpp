@@ -1,4 +1,4 @@
-#include "signorini/report/printed_method.hpp"
+#include "signorini/as_printed/printed_method.hpp"
 
 #include <algorithm>
 #include <iterator>
