@@ -32,7 +32,7 @@ run: configure            ## run every chapter, draw its figures into build/out,
 chapters: configure       # and the program, without which nothing can be installed
 	@cmake --build $B -j $(JOBS) --target chapters signorini_command
 test: all                 ## compile and run every test
-	@ctest --test-dir $B -j $(JOBS) --output-on-failure
+	@ctest --test-dir $B -j $$(($(JOBS) + 1)) --output-on-failure  # one more than processors: some wait for a browser
 conformance: configure    ## check every member of every family, or one: make conformance WHAT=mortar
 	@cmake --build $B -j $(JOBS) --target test_conformance
 	@$(if $(WHAT),SIGNORINI_CONFORMANCE='$(WHAT)' $B/bin/test_conformance 'every *$(comma)class/*',\

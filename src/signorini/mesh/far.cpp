@@ -1,6 +1,7 @@
 #include "signorini/mesh/far.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "signorini/core/rounding.hpp"
@@ -16,15 +17,15 @@ double distance_from_origin(const NodeArray& nodes) {
 }
 
 double direction_rounding(const Mesh& mesh) {
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest = std::numeric_limits<double>::infinity();  // its square
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
     const int corners = mesh.corners(cell);
     for (int k = 0; k < corners; ++k)
       shortest = std::min(shortest, (mesh.nodes.row(mesh.cells(cell, (k + 1) % corners)) -
                                      mesh.nodes.row(mesh.cells(cell, k)))
-                                        .norm());
+                                        .squaredNorm());
   }
-  return epsilon * (1 + ratio(mesh.nodes.cwiseAbs().maxCoeff(), shortest));
+  return epsilon * (1 + ratio(mesh.nodes.cwiseAbs().maxCoeff(), std::sqrt(shortest)));
 }
 
 }  // namespace signorini
