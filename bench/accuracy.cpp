@@ -3,7 +3,7 @@
 // may expect.
 // Run:  make accuracy     Reads: nothing     Writes: accuracy.md and accuracy.csv
 // Without --full one target only: a test of this program and of what it judges, not a measurement.
-#include "signorini/estimate/accuracy.hpp"
+#include "addons/estimate/accuracy.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/scene.hpp"
 #include "tests/support/hertz.hpp"
 

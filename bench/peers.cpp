@@ -4,19 +4,19 @@
 #include <iostream>
 #include <map>
 
+#include "addons/certified/dense_programme.hpp"
+#include "addons/frontal/frontal_factor.hpp"
 #include "bench/measure.hpp"
 #include "bench/peers/hertz_comparison.hpp"
 #include "bench/peers/linear_comparison.hpp"
 #include "bench/peers/peer.hpp"
 #include "bench/peers/turns.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/examples.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/factor/frontal_factor.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/dense_programme.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -8,11 +8,11 @@
 
 #include "bench/measure.hpp"
 #include "bench/rounds.hpp"
-#include "signorini/as_printed/saddle_point_newton.hpp"
+#include "papers/saddle_point_newton.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/cantilever.hpp"
 

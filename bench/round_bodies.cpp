@@ -9,9 +9,9 @@
 #include <iostream>
 #include <limits>
 
+#include "addons/estimate/accuracy.hpp"
 #include "bench/measure.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/estimate/accuracy.hpp"
 #include "signorini/report/program.hpp"
 
 namespace {

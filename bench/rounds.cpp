@@ -8,9 +8,9 @@
 #include <malloc.h>
 #endif
 
+#include "addons/frontal/frontal_factor.hpp"
 #include "bench/measure.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
 

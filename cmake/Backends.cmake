@@ -46,11 +46,11 @@ signorini_backend(cholmod "libsuitesparse-dev" "${CHOLMOD_HEADERS}" "${CHOLMOD_L
 signorini_backend(mumps "libmumps-dev and libopenmpi-dev" "${MUMPS_HEADERS}" "${MUMPS_LIBRARY}" MPI::MPI_CXX)
 # Whoever is built without them is told what they need.
 string(JOIN ", " other_backend_packages ${other_backend_packages})
-set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/signorini/factor/backend.cpp APPEND PROPERTY COMPILE_DEFINITIONS
+set_property(SOURCE ${PROJECT_SOURCE_DIR}/src/addons/frontal/backend.cpp APPEND PROPERTY COMPILE_DEFINITIONS
              "SIGNORINI_OTHER_BACKENDS=${other_backend_packages}")
 
 if(backend_names)
-  add_library(backend_table OBJECT ${PROJECT_SOURCE_DIR}/src/signorini/factor/backends.cpp)
+  add_library(backend_table OBJECT ${PROJECT_SOURCE_DIR}/src/addons/frontal/backends.cpp)
   target_link_libraries(backend_table PRIVATE signorini::signorini signorini_warnings)
   target_compile_definitions(backend_table PRIVATE "SIGNORINI_BACKENDS=frontal()${backend_names}")
   target_sources(other_backends INTERFACE $<TARGET_OBJECTS:backend_table>)

@@ -12,18 +12,18 @@ if(NOT TARGET Catch2::Catch2WithMain)
 endif()
 
 # Tests and exercises: one precompiled header.
-add_library(signorini_checks INTERFACE)
-target_include_directories(signorini_checks INTERFACE ${PROJECT_SOURCE_DIR}/tests)
-target_link_libraries(signorini_checks INTERFACE signorini::signorini signorini_light Catch2::Catch2WithMain)
+add_library(tests_with_catch2 INTERFACE)
+target_include_directories(tests_with_catch2 INTERFACE ${PROJECT_SOURCE_DIR}/tests)
+target_link_libraries(tests_with_catch2 INTERFACE signorini::signorini signorini_light Catch2::Catch2WithMain)
 if(SIGNORINI_PRECOMPILE)
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/checks_headers.cpp CONTENT "// only its precompiled header is used\n")
   add_library(checks_headers OBJECT ${PROJECT_BINARY_DIR}/checks_headers.cpp)
-  target_link_libraries(checks_headers PRIVATE signorini_checks signorini_warnings)
+  target_link_libraries(checks_headers PRIVATE tests_with_catch2 signorini_warnings)
   target_precompile_headers(checks_headers PRIVATE ${PROJECT_SOURCE_DIR}/tests/catch_compat.hpp ${common_headers})
 endif()
 
 function(signorini_checks target)  # the flags and headers of a target that holds tests or answers
-  target_link_libraries(${target} PRIVATE signorini_checks signorini_warnings)
+  target_link_libraries(${target} PRIVATE tests_with_catch2 signorini_warnings)
   if(SIGNORINI_PRECOMPILE)
     target_precompile_headers(${target} REUSE_FROM checks_headers)
   endif()

@@ -14,7 +14,7 @@ file(GLOB exercise_solutions CONFIGURE_DEPENDS ${exercises_from}/solution.cpp)
 
 # What their tests found is told to tools/judge.pl.
 add_library(exercise_judge OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/tools/judged.cpp)
-target_link_libraries(exercise_judge PRIVATE signorini_checks signorini_warnings)
+target_link_libraries(exercise_judge PRIVATE tests_with_catch2 signorini_warnings)
 
 function(signorini_exercise_part target source)  # one source file, compiled once
   add_library(${target} OBJECT EXCLUDE_FROM_ALL ${source})
@@ -68,7 +68,8 @@ function(signorini_exercise dir)
     set(exercise_tests ${exercise_tests} PARENT_SCOPE)
   endif()
 
-  set(libraries signorini Catch2::Catch2WithMain)
+  list(TRANSFORM signorini_folders PREPEND signorini_ OUTPUT_VARIABLE libraries)
+  list(APPEND libraries Catch2::Catch2WithMain)
   if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
     list(APPEND libraries Catch2::Catch2)
   endif()
@@ -83,7 +84,7 @@ function(signorini_exercise dir)
   endif()
   if(TARGET ${ex}.solution)  # what tools/grade.pl puts around an answer
     list(TRANSFORM libraries REPLACE "(.+)" "$<TARGET_FILE:\\1>")
-    string(REPLACE ";" " " libraries "${libraries}")
+    string(REPLACE ";" " " libraries "-Wl,--start-group;${libraries};-Wl,--end-group")
     file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/grade/parts/${ex} CONTENT
 "folder ${dir}
 link ${CMAKE_CXX_COMPILER} ${CMAKE_CXX_FLAGS} ${CMAKE_EXE_LINKER_FLAGS}

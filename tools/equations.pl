@@ -33,7 +33,7 @@ sub declared {    # the name that a line of C++ declares, or nothing
 my (%function, %test, %chapter, %kind);
 my @complaints;
 
-for my $file (sort(glob('src/signorini/*/*.hpp'), glob('src/signorini/*/*.cpp'), glob('chapters/ch*/*.hpp'), glob('chapters/ch*/*.cpp'))) {
+for my $file (sort(glob('src/{signorini/*,meshes,closed_form,papers,addons/*}/*.{hpp,cpp}'), glob('chapters/ch*/*.hpp'), glob('chapters/ch*/*.cpp'))) {
     my @lines = split /\n/, slurp($file);
     for my $i (0 .. $#lines) {
         next unless $lines[$i] =~ /\\PaperEq\{/;

@@ -7,10 +7,10 @@
 
 #include "bench/peers/child.hpp"
 #include "bench/peers/turns.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
+#include "closed_form/hertz_fit.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/folder.hpp"
 

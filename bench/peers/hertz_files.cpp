@@ -3,8 +3,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/report/results.hpp"
 
 namespace signorini::bench {
 namespace {

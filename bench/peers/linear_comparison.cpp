@@ -6,8 +6,8 @@
 #include "bench/measure.hpp"
 #include "bench/rounds.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/report/results.hpp"
 
 namespace signorini::bench {
 namespace {

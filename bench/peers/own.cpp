@@ -1,9 +1,9 @@
 #include <utility>
 
+#include "addons/certified/dense_programme.hpp"
 #include "bench/measure.hpp"
 #include "bench/peers/peer.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/programme/dense_programme.hpp"
+#include "papers/solver_table.hpp"
 
 namespace signorini::bench {
 namespace {

@@ -1,6 +1,6 @@
 // Chapter 1 - The rubber block, for the programs that solve it.
 #pragma once
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace ch01 {

@@ -2,10 +2,10 @@
 // Run:  make ch01     Reads: nothing     Writes: fig_1_4.csv, fig_1_4_springs.csv
 #include <cmath>
 
-#include "signorini/core/results.hpp"
+#include "addons/certified/dense_programme.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/programme/dense_programme.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "three_carts.hpp"
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <iostream>
 
+#include "addons/certified/dense_programme.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/programme/dense_programme.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace {

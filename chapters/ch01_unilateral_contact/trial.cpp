@@ -4,9 +4,9 @@
 
 #include "block_on_obstacle.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/enumerate.hpp"
 

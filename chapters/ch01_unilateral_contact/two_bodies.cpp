@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "signorini/contact/node_to_segment.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "block_on_obstacle.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/report/shown.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
@@ -79,8 +79,7 @@ Status chapter(const ProgramOptions& run) {
   gap_and_pressure(run, shown(block_on_obstacle(160), "the block"), results);
   if (run.full) {
     const SolvedScene fine = shown(block_on_obstacle(640), "the block");
-    results.add("fine_force", resultants(fine.model, fine.solution).force.y(), "N",
-                Repeats::No);
+    results.add("fine_force", resultants(fine.model, fine.solution).force.y(), "N", Repeats::No);
   }
   results.add("reference_force", reference_force, "N");
   results.headline("total_contact_force", reference_force, "mesh of 640 x 320 cells, --full");

@@ -3,10 +3,10 @@
 //                                                fig_2_1_path.csv, fig_2_1_best.csv, fig_2_1_top.csv
 #include <cmath>
 
-#include "signorini/as_printed/weight_iteration.hpp"
-#include "signorini/core/results.hpp"
+#include "papers/weight_iteration.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "three_candidates.hpp"
 
 namespace {

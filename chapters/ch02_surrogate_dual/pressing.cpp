@@ -1,8 +1,8 @@
 // Chapter 2 - Forces press: the condition eta >= 0 of the dual problem (Xuan & Li 2002, eqs. 18, 24).
 // Run:  make ch02     Reads: nothing     Writes: ch02_pressing.results, fig_2_2.csv
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "three_candidates.hpp"
 
 namespace {

@@ -1,13 +1,13 @@
 // Chapter 2 - The surrogate dual (Xuan & Li 2002, sec. 2.1, eqs. 14-24).
 // Run:  make ch02     Reads: nothing     Writes: ch02.results, vertices.md
-#include "signorini/as_printed/surrogate_dual.hpp"
+#include "papers/surrogate_dual.hpp"
 
 #include <iostream>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "three_candidates.hpp"
 
 namespace {

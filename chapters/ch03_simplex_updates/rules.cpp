@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "signorini/as_printed/weight_iteration.hpp"
+#include "papers/weight_iteration.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "three_problems.hpp"
 
 namespace {

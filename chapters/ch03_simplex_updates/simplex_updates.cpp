@@ -2,10 +2,10 @@
 // Run:  make ch03     Reads: nothing     Writes: ch03.results, hops.md, fig_3_2.csv
 #include <iostream>
 
-#include "signorini/as_printed/weight_iteration.hpp"
-#include "signorini/core/results.hpp"
+#include "papers/weight_iteration.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 // Run:  make ch03     Reads: nothing     Writes: solvers.md, solvers_random.md
 #include <iostream>
 
-#include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "three_problems.hpp"
 
 namespace {

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "signorini/as_printed/surrogate_dual.hpp"
-#include "signorini/closing/closing.hpp"
+#include "addons/certified/dense_programme.hpp"
+#include "papers/examples.hpp"
+#include "papers/surrogate_dual.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/dense_programme.hpp"
+#include "signorini/problem/closing.hpp"
 
 namespace ch03 {
 

@@ -5,12 +5,12 @@
 #include <iostream>
 
 #include "cases.hpp"
-#include "signorini/as_printed/quasi_active_set_literal.hpp"
-#include "signorini/core/results.hpp"
+#include "papers/examples.hpp"
+#include "papers/quasi_active_set_literal.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/problem/examples.hpp"
+#include "signorini/fem/block.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace {

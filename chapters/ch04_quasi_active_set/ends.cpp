@@ -3,13 +3,13 @@
 // --full: ten times as many problems, a minute.
 #include <algorithm>
 
+#include "addons/certified/dense_programme.hpp"
+#include "papers/examples.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/dense_programme.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "support/closest_point.hpp"
 #include "which_rows.hpp"
 

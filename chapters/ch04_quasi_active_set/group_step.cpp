@@ -3,9 +3,9 @@
 #include "group_step.hpp"
 
 #include "cases.hpp"
-#include "signorini/core/results.hpp"
-#include "signorini/problem/examples.hpp"
+#include "papers/examples.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -3,11 +3,11 @@
 #include "last_step.hpp"
 
 #include "cases.hpp"
-#include "signorini/as_printed/quasi_active_set_literal.hpp"
+#include "papers/quasi_active_set_literal.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

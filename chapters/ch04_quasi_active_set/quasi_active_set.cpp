@@ -1,10 +1,10 @@
 // Chapter 4 - The quasi-active-set iteration (Xuan & Li 2002, secs. 2.3 and 3, eqs. 30-39): its outer loop.
 // Run:  make ch04     Reads: nothing     Writes: ch04.results, zigzag.md, fig_4_2.csv
 #include "cases.hpp"
-#include "signorini/as_printed/quasi_active_set_literal.hpp"
-#include "signorini/core/results.hpp"
+#include "papers/quasi_active_set_literal.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "signorini/as_printed/quasi_active_set_literal.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "addons/certified/dense_programme.hpp"
+#include "papers/examples.hpp"
+#include "papers/quasi_active_set_literal.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/dense_programme.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -2,9 +2,9 @@
 #pragma once
 #include "cases.hpp"
 #include "group_step.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/examples.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/examples.hpp"
 #include "which_rows.hpp"
 
 namespace ch04 {

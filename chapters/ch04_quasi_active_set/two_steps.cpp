@@ -2,9 +2,9 @@
 // Run:  make ch04     Reads: nothing     Writes: ch04_two_steps.results, two_steps.md
 #include "cases.hpp"
 #include "last_step.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "which_rows.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 #include <array>
 
-#include "signorini/as_printed/quasi_active_set_literal.hpp"
+#include "papers/quasi_active_set_literal.hpp"
 
 namespace ch04 {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "../../tests/reference/rosen_suzuki_table_1.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

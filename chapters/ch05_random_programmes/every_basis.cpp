@@ -1,9 +1,9 @@
 // Chapter 5 - The problems on which Lemke's method visits every basis there is.
 // Run:  make ch05     Reads: nothing     Writes: ch05_every_basis.results, fathi.md, fig_5_3.csv
 #include "judge.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/solvers/lemke.hpp"
 
 namespace {

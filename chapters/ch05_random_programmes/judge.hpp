@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/dense_programme.hpp"
+#include "addons/certified/dense_programme.hpp"
+#include "papers/examples.hpp"
+#include "papers/solver_table.hpp"
 
 namespace ch05 {
 

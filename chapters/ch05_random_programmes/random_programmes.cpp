@@ -5,9 +5,9 @@
 #include "../../tests/reference/rosen_suzuki_table_1.hpp"
 #include "judge.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -1,11 +1,11 @@
 // Chapter 6 - The method of the paper as it is printed, on so few cells that each node can be drawn.
 // Run:  make ch06     Reads: nothing     Writes: ch06_as_printed.results, fig_6_1.csv, fig_6_5_*.csv
+#include "papers/field_csv.hpp"
+#include "papers/printed_method.hpp"
 #include "scene.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/report/field_csv.hpp"
-#include "signorini/as_printed/printed_method.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

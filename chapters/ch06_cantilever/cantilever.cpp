@@ -1,9 +1,9 @@
 // Chapter 6 - A cantilever on a rigid foundation (Xuan & Li 2002, sec. 4, example 2): its contact force.
 // Run:  make ch06     Reads: nothing     Writes: ch06.results, history.md, fig_6_2.csv, fig_6_2_body.csv
 #include "scene.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -4,11 +4,11 @@
 #include <iostream>
 #include <vector>
 
+#include "addons/frontal/separator_tree.hpp"
 #include "scene.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/factor/separator_tree.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace {

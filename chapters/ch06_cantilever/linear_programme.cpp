@@ -1,10 +1,10 @@
 // Chapter 6 - Contact as a linear programme, at once and in increments of the load.
 // Run:  make ch06     Reads: nothing     Writes: ch06_linear_programme.results
-#include "signorini/solvers/linear_programme.hpp"
+#include "papers/linear_programme.hpp"
 
 #include "scene.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

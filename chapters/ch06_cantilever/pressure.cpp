@@ -1,13 +1,13 @@
 // Chapter 6 - The contact pressure on 200 x 20 cells beside that of two beams, and the deformed beam.
 // Run:  make ch06     Reads: nothing     Writes: ch06_pressure.results, pressure.csv, fig_6_3.csv, fig_6_4.csv,
 //                                                fig_6_4_zero.csv, ch06.vtu
+#include "papers/field_csv.hpp"
 #include "scene.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/report/field_csv.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/report/shown.hpp"
 #include "signorini/report/vtu.hpp"
 

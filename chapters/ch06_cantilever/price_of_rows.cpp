@@ -3,11 +3,11 @@
 #include <set>
 #include <vector>
 
+#include "addons/frontal/separator_tree.hpp"
 #include "scene.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
-#include "signorini/factor/separator_tree.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "signorini/closed_form/beam.hpp"
-#include "signorini/mesh/block.hpp"
+#include "closed_form/beam.hpp"
+#include "signorini/fem/block.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
 

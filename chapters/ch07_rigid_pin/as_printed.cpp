@@ -1,10 +1,10 @@
 // Chapter 7 - The method of the paper on the pin, as it is printed and repaired.
 // Run:  make ch07     Reads: nothing     Writes: ch07_as_printed.results, fig_7_4_*.csv
+#include "papers/printed_method.hpp"
+#include "papers/solver_table.hpp"
 #include "pin.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/core/results.hpp"
-#include "signorini/as_printed/printed_method.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

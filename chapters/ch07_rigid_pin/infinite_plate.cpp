@@ -3,11 +3,11 @@
 #include <cmath>
 #include <iostream>
 
-#include "signorini/closed_form/pin.hpp"
-#include "signorini/core/results.hpp"
+#include "closed_form/pin.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/mesh/ring.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace {

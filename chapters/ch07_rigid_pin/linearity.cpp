@@ -1,8 +1,8 @@
 // Chapter 7 - Is linear theory good enough? Two gaps that agree to first order, and a small load.
 // Run:  make ch07     Reads: nothing     Writes: ch07_linearity.results
 #include "pin.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <cmath>
 
+#include "meshes/plate_with_hole.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/plate_with_hole.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch07 {

@@ -3,12 +3,12 @@
 //                                                fig_7_3_*.csv, ch07.vtu
 #include <iostream>
 
+#include "papers/field_csv.hpp"
 #include "pin.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/report/field_csv.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/report/vtu.hpp"
 
 namespace {

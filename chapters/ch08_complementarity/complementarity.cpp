@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "functions.hpp"
+#include "papers/solver_table.hpp"
 #include "problems.hpp"
-#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/stress.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 
 namespace {

@@ -5,9 +5,9 @@
 #include <iostream>
 
 #include "one_pair.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

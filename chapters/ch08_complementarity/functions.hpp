@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/core/dense.hpp"
+#include "signorini/problem/complementarity_functions.hpp"
 #include "signorini/problem/problem.hpp"
 
 namespace signorini {

@@ -4,11 +4,11 @@
 #include <iostream>
 
 #include "one_pair.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/core/results.hpp"
+#include "papers/examples.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/examples.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -5,11 +5,11 @@
 #include <iostream>
 
 #include "functions.hpp"
+#include "papers/examples.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/examples.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 
 namespace {

@@ -4,9 +4,9 @@
 #include <Eigen/LU>
 #include <vector>
 
-#include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/problem/complementarity_functions.hpp"
 
 namespace signorini {
 

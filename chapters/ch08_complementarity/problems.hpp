@@ -1,7 +1,7 @@
 /// \file
 /// A rigid cylinder on a half-plane, whose forces two programs ask for.
 #pragma once
-#include "signorini/problem/examples.hpp"
+#include "papers/examples.hpp"
 
 namespace signorini {
 

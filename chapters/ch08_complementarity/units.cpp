@@ -5,11 +5,11 @@
 #include <iostream>
 
 #include "functions.hpp"
+#include "papers/solver_table.hpp"
 #include "problems.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch09 {

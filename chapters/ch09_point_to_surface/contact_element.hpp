@@ -3,7 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "signorini/closing/complementarity_functions.hpp"
+#include "signorini/problem/complementarity_functions.hpp"
 
 namespace ch09 {
 

@@ -5,14 +5,14 @@
 #include <iostream>
 #include <vector>
 
+#include "papers/saddle_point_newton.hpp"
 #include "round_block.hpp"
-#include "signorini/as_printed/saddle_point_newton.hpp"
-#include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/problem/complementarity_functions.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace {

@@ -6,10 +6,10 @@
 
 #include "blocks.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/assembly.hpp"
+#include "signorini/fem/assembly.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/report/shown.hpp"
 
 namespace {

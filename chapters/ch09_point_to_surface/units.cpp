@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <iostream>
 
+#include "papers/saddle_point_newton.hpp"
 #include "round_block.hpp"
-#include "signorini/as_printed/saddle_point_newton.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace {

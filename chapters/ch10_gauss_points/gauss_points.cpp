@@ -7,9 +7,9 @@
 #include <iostream>
 
 #include "interfaces.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

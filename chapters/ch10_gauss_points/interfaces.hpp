@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "signorini/closed_form/hertz.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/hertz_meshes.hpp"
+#include "closed_form/hertz.hpp"
+#include "meshes/hertz_meshes.hpp"
+#include "signorini/fem/block.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch10 {

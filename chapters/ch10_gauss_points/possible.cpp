@@ -7,9 +7,9 @@
 
 #include "interfaces.hpp"
 #include "possible_pressures.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -12,9 +12,9 @@
 #include "signorini/contact/mortar_segments.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/element.hpp"
+#include "signorini/fem/element.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

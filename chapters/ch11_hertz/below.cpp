@@ -4,10 +4,10 @@
 
 #include "hertz_run.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/stress.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace {

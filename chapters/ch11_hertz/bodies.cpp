@@ -2,12 +2,12 @@
 // Run:  make ch11     Reads: nothing     Writes: fig_11_1_*.csv, fig_11_5*.csv, fig_11_7*.csv
 
 #include "hertz_run.hpp"
+#include "papers/field_csv.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/report/field_csv.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

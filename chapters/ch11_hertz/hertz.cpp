@@ -3,9 +3,9 @@
 #include <iostream>
 
 #include "hertz_run.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "closed_form/hertz_fit.hpp"
 #include "hertz_scene.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/shown.hpp"
 #include "signorini/scene/readings.hpp"

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "signorini/closed_form/hertz.hpp"
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/mesh/hertz_meshes.hpp"
+#include "closed_form/hertz.hpp"
+#include "closed_form/moduli.hpp"
+#include "meshes/hertz_meshes.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {

@@ -6,9 +6,9 @@
 #include "hertz_run.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 
 namespace {

@@ -2,9 +2,9 @@
 // Run:  make ch11     Reads: nothing     Writes: fig_11_3.csv, fig_11_3_chance.csv, fig_11_4.csv
 #include "as_printed.hpp"
 #include "hertz_run.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 
 namespace {

@@ -1,12 +1,12 @@
 // Chapter 12 - Meshes, stress and displacements drawn.
 // Run:  make ch12     Reads: nothing     Writes: fig_12_1*.csv, fig_12_2*.csv, fig_12_3*.csv
 
+#include "papers/field_csv.hpp"
 #include "scene.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/report/field_csv.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "reading.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -2,11 +2,11 @@
 // Run:  make ch12     Reads: nothing     Writes: ch12_contacts.results, cuts.md, ch12.vtu, fig_12_4.csv, fig_12_4_nodes.csv
 #include <iostream>
 
+#include "closed_form/hertz_fit.hpp"
 #include "reading.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/report/vtu.hpp"
 
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 #include <filesystem>
 
+#include "addons/files/gmsh.hpp"
 #include "scene.hpp"
-#include "signorini/gmsh/gmsh.hpp"
 
 namespace ch12 {
 

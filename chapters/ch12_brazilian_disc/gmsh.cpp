@@ -1,11 +1,11 @@
 // Chapter 12 - A disc from a file of Gmsh.
 // Run:  make ch12     Reads: disc.msh     Writes: ch12_gmsh.results
 
+#include "closed_form/hertz_fit.hpp"
 #include "from_gmsh.hpp"
 #include "reading.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "closed_form/disc_between_plates.hpp"
 #include "scene.hpp"
-#include "signorini/closed_form/disc_between_plates.hpp"
-#include "signorini/elasticity/stress.hpp"
+#include "signorini/fem/stress.hpp"
 
 namespace ch12 {
 

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 
-#include "signorini/closed_form/brazilian.hpp"
-#include "signorini/closed_form/hertz.hpp"
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/half_space.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "closed_form/brazilian.hpp"
+#include "closed_form/hertz.hpp"
+#include "closed_form/moduli.hpp"
+#include "meshes/disc.hpp"
+#include "meshes/half_space.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/report/shown.hpp"
 #include "signorini/scene/readings.hpp"
 

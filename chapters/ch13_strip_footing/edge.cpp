@@ -4,10 +4,10 @@
 
 #include "base.hpp"
 #include "signorini/core/dense.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/stress.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

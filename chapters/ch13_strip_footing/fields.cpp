@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "footing.hpp"
-#include "signorini/core/results.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/report/field_csv.hpp"
+#include "papers/field_csv.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

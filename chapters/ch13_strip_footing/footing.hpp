@@ -2,9 +2,9 @@
 #pragma once
 #include <cmath>
 
-#include "signorini/closed_form/footing.hpp"
+#include "closed_form/footing.hpp"
+#include "meshes/half_space.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/mesh/half_space.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch13 {

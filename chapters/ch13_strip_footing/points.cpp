@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/core/results.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 
@@ -28,5 +28,6 @@ Status chapter(const ProgramOptions& run) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run_program("ch13_rigid", "Rigid from the start", SIGNORINI_CHAPTER_OUT, argc, argv, chapter);
+  return run_program("ch13_rigid", "Rigid from the start", SIGNORINI_CHAPTER_OUT, argc, argv,
+                     chapter);
 }

@@ -4,10 +4,10 @@
 #include <iostream>
 
 #include "base.hpp"
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/core/results.hpp"
+#include "closed_form/moduli.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Chapter 14 - Two rings without a gap, and with less than none.
 // Run:  make ch14     Reads: nothing     Writes: ch14_gaps.results
 #include "rings.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/report/shown.hpp"
 
 namespace {

@@ -4,13 +4,13 @@
 #include <filesystem>
 #include <vector>
 
+#include "papers/field_csv.hpp"
 #include "readings.hpp"
 #include "rings.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/report/field_csv.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -9,9 +9,9 @@
 
 #include "readings.hpp"
 #include "rings.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

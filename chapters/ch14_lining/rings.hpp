@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/closed_form/rings.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "closed_form/moduli.hpp"
+#include "closed_form/rings.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch14 {

@@ -1,8 +1,8 @@
 // Chapter 15 - Several answers to one load, and which one a step takes.
 // Run:  make ch15     Reads: nothing     Writes: ch15_answers.results, fig_15_5.csv, fig_15_5_path.csv
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "wedge.hpp"
 
 namespace {

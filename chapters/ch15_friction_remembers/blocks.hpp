@@ -3,7 +3,7 @@
 #pragma once
 #include <cmath>
 
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
 #include "slider.hpp"
 
 namespace ch15 {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/mesh/hertz_meshes.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "meshes/hertz_meshes.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "slider.hpp"
 
 namespace ch15 {

@@ -2,9 +2,9 @@
 // Run:  make ch15     Reads: nothing     Writes: ch15.results, fig_15_1.csv
 #include <vector>
 
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "slider.hpp"
 
 namespace {

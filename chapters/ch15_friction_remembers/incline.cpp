@@ -4,8 +4,8 @@
 #include <string>
 
 #include "blocks.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

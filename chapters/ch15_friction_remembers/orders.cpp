@@ -2,9 +2,9 @@
 // Run:  make ch15     Reads: nothing     Writes: ch15_orders.results, fig_15_4.csv
 #include "orders.hpp"
 
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

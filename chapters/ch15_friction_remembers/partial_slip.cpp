@@ -6,9 +6,9 @@
 #include <iostream>
 #include <vector>
 
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

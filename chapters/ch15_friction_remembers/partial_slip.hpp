@@ -3,10 +3,10 @@
 #pragma once
 #include <cmath>
 
+#include "closed_form/cattaneo.hpp"
+#include "closed_form/hertz.hpp"
+#include "closed_form/moduli.hpp"
 #include "cylinder.hpp"
-#include "signorini/closed_form/cattaneo.hpp"
-#include "signorini/closed_form/hertz.hpp"
-#include "signorini/closed_form/moduli.hpp"
 
 namespace ch15 {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "addons/steps/steps.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/scene/steps.hpp"
 
 namespace ch15 {
 

@@ -5,9 +5,9 @@
 
 #include "orders.hpp"
 #include "partial_slip.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "partial_slip.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

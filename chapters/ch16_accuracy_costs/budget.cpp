@@ -4,11 +4,11 @@
 #include <array>
 #include <iostream>
 
+#include "addons/estimate/estimate.hpp"
 #include "runs.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/estimate/estimate.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace {
@@ -50,7 +50,7 @@ Budget budget(bool full) {
   // Plain doubles.
   ours.solution.contact.force = coarse.solver.solve(ours.condensed.problem, {}).force;
   const SolvedScene gaps = run_of(coarse);  // on segments
-  HertzProblem fine = coarse;  // second order, and 16 times as many elements
+  HertzProblem fine = coarse;               // second order, and 16 times as many elements
   fine.element = "q8";
   fine.mesh = meshes(full ? 128 : 64, full ? 104 : 52);
   HertzProblem wide = fine;  // and a plate four times as wide and deep

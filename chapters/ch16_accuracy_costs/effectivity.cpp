@@ -7,9 +7,9 @@
 #include <iostream>
 #include <map>
 
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "addons/frontal/fronts.hpp"
 #include "signorini/contact/pairs.hpp"
-#include "signorini/factor/fronts.hpp"
 
 namespace ch16 {
 

@@ -4,13 +4,13 @@
 #include <iostream>
 
 #include "../../bench/yardsticks.hpp"
+#include "addons/frontal/frontal_factor.hpp"
 #include "elimination_tree.hpp"
 #include "scenes.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/factor/frontal_factor.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace {

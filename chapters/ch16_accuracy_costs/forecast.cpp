@@ -5,10 +5,10 @@
 #include <cmath>
 #include <iostream>
 
-#include "signorini/core/results.hpp"
+#include "addons/prediction/prediction.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
-#include "signorini/scene/prediction.hpp"
+#include "signorini/report/results.hpp"
 #include "timed_runs.hpp"
 
 namespace {

@@ -2,12 +2,12 @@
 // Run:  make ch16     Reads: nothing     Writes: ch16_leaves.results, fig_16_8.csv
 #include <iostream>
 
+#include "papers/saddle_point_newton.hpp"
 #include "scenes.hpp"
-#include "signorini/as_printed/saddle_point_newton.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Chapter 16 - Where the seconds go: every phase, over one plain solve.
 // Run:  make ch16     Reads: nothing     Writes: ch16_phases.results, fig_16_4.csv
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "timed_runs.hpp"
 
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "signorini/core/results.hpp"
+#include "addons/estimate/accuracy.hpp"
+#include "addons/files/scene_file.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/estimate/accuracy.hpp"
 #include "signorini/report/program.hpp"
-#include "signorini/scene_file/scene_file.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

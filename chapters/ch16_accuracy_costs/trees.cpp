@@ -4,9 +4,9 @@
 
 #include "elimination_tree.hpp"
 #include "scenes.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace {

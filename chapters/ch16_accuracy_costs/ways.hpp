@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "papers/saddle_point_newton.hpp"
+#include "papers/solver_table.hpp"
 #include "runs.hpp"
-#include "signorini/as_printed/saddle_point_newton.hpp"
-#include "signorini/as_printed/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace ch16 {

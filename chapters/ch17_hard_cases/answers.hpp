@@ -7,14 +7,14 @@
 #include <variant>
 #include <vector>
 
+#include "addons/certified/dense_programme.hpp"
+#include "addons/certified/programme_rows.hpp"
+#include "addons/files/problem_file.hpp"
+#include "addons/files/scene_file.hpp"
+#include "addons/steps/steps_limit.hpp"
 #include "exhibit.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/problem_file/problem_file.hpp"
-#include "signorini/programme/dense_programme.hpp"
-#include "signorini/programme/programme_rows.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/steps_limit.hpp"
-#include "signorini/scene_file/scene_file.hpp"
 
 namespace museum {
 

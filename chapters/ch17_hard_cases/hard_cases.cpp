@@ -2,7 +2,7 @@
 // Run:  make ch17     Reads: tests/hard     Writes: ch17.results, museum.md, rooms.md, lies.md, fig_17_1*.csv, fig_17_2.csv
 #include <numeric>
 
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/report/program.hpp"
 #include "tour.hpp"
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "naive_methods.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/contact/gap_operators.hpp"
-#include "signorini/elasticity/elements.hpp"
+#include "signorini/fem/elements.hpp"
 #include "signorini/scene/motions.hpp"
 #include "verdicts.hpp"
 

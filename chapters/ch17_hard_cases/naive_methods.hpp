@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 
 namespace museum {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "naive.hpp"
-#include "signorini/core/results.hpp"
+#include "signorini/report/results.hpp"
 
 namespace museum {
 

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "closed_form/hertz.hpp"
 #include "scenes.hpp"
-#include "signorini/closed_form/hertz.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

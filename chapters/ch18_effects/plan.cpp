@@ -5,12 +5,12 @@
 #include <sstream>
 #include <string>
 
+#include "meshes/hertz_meshes.hpp"
+#include "papers/field_csv.hpp"
 #include "scenes.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/mesh/hertz_meshes.hpp"
-#include "signorini/report/field_csv.hpp"
 #include "signorini/report/program.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

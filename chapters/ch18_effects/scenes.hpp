@@ -3,9 +3,9 @@
 #pragma once
 #include <vector>
 
-#include "signorini/closed_form/hertz_fit.hpp"
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/mesh/hertz_meshes.hpp"
+#include "closed_form/hertz_fit.hpp"
+#include "closed_form/moduli.hpp"
+#include "meshes/hertz_meshes.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace signorini {

@@ -2,9 +2,9 @@
 // Run:  hundred_loads ../cantilever.toml
 #include <iostream>
 
+#include "addons/files/scene_file.hpp"
+#include "addons/steps/steps.hpp"
 #include "signorini/report/pressure_table.hpp"
-#include "signorini/scene/steps.hpp"
-#include "signorini/scene_file/scene_file.hpp"
 
 using namespace signorini;
 

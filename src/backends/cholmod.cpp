@@ -5,8 +5,8 @@
 #include <memory>
 #include <new>
 
-#include "signorini/factor/backend.hpp"
-#include "signorini/factor/frontal_factor.hpp"
+#include "addons/frontal/backend.hpp"
+#include "addons/frontal/frontal_factor.hpp"
 
 namespace signorini {
 namespace {

@@ -4,10 +4,10 @@
 #include <memory>
 #include <utility>
 
+#include "addons/frontal/backend.hpp"
+#include "addons/frontal/frontal_factor.hpp"
 #include "backends/mumps_processes.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/factor/backend.hpp"
-#include "signorini/factor/frontal_factor.hpp"
 
 namespace signorini {
 namespace {

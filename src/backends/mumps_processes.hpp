@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "addons/frontal/backend.hpp"
 #include "backends/mumps_share.hpp"
-#include "signorini/factor/backend.hpp"
 
 namespace signorini::over_mpi {
 

@@ -8,10 +8,10 @@
 #include <ostream>
 #include <utility>
 
+#include "addons/estimate/goal_words.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/core/wording.hpp"
-#include "signorini/estimate/goal_words.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace command_line {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "addons/estimate/accuracy.hpp"
+#include "addons/files/json.hpp"
 #include "command_line/scene_run.hpp"
-#include "signorini/estimate/accuracy.hpp"
-#include "signorini/report/json.hpp"
 
 namespace command_line {
 

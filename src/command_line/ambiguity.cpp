@@ -4,10 +4,10 @@
 #include <cmath>
 #include <ostream>
 
-#include "signorini/closing/closing.hpp"
-#include "signorini/closing/undetermined.hpp"
+#include "addons/certified/undetermined.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/problem/closing.hpp"
 
 namespace command_line {
 namespace {

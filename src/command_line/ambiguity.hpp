@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "addons/certified/dense_programme.hpp"
+#include "addons/files/json.hpp"
 #include "command_line/outcome.hpp"
-#include "signorini/programme/dense_programme.hpp"
-#include "signorini/report/json.hpp"
 
 namespace command_line {
 

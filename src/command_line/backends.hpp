@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
+#include "addons/frontal/backend.hpp"
 #include "command_line/scene_run.hpp"
-#include "signorini/factor/backend.hpp"
 
 namespace command_line {
 

@@ -3,8 +3,8 @@
 #include <iosfwd>
 #include <string>
 
-#include "signorini/report/json.hpp"
-#include "signorini/scene/steps.hpp"
+#include "addons/files/json.hpp"
+#include "addons/steps/steps.hpp"
 
 namespace command_line {
 

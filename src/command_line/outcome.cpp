@@ -4,15 +4,15 @@
 #include <chrono>
 #include <cmath>
 
+#include "addons/certified/dense_programme.hpp"
+#include "addons/certified/floating_programme.hpp"
+#include "addons/certified/undetermined.hpp"
 #include "command_line/ambiguity.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/closing/undetermined.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/programme/dense_programme.hpp"
-#include "signorini/programme/floating_programme.hpp"
 
 namespace command_line {
 namespace {

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/core/table.hpp"
@@ -85,7 +85,8 @@ std::string overdue_words(const Stage& stage, const Plan& plan, const Prediction
   const Forecast before = forecast(stage, prediction);
   const std::string seconds = number(before.seconds, "%.2g") + " s";
   return text("signorini: ", stage.name, " has taken ",
-              number(overdue_after(stage, prediction), "%.2g"), " s, more than ", overdue_times, " times ",
+              number(overdue_after(stage, prediction), "%.2g"), " s, more than ", overdue_times,
+              " times ",
               before.known ? "its forecast of " + seconds
                            : "the " + seconds +
                                  " that it takes with one iteration of contact; how many there "

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "signorini/scene/prediction.hpp"
+#include "addons/prediction/prediction.hpp"
 
 namespace command_line {
 

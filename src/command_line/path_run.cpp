@@ -17,10 +17,10 @@
 #include "command_line/picture.hpp"
 #include "command_line/scene_print.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/core/text_reader.hpp"
 #include "signorini/report/pressure_table.hpp"
+#include "signorini/report/results.hpp"
 
 namespace command_line {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "addons/files/json.hpp"
 #include "command_line/scene_run.hpp"
-#include "signorini/report/json.hpp"
 #include "signorini/report/vtu.hpp"
 
 namespace command_line {

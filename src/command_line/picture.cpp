@@ -12,11 +12,11 @@
 #include "command_line/figure_style.hpp"
 #include "command_line/scene_run.hpp"
 #include "command_line/traction_curves.hpp"
+#include "papers/field_csv.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/report/field_csv.hpp"
+#include "signorini/fem/stress.hpp"
+#include "signorini/report/results.hpp"
 
 namespace command_line {
 namespace {
@@ -120,15 +120,16 @@ void draw_meshes(std::ostream& gp, const Box& box, const Layout& layout, double 
                  const std::string& time, const Cells& stress, Index n_cells) {
   const double tics = round_down(box.sizes().maxCoeff() / 4);
   constexpr Index most_outlined = 6000;  // beyond that, outlines are all there is to see
-  gp << "set lmargin at screen " << panel_left / panel_width << "\nset rmargin at screen " << panel_right / panel_width
-     << "\nset bmargin at screen " << layout.bottom / layout.height << "\nset tmargin at screen "
-     << layout.top / layout.height << "\nset size ratio -1\nset xlabel 'x'\nset ylabel 'y'\n"
+  gp << "set lmargin at screen " << panel_left / panel_width << "\nset rmargin at screen "
+     << panel_right / panel_width << "\nset bmargin at screen " << layout.bottom / layout.height
+     << "\nset tmargin at screen " << layout.top / layout.height
+     << "\nset size ratio -1\nset xlabel 'x'\nset ylabel 'y'\n"
      << "set xtics " << tics << "\nset ytics " << tics << "\nset xrange [" << box.min().x() << ':'
      << box.max().x() << "]\nset yrange [" << box.min().y() << ':' << box.max().y()
      << "]\nset cbrange " << range(stress.least, stress.most)
      << "\nset colorbox horizontal user origin screen " << panel_left / panel_width << ", screen "
-     << (layout.top + 34) / layout.height << " size screen " << (panel_right - panel_left) / panel_width
-     << ", screen " << 10 / layout.height
+     << (layout.top + 34) / layout.height << " size screen "
+     << (panel_right - panel_left) / panel_width << ", screen " << 10 / layout.height
      << "\nset label 1 'von Mises'' stress; displacements times " << scale << time << "' at screen "
      << panel_left / panel_width << ", screen " << (layout.top + 66) / layout.height << "\n";
   gp << "plot $cells using 1:2:3 with polygons fc palette lw 0.3";
@@ -150,14 +151,15 @@ void draw_tractions(std::ostream& gp, const TractionCurve& curve, bool named, do
                          : "[0:*]")
      << "\nset xrange " << range(curve.from, curve.to) << '\n';
   if (named)
-    gp << "set label 1 " << for_gnuplot(curve.name) << " noenhanced at screen " << panel_left / panel_width
-       << ", screen " << (top + (curve.rubs ? 38 : 16)) / layout.height << '\n';
+    gp << "set label 1 " << for_gnuplot(curve.name) << " noenhanced at screen "
+       << panel_left / panel_width << ", screen " << (top + (curve.rubs ? 38 : 16)) / layout.height
+       << '\n';
   if (!curve.rubs) {
     gp << "plot " << block << " using 1:2 with linespoints ls 1\n";
     return;
   }
-  gp << "set key horizontal left center noopaque at screen " << panel_left / panel_width << ", screen "
-     << (top + 16) / layout.height << "\nset xzeroaxis lt 8\nplot " << block
+  gp << "set key horizontal left center noopaque at screen " << panel_left / panel_width
+     << ", screen " << (top + 16) / layout.height << "\nset xzeroaxis lt 8\nplot " << block
      << " using 1:4 with lines ls 7 lw 0.8 title 'bound of the shear', '' using 1:(-$4) with lines "
         "ls 7 lw 0.8 notitle, '' using 1:2 with linespoints ls 1 title 'pressure', '' using 1:3 "
         "with linespoints ls 2 title 'shear'\n";

@@ -6,11 +6,11 @@
 #include <iomanip>
 #include <ostream>
 
+#include "addons/frontal/backend.hpp"
 #include "command_line/ambiguity.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/factor/backend.hpp"
 
 namespace command_line {
 namespace {

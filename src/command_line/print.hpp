@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "addons/files/json.hpp"
 #include "command_line/outcome.hpp"
-#include "signorini/report/json.hpp"
 
 namespace command_line {
 

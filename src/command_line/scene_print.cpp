@@ -6,7 +6,7 @@
 #include "command_line/contact_print.hpp"
 #include "command_line/print.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/stress.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/readings.hpp"
 

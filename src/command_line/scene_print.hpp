@@ -2,8 +2,8 @@
 #pragma once
 #include <iosfwd>
 
+#include "addons/files/json.hpp"
 #include "command_line/scene_run.hpp"
-#include "signorini/report/json.hpp"
 
 namespace command_line {
 

@@ -8,17 +8,17 @@
 #include <iterator>
 #include <utility>
 
+#include "addons/files/problem_file.hpp"
+#include "addons/steps/steps_limit.hpp"
 #include "command_line/overdue.hpp"
 #include "command_line/picture.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/core/text_reader.hpp"
-#include "signorini/problem_file/problem_file.hpp"
 #include "signorini/report/pressure_table.hpp"
+#include "signorini/report/results.hpp"
 #include "signorini/report/vtu.hpp"
-#include "signorini/scene/steps_limit.hpp"
 
 namespace command_line {
 namespace {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "addons/checks/doubts.hpp"
+#include "addons/files/scene_file.hpp"
+#include "addons/frontal/backend.hpp"
+#include "addons/prediction/prediction.hpp"
+#include "addons/steps/steps.hpp"
 #include "command_line/drafts.hpp"
-#include "signorini/factor/backend.hpp"
-#include "signorini/scene/doubts.hpp"
-#include "signorini/scene/prediction.hpp"
-#include "signorini/scene/steps.hpp"
-#include "signorini/scene_file/scene_file.hpp"
 
 namespace command_line {
 

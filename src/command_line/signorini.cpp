@@ -12,6 +12,7 @@
 #include <malloc.h>
 #endif
 
+#include "addons/files/scene_file.hpp"
 #include "command_line/accuracy_run.hpp"
 #include "command_line/backends.hpp"
 #include "command_line/man.hpp"
@@ -21,11 +22,10 @@
 #include "command_line/picture.hpp"
 #include "command_line/print.hpp"
 #include "command_line/scene_print.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/wording.hpp"
-#include "signorini/scene_file/scene_file.hpp"
+#include "signorini/report/results.hpp"
 
 namespace {
 

@@ -6,11 +6,11 @@
 #include <limits>
 #include <sstream>
 
+#include "addons/files/json.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/report/json.hpp"
+#include "signorini/fem/stress.hpp"
 
 namespace live {
 

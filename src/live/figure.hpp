@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "addons/steps/steps.hpp"
 #include "signorini/scene/readings.hpp"
-#include "signorini/scene/steps.hpp"
 
 /// Live figures of the book.
 namespace live {

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "closed_form/beam.hpp"
 #include "reference/cantilever.hpp"
-#include "signorini/closed_form/beam.hpp"
 
 using namespace signorini;
 

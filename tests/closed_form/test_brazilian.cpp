@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/closed_form/brazilian.hpp"
+#include "closed_form/brazilian.hpp"
 #include "support/quadrature.hpp"
 
 using namespace signorini;

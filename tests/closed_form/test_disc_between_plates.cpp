@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/closed_form/disc_between_plates.hpp"
-#include "signorini/closed_form/moduli.hpp"
+#include "closed_form/disc_between_plates.hpp"
+#include "closed_form/moduli.hpp"
 #include "support/quadrature.hpp"
 
 using namespace signorini;

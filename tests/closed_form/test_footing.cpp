@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/closed_form/footing.hpp"
+#include "closed_form/footing.hpp"
 #include "signorini/core/dense.hpp"
 #include "support/quadrature.hpp"
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/closed_form/hertz.hpp"
-#include "signorini/closed_form/moduli.hpp"
+#include "closed_form/hertz.hpp"
+#include "closed_form/moduli.hpp"
 #include "support/quadrature.hpp"
 
 using namespace signorini;

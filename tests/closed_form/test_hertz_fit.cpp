@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "catch_compat.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
+#include "closed_form/hertz_fit.hpp"
 #include "support/quadrature.hpp"
 
 using namespace signorini;

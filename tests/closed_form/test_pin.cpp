@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "closed_form/pin.hpp"
 #include "reference/pin.hpp"
-#include "signorini/closed_form/pin.hpp"
 
 using namespace signorini;
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/closed_form/rings.hpp"
+#include "closed_form/moduli.hpp"
+#include "closed_form/rings.hpp"
 
 using namespace signorini;
 

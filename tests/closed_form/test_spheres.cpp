@@ -1,5 +1,5 @@
 #include "catch_compat.hpp"
-#include "signorini/closed_form/spheres.hpp"
+#include "closed_form/spheres.hpp"
 #include "signorini/core/rounding.hpp"
 
 using namespace signorini;

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "addons/frontal/backend.hpp"
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/factor/backend.hpp"
 #include "support/chosen.hpp"
 #include "support/effect_examples.hpp"
 #include "support/factors.hpp"

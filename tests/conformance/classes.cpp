@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "support/chosen.hpp"
 #include "support/problem_classes.hpp"
 

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/closed_form/rings.hpp"
-#include "signorini/closed_form/spheres.hpp"
+#include "closed_form/rings.hpp"
+#include "closed_form/spheres.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "signorini/fem/elements.hpp"
+#include "signorini/fem/stress.hpp"
 #include "support/chosen.hpp"
 #include "support/linear_solve.hpp"
 #include "support/meshes.hpp"

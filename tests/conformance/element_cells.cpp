@@ -5,8 +5,8 @@
 
 #include "catch_compat.hpp"
 #include "signorini/core/dense.hpp"
-#include "signorini/elasticity/assembly.hpp"
-#include "signorini/elasticity/elements.hpp"
+#include "signorini/fem/assembly.hpp"
+#include "signorini/fem/elements.hpp"
 #include "support/chosen.hpp"
 #include "support/meshes.hpp"
 

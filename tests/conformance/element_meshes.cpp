@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/elasticity/stress.hpp"
+#include "signorini/fem/elements.hpp"
+#include "signorini/fem/stress.hpp"
 #include "support/chosen.hpp"
 #include "support/linear_solve.hpp"
 #include "support/meshes.hpp"

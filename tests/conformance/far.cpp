@@ -3,8 +3,8 @@
 #include "support/far.hpp"
 
 #include "catch_compat.hpp"
-#include "signorini/elasticity/assembly.hpp"
-#include "signorini/elasticity/elements.hpp"
+#include "signorini/fem/assembly.hpp"
+#include "signorini/fem/elements.hpp"
 #include "support/chosen.hpp"
 #include "support/interfaces.hpp"
 #include "support/meshes.hpp"

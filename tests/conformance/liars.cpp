@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "support/floating.hpp"

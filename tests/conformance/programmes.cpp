@@ -1,8 +1,8 @@
 // Every solver from K, p, A, g to a certified solution, where the classes do not ask for it.
+#include "addons/certified/dense_programme.hpp"
+#include "addons/certified/floating_programme.hpp"
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/programme/dense_programme.hpp"
-#include "signorini/programme/floating_programme.hpp"
+#include "papers/solver_table.hpp"
 #include "support/chosen.hpp"
 #include "support/floating.hpp"
 

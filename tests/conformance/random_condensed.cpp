@@ -4,7 +4,7 @@
 #include <map>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "support/chosen.hpp"
 
 using namespace signorini;

@@ -1,6 +1,6 @@
 // Every solver on the road of a scene.
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/chosen.hpp"
 #include "support/hertz.hpp"

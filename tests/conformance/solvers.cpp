@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/solvers/springs.hpp"
 #include "support/chosen.hpp"
 #include "support/problem_classes.hpp"

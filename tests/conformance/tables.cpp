@@ -4,9 +4,9 @@
 #include <set>
 #include <string>
 
+#include "addons/certified/dense_programme.hpp"
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/programme/dense_programme.hpp"
+#include "papers/solver_table.hpp"
 #include "support/chosen.hpp"
 #include "support/problem_classes.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/contact/dual_basis.hpp"
-#include "signorini/elasticity/element.hpp"
+#include "signorini/fem/element.hpp"
 #include "support/random.hpp"
 
 using Eigen::Matrix2d;

@@ -3,7 +3,7 @@
 #include "catch_compat.hpp"
 #include "signorini/contact/gauss_points.hpp"
 #include "signorini/core/dense.hpp"
-#include "signorini/elasticity/element.hpp"
+#include "signorini/fem/element.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "support/interfaces.hpp"
 #include "support/message.hpp"

@@ -2,7 +2,7 @@
 #include "../chapters/ch10_gauss_points/closed_points.hpp"
 #include "../chapters/ch10_gauss_points/interfaces.hpp"
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 
 using namespace ch10;
 

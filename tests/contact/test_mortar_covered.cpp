@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "catch_compat.hpp"
-#include "signorini/elasticity/assembly.hpp"
+#include "signorini/fem/assembly.hpp"
 #include "support/facing_blocks.hpp"
 #include "support/message.hpp"
 

@@ -5,8 +5,8 @@
 #include "signorini/contact/gaps.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/elasticity/assembly.hpp"
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/assembly.hpp"
+#include "signorini/fem/block.hpp"
 #include "support/message.hpp"
 #include "support/random.hpp"
 

@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/contact/node_to_segment.hpp"
-#include "signorini/elasticity/assembly.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "signorini/fem/assembly.hpp"
 #include "support/interfaces.hpp"
 #include "support/message.hpp"
 

@@ -2,9 +2,9 @@
 #include <limits>
 
 #include "catch_compat.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/contact/target_search.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "signorini/fem/block.hpp"
 #include "support/random.hpp"
 
 using Eigen::Index;

@@ -1,11 +1,11 @@
 // The tree of the target search: it finds what a look at all sides finds, and looks at few.
 #include <cmath>
 
+#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/contact/target_search.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/ring.hpp"
-#include "signorini/mesh/split.hpp"
+#include "signorini/fem/block.hpp"
 #include "support/random.hpp"
 
 using Eigen::Index;

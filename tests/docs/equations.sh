@@ -25,5 +25,5 @@ without() { # what is taken away, from which file
 
 without '<a id="eq-39"></a>' "$(grep -l 'id="eq-39"' chapters/ch04_*/README.md)"
 without '<a id="eq-46"></a>' "$(grep -l 'id="eq-46"' chapters/ch13_*/README.md)"
-without 'PaperEq{LinEtAl, 43}' src/signorini/closed_form/hertz.hpp
+without 'PaperEq{LinEtAl, 43}' src/closed_form/hertz.hpp
 exit $failures

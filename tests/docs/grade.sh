@@ -91,7 +91,7 @@ step catches fake 0 0 'as only tests do' 'namespace Catch { struct TestFailureEx
 cheat system fake 0 0 'defines write' 'extern "C" long write(int, const void*, unsigned long n) { return static_cast<long>(n); }'
 student library ex2.2 fake 0 0 'defines signorini::total_contact_force' << 'END'
 #include "exercise.hpp"
-#include "signorini/as_printed/surrogate_dual.hpp"
+#include "papers/surrogate_dual.hpp"
 namespace signorini {
 double surrogate_dual_value(const ContactProblem&, const Eigen::VectorXd&) { return 0; }
 double total_contact_force(const ContactProblem&, const Eigen::VectorXd&) { return 0; }

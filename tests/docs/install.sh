@@ -15,7 +15,7 @@ target_link_libraries(user PRIVATE signorini::signorini)
 END
 cat > user.cpp << 'END'
 #include <iostream>
-#include "signorini/core/results.hpp"
+#include "signorini/report/results.hpp"
 int main() {
   signorini::Results results("user");
   results.add("force", 2.5, "N");

@@ -63,7 +63,7 @@ sub check {
     for (split /\n/, slurp('CONTRIBUTING.md')) {
         $row{$3} = [$1, $2] if /^\| ([\w ]+) \| .* \| `(\w+)(?:\(\))?` in \[\w+\.cpp\]\(([\w\/.]+)\) \|/;
     }
-    for my $file (glob 'src/signorini/*/*.cpp') {
+    for my $file (glob 'src/{signorini/*,papers,addons/*}/*.cpp') {
         my ($members) = slurp($file) =~ /static const std::vector<\w+> family = \{\s*(\w*)/ or next;
         my $row = delete $row{$file};
         if (!$row) { push @found, "CONTRIBUTING.md has no row for the family of $file"; next }
@@ -110,7 +110,7 @@ fault('CONTRIBUTING.md', qr/make conformance/, 'make conformity', 'no target con
 fault('CONTRIBUTING.md', qr{tools/weave\.pl}, 'tools/weaver.pl', 'no file tools/weaver.pl');
 fault('CONTRIBUTING.md', qr{setup\.sh parallel}, 'setup.sh serial', 'no group serial');
 fault('CONTRIBUTING.md', qr/SIGNORINI_EFFECTS/, 'EFFECTS', 'no table EFFECTS');
-fault('CONTRIBUTING.md', qr/^\| solver .*\n/m, '', 'no row for the family of src/signorini/as_printed/solver_table.cpp');
+fault('CONTRIBUTING.md', qr/^\| solver .*\n/m, '', 'no row for the family of src/papers/solver_table.cpp');
 fault('CHANGELOG.md', qr/signorini plan/, 'signorini plot', 'no command plot');
 fault('chapters/README.md', qr/--accuracy/, '--exactness', 'no option --exactness');
 fault('chapters/README.md', qr/make ex10\.2/, 'make ex10.9', 'no target ex10.9');

@@ -6,18 +6,18 @@
 set -eu
 
 write() { # $1: the repository, $2: the folder
-    library=$1/src/signorini out=$2
+    library=$1/src/signorini papers=$1/src/papers frontal=$1/src/addons/frontal out=$2
     mkdir -p "$out"
-    sed 's/"q8"/"q8_again"/; s/Element q8()/Element q8_again()/' "$library/elasticity/q8.cpp" > "$out/q8_again.cpp"
+    sed 's/"q8"/"q8_again"/; s/Element q8()/Element q8_again()/' "$library/fem/q8.cpp" > "$out/q8_again.cpp"
     sed 's/q8_again/q8_wrong/; s/0\.5 \* (1 - xi \* xi)/0.4 * (1 - xi * xi)/' "$out/q8_again.cpp" > "$out/q8_wrong.cpp"
-    sed 's/q8()/q8(), q8_again(), q8_wrong()/' "$library/elasticity/elements.cpp" > "$out/elements.cpp"
+    sed 's/q8()/q8(), q8_again(), q8_wrong()/' "$library/fem/elements.cpp" > "$out/elements.cpp"
     sed '/#include/!s/node_to_segment/node_again/g' "$library/contact/node_to_segment.cpp" > "$out/node_again.cpp"
     sed 's/ mortar()/ mortar(), node_again()/' "$library/contact/gap_operators.cpp" > "$out/gap_operators.cpp"
     sed '/#include/!s/enumerate(/enumerate_again(/' "$library/solvers/enumerate.cpp" > "$out/enumerate_again.cpp"
     sed 's/^namespace {$/ContactState enumerate_again(const ContactProblem\&, const SolverOptions\&);\n&/
          s/^      member("friction_split",/      member("enumerate_again", "tries every set once more", enumerate_again)\
           .up_to(largest_enumeration).may_fail_on({Trait::Infeasible}),\n&/' \
-        "$library/as_printed/solver_table.cpp" > "$out/solver_table.cpp"
+        "$papers/solver_table.cpp" > "$out/solver_table.cpp"
     cat > "$out/several_contacts.cpp" << 'MEMBER'
 #include "signorini/scene/effects.hpp"
 namespace signorini::effect {
@@ -30,8 +30,8 @@ Effect several_contacts() {
 }  // namespace signorini::effect
 MEMBER
     sed 's/rigid_motions()/rigid_motions(), several_contacts()/' "$library/scene/effects.cpp" > "$out/effects.cpp"
-    sed 's/frontal()$/frontal(), frontal_again()/' "$library/factor/backends.cpp" > "$out/backends.cpp"
-    sed 's/"frontal"/"frontal_again"/; s/Backend frontal()/Backend frontal_again()/' "$library/factor/frontal.cpp" > "$out/frontal_again.cpp"
+    sed 's/frontal()$/frontal(), frontal_again()/' "$frontal/backends.cpp" > "$out/backends.cpp"
+    sed 's/"frontal"/"frontal_again"/; s/Backend frontal()/Backend frontal_again()/' "$frontal/frontal.cpp" > "$out/frontal_again.cpp"
     sed 's/^      {"rigid motions",$/      {"several contacts", {plain_beam(), [](Scene\& scene) {\
             scene.contacts.push_back({{"top"}, half_plane({0, 10}, {0, -1})});\
           }, {"A", "g", "pairs"}, {}}},\n&/' "$1/tests/support/effect_examples.cpp" > "$out/effect_examples.cpp"

@@ -3,15 +3,15 @@
 #include <cmath>
 #include <limits>
 
+#include "addons/effects/split.hpp"
+#include "addons/estimate/accuracy.hpp"
+#include "addons/estimate/goal_words.hpp"
+#include "addons/estimate/refine.hpp"
 #include "catch_compat.hpp"
-#include "signorini/closed_form/hertz.hpp"
+#include "closed_form/hertz.hpp"
+#include "meshes/disc.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/estimate/accuracy.hpp"
-#include "signorini/estimate/goal_words.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/split.hpp"
-#include "signorini/refinement/refine.hpp"
+#include "signorini/fem/block.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/hertz.hpp"

@@ -1,15 +1,15 @@
 // Where refinement to an accuracy ends, and what it carries from mesh to mesh.
 #include <cmath>
 
+#include "addons/estimate/accuracy.hpp"
+#include "addons/estimate/goal_words.hpp"
+#include "addons/estimate/hindrance.hpp"
 #include "catch_compat.hpp"
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/closed_form/rings.hpp"
-#include "signorini/estimate/accuracy.hpp"
-#include "signorini/estimate/goal_words.hpp"
-#include "signorini/estimate/hindrance.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/reshape.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "closed_form/moduli.hpp"
+#include "closed_form/rings.hpp"
+#include "meshes/ring.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/reshape.hpp"
 
 using namespace signorini;
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "addons/estimate/dual.hpp"
 #include "catch_compat.hpp"
-#include "signorini/estimate/dual.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/effectivity.hpp"

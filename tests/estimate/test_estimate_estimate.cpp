@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "addons/estimate/contact_edges.hpp"
+#include "addons/estimate/contact_ends.hpp"
+#include "addons/estimate/estimate.hpp"
+#include "addons/estimate/profile.hpp"
+#include "addons/estimate/refine.hpp"
 #include "catch_compat.hpp"
-#include "signorini/closing/closing.hpp"
-#include "signorini/estimate/contact_edges.hpp"
-#include "signorini/estimate/contact_ends.hpp"
-#include "signorini/estimate/estimate.hpp"
-#include "signorini/estimate/profile.hpp"
-#include "signorini/refinement/refine.hpp"
+#include "signorini/problem/closing.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/effectivity.hpp"
 #include "support/message.hpp"

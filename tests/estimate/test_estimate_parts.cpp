@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "addons/estimate/contact_ends.hpp"
+#include "addons/estimate/estimate.hpp"
 #include "catch_compat.hpp"
-#include "signorini/estimate/contact_ends.hpp"
-#include "signorini/estimate/estimate.hpp"
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
 #include "support/effectivity.hpp"
 
 using namespace signorini;

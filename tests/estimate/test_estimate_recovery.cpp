@@ -1,12 +1,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "addons/effects/regions.hpp"
+#include "addons/effects/split.hpp"
+#include "addons/estimate/error_products.hpp"
 #include "catch_compat.hpp"
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/estimate/error_products.hpp"
-#include "signorini/mesh/regions.hpp"
-#include "signorini/mesh/reshape.hpp"
-#include "signorini/mesh/split.hpp"
+#include "signorini/fem/elements.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "support/meshes.hpp"
 
 using namespace signorini;

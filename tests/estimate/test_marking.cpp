@@ -1,11 +1,11 @@
 // Which edges are halved for a smaller error.
 #include <algorithm>
 
+#include "addons/estimate/facing_marks.hpp"
+#include "addons/estimate/refine.hpp"
 #include "catch_compat.hpp"
-#include "signorini/estimate/facing_marks.hpp"
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/ring.hpp"
-#include "signorini/refinement/refine.hpp"
+#include "meshes/disc.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 

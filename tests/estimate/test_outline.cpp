@@ -1,11 +1,11 @@
 // What chords cut off round bodies: the estimate of it, and answers that have it.
 #include <cmath>
 
+#include "addons/estimate/accuracy.hpp"
+#include "addons/estimate/goal_words.hpp"
+#include "addons/estimate/refine.hpp"
 #include "catch_compat.hpp"
-#include "signorini/estimate/accuracy.hpp"
-#include "signorini/estimate/goal_words.hpp"
-#include "signorini/mesh/half_space.hpp"
-#include "signorini/refinement/refine.hpp"
+#include "meshes/half_space.hpp"
 #include "support/lining_rings.hpp"
 #include "support/round_bodies.hpp"
 

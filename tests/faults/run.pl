@@ -39,7 +39,7 @@ for (@faults) { if ($_->{to} ne '') { chomp $_->{from}; chomp $_->{to} } }
 # Why a fault cannot be put in, empty if it can.
 sub stale {
     my ($fault) = @_;
-    my $path = "$root/src/signorini/$fault->{file}";
+    my $path = "$root/src/$fault->{file}";
     return 'there is no such file' if !-f $path;
     my $times = () = contents($path) =~ /\Q$fault->{from}\E/g;
     return "its text stands there $times times" if $times != 1;
@@ -88,7 +88,7 @@ for my $fault (@faults) {
     next if @words && !grep { index("$name | @{$fault->{tests}}", $_) >= 0 } @words;
     next if $result{$name};
     if (my $why = stale($fault)) { $result{$name} = 'stale'; note("stale $name: by nobody: $why"); next }
-    my $path = "$copy/src/signorini/$fault->{file}";
+    my $path = "$copy/src/$fault->{file}";
     my $text = contents($path);
     for my $test (grep { !$sound{$_}++ && !$result{"whole | $_"} } @{$fault->{tests}}) {
         quietly(sub { compiles($test) }) or die target($test), " does not compile, see $copy/build.log\n";

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "addons/files/gmsh.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/gmsh/gmsh.hpp"
 
 namespace signorini_test {
 

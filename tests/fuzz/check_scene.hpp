@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "addons/files/scene_file.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/scene_file/scene_file.hpp"
 
 namespace signorini_test {
 

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <variant>
 
-#include "signorini/as_printed/solver_table.hpp"
+#include "addons/certified/dense_programme.hpp"
+#include "addons/files/problem_file.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem_file/problem_file.hpp"
-#include "signorini/programme/dense_programme.hpp"
 
 namespace signorini_test {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "support/message.hpp"
 #include "support/problems.hpp"

@@ -8,7 +8,7 @@
 
 namespace reference {
 
-// Closed form: beam theory (see src/signorini/closed_form/beam.hpp). q = 3.6, in cm and kN.
+// Closed form: beam theory (see src/closed_form/beam.hpp). q = 3.6, in cm and kN.
 inline constexpr double euler_touchdown = 45.7346;
 inline constexpr double euler_force = 70.2371;
 inline constexpr double timoshenko_touchdown = 42.7332;

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
+#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/mesh/split.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "catch_compat.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"

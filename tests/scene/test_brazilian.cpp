@@ -5,7 +5,7 @@
 #include "../chapters/ch12_brazilian_disc/from_gmsh.hpp"
 #include "../chapters/ch12_brazilian_disc/reading.hpp"
 #include "catch_compat.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
+#include "closed_form/hertz_fit.hpp"
 
 using Eigen::Index;
 using namespace signorini;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "meshes/disc.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/ring.hpp"
 #include "support/far.hpp"
 #include "support/message.hpp"
 #include "support/random_scenes.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/closed_form/moduli.hpp"
+#include "closed_form/moduli.hpp"
 #include "support/footing.hpp"
 
 using Eigen::Index;

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/closed_form/moduli.hpp"
+#include "closed_form/moduli.hpp"
+#include "papers/solver_table.hpp"
 #include "support/footing.hpp"
 
 using Eigen::Index;

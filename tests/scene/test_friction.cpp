@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "papers/solver_table.hpp"
 #include "reference/published.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/message.hpp"
 #include "support/paths.hpp"

@@ -1,9 +1,9 @@
 // What a model with friction keeps of the one without, and what is said when friction is not solved.
 #include "catch_compat.hpp"
-#include "signorini/as_printed/saddle_point_newton.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "meshes/ring.hpp"
+#include "papers/saddle_point_newton.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/ring.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/hertz.hpp"

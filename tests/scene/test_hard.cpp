@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 
+#include "addons/frontal/frontal_factor.hpp"
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/factor/frontal_factor.hpp"
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "support/hertz_reading.hpp"
 #include "support/message.hpp"
 #include "support/two_bodies.hpp"

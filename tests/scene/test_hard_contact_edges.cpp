@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/mesh/half_space.hpp"
+#include "meshes/half_space.hpp"
+#include "papers/solver_table.hpp"
 #include "support/two_bodies.hpp"
 
 using Eigen::Index;

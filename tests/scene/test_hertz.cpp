@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/elasticity/stress.hpp"
+#include "papers/solver_table.hpp"
+#include "signorini/fem/stress.hpp"
 #include "support/hertz_reading.hpp"
 
 using Eigen::Index;

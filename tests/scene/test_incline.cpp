@@ -2,10 +2,10 @@
 #include <cmath>
 #include <functional>
 
+#include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
 #include "signorini/scene/readings.hpp"
-#include "signorini/scene/steps.hpp"
 
 using namespace signorini;
 using Eigen::Index;

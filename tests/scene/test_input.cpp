@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/cantilever.hpp"
 #include "support/message.hpp"

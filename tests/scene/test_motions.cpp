@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/contact/obstacle.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/reshape.hpp"
-#include "signorini/mesh/ring.hpp"
-#include "signorini/programme/rigid_modes.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/rigid_modes.hpp"
 
 using namespace signorini;
 
@@ -29,7 +29,8 @@ TEST_CASE("a motion is held or not in whatever unit it is written", "[scene][flo
       modes[static_cast<std::size_t>(k)].shape = Eigen::Vector3d::Unit(k);
     }
     modes[1].shape *= unit;
-    CHECK(motions_without_contact(A, modes) == std::vector<std::string>{"2 can move freely in direction x"});
+    CHECK(motions_without_contact(A, modes) ==
+          std::vector<std::string>{"2 can move freely in direction x"});
   }
 }
 
@@ -39,11 +40,13 @@ TEST_CASE("the motion that contact leaves is named, be it along no axis", "[scen
     CAPTURE(away);
     Scene scene;
     scene.bodies.resize(1);
-    scene.bodies[0].mesh = mapped(block("block", {0, 0}, {2, 1}, 4, 2), [&](const Eigen::Vector2d& x) {
-      return Eigen::Vector2d(away + c * x.x() - s * x.y(), s * x.x() + c * x.y());
-    });
+    scene.bodies[0].mesh =
+        mapped(block("block", {0, 0}, {2, 1}, 4, 2), [&](const Eigen::Vector2d& x) {
+          return Eigen::Vector2d(away + c * x.x() - s * x.y(), s * x.x() + c * x.y());
+        });
     scene.contacts = {{{"bottom"}, half_plane({away, 0}, {-s, c})}};
-    CHECK_THROWS_WITH(plan(scene), ContainsSubstring("can move freely in direction (0.6, 0.8), and"));
+    CHECK_THROWS_WITH(plan(scene),
+                      ContainsSubstring("can move freely in direction (0.6, 0.8), and"));
   }
   // Two motions of one body are one; a body that hardly moves is not named.
   std::vector<FreeMotion> modes(3);

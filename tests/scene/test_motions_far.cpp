@@ -7,9 +7,9 @@
 
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/programme/rigid_modes.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/rigid_modes.hpp"
 #include "support/far.hpp"
 #include "support/random_scenes.hpp"
 

@@ -1,8 +1,8 @@
 // Bodies that one closed pair carries, or none: their position is not determined, and the solution says so.
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/disc.hpp"
+#include "meshes/disc.hpp"
+#include "papers/solver_table.hpp"
+#include "signorini/fem/block.hpp"
 #include "signorini/scene/scene.hpp"
 
 using namespace signorini;

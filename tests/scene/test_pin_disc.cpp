@@ -2,10 +2,10 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "closed_form/pin.hpp"
+#include "meshes/ring.hpp"
+#include "papers/solver_table.hpp"
 #include "reference/pin.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/closed_form/pin.hpp"
-#include "signorini/mesh/ring.hpp"
 #include "signorini/scene/readings.hpp"
 
 using Eigen::Index;

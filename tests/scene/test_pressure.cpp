@@ -1,6 +1,6 @@
 // The contact pressure of the cantilever on a fine mesh, and the tip force between two beam theories.
 #include "catch_compat.hpp"
-#include "signorini/closed_form/beam.hpp"
+#include "closed_form/beam.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "support/cantilever.hpp"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "meshes/disc.hpp"
 #include "reference/published.hpp"
-#include "signorini/mesh/disc.hpp"
 #include "support/hertz_reading.hpp"
 
 using Eigen::Index;

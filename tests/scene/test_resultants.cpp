@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "meshes/disc.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/balance.hpp"
 #include "signorini/scene/readings.hpp"

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/mesh/reshape.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "meshes/ring.hpp"
+#include "signorini/fem/reshape.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/lining.hpp"
 

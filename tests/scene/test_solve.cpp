@@ -2,12 +2,12 @@
 #include <limits>
 #include <sstream>
 
+#include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/scene.hpp"
-#include "signorini/scene/steps.hpp"
 #include "support/cantilever.hpp"
 #include "support/message.hpp"
 #include "support/random.hpp"

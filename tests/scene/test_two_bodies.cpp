@@ -2,8 +2,8 @@
 #include <sstream>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/saddle_point_newton.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "papers/saddle_point_newton.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"

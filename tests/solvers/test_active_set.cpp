@@ -3,9 +3,9 @@
 #include <set>
 
 #include "catch_compat.hpp"
-#include "signorini/closing/closing.hpp"
+#include "papers/examples.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/examples.hpp"
+#include "signorini/problem/closing.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"

@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "catch_compat.hpp"
-#include "signorini/closing/complementarity_functions.hpp"
 #include "signorini/problem/certificate.hpp"
+#include "signorini/problem/complementarity_functions.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 #include "support/problems.hpp"

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/examples.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/examples.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "signorini/solvers/springs.hpp"
 

@@ -1,6 +1,6 @@
 // Bodies that only contact stops, and that nothing pushes: no forces at all, at a place where nothing overlaps.
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "support/random.hpp"
 

@@ -3,17 +3,17 @@
 #include <string>
 #include <variant>
 
+#include "addons/certified/proofs.hpp"
+#include "addons/files/problem_file.hpp"
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/closing/closing.hpp"
-#include "signorini/closing/proofs.hpp"
+#include "papers/projected_gauss_seidel.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem_file/problem_file.hpp"
+#include "signorini/problem/closing.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/lemke.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
-#include "signorini/solvers/projected_gauss_seidel.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"
 #include "signorini/solvers/springs.hpp"
 #include "support/problems.hpp"

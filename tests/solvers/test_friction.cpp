@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/solvers/goldfarb_idnani.hpp"
 #include "support/friction.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/closed_form/cattaneo.hpp"
+#include "closed_form/cattaneo.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "support/friction.hpp"
 

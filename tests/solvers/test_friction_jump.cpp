@@ -1,7 +1,7 @@
 // Cohesion that ends with contact: where a pair closes only without it and opens only with it, nothing solves the
 // problem, and the end says so.
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "support/friction.hpp"
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
+#include "addons/certified/proofs.hpp"
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/closing/proofs.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "support/friction.hpp"
 

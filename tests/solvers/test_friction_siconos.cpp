@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
+#include "addons/files/problem_file.hpp"
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem_file/problem_file.hpp"
 #include "support/friction.hpp"
 
 using namespace signorini;

@@ -1,6 +1,6 @@
+#include "addons/certified/active_set_programme.hpp"
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/programme/active_set_programme.hpp"
+#include "papers/solver_table.hpp"
 #include "support/whole_numbers.hpp"
 
 using Eigen::Index;

@@ -1,5 +1,5 @@
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/solvers/lemke.hpp"
 #include "support/whole_numbers.hpp"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "addons/certified/active_set_programme.hpp"
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/active_set_programme.hpp"
+#include "papers/examples.hpp"
+#include "papers/solver_table.hpp"
 #include "support/problems.hpp"
 
 using Eigen::Index;

@@ -1,9 +1,9 @@
 // The safeguarded quasi-active set at the edges: stiffness without inverse, rows that only touch, and what
 // counts as a proof.
+#include "addons/certified/active_set_programme.hpp"
 #include "catch_compat.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/programme/active_set_programme.hpp"
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;

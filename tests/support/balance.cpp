@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "signorini/core/rounding.hpp"
-#include "signorini/elasticity/assembly.hpp"
+#include "signorini/fem/assembly.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/readings.hpp"
@@ -103,7 +103,8 @@ double unbalanced(const Model& model, const Solution& solution) {
       const double far = k == 2 ? bodies[b].middle.norm() / bodies[b].reach : 0;
       const double off = std::abs(bodies[b].sum(k)) / (k == 2 ? bodies[b].reach : 1);
       const double rounded = noise + 64 * epsilon * far * turned[b];
-      if (!(off <= std::max(rounded, smallest))) worst = std::max(worst, (off - rounded) / bodies[b].largest);
+      if (!(off <= std::max(rounded, smallest)))
+        worst = std::max(worst, (off - rounded) / bodies[b].largest);
       if (std::isnan(off)) return std::numeric_limits<double>::infinity();
     }
   return worst;

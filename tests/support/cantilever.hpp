@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/elements.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/meshes.hpp"
 

@@ -1,6 +1,6 @@
 // Whether every step of a path solves what was posed, with friction that counts from the step before.
 #pragma once
-#include "signorini/scene/steps.hpp"
+#include "addons/steps/steps.hpp"
 #include "support/checked_scene.hpp"
 
 namespace signorini_test {

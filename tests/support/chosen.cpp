@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "signorini/as_printed/solver_table.hpp"
+#include "addons/frontal/backend.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/contact/gap_operators.hpp"
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/factor/backend.hpp"
+#include "signorini/fem/elements.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini_test {

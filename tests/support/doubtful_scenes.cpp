@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "meshes/disc.hpp"
+#include "meshes/ring.hpp"
 #include "support/cantilever.hpp"
 #include "support/loose_meshes.hpp"
 

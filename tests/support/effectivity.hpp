@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/estimate/estimate.hpp"
+#include "addons/estimate/estimate.hpp"
+#include "signorini/fem/elements.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/footing.hpp"

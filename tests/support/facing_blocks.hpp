@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "signorini/contact/mortar.hpp"
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
 
 namespace signorini_test {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "signorini/elasticity/assembly.hpp"
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/factor/frontal_factor.hpp"
+#include "addons/frontal/frontal_factor.hpp"
+#include "signorini/fem/assembly.hpp"
+#include "signorini/fem/elements.hpp"
 #include "support/meshes.hpp"
 
 namespace signorini_test {

@@ -7,11 +7,11 @@
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/mesh/far.hpp"
-#include "signorini/mesh/reshape.hpp"
-#include "signorini/programme/rigid_modes.hpp"
+#include "signorini/fem/far.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/rigid_modes.hpp"
 
 namespace signorini_test {
 

@@ -3,10 +3,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 
-#include "signorini/closed_form/footing.hpp"
+#include "closed_form/footing.hpp"
+#include "meshes/half_space.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/half_space.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/springs.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "signorini/closing/closing.hpp"
+#include "signorini/problem/closing.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/split.hpp"
+#include "meshes/disc.hpp"
 
 namespace signorini_test {
 

@@ -3,12 +3,12 @@
 #include <string>
 #include <utility>
 
-#include "signorini/closed_form/hertz.hpp"
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/mesh/hertz_meshes.hpp"
-#include "signorini/mesh/reshape.hpp"
-#include "signorini/mesh/split.hpp"
+#include "addons/effects/split.hpp"
+#include "closed_form/hertz.hpp"
+#include "closed_form/moduli.hpp"
+#include "meshes/hertz_meshes.hpp"
+#include "signorini/fem/elements.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini_test {

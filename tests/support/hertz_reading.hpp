@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "signorini/closed_form/hertz_fit.hpp"
+#include "closed_form/hertz_fit.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/hertz.hpp"
 

@@ -1,7 +1,7 @@
 // Plain solution of K u = p for tests without contact.
 #pragma once
-#include "signorini/elasticity/assembly.hpp"
-#include "signorini/factor/frontal_factor.hpp"
+#include "addons/frontal/frontal_factor.hpp"
+#include "signorini/fem/assembly.hpp"
 
 namespace signorini_test {
 

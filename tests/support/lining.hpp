@@ -2,9 +2,9 @@
 #pragma once
 #include <string>
 
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/closed_form/rings.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "closed_form/moduli.hpp"
+#include "closed_form/rings.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini_test {

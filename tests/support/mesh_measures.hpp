@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/mesh/mesh.hpp"
+#include "signorini/fem/mesh.hpp"
 
 namespace signorini_test {
 

@@ -2,10 +2,10 @@
 #pragma once
 #include <cmath>
 
-#include "signorini/elasticity/element.hpp"
-#include "signorini/elasticity/unknowns.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/split.hpp"
+#include "addons/effects/split.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/element.hpp"
+#include "signorini/fem/unknowns.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "catch_compat.hpp"
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
 
 using namespace signorini;
 

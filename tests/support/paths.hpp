@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/scene/steps.hpp"
+#include "addons/steps/steps.hpp"
 
 namespace signorini_test {
 

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/mesh/plate_with_hole.hpp"
+#include "meshes/plate_with_hole.hpp"
+#include "signorini/fem/elements.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/meshes.hpp"
 

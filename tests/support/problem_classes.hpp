@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/problem/examples.hpp"
+#include "papers/examples.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini_test {

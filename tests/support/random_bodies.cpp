@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/half_space.hpp"
-#include "signorini/mesh/reshape.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "meshes/disc.hpp"
+#include "meshes/half_space.hpp"
+#include "meshes/ring.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/reshape.hpp"
 
 namespace signorini_test {
 

@@ -3,8 +3,8 @@
 #include <initializer_list>
 #include <string>
 
+#include "meshes/ring.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/ring.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/random.hpp"
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "signorini/closing/closing.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/exact_sum.hpp"
 #include "signorini/problem/certificate.hpp"
+#include "signorini/problem/closing.hpp"
+#include "signorini/problem/exact_sum.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {

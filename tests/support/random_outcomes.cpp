@@ -6,9 +6,9 @@
 #include <initializer_list>
 #include <utility>
 
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/closing/closing.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/problem/closing.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/lemke.hpp"
 #include "support/balance.hpp"

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "addons/effects/split.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/split.hpp"
 #include "support/far.hpp"
 #include "support/random_paths.hpp"
 #include "support/random_wrongs.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "support/far.hpp"
 
 namespace signorini_test {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/programme/refine.hpp"
-#include "signorini/programme/rigid_modes.hpp"
+#include "addons/certified/refine.hpp"
+#include "signorini/scene/rigid_modes.hpp"
 
 namespace signorini_test {
 

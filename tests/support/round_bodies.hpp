@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "signorini/closed_form/hertz.hpp"
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/closed_form/rings.hpp"
-#include "signorini/closed_form/spheres.hpp"
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/estimate/goal.hpp"
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "addons/estimate/goal.hpp"
+#include "closed_form/hertz.hpp"
+#include "closed_form/moduli.hpp"
+#include "closed_form/rings.hpp"
+#include "closed_form/spheres.hpp"
+#include "meshes/disc.hpp"
+#include "meshes/ring.hpp"
+#include "signorini/fem/elements.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/meshes.hpp"

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <set>
 
-#include "signorini/closing/closing.hpp"
+#include "addons/effects/split.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/reshape.hpp"
-#include "signorini/mesh/split.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/reshape.hpp"
+#include "signorini/problem/closing.hpp"
 #include "support/random_bodies.hpp"
 
 namespace signorini_test {

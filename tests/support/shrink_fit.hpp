@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/mesh/ring.hpp"
+#include "meshes/ring.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace signorini_test {

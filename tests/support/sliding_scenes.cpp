@@ -7,9 +7,9 @@
 #include <map>
 #include <utility>
 
-#include "signorini/mesh/reshape.hpp"
+#include "addons/steps/steps.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/steps.hpp"
 #include "support/random_bodies.hpp"
 #include "support/two_bodies.hpp"
 

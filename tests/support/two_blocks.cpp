@@ -4,12 +4,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/elasticity/assembly.hpp"
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/split.hpp"
-#include "signorini/programme/floating_programme.hpp"
+#include "addons/certified/floating_programme.hpp"
+#include "addons/effects/split.hpp"
+#include "papers/solver_table.hpp"
+#include "signorini/fem/assembly.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/elements.hpp"
 #include "support/meshes.hpp"
 
 using Eigen::Index;

@@ -2,10 +2,10 @@
 #pragma once
 #include <string>
 
+#include "addons/certified/dense_programme.hpp"
 #include "catch_compat.hpp"
+#include "papers/examples.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/dense_programme.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "support/problems.hpp"
 

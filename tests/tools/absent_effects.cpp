@@ -7,14 +7,14 @@
 #include <iomanip>
 #include <iostream>
 
-#include "signorini/closing/undetermined.hpp"
+#include "addons/certified/road.hpp"
+#include "addons/certified/undetermined.hpp"
+#include "addons/checks/joints.hpp"
+#include "addons/frontal/frontal_factor.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/elasticity/free_motions.hpp"
-#include "signorini/factor/frontal_factor.hpp"
-#include "signorini/mesh/joints.hpp"
-#include "signorini/programme/road.hpp"
+#include "signorini/fem/elements.hpp"
+#include "signorini/fem/free_motions.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/cantilever.hpp"
 

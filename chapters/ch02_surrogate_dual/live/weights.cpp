@@ -3,7 +3,7 @@
 
 #include "../three_candidates.hpp"
 #include "live/figure.hpp"
-#include "signorini/as_printed/surrogate_dual.hpp"
+#include "papers/surrogate_dual.hpp"
 #include "signorini/core/table.hpp"
 
 namespace live {

@@ -3,7 +3,7 @@
 
 #include "../three_problems.hpp"
 #include "live/figure.hpp"
-#include "signorini/as_printed/weight_iteration.hpp"
+#include "papers/weight_iteration.hpp"
 
 namespace live {
 namespace {

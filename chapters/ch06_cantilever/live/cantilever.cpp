@@ -1,7 +1,7 @@
 // Live figure of chapter 6: load, mesh, element and solver of the beam. One factor serves all loads.
 #include "../scene.hpp"
 #include "live/figure.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 
 namespace live {
 namespace {

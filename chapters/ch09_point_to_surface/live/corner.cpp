@@ -6,8 +6,8 @@
 #include "signorini/contact/target_search.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/reshape.hpp"
 
 namespace live {
 namespace {

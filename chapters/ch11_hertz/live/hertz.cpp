@@ -1,7 +1,7 @@
 // Live figure of chapter 11: load, meshes, operator and element of Hertz's contact. One factor serves all loads.
 #include "../hertz_run.hpp"
 #include "live/figure.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 
 namespace live {
 namespace {

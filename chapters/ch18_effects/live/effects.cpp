@@ -1,7 +1,7 @@
 // Live figure of chapter 18: switch effects on and off, see what the plan says and what the contact does.
 #include "../scenes.hpp"
+#include "closed_form/hertz.hpp"
 #include "live/figure.hpp"
-#include "signorini/closed_form/hertz.hpp"
 #include "signorini/report/pressure_table.hpp"
 
 namespace live {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "signorini/contact/pairs.hpp"
-#include "signorini/elasticity/material.hpp"
+#include "signorini/fem/material.hpp"
 
 namespace signorini {
 

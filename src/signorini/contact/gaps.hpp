@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "signorini/contact/pairs.hpp"
-#include "signorini/elasticity/unknowns.hpp"
+#include "signorini/fem/unknowns.hpp"
 
 namespace signorini {
 

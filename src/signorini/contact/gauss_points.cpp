@@ -4,7 +4,7 @@
 
 #include "signorini/contact/pair_rows.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/elasticity/element.hpp"
+#include "signorini/fem/element.hpp"
 
 namespace signorini {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/contact/target_search.hpp"
-#include "signorini/mesh/side_curve.hpp"
+#include "signorini/fem/side_curve.hpp"
 
 namespace signorini {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "signorini/elasticity/element.hpp"
+#include "signorini/fem/element.hpp"
 
 namespace signorini {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/elasticity/assembly.hpp"
+#include "signorini/fem/assembly.hpp"
 
 namespace signorini {
 

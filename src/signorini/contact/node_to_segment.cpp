@@ -4,7 +4,7 @@
 #include <map>
 
 #include "signorini/contact/pair_rows.hpp"
-#include "signorini/elasticity/assembly.hpp"
+#include "signorini/fem/assembly.hpp"
 
 namespace signorini {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "signorini/mesh/mesh.hpp"
-#include "signorini/mesh/side_curve.hpp"
-#include "signorini/mesh/side_tree.hpp"
+#include "signorini/fem/mesh.hpp"
+#include "signorini/fem/side_curve.hpp"
+#include "signorini/fem/side_tree.hpp"
 
 namespace signorini {
 

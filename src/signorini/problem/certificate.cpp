@@ -7,11 +7,11 @@
 #include <ostream>
 #include <sstream>
 
+#include "addons/certified/systems.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/imbalance.hpp"
-#include "signorini/problem/systems.hpp"
 
 namespace signorini {
 namespace {

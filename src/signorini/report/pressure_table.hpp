@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/scene/steps.hpp"
+#include "addons/steps/steps.hpp"
 
 namespace signorini {
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/core/results.hpp"
 #include "signorini/core/wording.hpp"
+#include "signorini/report/results.hpp"
 
 namespace signorini {
 namespace {

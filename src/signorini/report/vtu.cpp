@@ -7,9 +7,9 @@
 #include <sstream>
 #include <utility>
 
-#include "signorini/core/results.hpp"
-#include "signorini/elasticity/stress.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/pair_columns.hpp"
+#include "signorini/report/results.hpp"
 
 namespace signorini {
 namespace {

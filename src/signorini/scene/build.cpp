@@ -1,8 +1,8 @@
 #include <utility>
 
+#include "addons/checks/doubts.hpp"
 #include "signorini/core/bytes.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini {

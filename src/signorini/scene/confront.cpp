@@ -1,7 +1,7 @@
 // What became of a prediction.
 #include <algorithm>
 
-#include "signorini/scene/prediction.hpp"
+#include "addons/prediction/prediction.hpp"
 
 namespace signorini {
 namespace {

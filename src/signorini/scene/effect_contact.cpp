@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "addons/checks/contact_doubts.hpp"
+#include "addons/checks/fit_doubts.hpp"
+#include "addons/effects/fit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/contact_doubts.hpp"
 #include "signorini/scene/effects.hpp"
-#include "signorini/scene/fit.hpp"
-#include "signorini/scene/fit_doubts.hpp"
 #include "signorini/scene/follow.hpp"
 #include "signorini/scene/motions.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/side_curve.hpp"
+#include "signorini/fem/side_curve.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {

@@ -6,8 +6,8 @@
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/wording.hpp"
-#include "signorini/mesh/far.hpp"
-#include "signorini/programme/rigid_modes.hpp"
+#include "signorini/fem/far.hpp"
+#include "signorini/scene/rigid_modes.hpp"
 
 namespace signorini {
 

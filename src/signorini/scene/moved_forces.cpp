@@ -1,10 +1,10 @@
 #include "signorini/scene/moved_forces.hpp"
 
-#include "signorini/closing/closing.hpp"
 #include "signorini/contact/gaps.hpp"
-#include "signorini/programme/rigid_modes.hpp"
+#include "signorini/problem/closing.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/rigid_modes.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "signorini/solvers/springs.hpp"
 

@@ -2,11 +2,11 @@
 #include <set>
 #include <utility>
 
+#include "addons/checks/doubts.hpp"
+#include "addons/effects/regions.hpp"
 #include "signorini/core/bytes.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/regions.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/doubts.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/motions.hpp"
 

@@ -7,13 +7,13 @@
 #include <variant>
 #include <vector>
 
+#include "addons/effects/springs.hpp"
 #include "signorini/contact/friction_laws.hpp"
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/contact/obstacle.hpp"
-#include "signorini/elasticity/assembly.hpp"
-#include "signorini/elasticity/free_motions.hpp"
-#include "signorini/elasticity/springs.hpp"
+#include "signorini/fem/assembly.hpp"
+#include "signorini/fem/free_motions.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "signorini/closing/shared_forces.hpp"
+#include "addons/certified/shared_forces.hpp"
+#include "addons/checks/joints.hpp"
+#include "addons/frontal/backend.hpp"
+#include "addons/steps/path.hpp"
 #include "signorini/contact/pairs.hpp"
 #include "signorini/core/ledger.hpp"
-#include "signorini/elasticity/assembly.hpp"
-#include "signorini/elasticity/elements.hpp"
-#include "signorini/elasticity/free_motions.hpp"
-#include "signorini/factor/backend.hpp"
-#include "signorini/mesh/joints.hpp"
+#include "signorini/fem/assembly.hpp"
+#include "signorini/fem/elements.hpp"
+#include "signorini/fem/free_motions.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/scene/path.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {

@@ -5,24 +5,24 @@
 #include <stdexcept>
 #include <utility>
 
-#include "signorini/closing/proofs.hpp"
-#include "signorini/closing/undetermined.hpp"
+#include "addons/certified/end_words.hpp"
+#include "addons/certified/proofs.hpp"
+#include "addons/certified/road.hpp"
+#include "addons/certified/systems.hpp"
+#include "addons/certified/undetermined.hpp"
+#include "addons/checks/doubts.hpp"
+#include "addons/checks/fit_doubts.hpp"
+#include "addons/steps/steps_limit.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/systems.hpp"
-#include "signorini/programme/rigid_modes.hpp"
-#include "signorini/programme/road.hpp"
 #include "signorini/scene/balance.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/doubts.hpp"
-#include "signorini/scene/end_words.hpp"
-#include "signorini/scene/fit_doubts.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/rigid_modes.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/scene/sliding_verdict.hpp"
-#include "signorini/scene/steps_limit.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "signorini/closing/scaled.hpp"
+#include "signorini/problem/scaled.hpp"
 
 namespace signorini {
 

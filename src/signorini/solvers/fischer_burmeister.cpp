@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "signorini/closing/proofs.hpp"
+#include "addons/certified/proofs.hpp"
 #include "signorini/solvers/newton.hpp"
 
 namespace signorini {

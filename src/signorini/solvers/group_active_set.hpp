@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/closing/row_source.hpp"
+#include "signorini/problem/row_source.hpp"
 
 namespace signorini {
 

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "signorini/closing/proofs.hpp"
+#include "addons/certified/proofs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/solvers/dictionary.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/closing/contact_equations.hpp"
+#include "signorini/problem/contact_equations.hpp"
 
 namespace signorini {
 

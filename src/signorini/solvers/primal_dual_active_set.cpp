@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/closing/proofs.hpp"
+#include "addons/certified/proofs.hpp"
 #include "signorini/solvers/goldfarb_idnani.hpp"
 #include "signorini/solvers/newton.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "signorini/closing/proofs.hpp"
+#include "addons/certified/proofs.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/solvers/goldfarb_idnani.hpp"
 #include "signorini/solvers/group_active_set.hpp"

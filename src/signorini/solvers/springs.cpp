@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/closing/proofs.hpp"
+#include "addons/certified/proofs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"

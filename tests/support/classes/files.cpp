@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "addons/files/problem_file.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/problem_file/problem_file.hpp"
 #include "support/classes/classes.hpp"
 
 namespace signorini_test {

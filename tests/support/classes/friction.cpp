@@ -1,9 +1,9 @@
 // Pairs that rub: one pair in every motion, random ones with all their solutions, a cylinder in partial slip.
 #include "support/friction.hpp"
 
-#include "signorini/as_printed/solver_table.hpp"
+#include "addons/files/problem_file.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/problem_file/problem_file.hpp"
 #include "support/classes/classes.hpp"
 
 namespace signorini_test {

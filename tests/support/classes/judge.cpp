@@ -3,8 +3,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "addons/certified/dense_programme.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/programme/dense_programme.hpp"
 #include "signorini/solvers/springs.hpp"
 #include "support/classes/checks.hpp"
 

@@ -1,8 +1,8 @@
 // Problems that defeated methods before.
 #include <cmath>
 
+#include "papers/examples.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/problem/examples.hpp"
 #include "support/classes/classes.hpp"
 #include "support/problems.hpp"
 

@@ -1,8 +1,8 @@
 // What every solver should find easy.
 #include <algorithm>
 
+#include "addons/certified/dense_programme.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/programme/dense_programme.hpp"
 #include "support/classes/classes.hpp"
 #include "support/problems.hpp"
 

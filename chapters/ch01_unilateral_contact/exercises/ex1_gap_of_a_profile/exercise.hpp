@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "signorini/mesh/mesh.hpp"
+#include "signorini/fem/mesh.hpp"
 
 namespace ex1_1 {
 

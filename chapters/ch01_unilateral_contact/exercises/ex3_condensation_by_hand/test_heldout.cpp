@@ -1,9 +1,9 @@
 #include <stdexcept>
 
+#include "addons/certified/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/programme/dense_programme.hpp"
 
 using namespace ex1_3;
 using Eigen::Index;

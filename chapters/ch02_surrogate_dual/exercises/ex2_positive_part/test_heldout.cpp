@@ -2,7 +2,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/as_printed/surrogate_dual.hpp"
+#include "papers/surrogate_dual.hpp"
 #include "signorini/core/random.hpp"
 
 using Eigen::Index;

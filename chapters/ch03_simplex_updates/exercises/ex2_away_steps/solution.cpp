@@ -1,5 +1,5 @@
 #include "exercise.hpp"
-#include "signorini/as_printed/surrogate_dual.hpp"
+#include "papers/surrogate_dual.hpp"
 
 namespace ex3_2 {
 

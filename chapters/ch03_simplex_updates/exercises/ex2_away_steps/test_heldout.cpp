@@ -1,8 +1,8 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/as_printed/surrogate_dual.hpp"
+#include "papers/examples.hpp"
+#include "papers/surrogate_dual.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/problem/examples.hpp"
 #include "signorini/solvers/enumerate.hpp"
 
 using Eigen::Index;

@@ -1,7 +1,7 @@
 #include "../chapters/ch03_simplex_updates/three_problems.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/as_printed/weight_iteration.hpp"
+#include "papers/weight_iteration.hpp"
 
 using ex3_3::Answers;
 using ex3_3::answers;

@@ -1,7 +1,7 @@
 #include <limits>
 
 #include "exercise.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/dense.hpp"
 
 namespace ex4_1 {

@@ -1,11 +1,11 @@
 #include <algorithm>
 
+#include "addons/certified/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/as_printed/quasi_active_set_literal.hpp"
+#include "papers/examples.hpp"
+#include "papers/quasi_active_set_literal.hpp"
 #include "signorini/core/dense.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/dense_programme.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

@@ -1,5 +1,5 @@
 #include "exercise.hpp"
-#include "signorini/closing/closing.hpp"
+#include "signorini/problem/closing.hpp"
 
 namespace ex4_3 {
 

@@ -5,7 +5,7 @@
 
 namespace ex4_3 {
 
-/// The line of the solver table for your method, as in src/signorini/as_printed/solver_table.cpp.
+/// The line of the solver table for your method, as in src/papers/solver_table.cpp.
 ///
 /// It may list the traits Asymmetric, Dependent, Infeasible and IllConditioned, and no other: a
 /// positive definite G must be solved, however long it takes, and degenerate pairs as well. `solve`

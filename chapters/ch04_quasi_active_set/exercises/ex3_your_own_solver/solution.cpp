@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "exercise.hpp"
-#include "signorini/closing/closing.hpp"
+#include "signorini/problem/closing.hpp"
 
 namespace ex4_3 {
 

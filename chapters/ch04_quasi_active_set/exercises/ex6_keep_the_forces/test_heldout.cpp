@@ -1,8 +1,8 @@
+#include "addons/certified/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "papers/examples.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/dense_programme.hpp"
 #include "signorini/solvers/enumerate.hpp"
 
 using Eigen::Index;

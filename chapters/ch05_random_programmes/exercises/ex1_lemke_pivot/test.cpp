@@ -1,6 +1,6 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/problem/examples.hpp"
+#include "papers/examples.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

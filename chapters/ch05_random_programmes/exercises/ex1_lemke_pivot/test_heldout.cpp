@@ -1,7 +1,7 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "papers/examples.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/problem/examples.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

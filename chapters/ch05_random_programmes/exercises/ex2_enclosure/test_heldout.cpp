@@ -1,10 +1,10 @@
 #include <cmath>
 
+#include "addons/certified/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "papers/examples.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/dense_programme.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

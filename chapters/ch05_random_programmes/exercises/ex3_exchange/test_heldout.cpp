@@ -3,8 +3,8 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "papers/examples.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/problem/examples.hpp"
 #include "signorini/solvers/enumerate.hpp"
 
 using namespace ex5_3;

@@ -1,6 +1,6 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/problem/examples.hpp"
+#include "papers/examples.hpp"
 
 using namespace ex5_5;
 using Eigen::Matrix3d;

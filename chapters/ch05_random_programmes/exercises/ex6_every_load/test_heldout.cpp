@@ -2,8 +2,8 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "papers/examples.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/problem/examples.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 

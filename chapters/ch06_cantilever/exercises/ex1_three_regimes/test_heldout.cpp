@@ -2,8 +2,8 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
+#include "closed_form/beam.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/beam.hpp"
 
 using ex6_1::Cantilever;
 using ex6_1::FoundationContact;

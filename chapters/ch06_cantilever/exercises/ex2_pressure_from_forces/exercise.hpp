@@ -3,7 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "signorini/mesh/block.hpp"
+#include "signorini/fem/block.hpp"
 
 namespace ex6_2 {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "closed_form/pin.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/pin.hpp"
 
 using ex7_2::half_contact_angle;
 

@@ -1,7 +1,7 @@
 #include <stdexcept>
 
 #include "exercise.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/solvers/springs.hpp"
 

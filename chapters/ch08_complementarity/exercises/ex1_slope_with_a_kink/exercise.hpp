@@ -1,7 +1,7 @@
 /// \file
 /// Exercise 8.1 - a slope with a kink. Do not change this file.
 #pragma once
-#include "signorini/closing/complementarity_functions.hpp"
+#include "signorini/problem/complementarity_functions.hpp"
 
 namespace ex8_1 {
 

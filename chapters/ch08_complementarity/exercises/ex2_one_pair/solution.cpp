@@ -1,5 +1,5 @@
 #include "exercise.hpp"
-#include "signorini/closing/complementarity_functions.hpp"
+#include "signorini/problem/complementarity_functions.hpp"
 
 namespace ex8_2 {
 

@@ -3,9 +3,9 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/examples.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/problem/examples.hpp"
 
 using namespace ex8_4;
 using Eigen::Index;

@@ -1,11 +1,11 @@
 #include <cmath>
 #include <vector>
 
+#include "addons/certified/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/as_printed/solver_table.hpp"
-#include "signorini/problem/examples.hpp"
-#include "signorini/programme/dense_programme.hpp"
+#include "papers/examples.hpp"
+#include "papers/solver_table.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

@@ -5,8 +5,8 @@
 #include "exercise.hpp"
 #include "signorini/contact/mortar.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/reshape.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

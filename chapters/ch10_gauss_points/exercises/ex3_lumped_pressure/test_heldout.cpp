@@ -3,10 +3,10 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/mesh/block.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 
 using Eigen::Index;

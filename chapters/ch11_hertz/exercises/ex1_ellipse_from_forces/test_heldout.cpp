@@ -2,8 +2,8 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
+#include "closed_form/hertz_fit.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
 #include "support/hertz_reading.hpp"
 
 using Eigen::Index;

@@ -1,9 +1,9 @@
 #include <cmath>
 
+#include "closed_form/hertz_fit.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/hertz_fit.hpp"
-#include "signorini/mesh/half_space.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "meshes/half_space.hpp"
+#include "signorini/fem/reshape.hpp"
 
 namespace ex11_2 {
 

@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
+#include "closed_form/indentation.hpp"
+#include "closed_form/moduli.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/indentation.hpp"
-#include "signorini/closed_form/moduli.hpp"
 #include "signorini/scene/readings.hpp"
 
 using Eigen::Index;

@@ -2,8 +2,8 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
+#include "closed_form/brazilian.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/brazilian.hpp"
 #include "signorini/core/random.hpp"
 
 using Eigen::Vector2d;

@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
+#include "closed_form/brazilian.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/brazilian.hpp"
 
 using ex12_2::middle_tension;
 using ex12_2::widest_arc;

@@ -4,7 +4,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/mesh/half_space.hpp"
+#include "meshes/half_space.hpp"
 #include "signorini/scene/readings.hpp"
 
 using Eigen::Index;

@@ -1,5 +1,5 @@
 #include "exercise.hpp"
-#include "signorini/as_printed/solver_table.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/solvers/springs.hpp"
 

@@ -2,12 +2,12 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
+#include "closed_form/footing.hpp"
+#include "closed_form/moduli.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/footing.hpp"
-#include "signorini/closed_form/moduli.hpp"
+#include "meshes/half_space.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/mesh/half_space.hpp"
-#include "signorini/mesh/reshape.hpp"
+#include "signorini/fem/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 
 using Eigen::Index;

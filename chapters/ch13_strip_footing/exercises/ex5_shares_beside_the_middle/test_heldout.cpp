@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
+#include "closed_form/footing.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/footing.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;

@@ -1,9 +1,9 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
+#include "closed_form/moduli.hpp"
+#include "closed_form/rings.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/moduli.hpp"
-#include "signorini/closed_form/rings.hpp"
 
 using ex14_1::Closure;
 using ex14_1::press_lining;

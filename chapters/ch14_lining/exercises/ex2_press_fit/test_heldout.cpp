@@ -1,8 +1,8 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
+#include "closed_form/rings.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/rings.hpp"
 
 using ex14_2::Fit;
 using ex14_2::FitStress;

@@ -4,7 +4,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/problem/examples.hpp"
+#include "papers/examples.hpp"
 
 using namespace ex17_5;
 using Eigen::Index;

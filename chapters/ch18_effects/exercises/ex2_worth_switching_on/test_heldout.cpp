@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
+#include "closed_form/rings.hpp"
 #include "exercise.hpp"
-#include "signorini/closed_form/rings.hpp"
 #include "support/random.hpp"
 #include "support/shrink_fit.hpp"
 

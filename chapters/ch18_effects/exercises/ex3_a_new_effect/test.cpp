@@ -2,9 +2,9 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/elasticity/stress.hpp"
-#include "signorini/mesh/disc.hpp"
-#include "signorini/mesh/ring.hpp"
+#include "meshes/disc.hpp"
+#include "meshes/ring.hpp"
+#include "signorini/fem/stress.hpp"
 
 using ex18_3::plan_spinning;
 using ex18_3::present;

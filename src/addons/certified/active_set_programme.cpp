@@ -1,0 +1,85 @@
+#include "addons/certified/active_set_programme.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "addons/certified/programme_rows.hpp"
+#include "signorini/solvers/group_active_set.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+RowSource rows_of(ProgrammeRows& programme) {
+  RowSource rows;
+  rows.count = programme.count();
+  rows.equations = programme.equations();
+  rows.rank = std::min(programme.unknowns(), rows.count);
+  rows.weight = &programme.weights();
+  rows.gaps = [&programme](const ClosedBasis& basis, VectorXd& gap, VectorXd& rounding) {
+    programme.gaps(basis, gap, rounding);
+  };
+  rows.fetch = [&programme](const ClosedBasis& /*basis*/, const VectorXd& gap,
+                            const VectorXd& rounding, ClosedBasis::Candidates& candidates) {
+    programme.fetch(gap, rounding, candidates);
+  };
+  return rows;
+}
+
+DenseSolution grow_active_set(const DenseProgramme& programme, Index limit,
+                              GroupActiveSet::Pace pace) {
+  ProgrammeRows data(programme);
+  const RowSource rows = rows_of(data);
+  DenseSolution solution;
+  GroupActiveSet method(rows, data.empty_basis(), solution.report, limit, pace);
+  Status status = rows.equations > 0 ? method.close_equations() : Status::Solved;
+  if (status != Status::Solved) {  // contradictory equations: where the others are closed
+    solution.refined.displacement = data.displacement();
+    solution.refined.force.setZero(rows.count);
+    solution.gap = programme.initial_gap - programme.A * solution.refined.displacement;
+  }
+  for (Index round = 0; status == Status::Solved; ++round) {
+    status = method.run();
+    ProgrammeRows::Refined refined = data.refine(method.basis());
+    solution.refined = std::move(refined.solution);
+    solution.gap = std::move(refined.gap);
+    if (status != Status::Solved) break;
+    const bool pulls = refined.tension.size() > 0 && refined.tension.maxCoeff() > 0;
+    if (!pulls && refined.violated == 0) break;
+    if (round == rows.count + 10) status = Status::Breakdown;
+    method.release(refined.tension);
+  }
+  solution.active = sorted_rows(method.basis(), rows.equations);
+  solution.report.status = status;
+  if (status == Status::Infeasible) {
+    solution.infeasibility.setZero(rows.count);
+    for (Index i = 0; i < rows.count; ++i)
+      if (method.proof()(i) != 0) solution.infeasibility(i) = method.proof()(i) / data.norms()(i);
+    if (!proves_infeasible(programme, solution.infeasibility, solution.refined.displacement)) {
+      solution.report.status = Status::Breakdown;
+      solution.infeasibility.resize(0);
+    }
+  } else if (status == Status::Solved) {  // what is negative is of rounding size
+    for (Index i = rows.equations; i < rows.count; ++i)
+      solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
+  }
+  return solution;
+}
+
+}  // namespace
+
+DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOptions& options) {
+  const Index own = 10 * programme.initial_gap.size() + 100;
+  return grow_active_set(programme, options.iteration_limit > 0 ? options.iteration_limit : own,
+                         GroupActiveSet::Pace::Groups);
+}
+
+DenseSolution goldfarb_idnani(const DenseProgramme& programme, const SolverOptions& options) {
+  const Index own = 100 * programme.initial_gap.size() + 100;
+  return grow_active_set(programme, options.iteration_limit > 0 ? options.iteration_limit : own,
+                         GroupActiveSet::Pace::Single);
+}
+
+}  // namespace signorini

@@ -1,0 +1,253 @@
+#include "addons/certified/dense_programme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "addons/certified/floating_programme.hpp"
+#include "addons/certified/programme_rows.hpp"
+#include "addons/certified/systems.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/problem/exact_sum.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Rows = std::vector<Index>;
+
+Rows range(Index first, Index last) {
+  Rows rows(static_cast<std::size_t>(last - first));
+  std::iota(rows.begin(), rows.end(), first);
+  return rows;
+}
+
+/// A basis of the equations, and of closed rows after them.
+ClosedBasis basis_of(ProgrammeRows& data, const Rows& closed) {
+  ClosedBasis basis = data.empty_basis();
+  VectorXd gap;
+  VectorXd rounding;
+  data.gaps(basis, gap, rounding);
+  Rows rows = range(0, data.equations());
+  rows.insert(rows.end(), closed.begin(), closed.end());
+  ClosedBasis::Candidates candidates;
+  candidates.rows = rows;
+  data.fetch(gap, rounding, candidates);
+  basis.append(candidates, ClosedBasis::Choice::All, static_cast<Index>(rows.size()));
+  for (Index i = 0; i < data.equations(); ++i)
+    if (std::abs(candidates.gap(i)) > 4 * candidates.rounding(i))
+      throw ProblemError(text("quadratic programme: equation ", i + 1,
+                              " contradicts the others; nothing satisfies them all"));
+  return basis;
+}
+
+/// Sets to 0 what may be rounding alone.
+void without_rounding(VectorXd& gap, const VectorXd& rounding) {
+  for (Index i = 0; i < gap.size(); ++i)
+    if (std::abs(gap(i)) <= rounding(i)) gap(i) = 0;
+}
+
+DenseCondensed condensed_by(ProgrammeRows& data) {
+  const ClosedBasis equations = basis_of(data, {});
+  VectorXd gap;
+  VectorXd rounding;
+  data.gaps(equations, gap, rounding);
+  DenseCondensed condensed{data.factor(), {}, {}, data.displacement()};
+  const Index first = data.equations();
+  condensed.problem.free_gap = gap.tail(data.count() - first);
+  condensed.half.setZero(condensed.free_displacement.size(), data.count() - first);
+  if (first == data.count()) return condensed;
+  ClosedBasis::Candidates rows;
+  rows.rows = range(first, data.count());
+  data.fetch(gap, rounding, rows);
+  const auto Q = equations.directions();
+  rows.columns -= Q * (Q.transpose() * rows.columns).eval();
+  // What is left of a row that depends on the equations, and of a gap that they close, is rounding.
+  for (Index i = 0; i < data.count() - first; ++i)
+    if (rows.columns.col(i).norm() <= equations.smallest_distance()) rows.columns.col(i).setZero();
+  without_rounding(condensed.problem.free_gap, rounding.tail(data.count() - first));
+  condensed.half = rows.columns * data.norms().tail(data.count() - first).asDiagonal();
+  condensed.problem.compliance = gram(condensed.half);
+  return condensed;
+}
+
+/// Solves the condensed problem, refines, and solves again while the refinement refutes the set.
+DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& solver,
+                              const SolverOptions& options) {
+  ProgrammeRows data(programme);
+  const DenseCondensed condensed = condensed_by(data);
+  const Index first = programme.equations;
+  ContactProblem problem = condensed.problem;
+  DenseSolution solution;
+  std::set<Rows> refuted;
+  VectorXd gap;
+  VectorXd rounding;
+  while (true) {
+    ContactState state = solver.solve(problem, options);
+    solution.report = std::move(state.report);
+    for (Index& row : state.active) row += first;
+    solution.active = std::move(state.active);
+    solution.gap.setZero(data.count());
+    solution.gap.tail(state.gap.size()) = state.gap;
+    solution.refined.force.setZero(data.count());
+    solution.refined.force.tail(state.force.size()) = state.force;
+    if (state.infeasibility.size() > 0) {
+      solution.infeasibility.setZero(data.count());
+      solution.infeasibility.tail(state.infeasibility.size()) = state.infeasibility;
+    }
+    solution.refined.displacement =
+        condensed.free_displacement -
+        condensed.factor.solve_transposed_half(condensed.half * state.force);
+    if (solution.report.status != Status::Solved) {
+      const ClosedBasis equations = basis_of(data, {});
+      data.balance(equations, solution.refined);
+      if (solution.infeasibility.size() > 0) data.balance(equations, solution.infeasibility);
+      return solution;
+    }
+    ClosedBasis basis = basis_of(data, solution.active);
+    data.gaps(basis, gap, rounding);
+    ProgrammeRows::Refined refined = data.refine(basis);
+    solution.refined = std::move(refined.solution);
+    solution.gap = std::move(refined.gap);
+    const bool pulls = refined.tension.size() > 0 && refined.tension.maxCoeff() > 0;
+    // Rounding cannot decide between sets that come back; the certificate will say whether it matters.
+    if ((!pulls && refined.violated == 0) || !refuted.insert(solution.active).second)
+      return solution;
+    const VectorXd force = solution.refined.force.tail(problem.free_gap.size());
+    const VectorXd moved = condensed.half.transpose() * (condensed.half * force);
+    problem.free_gap = solution.gap.tail(force.size()) - moved;
+    without_rounding(problem.free_gap, epsilon * moved.cwiseAbs());
+  }
+}
+
+/// Whether the original data confirm that nothing overlaps or pulls, and that forces balance.
+bool balanced(const DenseProgramme& programme, const PrimalDual& solution) {
+  Certificate certificate = certify(programme, solution);
+  certificate.complementarity = certificate.duality_gap = 0;
+  return certificate.holds();
+}
+
+/// Solves by itself each system that nothing but rounding connects with the others. Nothing if all is connected or one
+/// of them has no solution.
+std::optional<DenseSolution> separate_solution(const DenseProgramme& programme,
+                                               const Solver& solver, SolverOptions options) {
+  const std::vector<SystemParts> systems = unconnected_systems(sparse(programme), {}, {}, epsilon);
+  if (systems.empty()) return {};
+  options.start.clear();
+  DenseSolution whole;
+  whole.report.status = Status::Solved;
+  whole.gap.setZero(programme.initial_gap.size());
+  whole.refined.force = whole.gap;
+  whole.refined.displacement.setZero(programme.load.size());
+  whole.refined.displacement_low = whole.refined.displacement;
+  for (const SystemParts& parts : systems) {
+    const auto own = std::lower_bound(parts.rows.begin(), parts.rows.end(), programme.equations);
+    const DenseSolution part =
+        solve({programme.stiffness(parts.unknowns, parts.unknowns), programme.load(parts.unknowns),
+               programme.A(parts.rows, parts.unknowns), programme.initial_gap(parts.rows),
+               static_cast<Index>(own - parts.rows.begin())},
+              solver, options);
+    if (part.report.status != Status::Solved) return {};
+    append(whole.report, part.report);
+    whole.gap(parts.rows) = part.gap;
+    whole.refined.force(parts.rows) = part.refined.force;
+    whole.refined.displacement(parts.unknowns) = part.refined.displacement;
+    if (part.refined.displacement_low.size() > 0)
+      whole.refined.displacement_low(parts.unknowns) = part.refined.displacement_low;
+    for (const Index row : part.active)
+      whole.active.push_back(parts.rows[static_cast<std::size_t>(row)]);
+  }
+  std::sort(whole.active.begin(), whole.active.end());
+  whole.certificate = certify(programme, whole.refined);
+  return whole;
+}
+
+}  // namespace
+
+DenseCondensed condense(const DenseProgramme& programme) {
+  ProgrammeRows data(programme);
+  return condensed_by(data);
+}
+
+DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
+                    const SolverOptions& options) {
+  DenseSolution solution;
+  try {
+    solution = solver.solve_programme != nullptr ? solver.solve_programme(programme, options)
+                                                 : solve_condensed(programme, solver, options);
+  } catch (const NotDefinite&) {
+    auto other = semidefinite_solution(programme, solver, options);
+    if (!other) throw;
+    solution = std::move(*other);
+  }
+  if (solution.report.status == Status::Infeasible &&
+      !proves_infeasible(programme, solution.infeasibility, solution.refined.displacement)) {
+    solution.report.status = Status::Breakdown;
+    solution.infeasibility.resize(0);
+  }
+  if (solution.report.status == Status::Feasible && !balanced(programme, solution.refined))
+    solution.report.status = Status::Breakdown;
+  if (solution.report.status != Status::Solved) return solution;
+  for (Index i = programme.equations; i < solution.refined.force.size(); ++i)
+    solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
+  solution.certificate = certify(programme, solution.refined);
+  if (solution.certificate.holds()) return solution;
+  solution.report.status = Status::Breakdown;
+  try {
+    auto separate = separate_solution(programme, solver, options);
+    if (!separate || !separate->certificate.holds()) return solution;
+    append(solution.report, separate->report);
+    separate->report = std::move(solution.report);
+    return std::move(*separate);
+  } catch (const ProblemError&) {  // its numbers would be those of a system
+  }
+  return solution;
+}
+
+bool proves_infeasible(const QuadraticProgramme& programme, const VectorXd& y, const VectorXd& u,
+                       Index equations) {
+  const Index m = y.size();
+  require(u.size() == programme.load.size(), "proves_infeasible: need ", programme.load.size(),
+          " displacements, got ", u.size());
+  if (m == 0 || m > programme.initial_gap.size() || m < equations || !y.allFinite() ||
+      (y.tail(m - equations).array() < 0).any())
+    return false;
+  ExactSum work;
+  std::vector<ExactSum> moved(static_cast<std::size_t>(u.size()));
+  for (Index i = 0; i < m; ++i) {
+    work.add_product(programme.initial_gap(i), y(i));
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(programme.A, i); it; ++it)
+      moved[static_cast<std::size_t>(it.col())].add_product(it.value(), y(i));
+  }
+  double escape = 0;
+  for (Index j = 0; j < u.size(); ++j)
+    escape += std::abs(moved[static_cast<std::size_t>(j)].value() * u(j));
+  const double rounding = epsilon * programme.initial_gap.head(m).cwiseAbs().dot(y.cwiseAbs());
+  return -work.value() > static_cast<double>(m) * rounding &&
+         -work.value() * std::sqrt(epsilon) > escape;
+}
+
+bool proves_infeasible(const DenseProgramme& programme, const VectorXd& y, const VectorXd& u) {
+  return y.size() == programme.initial_gap.size() &&
+         proves_infeasible(sparse(programme), y, u, programme.equations);
+}
+
+Certificate certify(const DenseProgramme& programme, const PrimalDual& solution) {
+  return certify(sparse(programme), solution, programme.equations);
+}
+
+QuadraticProgramme sparse(const DenseProgramme& programme) {
+  QuadraticProgramme result;
+  result.stiffness = programme.stiffness.sparseView();
+  result.load = programme.load;
+  result.A = programme.A.sparseView();
+  result.initial_gap = programme.initial_gap;
+  return result;
+}
+
+}  // namespace signorini

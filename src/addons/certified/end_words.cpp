@@ -1,0 +1,195 @@
+#include "addons/certified/end_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/core/wording.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using MatrixX2 = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+
+/// Where a pair is: its node, if it has one, and the place.
+std::string pair_in_words(const Model& model, Index pair) {
+  const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
+  std::string words = text("pair ", pair);
+  if (node >= 0) {
+    const std::size_t b = body_of_node(model.bodies, node);
+    words += text(" of node ", node - model.bodies[b].first_node, " of body '",
+                  model.bodies[b].mesh.name, '\'');
+  }
+  return text(words, " at (", model.pairs.position(pair, 0), ", ", model.pairs.position(pair, 1),
+              ')');
+}
+
+/// What the forces of some pairs amount to on one of the bodies that have them.
+struct SharedSum {
+  std::size_t body = 0;
+  Eigen::Vector2d force = {0.0, 0.0};
+  bool determined = false;  ///< whether no exchange changes it
+};
+
+SharedSum sum_of(const Model& model, const VectorXd& force, const SharedForces& group) {
+  const Index pairs = model.pairs.opening.rows();
+  SharedSum sum{body_of_node(
+      model.bodies, NodalRows::InnerIterator(model.pairs.opening, group.pairs.front()).col() / 2)};
+  MatrixX2 push = MatrixX2::Zero(force.size(), 2);  // of a unit of each row
+  const auto add = [&](const NodalRows& rows, Index pair, Index row) {
+    for (NodalRows::InnerIterator it(rows, pair); it; ++it)
+      if (body_of_node(model.bodies, it.col() / 2) == sum.body)
+        push(row, it.col() % 2) += it.value();
+  };
+  const std::vector<Index>& rubbing = model.law.pair;
+  for (const Index pair : group.pairs) {
+    add(model.pairs.opening, pair, pair);
+    const auto slip = std::lower_bound(rubbing.begin(), rubbing.end(), pair);
+    if (slip != rubbing.end() && *slip == pair)
+      add(model.pairs.sliding, pair, pairs + (slip - rubbing.begin()));
+  }
+  sum.force = push.transpose() * force;
+  const MatrixX2 changed = group.exchanges.transpose() * push;
+  const MatrixX2 terms = group.exchanges.cwiseAbs().transpose() * push.cwiseAbs();
+  // Along each unknown an exchange may leave so much of its terms, whatever their direction.
+  const double rounding = static_cast<double>(pairs) * certificate_tolerance;
+  const VectorXd least = rounding * terms.rowwise().maxCoeff();
+  sum.determined = (changed.cwiseAbs().rowwise().maxCoeff().array() <= least.array()).all();
+  return sum;
+}
+
+/// Numbers such as "0, 4 to 9".
+std::string runs_in_words(const std::set<Index>& numbers) {
+  std::string words;
+  for (auto first = numbers.begin(); first != numbers.end();) {
+    auto next = first;
+    Index last = *first;
+    while (++next != numbers.end() && *next == last + 1) last = *next;
+    words += text(words.empty() ? "" : ", ", *first);
+    if (last > *first) words += text(last > *first + 1 ? " to " : ", ", last);
+    first = next;
+  }
+  return words;
+}
+
+Index pair_of(const Model& model, const ForceRange& range) {
+  const Index pairs = model.pairs.opening.rows();
+  return range.row < pairs ? range.row
+                           : model.law.pair[static_cast<std::size_t>(range.row - pairs)];
+}
+
+/// How far one force goes.
+std::string range_in_words(const Model& model, const ForceRange& range) {
+  const bool normal = range.row < model.pairs.opening.rows();
+  const std::string what =
+      pair_in_words(model, pair_of(model, range)) + (normal ? " presses with" : " rubs with");
+  if (std::isinf(range.low) && std::isinf(range.high)) return what + " any force";
+  if (std::isinf(range.high)) return text(what, ' ', range.low, " or more");
+  if (std::isinf(range.low)) return text(what, ' ', range.high, " or less");
+  return text(what, ' ', range.low, " to ", range.high);
+}
+
+/// Why pairs share what they carry, and the way out.
+std::string cause_in_words(const Model& model, const std::vector<Index>& pairs) {
+  std::set<Index> nodes;
+  for (const Index pair : pairs) nodes.insert(model.pairs.node[static_cast<std::size_t>(pair)]);
+  if (nodes.count(-1) > 0)
+    return "There are more points than nodes to tell them apart: take fewer, or the operator "
+           "'mortar'";
+  if (nodes.size() < pairs.size())
+    return "A node is in several contacts: let one of them have it, or read the sum";
+  return "Their rows repeat each other: leave out what is there twice, or read the sum";
+}
+
+}  // namespace
+
+std::string shared_forces_in_words(const Model& model, const Solution& solution, double least) {
+  std::set<Index> all;
+  for (const SharedForces& group : solution.shared)
+    for (const ForceRange& range : group.forces)
+      if (!(range.high - range.low <= least)) all.insert(pair_of(model, range));
+  if (all.empty()) return {};
+  const SharedForces& widest = solution.shared.front();
+  std::string words =
+      text("contact forces of ", all.size(),
+           (all.size() == 1 ? " pair are not determined (" : " pairs are not determined ("),
+           runs_in_words(all), "): with others displacements, gaps and slips are the same");
+  constexpr std::size_t most_told = 4;
+  std::size_t told = 0;
+  for (const ForceRange& range : widest.forces) {
+    if (!(range.high - range.low > least)) continue;
+    if (++told > most_told) break;
+    words += text(told == 1 ? ". " : ", ", range_in_words(model, range));
+  }
+  const SharedSum sum = sum_of(model, solution.refined.force, widest);
+  if (sum.determined)
+    words +=
+        text(told == 0 ? ". Pairs " : "; pairs ",
+             runs_in_words({widest.pairs.begin(), widest.pairs.end()}), " together push body '",
+             model.bodies[sum.body].mesh.name, "' with (", sum.force.x(), ", ", sum.force.y(), ')');
+  return text(words, ". ", cause_in_words(model, widest.pairs));
+}
+
+std::string escape_in_words(const Model& model, const VectorXd& escape) {
+  return joined(in_words(model.modes, escape), "; ");
+}
+
+std::string doubt_in_words(const Model& model, const Doubt& doubt) {
+  const std::string warning =
+      "friction: there are other solutions of the same loads, this is one of them";
+  const FrictionLaw& law = model.law;
+  const auto found = std::find(law.pair.begin(), law.pair.end(), doubt.pair);
+  if (found == law.pair.end())
+    return text(warning,
+                ": the determinant of the pairs that slide, normalised to 1 without friction, is ",
+                doubt.determinant, ", and below 0 there are several");
+  const double mu = law.coefficient(found - law.pair.begin());
+  return text(warning, ": the determinant of ", pair_in_words(model, doubt.pair),
+              ", normalised to 1 without its friction, is ", doubt.determinant,
+              ", and several solutions begin below 0, from a friction coefficient of ",
+              mu / (1 - doubt.determinant), " on; there it is ", mu);
+}
+
+std::string ray_in_words(const Model& model) {
+  const FrictionLaw& law = model.law;
+  const std::string end = "Lemke's method ran off along a ray, which proves nothing: ";
+  if (model.modes.empty())
+    return end +
+           "supports and springs hold all bodies, so there is a solution unless pairs depend on "
+           "each other, and rounding hides it; take smaller friction coefficients";
+  const std::string hold = "hold the bodies by a support or a soft spring";
+  if (law.pair.empty()) return end + hold;
+  Index most = 0;
+  const double mu = law.coefficient.maxCoeff(&most);
+  return text(end,
+              "where only contact holds a body, there need be no solution once friction is "
+              "beyond some value. The largest friction coefficient is ",
+              mu, ", of ", pair_in_words(model, law.pair[static_cast<std::size_t>(most)]),
+              ", the largest cohesion of a pair ", law.cohesion.maxCoeff(), "; take less, or ",
+              hold);
+}
+
+std::string force_doubt_in_words(const Model& model, const ForceDoubt& doubt) {
+  const std::string contact =
+      model.contacts.empty()
+          ? ""
+          : text("contact '",
+                 model.contacts[model.contact_of[static_cast<std::size_t>(doubt.pair)]], "': ");
+  const std::string share =
+      doubt.share < 0.99
+          ? text("known only to ", number(100 * doubt.share, "%.2g"), " % of the largest")
+          : std::string("not known at all");
+  return text(contact, "contact forces of single pairs are ", share, ", such as that of ",
+              pair_in_words(model, doubt.pair),
+              ": the gaps are rounded, and some pattern of forces moves hardly more than that, "
+              "mostly plus and minus in turns where a stiff source presses on a softer side. "
+              "Loads and forces still balance; take the softer or coarser side as source");
+}
+
+}  // namespace signorini

@@ -1,0 +1,46 @@
+/// \file
+/// What is said of how a scene ended.
+#pragma once
+#include <string>
+
+#include "addons/certified/known_forces.hpp"
+#include "signorini/scene/solution.hpp"
+
+namespace signorini {
+
+/// How bodies move along a direction that nothing stops.
+/// \param model   that was solved
+/// \param escape  `n_r` amplitudes of its free motions, or nothing
+/// \return sentences, joined by "; "
+[[nodiscard]] std::string escape_in_words(const Model& model, const Eigen::VectorXd& escape);
+
+/// The warning of several solutions: which pair it rests on, and from which friction on it holds.
+/// \param model  that was solved
+/// \param doubt  of its solution, see doubt()
+/// \return a sentence
+[[nodiscard]] std::string doubt_in_words(const Model& model, const Doubt& doubt);
+
+/// What is known where Lemke's method ran off along a ray, and the way out.
+///
+/// Where supports and springs hold all bodies and no pair depends on others, the compliance F is positive definite, and
+/// there is a solution whatever the friction, see lemke(); where only contact holds a body, there need be none.
+/// \param model  that was not solved
+/// \return a sentence, with the pair of the largest friction coefficient
+[[nodiscard]] std::string ray_in_words(const Model& model);
+
+/// The note on forces that rounding of the gaps may have moved.
+/// \param model  that was solved
+/// \param doubt  of its forces, see force_doubt()
+/// \return a sentence, with contact, pair, percent and the way out
+[[nodiscard]] std::string force_doubt_in_words(const Model& model, const ForceDoubt& doubt);
+
+/// The note on pairs whose forces are not determined.
+/// \param model     that was solved
+/// \param solution  of it
+/// \param least     narrower ranges count as determined [force]
+/// \return sentences: all pairs; of the widest group how far the first forces go, the sum if that is determined, and the way
+///   out; empty if all are determined
+[[nodiscard]] std::string shared_forces_in_words(const Model& model, const Solution& solution,
+                                                 double least);
+
+}  // namespace signorini

@@ -1,0 +1,38 @@
+/// \file
+/// How well the forces of a solution are known: a certificate speaks of residuals, this of errors.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "addons/certified/refine.hpp"
+#include "signorini/core/alignment.hpp"
+
+namespace signorini {
+
+/// What rounding of the gaps may have done to the forces.
+struct ForceDoubt {
+  Eigen::Index pair = -1;  ///< whose force, or friction force, it may have moved most; -1 if none
+  double share = 0;  ///< by how much, of the largest force [-], from 0 to 1: nothing is known of it
+};
+
+/// Estimates how far one rounding of every term of the gaps moves the forces that close them.
+///
+/// A gap is known to \f$ \delta = \tfrac12\epsilon\,(|g| + |A|\,|u|) \f$ at best: a solution whose closed gaps are zero
+/// to the last digit has forces that are wrong by \f$ M^{-1}\delta \f$, with M the system of Closing. Where a pattern of
+/// forces moves hardly anything, as plus and minus in turns do on a soft side that has fewer nodes than the stiff one,
+/// this is any number of digits, and no certificate sees it. The worst signs of the entries of delta are looked for as
+/// in Hager's estimate of condition numbers [\ref Higham2002]: a few solves, each with the signs of the answer before.
+/// Open pairs that are as near as judge() takes for rounding belong to the system, for rounding may have opened them.
+///
+/// Forces that could be others because rows of A repeat each other, \f$ A^T\Delta\lambda = 0 \f$, as those of several
+/// Gauss points do, are no doubt of this kind: they are among several solutions, and nothing else depends on them. K, A
+/// and g count as they were posed. What M says of a singular system that is not symmetric is not known.
+/// \param data      the problem
+/// \param refined   from refine(): only movement and system count
+/// \param solution  u and forces `n_c + n_s`, as refined
+/// \param motions   `n_c` that refine() was given
+/// \return pair and share
+[[nodiscard]] ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
+                                     const PrimalDual& solution, std::vector<Motion> motions);
+
+}  // namespace signorini

@@ -1,0 +1,259 @@
+#include "addons/certified/proofs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/problem/exact_sum.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A^T y for the first rows of A, summed in twice the working precision.
+VectorXd combined(const MatrixXd& A, const VectorXd& y) {
+  VectorXd result(A.cols());
+  for (Index j = 0; j < A.cols(); ++j) {
+    ExactSum sum;
+    for (Index i = 0; i < y.size(); ++i) sum.add_product(A(i, j), y(i));
+    result(j) = sum.value();
+  }
+  return result;
+}
+
+/// The resultants that contact can give: one edge of each friction cone on either side, and then the tangential
+/// direction of each cohesive pair, of which only so much can be had.
+struct Pushes {
+  MatrixXd direction;  ///< `m x k` one row each
+  VectorXd most;       ///< `m`, infinite but for cohesion
+  VectorXd target;     ///< `k`; cohesion counts from -c
+};
+
+Pushes pushes(const ScaledProblem& problem) {
+  const Index pairs = problem.pairs();
+  const Index slips = problem.law.coefficient.size();
+  const Index cohesive = (problem.law.cohesion.array() > 0).count();
+  Pushes all{MatrixXd(pairs + slips + cohesive, problem.rigid.cols()),
+             VectorXd::Constant(pairs + slips + cohesive, std::numeric_limits<double>::infinity()),
+             problem.resultant};
+  all.direction.topRows(pairs) = problem.rigid.topRows(pairs);
+  Index last = pairs + slips;
+  for (Index k = 0; k < slips; ++k) {
+    const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+    const double mu = problem.law.coefficient(k);
+    const double c = problem.law.cohesion(k);
+    all.direction.row(pair) += mu * problem.rigid.row(pairs + k);
+    all.direction.row(pairs + k) = problem.rigid.row(pair) - mu * problem.rigid.row(pairs + k);
+    if (!(c > 0)) continue;
+    all.direction.row(last) = problem.rigid.row(pairs + k);
+    all.target += c * problem.rigid.row(pairs + k).transpose();
+    all.most(last++) = 2 * c;
+  }
+  return all;
+}
+
+/// What the nearest resultant that contact can give lacks of the target: the least |D^T w - t| with
+/// 0 <= w <= most, by an active set of weights that are at no bound.
+VectorXd lacking(const Pushes& all) {
+  const MatrixXd& D = all.direction;
+  VectorXd weight = VectorXd::Zero(D.rows());
+  std::vector<Index> used;
+  const double rounding = static_cast<double>(D.rows() + D.cols()) * epsilon * all.target.norm();
+  const Index most_rounds = 10 * D.rows() + 100;
+  for (Index round = 0; round < most_rounds; ++round) {
+    const VectorXd missing = all.target - D.transpose() * weight;
+    VectorXd gain = D * missing;
+    for (Index i = 0; i < gain.size(); ++i)  // at its upper bound a weight can only fall
+      if (weight(i) > 0) gain(i) = weight(i) == all.most(i) ? -gain(i) : 0;
+    for (const Index i : used) gain(i) = 0;
+    Index next = 0;
+    if (gain.size() == 0 || gain.maxCoeff(&next) <= rounding) break;
+    const VectorXd before = weight;
+    used.push_back(next);
+    for (bool done = false; !done && !used.empty();) {
+      VectorXd rest = all.target;  // what the weights at their bounds leave
+      for (Index i = 0; i < weight.size(); ++i)
+        if (std::find(used.begin(), used.end(), i) == used.end())
+          rest -= weight(i) * D.row(i).transpose();
+      const VectorXd best = least_norm_solution(D(used, Eigen::all).transpose(), rest);
+      double part = 1;
+      for (std::size_t k = 0; k < used.size(); ++k) {
+        const double now = weight(used[k]);
+        const double end = best(static_cast<Index>(k));
+        if (end <= 0) part = std::min(part, now / (now - end));
+        if (end > all.most(used[k])) part = std::min(part, (all.most(used[k]) - now) / (end - now));
+      }
+      std::vector<Index> kept;
+      for (std::size_t k = 0; k < used.size(); ++k) {
+        double& now = weight(used[k]);
+        const double end = best(static_cast<Index>(k));
+        now += part * (end - now);
+        const bool low = part < 1 && end <= 0 && now <= rounding;  // a small one that grows stays
+        const bool high = part < 1 && now >= all.most(used[k]) - rounding;
+        if (low) now = 0;
+        if (high) now = all.most(used[k]);
+        if (!low && !high) kept.push_back(used[k]);
+      }
+      done = kept.size() == used.size();
+      used = std::move(kept);
+    }
+    if (!((all.target - D.transpose() * weight).norm() <
+          missing.norm())) {  // rounding, or too large
+      weight = before;
+      break;
+    }
+  }
+  VectorXd way = D.transpose() * weight - all.target;
+  // The difference of two close numbers. What it must be orthogonal to, pushes that are at no bound, gives back
+  // the digits that it lost.
+  if (used.empty()) return way;
+  const MatrixXd Q = column_span(D(used, Eigen::all).transpose()).basis;
+  for (int step = 0; step < 2; ++step) way -= Q * (Q.transpose() * way);
+  return way;
+}
+
+/// Whether amplitudes prove that nothing balances r, on any data; sums in twice the working precision.
+bool drags(const MatrixXd& rigid, const VectorXd& resultant, const FrictionLaw& law,
+           const VectorXd& way) {
+  const Index pairs = rigid.rows() - static_cast<Index>(law.pair.size());
+  const VectorXd moved = combined(rigid.transpose(), way);
+  const VectorXd size = rigid.cwiseAbs() * way.cwiseAbs();
+  ExactSum work;
+  for (Index j = 0; j < way.size(); ++j) work.add_product(resultant(j), way(j));
+  double terms = resultant.cwiseAbs().dot(way.cwiseAbs());
+  VectorXd opening = moved.head(pairs);
+  VectorXd rounding = VectorXd::Constant(pairs, proof_rounding * largest(size));
+  for (Index k = 0; k < law.coefficient.size(); ++k) {
+    const Index pair = law.pair[static_cast<std::size_t>(k)];
+    const double slip = std::abs(moved(pairs + k));
+    opening(pair) -= law.coefficient(k) * slip;
+    rounding(pair) *= 1 + law.coefficient(k);
+    work.add_product(law.cohesion(k), slip);
+    terms += law.cohesion(k) * slip;
+  }
+  return (opening.array() >= -rounding.array()).all() && work.value() < -proof_rounding * terms;
+}
+
+/// An escape that holds for the modes and the load as posed too; only the rows are measured in the units of the
+/// problem.
+VectorXd posed_escape(const ContactProblem& problem, const ScaledProblem& scaled) {
+  const VectorXd way = escape(scaled);
+  if (way.size() == 0) return {};
+  const MatrixXd rigid = scaled.scale.asDiagonal() * problem.rigid;
+  return drags(rigid, problem.resultant, scaled.law, way) ? way : VectorXd();
+}
+
+}  // namespace
+
+bool refutes(const ContactProblem& problem, const VectorXd& y) {
+  const VectorXd& d = problem.free_gap;
+  if (y.size() != d.size() || y.size() == 0 || !y.allFinite() || (y.array() < 0).any())
+    return false;
+  ExactSum overlap;
+  for (Index i = 0; i < y.size(); ++i) overlap.add_product(-d(i), y(i));
+  const double lost = static_cast<double>(y.size()) * proof_rounding * d.cwiseAbs().dot(y);
+  if (!(overlap.value() > lost)) return false;
+  const VectorXd scale = row_scales(problem.compliance, problem.rigid, free_movement(problem));
+  const VectorXd scaled = y.cwiseQuotient(scale.head(y.size()));
+  if (problem.rigid.cols() > 0) {
+    const VectorXd terms = problem.rigid.topRows(y.size()).cwiseAbs().transpose() * y;
+    const VectorXd moved = combined(problem.rigid, y).cwiseAbs();
+    if ((moved.array() > proof_rounding * terms.array()).any()) return false;
+  }
+  const double deepest = -d.cwiseProduct(scale.head(y.size())).minCoeff();
+  VectorXd moved = combined(problem.compliance, y).cwiseProduct(scale);
+  // Friction pushes either way, contact only one; but what is symmetric is semidefinite, to rounding.
+  const Index signless = is_symmetric(problem) ? moved.size() : moved.size() - y.size();
+  moved.tail(signless) = moved.tail(signless).cwiseAbs();
+  const double most = std::max(0.0, moved.maxCoeff());
+  return most <= proof_rounding * scaled.sum() &&
+         most * deepest < overlap.value() * std::sqrt(epsilon);
+}
+
+VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& active, Index pair) {
+  ScaledProblem pressed = problem;
+  pressed.free = problem.compliance.col(pair);
+  if (problem.rigid.cols() > 0) pressed.resultant = -problem.rigid.row(pair).transpose();
+  const Closure held = close(pressed, KnownSet{active});
+  if (!held.solvable || held.rows.size() < active.size()) return {};
+  VectorXd y = held.force.head(problem.pairs()).cwiseMax(0.0);  // what is no rounding shows in G y
+  y(pair) = 1;
+  y /= y.sum();
+  if (!refutes(as_posed(problem), y)) return {};
+  return problem.scale.head(y.size()).cwiseProduct(y);
+}
+
+VectorXd contradiction(const ScaledProblem& problem) {
+  const Index n = problem.pairs();
+  Pushes gaps{MatrixXd(2 * n, n),
+              VectorXd::Constant(2 * n, std::numeric_limits<double>::infinity()), problem.free};
+  gaps.direction << MatrixXd::Identity(n, n), -problem.compliance.transpose();
+  VectorXd y = lacking(gaps);
+  const double rounding = static_cast<double>(2 * n) * epsilon * largest(y);
+  y = (y.array() > rounding).select(y, 0.0);  // what is no rounding shows in F^T y
+  if (y.isZero(0)) return {};
+  y /= y.sum();
+  return refutes(as_posed(problem), y) ? VectorXd(problem.scale.cwiseProduct(y)) : VectorXd();
+}
+
+VectorXd escape(const ScaledProblem& problem) {
+  if (problem.loose.size() > 0) return problem.loose;
+  if (problem.rigid.cols() == 0 || problem.resultant.isZero(0)) return {};
+  const Pushes all = pushes(problem);
+  const VectorXd way = lacking(all);
+  // What is left of the load where rounding is all that is left proves nothing.
+  if (!way.allFinite() || way.norm() <= proof_rounding * all.target.norm() ||
+      !drags(problem.rigid, problem.resultant, problem.law, way))
+    return {};
+  return problem.inverse * way;
+}
+
+double balanced_share(const ContactProblem& problem, const VectorXd& before) {
+  require(before.size() == problem.resultant.size(), "balanced_share: the load has ",
+          problem.resultant.size(), " resultants, but what it grows from ", before.size());
+  const Index pairs = problem.free_gap.size();
+  double share = 1;
+  for (ContactProblem now = problem;;) {
+    const VectorXd way = posed_escape(now, equilibrate(now));
+    if (way.size() == 0) break;
+    ExactSum held, growth;
+    for (Index j = 0; j < way.size(); ++j) {
+      held.add_product(before(j), way(j));
+      growth.add_product(problem.resultant(j), way(j));
+      growth.add_product(-before(j), way(j));
+    }
+    for (Index k = 0; k < problem.law.cohesion.size(); ++k)
+      held.add_product(problem.law.cohesion(k), std::abs(problem.rigid.row(pairs + k).dot(way)));
+    if (!(held.value() > 0)) return 0;
+    const double next = held.value() / -growth.value();
+    if (!(next < share)) break;  // a proof that rounding alone could improve
+    share = next;
+    now.resultant = before + share * (problem.resultant - before);
+  }
+  return share;
+}
+
+std::optional<ContactState> pulled_away(const ContactProblem& problem,
+                                        const ScaledProblem& scaled) {
+  VectorXd way = posed_escape(problem, scaled);
+  if (way.size() == 0) return std::nullopt;
+  Closure none;
+  none.force = VectorXd::Zero(scaled.free.size());
+  none.movement = scaled.free;
+  none.amplitude = VectorXd::Zero(scaled.rigid.cols());
+  ContactState state = finished(problem, scaled, none, motions_of({}, scaled.pairs()), Report());
+  state.report.status = Status::Infeasible;
+  if (!problem.law.pair.empty())
+    state.reason =
+        "no contact forces within their friction bounds balance the load: the body moves away";
+  state.escape = std::move(way);
+  return state;
+}
+
+}  // namespace signorini

@@ -1,0 +1,325 @@
+#include "addons/certified/refine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "signorini/core/dense.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/problem/exact_sum.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// high + low += change, with high the rounded sum.
+void add_to(double& high, double& low, double change) {
+  const double sum = high + change;
+  const double part = sum - high;
+  const double rest = ((high - (sum - part)) + (change - part)) + low;
+  high = sum + rest;
+  low = rest - (high - sum);
+}
+
+/// A correction over what it corrected; all of it, if nothing is left.
+double relative(double change, double result) {
+  return result == 0 && change > 0 ? 1 : ratio(change, result);
+}
+
+/// The forces of all rows as sums of two doubles.
+struct Forces {
+  VectorXd high;
+  VectorXd low;
+};
+
+/// Puts every force that the set fixes where it belongs: friction forces at their bounds, others 0.
+void impose(const KnownSet& set, Forces& force) {
+  std::vector<bool> carries(static_cast<std::size_t>(force.high.size()), false);
+  for (const Index row : set.closed) carries[static_cast<std::size_t>(row)] = true;
+  for (const SlidingPair& pair : set.sliding) {
+    ExactSum tau = pair.friction(force.high(pair.gap), force.low(pair.gap));
+    force.high(pair.slip) = tau.value();
+    tau.add(-force.high(pair.slip));
+    force.low(pair.slip) = tau.value();
+    carries[static_cast<std::size_t>(pair.slip)] = true;
+  }
+  for (Index row = 0; row < force.high.size(); ++row)
+    if (!carries[static_cast<std::size_t>(row)]) force.high(row) = force.low(row) = 0;
+}
+
+/// Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
+/// sweeps mend it; what they move is so small that it may as well strain the bodies.
+constexpr Index rigid_sweeps = 2;
+
+/// The set without closed rows that nothing can push on: slips that supports give, where they give none.
+KnownSet felt_rows(KnownSet set, const Eigen::SparseMatrix<double, Eigen::RowMajor>& A) {
+  const auto empty = [&](Index row) { return A.row(row).norm() == 0; };
+  set.closed.erase(std::remove_if(set.closed.begin(), set.closed.end(), empty), set.closed.end());
+  return set;
+}
+
+/// One refinement from beginning to end.
+class Refining {
+ public:
+  Refining(const RefinementData& data, PrimalDual start, const VectorXd& force,
+           const std::vector<Motion>& motions)
+      : data_(data),
+        set_(felt_rows(known_set(motions, data.condensed.law), data.programme.A)),
+        closing_(data.scaled, known_set(motions, data.scaled.law)) {
+    PrimalDual& solution = result_.solution;
+    solution = std::move(start);
+    const Index n = solution.displacement.size();
+    // Nobody has refined a u in one double: all of it has the error of the factor.
+    if (solution.displacement_low.size() == 0) unrefined_ = largest(solution.displacement);
+    if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
+    if (floats() && solution.rigid.size() == 0) solution.rigid.setZero(n);
+    force_ = {force, VectorXd::Zero(force.size())};
+    impose(set_, force_);
+    result_.amplitude.setZero(data.null_vectors.cols());
+  }
+
+  Refinement run();
+
+ private:
+  /// Corrections of one sweep, relative to what they correct.
+  struct Change {
+    double displacement = 0;
+    double force = 0;
+    [[nodiscard]] double worst() const { return std::max(displacement, force); }
+  };
+
+  [[nodiscard]] VectorXd unbalanced();
+  /// Changes of forces and amplitudes that end the movement of closed rows and what rigid motions feel.
+  [[nodiscard]] std::pair<VectorXd, VectorXd> closed(const VectorXd& residual) const;
+  Change begin();
+  Change sweep();
+  /// Moves u by what a change of forces moves. \return by how much
+  VectorXd push(const VectorXd& pushed);
+  /// A residual without what K u in it does along rigid motions.
+  [[nodiscard]] VectorXd spread(const VectorXd& residual) const;
+  /// Moves bodies rigidly.
+  void move(const VectorXd& amplitude);
+
+  /// Whether a change of forces is more than rounding, or moves more than that beside the displacements.
+  [[nodiscard]] bool felt(const VectorXd& pushed) const;
+
+  [[nodiscard]] bool floats() const { return data_.null_vectors.cols() > 0; }
+  /// Whether this sweep may be the last: the rigid part is not rounded anew.
+  [[nodiscard]] bool steady() const { return !floats() || sweeps_ > rigid_sweeps; }
+
+  const RefinementData& data_;
+  KnownSet set_;
+  Closing closing_;
+  Forces force_;
+  Refinement result_;
+  double unrefined_ = 0;  // of u, where it starts
+  Index sweeps_ = 0;
+  bool slow_ = false;  // whether a sweep leaves more than the root of rounding
+};
+
+VectorXd Refining::unbalanced() {
+  result_.solution.force = force_.high;
+  return equilibrium_residual(data_.programme, result_.solution) -
+         data_.programme.A.transpose() * force_.low;
+}
+
+std::pair<VectorXd, VectorXd> Refining::closed(const VectorXd& residual) const {
+  const std::vector<Index>& rows = closing_.rows();
+  const VectorXd scale = data_.scaled.scale(rows);
+  VectorXd bottom;
+  if (floats())  // of orthonormal modes; inverse takes their amplitudes to those of N
+    bottom = -(data_.null_vectors * data_.scaled.inverse).transpose() * residual;
+  const auto [force, amplitude] =
+      closing_.solve(-scale.cwiseProduct(VectorXd(result_.movement(rows))), bottom);
+  return {scale.cwiseProduct(force),
+          floats() ? VectorXd(data_.scaled.inverse * amplitude) : VectorXd()};
+}
+
+bool Refining::felt(const VectorXd& pushed) const {
+  return relative(largest(pushed), largest(force_.high)) > 0.25 * epsilon ||
+         largest(data_.condensed.compliance * pushed) >
+             0.25 * epsilon * largest(result_.solution.displacement);
+}
+
+VectorXd Refining::spread(const VectorXd& residual) const {
+  const VectorXd inner = residual - (data_.programme.load -
+                                     data_.programme.A.transpose() * (force_.high + force_.low));
+  const auto along = [&](const MatrixXd& motions) {
+    const MatrixXd Q = column_span(motions).basis;
+    return VectorXd(Q * (Q.transpose() * inner));
+  };
+  const double nothing = along(data_.null_vectors).lpNorm<1>();
+  std::vector<Index> holding;
+  for (const Index row : closing_.rows())
+    if (std::abs(force_.high(row)) > nothing) holding.push_back(row);
+  if (holding.empty()) return residual - along(data_.null_vectors);
+  const MatrixXd loose = null_space(data_.condensed.rigid(holding, Eigen::all));
+  return loose.cols() == 0 ? residual : VectorXd(residual - along(data_.null_vectors * loose));
+}
+
+void Refining::move(const VectorXd& amplitude) {
+  result_.amplitude += amplitude;
+  PrimalDual& solution = result_.solution;
+  if (sweeps_ > rigid_sweeps) return add_displacement(solution, data_.null_vectors * amplitude);
+  add_rigid(solution, data_.null_vectors, amplitude);
+  // A body that forces out of balance took far away on its springs came back: K, whose entries are rounded, would strain
+  // it by the way, once as rigid and once as not. What is left is rigid as far as a motion comes near to it.
+  if (sweeps_ == rigid_sweeps && largest(solution.rigid) > 2 * largest(solution.displacement))
+    solution.rigid =
+        data_.null_vectors * least_norm_solution(data_.null_vectors, solution.displacement);
+}
+
+VectorXd Refining::push(const VectorXd& pushed) {
+  VectorXd moved = data_.solve_stiffness(-(data_.programme.A.transpose() * pushed));
+  ++result_.solves;
+  add_displacement(result_.solution, moved);
+  return moved;
+}
+
+Refining::Change Refining::begin() {
+  const PrimalDual& solution = result_.solution;
+  const VectorXd pushed = force_.high - solution.force;
+  const double moved = largest(pushed) == 0 ? 0 : largest(push(pushed));
+  return {relative(std::max(moved, unrefined_), largest(solution.displacement)),
+          relative(largest(pushed), largest(force_.high))};
+}
+
+Refining::Change Refining::sweep() {
+  ++sweeps_;
+  PrimalDual& solution = result_.solution;
+  VectorXd residual = unbalanced();
+  if (floats() && data_.imbalance == Imbalance::Spread) residual = spread(residual);
+  VectorXd moved = data_.solve_stiffness(residual);
+  ++result_.solves;
+  add_displacement(solution, moved);
+  result_.movement = gaps(data_.programme, solution);
+  const auto [closes, amplitude] = closed(residual);
+  residual.resize(0);  // the next solve wants the room
+  const Forces last = force_;
+  for (std::size_t k = 0; k < closing_.rows().size(); ++k) {
+    const Index row = closing_.rows()[k];
+    add_to(force_.high(row), force_.low(row), closes(static_cast<Index>(k)));
+  }
+  impose(set_, force_);
+  const VectorXd pushed = (force_.high - last.high) + (force_.low - last.low);
+  if (steady() && felt(pushed)) moved += push(pushed);
+  if (floats()) {
+    moved += data_.null_vectors * amplitude;
+    move(amplitude);
+  }
+  return {relative(largest(moved), largest(solution.displacement)),
+          relative(largest(pushed), largest(force_.high))};
+}
+
+Refinement Refining::run() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Change best{infinity, infinity};
+  Change last = begin();
+  double rate = 1;
+  for (int worse = 0; worse < 2;) {
+    const Change now = sweep();
+    if (!std::isfinite(now.worst())) break;
+    // A sweep shrinks the error of u by the error of the factor, so the next correction is known
+    // beforehand; not while the rigid part is rounded anew. What moved u by more than u tells less.
+    if (steady())
+      rate = std::min(slow_ ? 1 : rate, ratio(now.displacement, std::min(1.0, last.displacement)));
+    const bool known = last.force > 0 && std::isfinite(last.force);
+    const double force_rate = known ? std::min(1.0, now.force / last.force) : 1;
+    const double next = std::max(now.displacement * rate, now.force * force_rate);
+    result_.settled = steady() && next <= 0.25 * epsilon;
+    if (result_.settled) break;
+    const bool better = now.displacement < 0.5 * best.displacement || now.force < 0.5 * best.force;
+    worse = better || !slow_ ? 0 : worse + 1;
+    slow_ = slow_ || !better || (steady() && rate > std::sqrt(epsilon));
+    best.displacement = std::min(best.displacement, now.displacement);
+    best.force = std::min(best.force, now.force);
+    last = now;
+    result_.settled =
+        steady() && now.worst() <= epsilon * static_cast<double>(set_.closed.size() + 1);
+  }
+  result_.solution.force = force_.high;
+  result_.movement = gaps(data_.programme, result_.solution);
+  result_.closing = std::make_shared<const Closing>(std::move(closing_));
+  return std::move(result_);
+}
+
+/// What movements are measured by.
+double length_of(const RefinementData& data, const PrimalDual& solution) {
+  return largest(data.programme.initial_gap) + largest(solution.displacement);
+}
+
+}  // namespace
+
+void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
+  for (Index i = 0; i < change.size(); ++i)
+    add_to(solution.displacement(i), solution.displacement_low(i), change(i));
+}
+
+void add_rigid(PrimalDual& solution, const MatrixXd& null_vectors, const VectorXd& amplitude) {
+  const Index n = null_vectors.rows();
+  if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
+  if (solution.rigid.size() == 0) solution.rigid.setZero(n);
+  const VectorXd last = solution.rigid;
+  solution.rigid += null_vectors * amplitude;
+  const VectorXd added = solution.rigid - last;
+  if (2 * largest(solution.rigid) < largest(last))
+    solution.rigid = null_vectors * least_norm_solution(null_vectors, solution.rigid);
+  add_displacement(solution, added);
+}
+
+VectorXd resultant_left(const QuadraticProgramme& programme, const PrimalDual& solution,
+                        const MatrixXd& null_vectors, double rounding) {
+  if (null_vectors.cols() == 0) return {};
+  const double row = static_cast<double>(programme.stiffness.nonZeros()) /
+                     static_cast<double>(programme.stiffness.rows());
+  const VectorXd left = null_vectors.transpose() * equilibrium_residual(programme, solution);
+  const VectorXd size = null_vectors.cwiseAbs().transpose() *
+                        VectorXd(programme.load.cwiseAbs() +
+                                 programme.stiffness.cwiseAbs() * strained(solution).cwiseAbs() +
+                                 programme.A.cwiseAbs().transpose() * solution.force.cwiseAbs());
+  return (left.array().abs() > (rounding + row * epsilon) * size.array()).select(left, 0.0);
+}
+
+Refinement refine(const RefinementData& data, PrimalDual start, const VectorXd& force,
+                  const std::vector<Motion>& motions) {
+  return Refining(data, std::move(start), force, motions).run();
+}
+
+Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,
+                       const VectorXd& movement, double part) {
+  const VectorXd& scale = data.scaled.scale;
+  Closure numbers;
+  numbers.force = solution.force.cwiseQuotient(scale);
+  numbers.movement = movement.cwiseProduct(scale);
+  numbers.force_rounding = part * largest(numbers.force);
+  numbers.movement_rounding = part * length_of(data, solution) * scale;
+  return numbers;
+}
+
+Judgement judge(const RefinementData& data, const Refinement& refined,
+                const std::vector<Motion>& motions) {
+  const double rounding = epsilon * static_cast<double>(closed_pairs(motions).size() + 1);
+  // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.
+  const double contradicted =
+      std::max(rounding, certificate_tolerance) * length_of(data, refined.solution);
+  Closure numbers = scaled_numbers(data, refined.solution, refined.movement, rounding);
+  bool closes = true;
+  for (const Index row : known_set(motions, data.condensed.law).closed) {
+    if (std::abs(refined.movement(row)) > contradicted) closes = false;
+    numbers.movement(row) = 0;
+  }
+  Judgement result{motions, 0, false};
+  result.wrong = predict(data.scaled, numbers, 1, result.motions);
+  const PrimalDual& solution = refined.solution;
+  const bool finite = solution.displacement.allFinite() && solution.force.allFinite();
+  result.confirmed =
+      refined.settled && result.wrong == 0 && finite && closes &&
+      largest(resultant_left(data.programme, solution, data.null_vectors, rounding)) == 0;
+  return result;
+}
+
+}  // namespace signorini

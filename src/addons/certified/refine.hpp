@@ -1,0 +1,121 @@
+/// \file
+/// The last step of every exact method: the equations of a known set, from the original data.
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "signorini/problem/certificate.hpp"
+#include "signorini/problem/closing.hpp"
+
+namespace signorini {
+
+/// u += change, keeping in `displacement_low` what does not fit into the leading double.
+/// \param solution  whose displacement grows; both parts `n`
+/// \param change    `n` [length]
+void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
+
+/// u += N a, a motion that strains nothing: the part of u that is kept as such grows too. A part that shrinks, because
+/// motions cancel, is left with the rounding of what it was, which strains: it becomes the motion nearest to it.
+/// \param solution      whose displacement grows
+/// \param null_vectors  N `n x n_r`
+/// \param amplitude     a `n_r`
+void add_rigid(PrimalDual& solution, const Eigen::MatrixXd& null_vectors,
+               const Eigen::VectorXd& amplitude);
+
+/// K u should do no work along rigid motions, but the entries of K are rounded: who carries the work
+/// that it does.
+enum class Imbalance {
+  /// The contact forces; where there are none, the unknowns that ground the bodies in K^-1.
+  Carried,
+  /// All unknowns that move, along the motions that no contact force larger than it holds.
+  Spread
+};
+
+/// What refine() and judge() take their equations from.
+struct RefinementData {
+  /// K, p, A, g as posed; with friction the last rows of A are -T
+  const QuadraticProgramme& programme;
+  /// K^-1 applied to a vector [force] -> [length]; need not be accurate
+  const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness;
+  /// Only compliance and rigid, which may be inaccurate, and law count
+  const ContactProblem& condensed;
+  const ScaledProblem& scaled;               ///< `condensed`, equilibrated
+  const Eigen::MatrixXd& null_vectors;       ///< N, or nothing if K is regular
+  Imbalance imbalance = Imbalance::Carried;  ///< of the solutions that refine() finds
+};
+
+/// What refine() did.
+struct Refinement {
+  PrimalDual solution;        ///< u in two parts, and the forces of all rows of A
+  Eigen::VectorXd movement;   ///< initial_gap - A u of all rows of A: gaps, then slips [length]
+  Eigen::VectorXd amplitude;  ///< how much of each rigid mode went into u `n_r`
+  std::shared_ptr<const Closing> closing = {};  ///< the system of its set
+  Eigen::Index solves = 0;                      ///< with K
+  bool settled = false;  ///< whether corrections have become as small as rounding
+};
+
+/// Refines \f$ K u + A^T f = p,\ A_W u = g_W \f$ for known motions: rows W that do not move, friction forces at
+/// their bounds, no force anywhere else.
+///
+/// A sweep adds K^-1 times the residual of equilibrium to u, then the forces that close what W still
+/// moves, and what these move in turn,
+///
+/// \f[ M\,\Delta f_W = A_W u - g_W,\qquad u \mathrel{+}= -K^{-1} A^T \Delta f, \f]
+///
+/// where M is the matrix of Closing. Residuals come from the original data in twice the working
+/// precision, so the factor and the compliance may carry relative errors up to about 1/cond. u and the
+/// forces are kept as sums of two doubles: on a slender body the last digit of a force moves the far end by
+/// many digits. What forces move, unless they are rounding, gets a solve of its own, so that corrections shrink by the
+/// errors of factor and compliance. Sweeps end when the next correction will be of rounding size, mostly behind the
+/// first, or when corrections shrink no more.
+///
+/// With rigid modes K is singular, and `solve_stiffness` and `condensed` belong to the grounded K_g of
+/// add_rigid_modes(). Residuals are still those of K; the amplitudes take up what only a rigid
+/// motion feels of them, so that no spring takes part. A rigid part of u that has grown larger than u, because
+/// forces out of balance took a body far away on its springs and back, becomes the motion nearest to u.
+/// \param data     the problem
+/// \param start    u, and the forces that it belongs to: none, if u is still that without contact
+/// \param force    of all rows of A, to begin with; those that the motions exclude are dropped [force]
+/// \param motions  `n_c`
+/// \return the refined numbers; whether all signs are right is for judge() to say
+/// \throws std::invalid_argument if the sizes of K, p, A, g, `start` and N do not fit
+[[nodiscard]] Refinement refine(const RefinementData& data, PrimalDual start,
+                                const Eigen::VectorXd& force, const std::vector<Motion>& motions);
+
+/// What is out of balance along rigid modes.
+/// \param programme     K, p, A
+/// \param solution      u and f
+/// \param null_vectors  N `n x n_r`, or nothing
+/// \param rounding      of the terms counts as none; as many roundings as K has entries in a row are added
+/// \return `n_r` N^T (p - K u - A^T f), 0 where it is of rounding size [force]
+[[nodiscard]] Eigen::VectorXd resultant_left(const QuadraticProgramme& programme,
+                                             const PrimalDual& solution,
+                                             const Eigen::MatrixXd& null_vectors, double rounding);
+
+/// What refined numbers say of every pair.
+struct Judgement {
+  std::vector<Motion> motions;  ///< what the pairs would rather do
+  Eigen::Index wrong = 0;       ///< pairs that would rather do something else
+  bool confirmed = false;       ///< refined, balanced and no pair wrong: the solution
+};
+
+/// Refined numbers in the units of the equilibrated problem, for predict().
+/// \param data      the problem
+/// \param solution  as refined, forces `n_c + n_s` [force]
+/// \param movement  `n_c + n_s` of all rows [length]
+/// \param part      of the largest force, and of the largest displacement and initial gap, that counts as
+///   rounding [-]
+/// \return forces and movements of all rows with these roundings [sqrt(energy)]
+[[nodiscard]] Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,
+                                     const Eigen::VectorXd& movement, double part);
+
+/// Looks at all signs beyond rounding, by predict(): closed pairs press, open ones do not overlap, friction
+/// forces of sticking pairs keep their bound, sliding ones resist.
+/// \param data     the problem
+/// \param refined  from refine() for `motions`
+/// \param motions  `n_c` what was assumed
+/// \return the verdict
+[[nodiscard]] Judgement judge(const RefinementData& data, const Refinement& refined,
+                              const std::vector<Motion>& motions);
+
+}  // namespace signorini

@@ -1,0 +1,337 @@
+#include "addons/certified/road.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "addons/certified/dense_programme.hpp"
+#include "addons/certified/separate.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/solvers/springs.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Smaller movements and resultants check_problem() refuses.
+constexpr double smallest_movement = 0x1p-340;
+constexpr double smallest_resultant = 0x1p-170;
+
+/// The road, one pass of the solver after another.
+class Road {
+ public:
+  Road(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
+       const MatrixXd& modes, Ledger& ledger)
+      : programme_(programme),
+        modes_(modes),
+        ledger_(ledger),
+        problem_(condensed.problem),
+        data_{programme, condensed.solve_stiffness, problem_, scaled_, modes},
+        now_{condensed.free_displacement, {}, VectorXd::Zero(programme.initial_gap.size())},
+        amplitude_(VectorXd::Zero(modes.cols())) {}
+
+  CertifiedEnd run(const Solver& solver, const SolverOptions& options);
+
+ private:
+  /// Whether a claim is worth refining.
+  [[nodiscard]] bool usable(const ContactState& claim) const;
+  /// Refines a claim and changes pairs while fewer and fewer are wrong. \return whether all signs are right,
+  /// or nothing new can be tried
+  bool settle(const ContactState& claim);
+  /// The same for a claim without any force, whose closed pairs only touch: where closing them exactly takes forces, which
+  /// are nothing but rounding, none is closed. \return as above
+  bool settle_idle(std::vector<Motion> motions);
+  /// Refines a set, and those that it asks for. \return as above
+  bool exchange(std::vector<Motion> motions, VectorXd force);
+  /// Says what the pairs do by what they do: a set whose equations depend on each other, or contradict each
+  /// other by as little as the certificate allows, need not be that of its numbers.
+  void read_off();
+  /// Puts the movements that displacements give in the place of those that the condensed data gave, and what
+  /// K u, which should do no work along rigid motions, does there in the place of the load.
+  void correct();
+  /// Takes over what a solver says about its run.
+  void take_over(const ContactState& claim, bool corrected);
+  /// Fills the end.
+  void conclude();
+  /// Refines the end once more where the certificate sees what rounding of K leaves along rigid motions.
+  void spread_imbalance();
+  /// Whether most of what the end lacks of equilibrium is along rigid motions.
+  [[nodiscard]] bool rigid_motions_work() const;
+  /// Refines one set, beginning with forces, and keeps it if no certificate was better.
+  Judgement look(const std::vector<Motion>& motions, const VectorXd& force);
+
+  const QuadraticProgramme& programme_;
+  const MatrixXd& modes_;
+  Ledger& ledger_;
+  const ContactProblem& problem_;  // as it was condensed; of corrections refinement knows by itself
+  std::optional<ContactProblem> corrected_;  // once there is something to correct, pass by pass
+  ScaledProblem scaled_;  // of problem_, from the first refinement on: a solver has its own
+  RefinementData data_;
+  PrimalDual now_;  // before a claim, what the free movements of the corrected problem belong to
+  VectorXd amplitude_;
+  Refinement refined_;
+  std::set<std::vector<Motion>> seen_;
+  CertifiedEnd end_;
+  Refinement kept_;              // of end_: its movement and its system
+  std::vector<Motion> motions_;  // of end_
+  bool confirmed_ = false;       // whether all signs of end_ are right
+};
+
+bool Road::usable(const ContactState& claim) const {
+  const Status status = claim.report.status;
+  return status != Status::Infeasible && status != Status::Feasible && claim.escape.size() == 0 &&
+         claim.force.allFinite() && claim.friction.allFinite() && claim.amplitude.allFinite() &&
+         claim.force.size() == problem_.free_gap.size();
+}
+
+Judgement Road::look(const std::vector<Motion>& motions, const VectorXd& force) {
+  refined_ = refine(data_, std::move(now_), force, motions);
+  ledger_.count("sets", 1);
+  ledger_.count("solves", refined_.solves);
+  amplitude_ += refined_.amplitude;
+  Judgement verdict = judge(data_, refined_, motions);
+  now_ = std::move(refined_.solution);
+  const Certificate certificate = certify(programme_, now_, problem_.law);
+  if (verdict.confirmed || !(end_.certificate.worst() <= certificate.worst())) {
+    confirmed_ = verdict.confirmed;
+    end_.certificate = certificate;
+    end_.solution = now_;
+    end_.state.amplitude = amplitude_;
+    motions_ = motions;
+    kept_.movement = refined_.movement;
+    kept_.closing = refined_.closing;
+  }
+  return verdict;
+}
+
+void Road::read_off() {
+  const std::vector<Motion> taken = motions_;
+  predict(scaled_, scaled_numbers(data_, end_.solution, kept_.movement, certificate_tolerance), 1,
+          motions_);
+  // With cohesion a pair that nothing presses carries shear all the same: it is closed.
+  const FrictionLaw& law = problem_.law;
+  const VectorXd friction = end_.solution.force.tail(law.coefficient.size());
+  for (Index k = 0; k < friction.size(); ++k) {
+    const auto pair = static_cast<std::size_t>(law.pair[static_cast<std::size_t>(k)]);
+    if (motions_[pair] == Motion::Open && friction(k) != 0) motions_[pair] = taken[pair];
+  }
+}
+
+bool Road::settle(const ContactState& claim) {
+  const Ledger::Phase phase(ledger_, "refinement");
+  if (scaled_.scale.size() == 0) scaled_ = equilibrate(problem_);
+  std::vector<Motion> motions = all_motions(claim);
+  VectorXd force(claim.force.size() + claim.friction.size());
+  force << claim.force, claim.friction;
+  // A motion that the closed pairs leave open must begin where the claim has it.
+  if (modes_.cols() > 0 && claim.report.status == Status::Solved) {
+    const bool moves = largest(modes_ * claim.amplitude) >= smallest_movement;
+    const VectorXd amplitude = moves ? claim.amplitude : VectorXd::Zero(amplitude_.size());
+    add_rigid(now_, modes_, amplitude - amplitude_);
+    amplitude_ = amplitude;
+    if (force.isZero(0)) return settle_idle(std::move(motions));
+  }
+  return exchange(std::move(motions), std::move(force));
+}
+
+bool Road::settle_idle(std::vector<Motion> motions) {
+  const PrimalDual start = now_;
+  const VectorXd amplitude = amplitude_;
+  const VectorXd none = VectorXd::Zero(start.force.size());
+  const std::vector<Motion> open = motions_of({}, problem_.free_gap.size());
+  const bool settled = exchange(std::move(motions), none);
+  if (end_.certificate.holds() || !seen_.insert(open).second) return settled;
+  now_ = start;
+  amplitude_ = amplitude;
+  return look(open, none).confirmed || settled;
+}
+
+bool Road::exchange(std::vector<Motion> motions, VectorXd force) {
+  for (Index last = std::numeric_limits<Index>::max();;) {
+    if (!seen_.insert(motions).second) return last == std::numeric_limits<Index>::max();
+    const bool first = last == std::numeric_limits<Index>::max();
+    Refinement before = first ? Refinement() : std::move(refined_);
+    PrimalDual start = first ? PrimalDual() : now_;
+    const VectorXd amplitude = amplitude_;
+    Judgement verdict = look(motions, force);
+    if (verdict.confirmed || !now_.displacement.allFinite()) return true;
+    if (!refined_.settled && before.settled) {  // what came before can be corrected
+      refined_ = std::move(before);
+      now_ = std::move(start);
+      amplitude_ = amplitude;
+      return false;
+    }
+    if (!refined_.settled || verdict.wrong == 0 || verdict.wrong >= last) return false;
+    last = verdict.wrong;
+    motions = std::move(verdict.motions);
+    force = now_.force;
+  }
+}
+
+void Road::correct() {
+  if (!corrected_) corrected_ = problem_;
+  VectorXd free = refined_.movement - problem_.compliance * now_.force;
+  VectorXd terms =
+      refined_.movement.cwiseAbs() + problem_.compliance.cwiseAbs() * now_.force.cwiseAbs();
+  if (modes_.cols() > 0) {
+    free -= problem_.rigid * amplitude_;
+    terms += problem_.rigid.cwiseAbs() * amplitude_.cwiseAbs();
+    PrimalDual strained = now_;
+    strained.force.setZero();
+    const VectorXd left = -resultant_left(programme_, strained, modes_, 0);
+    corrected_->resultant = (left.array().abs() >= smallest_resultant).select(left, 0.0);
+  }
+  // The others are rounding, or of no size that a problem may have.
+  free = (free.array().abs() > (epsilon * terms.array()).max(smallest_movement)).select(free, 0.0);
+  const Index pairs = problem_.free_gap.size();
+  corrected_->free_gap = free.head(pairs);
+  corrected_->free_slip = free.tail(free.size() - pairs);
+}
+
+void Road::take_over(const ContactState& claim, bool corrected) {
+  ContactState& state = end_.state;
+  const Status before = state.report.status;
+  append(state.report, claim.report);
+  // What is said of the problem that was posed is more than that a corrected one was not solved.
+  const bool named = corrected && (before == Status::Jump || before == Status::Ray);
+  if (named && claim.report.status == Status::Breakdown) {
+    state.report.status = before;
+    return;
+  }
+  state.uniqueness = claim.uniqueness;
+  state.doubt = claim.doubt;
+  state.reason = claim.reason;
+  state.escape = claim.escape;
+  state.infeasibility = claim.infeasibility;
+  // What is proved of the corrected problem is not proved of the one that was posed.
+  if (corrected && claim.report.status == Status::Infeasible) {
+    state.report.status = Status::Breakdown;
+    state.escape.resize(0);
+    state.infeasibility.resize(0);
+  }
+}
+
+CertifiedEnd Road::run(const Solver& solver, const SolverOptions& options) {
+  // Every pass brings a new set, but sets are too many to try: a pass that does not halve the worst figure of
+  // the certificate has no successor but one.
+  double best = std::numeric_limits<double>::infinity();
+  bool corrected = false;
+  for (int idle = 0; idle < 2; corrected = true) {
+    ContactState claim;
+    {
+      const Ledger::Phase phase(ledger_, "contact");
+      claim = solve(corrected_ ? *corrected_ : problem_, solver, options);
+      ledger_.count("iterations", claim.report.iterations);
+      ledger_.count("factorisations", claim.report.factorisations);
+    }
+    take_over(claim, corrected);
+    if (!usable(claim)) break;
+    if (settle(claim)) break;
+    if (!refined_.settled) break;  // nothing to correct the condensed problem with
+    const double worst = end_.certificate.worst();
+    idle = worst < 0.5 * best ? 0 : idle + 1;
+    best = std::min(best, worst);
+    correct();
+  }
+  conclude();
+  return std::move(end_);
+}
+
+void Road::spread_imbalance() {
+  if (end_.certificate.holds() || modes_.cols() == 0 || end_.solution.displacement.size() == 0)
+    return;
+  data_.imbalance = Imbalance::Spread;
+  now_ = end_.solution;
+  look(motions_, end_.solution.force);
+}
+
+bool Road::rigid_motions_work() const {
+  Certificate others = end_.certificate;
+  others.equilibrium = others.duality_gap = 0;
+  if (modes_.cols() == 0 || !others.holds()) return false;
+  const MatrixXd Q = column_span(modes_).basis;
+  const VectorXd left = equilibrium_residual(programme_, end_.solution);
+  return largest(Q * (Q.transpose() * left)) > 0.5 * largest(left);
+}
+
+void Road::conclude() {
+  spread_imbalance();
+  ContactState& state = end_.state;
+  if (end_.certificate.holds()) {
+    if (!confirmed_) read_off();
+    PrimalDual pressing = end_.solution;  // what is negative is of rounding size
+    pressing.force.head(problem_.free_gap.size()) =
+        pressing.force.head(problem_.free_gap.size()).cwiseMax(0.0);
+    if (pressing.force != end_.solution.force) {
+      const Certificate certificate = certify(programme_, pressing, problem_.law);
+      if (certificate.holds()) {
+        end_.solution = std::move(pressing);
+        end_.certificate = certificate;
+      }
+    }
+    end_.doubt = force_doubt(data_, kept_, end_.solution, motions_);
+    state.report.status = Status::Solved;
+    state.reason.clear();
+    state.escape.resize(0);
+    state.infeasibility.resize(0);
+  } else if (state.infeasibility.size() > 0 &&
+             !proves_infeasible(programme_, state.infeasibility, now_.displacement)) {
+    state.report.status = Status::Breakdown;
+    state.infeasibility.resize(0);
+  } else if (state.report.status == Status::Solved) {
+    state.report.status = Status::Breakdown;
+    state.reason =
+        rigid_motions_work()
+            ? "rounding of the stiffness pushes along rigid motions, by more of the load than a "
+              "certificate allows; hold the bodies by a support or a soft spring"
+            : "the forces and displacements found do not fit the original data";
+  }
+  if (state.report.status == Status::Breakdown && state.reason.empty())
+    state.reason =
+        "the method ended without a solution, and what the pairs did last does not fit the data";
+  if (motions_.empty() && kept_.movement.size() == 0) return;
+  const Index pairs = problem_.free_gap.size();
+  const Index slips = kept_.movement.size() - pairs;
+  state.force = end_.solution.force.head(pairs);
+  state.friction = end_.solution.force.tail(slips);
+  state.gap = kept_.movement.head(pairs);
+  state.slip = kept_.movement.tail(slips);
+  state.active = closed_pairs(motions_);
+  state.rubbing = problem_.law.pair;
+  for (const Index pair : problem_.law.pair)
+    state.motion.push_back(motions_[static_cast<std::size_t>(pair)]);
+  name_slides(problem_.law, state);
+}
+
+}  // namespace
+
+CertifiedEnd certified_end(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
+                           const MatrixXd& null_vectors, const Solver& solver,
+                           const SolverOptions& options, Ledger& ledger) {
+  const std::vector<SystemParts> systems =
+      unconnected_systems(programme, condensed.problem.law, null_vectors);
+  if (!systems.empty())
+    return separate_ends(programme, condensed, null_vectors, systems, solver, options, ledger);
+  CertifiedEnd end = Road(programme, condensed, null_vectors, ledger).run(solver, options);
+  for (Solver (*const next)() : solver.others) {
+    const Status status = end.state.report.status;
+    const bool lost = status == Status::Breakdown || status == Status::IterationLimit;
+    if (!lost || options.iteration_limit > 0) break;
+    CertifiedEnd other = Road(programme, condensed, null_vectors, ledger).run(next(), options);
+    Report both = end.state.report;
+    append(both, other.state.report);
+    if (other.state.report.status == Status::Solved)
+      end = std::move(other);
+    else
+      both.status = status;
+    end.state.report = std::move(both);
+  }
+  return end;
+}
+
+}  // namespace signorini

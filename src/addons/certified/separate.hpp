@@ -1,0 +1,32 @@
+/// \file
+/// Systems that nothing connects go down the road one by one.
+#pragma once
+#include <vector>
+
+#include "addons/certified/road.hpp"
+#include "addons/certified/systems.hpp"
+
+namespace signorini {
+
+/// The certified_end() of each system, put together.
+///
+/// Rounding, scales and steps of one system are then none of another: loads of 1 and 1e-13 side by side are solved
+/// like each of them alone. The status is that of the first system that is not solved, iterations add up, the
+/// certificate has the worst figures.
+/// \param programme     K, p, A, g as they were posed; slips in the last rows of A
+/// \param condensed     made of it
+/// \param null_vectors  N `n x n_r`, or nothing
+/// \param systems       unconnected_systems() of these
+/// \param solver        a member that takes such problems
+/// \param options       handed to it
+/// \param ledger        gets what each road adds
+/// \return the end of all; without numbers if one system has none
+/// \throws ProblemError, std::invalid_argument as the solver
+[[nodiscard]] CertifiedEnd separate_ends(const QuadraticProgramme& programme,
+                                         const CondensedProgramme& condensed,
+                                         const Eigen::MatrixXd& null_vectors,
+                                         const std::vector<SystemParts>& systems,
+                                         const Solver& solver, const SolverOptions& options,
+                                         Ledger& ledger);
+
+}  // namespace signorini

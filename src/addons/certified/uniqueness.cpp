@@ -1,0 +1,176 @@
+// How many solutions a problem with friction has, as far as its matrices tell.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "addons/certified/proofs.hpp"
+#include "signorini/core/rounding.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// 1 - mu |C_ii| / G_ii of pair k of the law; 1 of a body that floats: there G and C depend on what grounds it.
+double own_determinant(const ScaledProblem& problem, Index k) {
+  const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+  const MatrixXd& rigid = problem.rigid;
+  const bool floats = rigid.cols() > 0;
+  if (floats && !(rigid.row(pair).isZero(0) && rigid.row(problem.pairs() + k).isZero(0))) return 1;
+  return 1 - problem.law.coefficient(k) * std::abs(problem.compliance(pair, problem.pairs() + k)) /
+                 problem.compliance(pair, pair);
+}
+
+/// The doubt that a determinant of the wrong sign is. If the friction of pair i is multiplied by k, column i of the
+/// matrix M loses (1 - k) b, and by Cramer's rule its determinant is 1 - (1 - k) (M^-1 b)_i times what it was.
+Doubt doubt_of_set(const ScaledProblem& problem, const KnownSet& set) {
+  const std::vector<Index>& rows = set.closed;
+  const MatrixXd M = closing_matrix(problem, rows, set);
+  const MatrixXd smooth = closing_matrix(problem, rows, KnownSet{rows});
+  const LuFactor factor(M);
+  Doubt most;
+  double largest_share = 1;
+  for (const SlidingPair& pair : set.sliding) {
+    const Index column = std::find(rows.begin(), rows.end(), pair.gap) - rows.begin();
+    const double share = factor.solve(M.col(column) - smooth.col(column))(column);
+    if (share > largest_share) {
+      largest_share = share;
+      most = {pair.gap, 1 / (1 - share)};
+    }
+  }
+  if (most.pair >= 0) return most;
+  const LuFactor plain(smooth);
+  const VectorXd ratio = factor.pivots().cwiseQuotient(plain.pivots());
+  most.determinant = ratio.prod() * factor.permutation_sign() * plain.permutation_sign();
+  return most;
+}
+
+/// Whether mu |T| mu / 4 leaves nothing of a diagonal entry of G. \param least  |T| or less
+bool takes_all(const ScaledProblem& problem, double least) {
+  for (Index k = 0; k < problem.law.coefficient.size(); ++k) {
+    const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+    if (0.25 * least * std::pow(problem.law.coefficient(k), 2) > problem.compliance(pair, pair))
+      return true;
+  }
+  return false;
+}
+
+/// Whether G - C T^-1 C^T - mu |T| mu / 4 is positive definite, beyond rounding.
+bool bound_excludes_others(const ScaledProblem& problem) {
+  const MatrixXd& F = problem.compliance;
+  const Index pairs = problem.pairs();
+  const Index slips = F.rows() - pairs;
+  MatrixXd S = F.topLeftCorner(pairs, pairs);
+  if (pairs == 0) return true;
+  if (slips > 0) {
+    const MatrixXd T = F.bottomRightCorner(slips, slips);
+    const MatrixXd C = F.topRightCorner(pairs, slips);
+    const bool coupled = !C.isZero(0);
+    const VectorXd answer = T.rowwise().sum();
+    if (coupled && takes_all(problem, answer.dot(T * answer) / answer.squaredNorm())) return false;
+    const CholeskyFactor tangential(T);
+    if (!tangential.positive()) return false;
+    S.noalias() -= C * tangential.solve_columns(C.transpose());
+    const double largest = symmetric_eigenvalues(T).maxCoeff();
+    for (Index k = 0; k < slips && coupled; ++k) {
+      const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+      S(pair, pair) -= 0.25 * largest * std::pow(problem.law.coefficient(k), 2);
+    }
+  }
+  // Rounding of the entries, which are at most 1, must not decide.
+  S.diagonal().array() -= static_cast<double>(pairs) * proof_rounding;
+  return CholeskyFactor(S).positive();
+}
+
+/// Whether pairs whose forces are no rounding let no body move rigidly.
+bool holds_modes(const ScaledProblem& problem, const Closure& solution) {
+  if (problem.inverse.rows() > problem.rigid.cols()) return false;  // a motion that moves no pair
+  if (problem.rigid.cols() == 0) return true;
+  std::vector<Index> pressed;
+  for (Index i = 0; i < problem.pairs(); ++i)
+    if (solution.force(i) > solution.force_rounding) pressed.push_back(i);
+  if (pressed.empty()) return false;
+  const MatrixXd held = problem.rigid(pressed, Eigen::all).transpose();
+  return column_span(held).rank == problem.rigid.cols();
+}
+
+/// Whether a closure is a solution whose forces or movements are others, beyond rounding.
+bool is_another(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                const Closure& closure, const Closure& solution) {
+  const double known = 1e3 * proof_rounding;  // a thousand roundings of what a proof allows
+  const auto differ = [known](const VectorXd& a, const VectorXd& b) {
+    return largest(a - b) > known * std::max(largest(a), largest(b));
+  };
+  return (differ(closure.force, solution.force) || differ(closure.movement, solution.movement)) &&
+         solves(problem, motions, closure);
+}
+
+/// Looks for another solution where one pair does something else: the others follow it by predict() while fewer and
+/// fewer change.
+/// \param[in,out] sets  that may still be closed
+bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<Motion> motions,
+                     const Closure& solution, Index& sets) {
+  const Motion kept = motions[static_cast<std::size_t>(pair)];
+  for (Index last = problem.pairs() + 1; last > 0 && sets > 0; --sets) {
+    const Closure now = close(problem, motions);
+    if (is_another(problem, motions, now, solution)) return true;
+    const std::vector<Motion> before = motions;
+    predict(problem, now, reach(problem), motions);
+    motions[static_cast<std::size_t>(pair)] = kept;
+    Index changes = 0;
+    for (std::size_t i = 0; i < motions.size(); ++i) changes += motions[i] != before[i] ? 1 : 0;
+    if (changes >= last) return false;
+    last = changes;
+  }
+  return false;
+}
+
+/// Whether another solution was found beside one: a pair whose own determinant is negative does something else there.
+/// The most negative one begins.
+bool found_another(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                   const Closure& solution, double work) {
+  std::vector<std::pair<double, Index>> doubtful;
+  for (Index k = 0; k < problem.law.coefficient.size(); ++k)
+    if (const double own = own_determinant(problem, k); own < 0)
+      doubtful.emplace_back(own, problem.law.pair[static_cast<std::size_t>(k)]);
+  std::sort(doubtful.begin(), doubtful.end());
+  const double most = work / std::pow(static_cast<double>(problem.free.size()), 3);
+  Index sets = static_cast<Index>(std::clamp(most, 3.0, 1e6));
+  for (const auto& [own, pair] : doubtful)
+    for (const Motion motion : {Motion::Open, Motion::Stick, Motion::Forward, Motion::Backward}) {
+      std::vector<Motion> others = motions;
+      if (others[static_cast<std::size_t>(pair)] == motion) continue;
+      others[static_cast<std::size_t>(pair)] = motion;
+      if (is_another_with(problem, pair, std::move(others), solution, sets)) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                      const Closure& solution, double work) {
+  const FrictionLaw& law = problem.law;
+  const bool floats = problem.rigid.cols() > 0;
+  const bool holds_together = !law.cohesion.isZero(0);
+  if (solution.reversed && !floats && !holds_together) return Uniqueness::Doubtful;
+  if (found_another(problem, motions, solution, work)) return Uniqueness::Doubtful;
+  const bool rubs = !law.coefficient.isZero(0) || holds_together;
+  if (rubs && (floats || holds_together)) return Uniqueness::Unknown;
+  const bool only = bound_excludes_others(problem) && holds_modes(problem, solution);
+  return only ? Uniqueness::Proved : Uniqueness::Unknown;
+}
+
+Doubt doubt(const ScaledProblem& problem, const std::vector<Motion>& motions,
+            const Closure& solution) {
+  if (solution.reversed) return doubt_of_set(problem, known_set(motions, problem.law));
+  Doubt least;
+  for (Index k = 0; k < problem.law.coefficient.size(); ++k)
+    if (const double own = own_determinant(problem, k); own < least.determinant)
+      least = {problem.law.pair[static_cast<std::size_t>(k)], own};
+  return least;
+}
+
+}  // namespace signorini

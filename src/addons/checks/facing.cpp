@@ -1,0 +1,36 @@
+#include "addons/checks/facing.hpp"
+
+#include <algorithm>
+
+#include "signorini/contact/target_search.hpp"
+#include "signorini/fem/side_curve.hpp"
+
+namespace signorini {
+
+using Eigen::Index;
+
+Eigen::VectorXd facing(const Pairs& pairs, const Surface& source) {
+  const std::vector<SideCurve> sides = side_curves(source.mesh, source.boundary);
+  const std::map<Index, NodeOnSide> on_side = nodes_on_sides(sides);
+  Eigen::VectorXd cosine(pairs.normal.rows());
+  for (Index pair = 0; pair < cosine.size(); ++pair) {
+    const NodeOnSide& node = on_side.at(pairs.node[static_cast<std::size_t>(pair)]);
+    cosine(pair) = pairs.normal.row(pair).dot(node.normal.normalized());
+  }
+  return cosine;
+}
+
+PassedNodes passed_nodes(const Surface& source, const Surface& target) {
+  const std::vector<SideCurve> sides = side_curves(source.mesh, source.boundary);
+  const TargetSearch search(target.mesh, target.boundary);
+  PassedNodes passed;
+  for (const auto& [number, node] : nodes_on_sides(sides)) {
+    const Projection place = search.closest(source.mesh.nodes.row(number).transpose(), node.normal);
+    if (place.found || place.buried || place.behind == 0) continue;
+    passed.nodes.push_back(number);
+    passed.farthest = std::max(passed.farthest, place.behind);
+  }
+  return passed;
+}
+
+}  // namespace signorini

@@ -1,0 +1,237 @@
+#include "addons/checks/joints.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/fem/side_curve.hpp"
+#include "signorini/fem/side_tree.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// What is nearer than that, measured by the sides of the cells there, is in one place.
+constexpr double near = 1e-3;
+
+/// Calls visit(side, first, last) for the ways from node to node round a cell: one per side, or two by its middle.
+template <typename Visit>
+void visit_edges(const Mesh& mesh, Index cell, Visit&& visit) {
+  const int corners = mesh.corners(cell);
+  const bool quadratic = mesh.order() == MeshOrder::Quadratic;
+  for (int side = 0; side < corners; ++side) {
+    const Index first = mesh.cells(cell, side);
+    const Index last = mesh.cells(cell, side + 1 < corners ? side + 1 : 0);
+    if (quadratic) {
+      const Index middle = mesh.cells(cell, corners + side);
+      visit(side, first, middle);
+      visit(side, middle, last);
+    } else {
+      visit(side, first, last);
+    }
+  }
+}
+
+/// Bits without any pattern of the number (the end of splitmix64).
+std::uint64_t scrambled(std::uint64_t number) {
+  std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31);
+}
+
+/// Whether a node is on the outline. Inside, the edge to each neighbour is walked once there and once back: what
+/// is added for one is taken away for the other.
+std::vector<char> on_outline(const Mesh& mesh) {
+  std::vector<std::uint64_t> mark(at(mesh.n_nodes()));
+  for (std::size_t node = 0; node < mark.size(); ++node) mark[node] = scrambled(node);
+  std::vector<std::uint64_t> sum(mark.size(), 0);
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    visit_edges(mesh, cell, [&](int /*side*/, Index first, Index last) {
+      sum[at(first)] += mark[at(last)];
+      sum[at(last)] -= mark[at(first)];
+    });
+  std::vector<char> outer(sum.size());
+  for (std::size_t node = 0; node < sum.size(); ++node) outer[node] = sum[node] != 0 ? 1 : 0;
+  return outer;
+}
+
+double shortest_side(const Mesh& mesh, Index cell) {
+  double shortest = std::numeric_limits<double>::infinity();
+  const int corners = mesh.corners(cell);
+  for (int k = 0; k < corners; ++k)
+    shortest = std::min(shortest, (mesh.nodes.row(mesh.cells(cell, (k + 1) % corners)) -
+                                   mesh.nodes.row(mesh.cells(cell, k)))
+                                      .norm());
+  return shortest;
+}
+
+/// The outer sides in a tree of boxes, and how near is near at each of their nodes.
+class Outline {
+ public:
+  explicit Outline(const Mesh& mesh)
+      : mesh_(mesh), sides_(outer_sides(mesh)), reach_(at(mesh.n_nodes()), 0) {
+    std::vector<SideBox> leaves;
+    for (const CellSide& side : sides_) {
+      curves_.emplace_back(mesh, side);
+      const double reach = near * shortest_side(mesh, side.cell);
+      for (const Index node : curves_.back().nodes()) {
+        double& own = reach_[at(node)];
+        if (own == 0) nodes_.push_back(node);
+        own = own == 0 ? reach : std::min(own, reach);
+      }
+      SideBox box;
+      box.lowest = curves_.back().box().col(0);
+      box.highest = curves_.back().box().col(1);
+      box.axis = Eigen::Vector2d::UnitX();  // normals are not asked for
+      box.first = static_cast<Index>(leaves.size());
+      leaves.push_back(box);
+    }
+    std::sort(nodes_.begin(), nodes_.end());
+    if (!leaves.empty()) tree_ = box_tree(std::move(leaves));
+  }
+
+  [[nodiscard]] std::vector<LooseNode> loose() const {
+    std::vector<LooseNode> found;
+    for (const Index node : nodes_) {
+      LooseNode loose{node, {-1, 0}, -1};
+      look(tree_.back(), loose);
+      if (loose.side.cell >= 0 && loose.other < node) found.push_back(loose);
+    }
+    return found;
+  }
+
+ private:
+  void look(const SideBox& box, LooseNode& loose) const {
+    if (box.distance(position(loose.node)) > reach_[at(loose.node)]) return;
+    if (box.is_leaf()) return consider(at(box.first), loose);
+    look(tree_[at(box.first)], loose);
+    look(tree_[at(box.second)], loose);
+  }
+
+  /// A node in the same place counts more than a side, and among nodes the lowest.
+  void consider(std::size_t number, LooseNode& loose) const {
+    const SideCurve& curve = curves_[number];
+    const Eigen::Vector2d x = position(loose.node);
+    const double reach = reach_[at(loose.node)];
+    for (const Index node : curve.nodes())
+      if (node == loose.node) return;
+    for (const Index node : curve.nodes())
+      if ((x - position(node)).norm() <= std::min(reach, reach_[at(node)]) &&
+          (loose.other < 0 || node < loose.other)) {
+        loose.side = sides_[number];
+        loose.other = node;
+      }
+    if (loose.other >= 0 || loose.side.cell >= 0) return;
+    const AnchoredPoint exact(x);
+    const double xi = curve.closest(exact);
+    const double reach_there = near * shortest_side(mesh_, sides_[number].cell);
+    if ((exact - curve.point(xi)).norm() <= std::min(reach, reach_there))
+      loose.side = sides_[number];
+  }
+
+  [[nodiscard]] Eigen::Vector2d position(Index node) const {
+    return mesh_.nodes.row(node).transpose();
+  }
+
+  const Mesh& mesh_;
+  std::vector<CellSide> sides_;
+  std::vector<SideCurve> curves_;
+  std::vector<double> reach_;  // per node, 0 inside
+  std::vector<Index> nodes_;   // on the outline, increasing
+  std::vector<SideBox> tree_;  // the box around all is the last
+};
+
+}  // namespace
+
+std::vector<MeshPiece> pieces(const Mesh& mesh) {
+  std::vector<Index> parent(at(mesh.n_nodes()));
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const auto root = [&parent](Index node) {
+    while (parent[at(node)] != node) {
+      Index& up = parent[at(node)];
+      up = parent[at(up)];
+      node = up;
+    }
+    return node;
+  };
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (Index k = 1, n = mesh.cell_size(cell); k < n; ++k)
+      parent[at(root(mesh.cells(cell, k)))] = root(mesh.cells(cell, 0));
+  std::vector<MeshPiece> found;
+  std::vector<Index> number(parent.size(), -1);  // of the piece of a root
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    Index& piece = number[at(root(mesh.cells(cell, 0)))];
+    if (piece < 0) {
+      piece = static_cast<Index>(found.size());
+      found.emplace_back();
+    }
+    ++found[at(piece)].cells;
+  }
+  for (Index node = 0; node < mesh.n_nodes(); ++node)
+    if (const Index piece = number[at(root(node))]; piece >= 0)
+      found[at(piece)].nodes.push_back(node);
+  std::sort(found.begin(), found.end(), [](const MeshPiece& a, const MeshPiece& b) {
+    return a.nodes.front() < b.nodes.front();
+  });
+  return found;
+}
+
+Eigen::Vector2d middle(const Mesh& mesh, const MeshPiece& piece) {
+  Eigen::RowVector2d low = mesh.nodes.row(piece.nodes.front());
+  Eigen::RowVector2d high = low;
+  for (const Index node : piece.nodes) {
+    low = low.cwiseMin(mesh.nodes.row(node));
+    high = high.cwiseMax(mesh.nodes.row(node));
+  }
+  return (low + high).transpose() / 2;
+}
+
+std::string in_words(const Mesh& mesh, const MeshPiece& piece) {
+  const Eigen::Vector2d x = middle(mesh, piece);
+  return text(piece.cells, " cells around (", x.x(), ", ", x.y(), ')');
+}
+
+std::vector<CellSide> outer_sides(const Mesh& mesh) {
+  const std::vector<char> outer = on_outline(mesh);
+  struct Edge {
+    Index low, high;  // its nodes
+    CellSide side;
+  };
+  std::vector<Edge> edges;  // all those between nodes of the outline
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    visit_edges(mesh, cell, [&](int side, Index first, Index last) {
+      if (outer[at(first)] != 0 && outer[at(last)] != 0)
+        edges.push_back({std::min(first, last), std::max(first, last), {cell, side}});
+    });
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+    return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+  });
+  std::vector<CellSide> sides;
+  for (std::size_t k = 0; k < edges.size();) {
+    std::size_t end = k + 1;
+    while (end < edges.size() && edges[end].low == edges[k].low && edges[end].high == edges[k].high)
+      ++end;
+    if (end == k + 1) sides.push_back(edges[k].side);
+    k = end;
+  }
+  std::sort(sides.begin(), sides.end(), [](const CellSide& a, const CellSide& b) {
+    return std::pair(a.cell, a.side) < std::pair(b.cell, b.side);
+  });
+  // Both halves of a quadratic side may be outer ones.
+  sides.erase(std::unique(sides.begin(), sides.end(),
+                          [](const CellSide& a, const CellSide& b) {
+                            return a.cell == b.cell && a.side == b.side;
+                          }),
+              sides.end());
+  return sides;
+}
+
+std::vector<LooseNode> loose_nodes(const Mesh& mesh) { return Outline(mesh).loose(); }
+
+}  // namespace signorini

@@ -1,0 +1,91 @@
+// Layers and temperature: what assembly and stresses read from the material of a body.
+#include <algorithm>
+#include <cmath>
+
+#include "addons/checks/doubts.hpp"
+#include "addons/effects/regions.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/effects.hpp"
+
+namespace signorini::effect {
+namespace {
+
+bool same(const Material& a, const Material& b) {
+  return a.youngs_modulus == b.youngs_modulus && a.poisson_ratio == b.poisson_ratio &&
+         a.state == b.state && a.thickness == b.thickness && a.expansion == b.expansion;
+}
+
+bool has_layers(const Body& body) {
+  return std::any_of(body.layers.begin(), body.layers.end(),
+                     [&](const Layer& layer) { return !same(layer.material, body.material); });
+}
+
+void price_layers(const Scene& scene, Plan& draft) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    if (!has_layers(body)) continue;
+    draft.bodies[b].material = layered(body.mesh, body.material, body.layers);
+    for (const Layer& layer : body.layers)
+      draft.on.push_back(text("layer '", layer.region, "' of '", body.mesh.name,
+                              "': ", region(body.mesh, layer.region).size(), " cells, E ",
+                              layer.material.youngs_modulus, ", nu ",
+                              layer.material.poisson_ratio));
+  }
+}
+
+bool is_warm(const Body& body) { return body.temperature && body.temperature->warms(); }
+
+bool expands(const Matter& matter) {
+  return matter.bulk.expansion != 0 ||
+         std::any_of(matter.layers.begin(), matter.layers.end(),
+                     [](const Material& layer) { return layer.expansion != 0; });
+}
+
+void price_temperature(const Scene& scene, Plan& draft) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (!is_warm(scene.bodies[b])) continue;
+    const Temperature& temperature = *scene.bodies[b].temperature;
+    const std::string what = text("temperature of '", draft.bodies[b].mesh.name, "'");
+    pose(std::isfinite(temperature.uniform) && temperature.gradient.allFinite(), what,
+         ": must be finite, got ", temperature.uniform, " and the gradient (",
+         temperature.gradient.x(), ", ", temperature.gradient.y(), ')');
+    Matter& matter = draft.bodies[b].material;
+    pose(expands(matter), what,
+         ": its material does not expand; give it a thermal expansion, or leave the temperature "
+         "out");
+    matter.temperature = temperature;
+    std::string line = text(what, ": ", temperature.uniform, " more than without stress");
+    if ((temperature.gradient.array() != 0).any())
+      line += text(" at the origin, with the gradient (", temperature.gradient.x(), ", ",
+                   temperature.gradient.y(), ')');
+    draft.on.push_back(line);
+    double most = 0;
+    for (std::size_t layer = 0; layer <= matter.layers.size(); ++layer)
+      for (Eigen::Index node = 0; node < draft.bodies[b].mesh.n_nodes(); ++node)
+        most = std::max(most, std::abs(matter.material(layer).expansion *
+                                       temperature.at(draft.bodies[b].mesh.nodes.row(node))));
+    if (most > SmallLimits().strain)
+      draft.notes.push_back(text(what, ": free expansion alone is a strain of ", 100 * most,
+                                 " %, which is not small; check the units of both"));
+  }
+}
+
+}  // namespace
+
+Effect layers() {
+  return {"layers",
+          [](const Scene& scene, const Plan& /*draft*/) {
+            return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_layers);
+          },
+          price_layers, nullptr};
+}
+
+Effect temperature() {
+  return {"temperature",
+          [](const Scene& scene, const Plan& /*draft*/) {
+            return std::any_of(scene.bodies.begin(), scene.bodies.end(), is_warm);
+          },
+          price_temperature, nullptr};
+}
+
+}  // namespace signorini::effect

@@ -1,0 +1,42 @@
+#include "addons/effects/regions.hpp"
+
+#include <utility>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+
+using Eigen::Index;
+
+const std::vector<Index>& region(const Mesh& mesh, const std::string& name) {
+  const auto found = mesh.regions.find(name);
+  if (found == mesh.regions.end()) {
+    std::string known;
+    for (const auto& [other, cells] : mesh.regions) known += (known.empty() ? "" : ", ") + other;
+    throw ProblemError(text("mesh '", mesh.name, "' has no region '", name,
+                            "'; it has: ", known.empty() ? "none" : known));
+  }
+  pose(!found->second.empty(), "mesh '", mesh.name, "': the region '", name, "' has no cells");
+  for (const Index cell : found->second)
+    pose(cell >= 0 && cell < mesh.n_cells(), "mesh '", mesh.name, "': the region '", name,
+         "' refers to cell ", cell, ", but the cells are 0 to ", mesh.n_cells() - 1);
+  return found->second;
+}
+
+Mesh with_region(Mesh mesh, const std::string& name, const Eigen::Vector2d& low,
+                 const Eigen::Vector2d& high) {
+  std::vector<Index> cells;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    Eigen::Vector2d middle(0, 0);
+    const int n = mesh.corners(cell);
+    for (int k = 0; k < n; ++k) middle += mesh.nodes.row(mesh.cells(cell, k)).transpose() / n;
+    if ((middle.array() >= low.array()).all() && (middle.array() <= high.array()).all())
+      cells.push_back(cell);
+  }
+  pose(!cells.empty(), "region '", name, "' of '", mesh.name, "': no cell has its middle in (",
+       low.x(), ", ", low.y(), ") to (", high.x(), ", ", high.y(), ')');
+  mesh.regions[name] = std::move(cells);
+  return mesh;
+}
+
+}  // namespace signorini

@@ -1,0 +1,53 @@
+#include "addons/effects/springs.hpp"
+
+#include "addons/effects/places.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/fem/along_boundary.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// Adds a spring between two nodes, or of one, in both directions; a direction without stiffness gets no entry.
+void add(Index row, Index column, const Eigen::Vector2d& stiffness, Triplets& entries) {
+  for (int axis = 0; axis < 2; ++axis)
+    if (stiffness(axis) != 0)
+      entries.emplace_back(static_cast<int>(2 * row + axis), static_cast<int>(2 * column + axis),
+                           stiffness(axis));
+}
+
+void add_along(const Mesh& mesh, const Depth& depth, const Spring& spring, Triplets& entries) {
+  integrate_boundary(mesh, spring.boundary, [&](const BoundaryPoint& at) {
+    const double area = depth.at(at.point.position().x()) * at.weight * at.tangent.norm();
+    const std::vector<Index>& nodes = at.side.nodes();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t j = 0; j < nodes.size(); ++j)
+        add(nodes[i], nodes[j],
+            at.N(static_cast<Index>(i)) * at.N(static_cast<Index>(j)) * area * spring.stiffness,
+            entries);
+  });
+}
+
+}  // namespace
+
+Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, const Depth& depth,
+                                             const std::vector<Spring>& springs) {
+  Triplets entries;
+  for (const Spring& spring : springs) {
+    pose(spring.stiffness.allFinite() && spring.stiffness.minCoeff() >= 0, "springs at '",
+         spring.boundary, "' of '", mesh.name, "': a stiffness must be a number >= 0, got (",
+         spring.stiffness.x(), ", ", spring.stiffness.y(), ')');
+    const std::vector<Index> nodes = nodes_at(mesh, spring.boundary, spring.only_at, "spring");
+    if (spring.only_at)
+      add(nodes.front(), nodes.front(), spring.stiffness, entries);
+    else
+      add_along(mesh, depth, spring, entries);
+  }
+  Eigen::SparseMatrix<double> stiffness(2 * mesh.n_nodes(), 2 * mesh.n_nodes());
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  return stiffness;
+}
+
+}  // namespace signorini

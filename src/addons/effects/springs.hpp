@@ -1,0 +1,33 @@
+/// \file
+/// Springs that hold a body to the ground.
+#pragma once
+#include <Eigen/SparseCore>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "signorini/fem/material.hpp"
+#include "signorini/fem/mesh.hpp"
+
+namespace signorini {
+
+/// Springs between a body and the ground, at rest where nothing moves.
+struct Spring {
+  std::string boundary;                                 ///< all along it
+  Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();  ///< in x and y, >= 0 [force/length^3]
+  /// One node of the boundary [length]; the stiffness is then in [force/length].
+  std::optional<Eigen::Vector2d> only_at = {};
+};
+
+/// What springs add to K: along a boundary the integral of the products of its shape functions, so that they
+/// feel the displacements between the nodes.
+/// \param mesh     the body
+/// \param depth    across the plane; a spring at one node is that of the whole depth
+/// \param springs  several at one place add up
+/// \return `2 n_nodes` square, row and column 2 * node + axis; symmetric, positive semidefinite; joins nodes of one
+///   side in the same direction [force/length]
+/// \throws ProblemError if a stiffness is negative or not finite, or as nodes_at()
+[[nodiscard]] Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, const Depth& depth,
+                                                           const std::vector<Spring>& springs);
+
+}  // namespace signorini

@@ -1,0 +1,18 @@
+/// \file
+/// In which direction cells are too coarse.
+#pragma once
+#include <Eigen/Core>
+
+#include "addons/estimate/recovery.hpp"
+
+namespace signorini {
+
+/// How much of a cell's part of error_products() is for want of cells along its sides 0 and 2, rather than along 1 and 3:
+/// by how the recovered stresses of both fields vary that way, corner to corner.
+/// \param fields  u, then one or more z
+/// \param stress  recovered() of them
+/// \return `n_cells x n_z` shares from 0 to 1 [-]; 1/2 where neither way varies, 1 of triangles
+[[nodiscard]] Eigen::MatrixXd share_of_first_direction(const Fields& fields,
+                                                       const SmoothStress& stress);
+
+}  // namespace signorini

@@ -1,0 +1,20 @@
+#include "addons/estimate/fields.hpp"
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+
+void check_fields(const Fields& fields) {
+  for (const NodeArray& u : fields.displacements)
+    require(u.rows() == fields.mesh.n_nodes(), "recovery: need the displacements of ",
+            fields.mesh.n_nodes(), " nodes, got ", u.rows());
+}
+
+Warmth::Warmth(const Matter& matter)
+    : temperature_(matter.temperature), warm_(matter.temperature.warms()) {}
+
+void Warmth::look(const Cell& cell, const StrainPoints& points) {
+  if (warm_) relaxed_ = thermal_strains(cell, points, temperature_);
+}
+
+}  // namespace signorini

@@ -1,0 +1,365 @@
+#include <Eigen/Geometry>
+#include <limits>
+#include <utility>
+
+#include "addons/effects/regions.hpp"
+#include "addons/files/kinds.hpp"
+#include "addons/files/scene_keys.hpp"
+#include "signorini/core/family.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/fem/elements.hpp"
+
+namespace signorini {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+template <>
+struct Words<PlaneState> {
+  static std::vector<Word<PlaneState>> all() {
+    std::vector<Word<PlaneState>> words;
+    for (const PlaneState state : {PlaneState::Strain, PlaneState::Stress, PlaneState::Axial})
+      words.push_back({to_string(state), state});
+    return words;
+  }
+};
+
+namespace {
+
+std::vector<std::string> boundary_names(const Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const auto& named : mesh.boundaries) names.push_back(named.first);
+  return names;
+}
+
+/// Checks that a mesh has a boundary, and that this is not empty.
+void check_boundary(const Value& value, const Mesh& mesh, const std::string& name) {
+  const auto found = mesh.boundaries.find(name);
+  if (found == mesh.boundaries.end())
+    value.fail("'", mesh.name, "' has no boundary ", in_quotes(name),
+               suggestion(name, boundary_names(mesh)));
+  if (found->second.empty())
+    value.fail("the boundary ", in_quotes(name), " of '", mesh.name, "' is empty");
+}
+
+/// The names of boundaries, one or a list.
+std::vector<std::string> boundaries_of(const Value& value, const Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const Value* item : value.one_or_several()) {
+    names.emplace_back();
+    take(*item, names.back());
+    check_boundary(*item, mesh, names.back());
+  }
+  return names;
+}
+
+/// Calls a function with every boundary and what is said of it: { top = 3.6 }.
+template <typename Each>
+void each_boundary(const Value& value, const Mesh& mesh, const Each& each) {
+  if (value.kind != Value::Kind::Table || value.items.empty())
+    value.fail("expected a table of boundaries such as { ",
+               mesh.boundaries.empty() ? std::string("top") : mesh.boundaries.begin()->first,
+               " = ... }, got ", value.shown());
+  for (const Value& item : value.items) {
+    check_boundary(item, mesh, item.name);
+    each(item);
+  }
+}
+
+VectorField constant(const Vector2d& vector) {
+  return [vector](const Vector2d& /*at*/) { return vector; };
+}
+
+/// The boundary that a node at a place lies on: the one with the nearest node.
+std::string boundary_at(const Value& value, const Mesh& mesh, const Vector2d& at) {
+  double least = std::numeric_limits<double>::infinity();
+  std::string nearest;
+  for (const auto& named : mesh.boundaries)
+    for (const Index node : boundary_nodes(mesh, named.first))
+      if (const double apart = (mesh.nodes.row(node).transpose() - at).norm(); apart < least) {
+        least = apart;
+        nearest = named.first;
+      }
+  if (nearest.empty()) value.fail("'", mesh.name, "' has no boundary that the point could be on");
+  return nearest;
+}
+
+void read_point(const Value& value, BodyDraft& draft) {
+  PointDraft point;
+  read_members(value, point_keys(), point);
+  Body& body = draft.body;
+  if (!point.force && !point.spring && !point.x && !point.y)
+    value.fail("nothing acts at this point: give force, spring, x or y");
+  if (point.force) body.loads.points.push_back({point.at, *point.force, point.history});
+  if (const Value* const history = value.find("history");
+      history && !point.force && !point.x && !point.y)
+    history->fail("has no meaning for a spring: leave it out");
+  if (!point.spring && !point.x && !point.y) return;
+  const std::string boundary = boundary_at(value, body.mesh, point.at);
+  if (point.spring) body.springs.push_back({boundary, *point.spring, point.at});
+  const auto move = [&](Axis axis, double by) {
+    body.supports.push_back(prescribed_at(boundary, point.at, axis, by));
+    body.supports.back().history = point.history;
+  };
+  if (point.x) move(Axis::X, *point.x);
+  if (point.y) move(Axis::Y, *point.y);
+}
+
+/// Gives the cells of a box a name, and returns it.
+std::string region_of_box(const Value& value, const std::vector<double>& box, Mesh& mesh) {
+  std::size_t number = mesh.regions.size() + 1;
+  while (mesh.regions.count(text("box ", number)) > 0) ++number;
+  const std::string name = text("box ", number);
+  value.explain([&] {
+    mesh = with_region(std::move(mesh), name, {box[0], box[1]}, {box[2], box[3]});
+  });
+  return name;
+}
+
+/// The smallest box around the corners of some cells.
+Eigen::AlignedBox2d box_around(const Mesh& mesh, const std::vector<Index>& cells) {
+  Eigen::AlignedBox2d box;
+  for (const Index cell : cells)
+    for (int k = 0; k < mesh.corners(cell); ++k)
+      box.extend(Vector2d(mesh.nodes.row(mesh.cells(cell, k)).transpose()));
+  return box;
+}
+
+/// How many cells the edges of a box cut, by more than the last of six digits that a file of nodes may have.
+Index cells_cut(const Mesh& mesh, const std::vector<double>& box) {
+  Index count = 0;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const Eigen::AlignedBox2d around = box_around(mesh, {cell});
+    const Vector2d& low = around.min();
+    const Vector2d& high = around.max();
+    const Vector2d little = 1e-6 * (high - low);
+    const auto within = [&](int axis, double x) {
+      return x > low(axis) + little(axis) && x < high(axis) - little(axis);
+    };
+    const auto spans = [&](int axis) {
+      return box[at(axis)] < high(axis) - little(axis) &&
+             box[at(axis + 2)] > low(axis) + little(axis);
+    };
+    const auto cut = [&](int axis) {
+      return spans(1 - axis) && (within(axis, box[at(axis)]) || within(axis, box[at(axis + 2)]));
+    };
+    if (cut(0) || cut(1)) ++count;
+  }
+  return count;
+}
+
+/// Says of a box whose edges are not those of cells what became of it.
+void note_on_box(const Value& value, const LayerDraft& layer, BodyDraft& draft) {
+  const Mesh& mesh = draft.body.mesh;
+  const Index cut = cells_cut(mesh, layer.box);
+  if (cut == 0) return;
+  const Eigen::AlignedBox2d taken = box_around(mesh, region(mesh, layer.region));
+  const auto corners = [](double left, double bottom, double right, double top) {
+    return text('[', left, ", ", bottom, ", ", right, ", ", top, ']');
+  };
+  draft.notes.push_back(text(
+      value.origin->name, ":", value.find("box")->line, ": the edges of the box ",
+      corners(layer.box[0], layer.box[1], layer.box[2], layer.box[3]), " of a layer of '",
+      mesh.name, "' cut ", cut, cut == 1 ? " cell" : " cells",
+      ". A cell is in a layer whole or not at all, by its middle: the layer takes the cells of ",
+      corners(taken.min().x(), taken.min().y(), taken.max().x(), taken.max().y()),
+      ". Let cells end at the edges of the box if that is not meant"));
+}
+
+void read_layer(const Value& value, BodyDraft& draft) {
+  LayerDraft layer;
+  layer.material = draft.body.material;
+  read_members(value, layer_keys(), layer);
+  if (layer.region.empty() == layer.box.empty()) value.fail("give either region or box");
+  Mesh& mesh = draft.body.mesh;
+  if (layer.region.empty()) {
+    layer.region = region_of_box(value, layer.box, mesh);
+    note_on_box(value, layer, draft);
+  } else if (mesh.regions.find(layer.region) == mesh.regions.end()) {
+    std::vector<std::string> names;
+    for (const auto& named : mesh.regions) names.push_back(named.first);
+    value.find("region")->fail("'", mesh.name, "' has no region ", in_quotes(layer.region),
+                               suggestion(layer.region, names));
+  }
+  value.explain([&] { check_material(layer.material); });
+  draft.body.layers.push_back({layer.region, layer.material});
+}
+
+/// Displacements that are given along a boundary.
+struct Moved {
+  std::optional<double> x, y;
+  std::string history;
+};
+
+void read_prescribed(const Value& value, BodyDraft& draft) {
+  static const Keys<Moved> keys = {key("x", &Moved::x, "length", "displacement along x"),
+                                   key("y", &Moved::y, "length", "displacement along y"),
+                                   history_key(&Moved::history)};
+  each_boundary(value, draft.body.mesh, [&](const Value& item) {
+    Moved moved;
+    read_members(item, keys, moved);
+    if (!moved.x && !moved.y) item.fail("expected { x = ... }, { y = ... } or both");
+    const auto move = [&](Axis axis, double by) {
+      draft.body.supports.push_back(prescribed(item.name, axis, by));
+      draft.body.supports.back().history = moved.history;
+    };
+    if (moved.x) move(Axis::X, *moved.x);
+    if (moved.y) move(Axis::Y, *moved.y);
+  });
+}
+
+Key<BodyDraft> supported(const char* name, const char* help, Support (*made)(const std::string&)) {
+  return {{name, "boundary or list of them", "", "", help},
+          [made](const Value& value, BodyDraft& draft) {
+            for (const std::string& boundary : boundaries_of(value, draft.body.mesh))
+              draft.body.supports.push_back(made(boundary));
+          }};
+}
+
+}  // namespace
+
+const Keys<Material>& material_keys() {
+  static const Keys<Material> keys = {
+      required(key("youngs_modulus", &Material::youngs_modulus, "force/length^2",
+                   "Young's modulus E", Bound::Positive)),
+      required(key("poisson_ratio", &Material::poisson_ratio, "", "Poisson's ratio")),
+      key("state", &Material::state, "", "what does not happen across the plane"),
+      key("thickness", &Material::thickness, "length", "across the plane", Bound::Positive),
+      key("expansion", &Material::expansion, "1/temperature", "thermal strain per temperature")};
+  return keys;
+}
+
+const Keys<LayerDraft>& layer_keys() {
+  static const Keys<LayerDraft> keys = [] {
+    Keys<LayerDraft> made = {
+        key("region", &LayerDraft::region, "", "of the mesh: the cells of the layer"),
+        {{"box", "[left, bottom, right, top]", "length", "",
+          "in place of region: the cells whose middle lies in it or on its edge"},
+         [](const Value& value, LayerDraft& layer) {
+           for (const Value& item : list_of(value, 4, "number")) {
+             layer.box.push_back(0);
+             take(item, layer.box.back());
+           }
+         }}};
+    for (const Key<Material>& key : material_keys()) {
+      if (key.name == "state" || key.name == "thickness") continue;
+      KeyInfo info = key;
+      info.required = false;
+      info.standard = "that of the body";
+      made.push_back({info, [read = key.read](const Value& value, LayerDraft& layer) {
+                        read(value, layer.material);
+                      }});
+    }
+    return made;
+  }();
+  return keys;
+}
+
+const Keys<PointDraft>& point_keys() {
+  static const Keys<PointDraft> keys = {
+      required(key("at", &PointDraft::at, "length",
+                   "where: a node of the edge, for a force also between nodes")),
+      key("force", &PointDraft::force, "force", "on the body"),
+      key("spring", &PointDraft::spring, "force/length", "to the ground, in x and y",
+          Bound::NotNegative),
+      key("x", &PointDraft::x, "length", "given displacement along x"),
+      key("y", &PointDraft::y, "length", "given displacement along y"),
+      history_key(&PointDraft::history)};
+  return keys;
+}
+
+const Keys<Temperature>& temperature_keys() {
+  static const Keys<Temperature> keys = {
+      key("uniform", &Temperature::uniform, "temperature", "at the origin"),
+      key("gradient", &Temperature::gradient, "temperature/length", "along x and y"),
+      history_key(&Temperature::history)};
+  return keys;
+}
+
+const Keys<BodyDraft>& body_keys() {
+  static const Keys<BodyDraft> keys = {
+      {{"name", "text", "", "\"body\"", "of the body; no other body has it"},
+       [](const Value& value, BodyDraft& draft) { take(value, draft.body.mesh.name); }},
+      {{"mesh", "table", "", "",
+        "such as { kind = \"block\", size = [50, 5], cells = [100, 10] }, see meshes", true},
+       [](const Value& value, BodyDraft& draft) {
+         draft.body.mesh = read_mesh(value, draft.body.mesh.name);
+       }},
+      {{"element", "text", "", "the usual one of its cells",
+        "of the cells: " + names_of(elements()) + "; usual are t3, t6, q4_incompatible, q8"},
+       [](const Value& value, BodyDraft& draft) {
+         take_member(value, elements(), "element", draft.body.element);
+         value.explain(
+             [&] { static_cast<void>(element_for(draft.body.mesh, draft.body.element)); });
+       }},
+      {{"material", "table", "", "that of the scene", "see material"},
+       [](const Value& value, BodyDraft& draft) {
+         draft.body.material = {};
+         read_members(value, material_keys(), draft.body.material);
+         value.explain([&] { check_material(draft.body.material); });
+         draft.material = true;
+       }},
+      supported("fixed", "no displacement", fixed),
+      supported("symmetric", "no displacement across straight boundaries, free along them",
+                symmetric),
+      {{"prescribed", "table of boundary = { x, y, history }", "length", "",
+        "given displacements, as { right = { x = 0.1 } }; the other component is free"},
+       read_prescribed},
+      {{"pressure", "table of boundary = number, may grow", "force/length^2", "",
+        "against the body, as { top = 3.6 }; < 0 pulls"},
+       [](const Value& value, BodyDraft& draft) {
+         each_boundary(value, draft.body.mesh, [&](const Value& item) {
+           EdgeLoad load;
+           load.boundary = item.name;
+           take_growing(item, load.pressure, load.history);
+           draft.body.loads.edges.push_back(std::move(load));
+         });
+       }},
+      {{"traction", "table of boundary = [x, y], may grow", "force/length^2", "",
+        "as { right = [0, -1] }"},
+       [](const Value& value, BodyDraft& draft) {
+         each_boundary(value, draft.body.mesh, [&](const Value& item) {
+           EdgeLoad load;
+           load.boundary = item.name;
+           Vector2d traction;
+           take_growing(item, traction, load.history);
+           load.traction = constant(traction);
+           draft.body.loads.edges.push_back(std::move(load));
+         });
+       }},
+      {{"spring", "table of boundary = [x, y] >= 0", "force/length^3", "",
+        "to the ground in x and y, as { bottom = [0, 50] }"},
+       [](const Value& value, BodyDraft& draft) {
+         each_boundary(value, draft.body.mesh, [&](const Value& item) {
+           Vector2d stiffness;
+           take(item, stiffness, Bound::NotNegative);
+           draft.body.springs.push_back({item.name, stiffness, {}});
+         });
+       }},
+      {{"body_force", "[x, y], may grow", "force/length^3", "", "such as the weight"},
+       [](const Value& value, BodyDraft& draft) {
+         Vector2d force;
+         take_growing(value, force, draft.body.loads.body_force_history);
+         draft.body.loads.body_force = constant(force);
+       }},
+      {{"point", "table or list of them", "", "", "what acts at single points, see point"},
+       [](const Value& value, BodyDraft& draft) {
+         for (const Value* item : value.one_or_several()) read_point(*item, draft);
+       }},
+      {{"temperature", "number or table", "temperature", "",
+        "above that without stress; as a table, see temperature"},
+       [](const Value& value, BodyDraft& draft) {
+         Temperature& temperature = draft.body.temperature.emplace();
+         if (value.kind == Value::Kind::Table)
+           read_members(value, temperature_keys(), temperature);
+         else
+           take(value, temperature.uniform);
+       }},
+      {{"layer", "table or list of them", "", "", "parts of another material, see layer"},
+       [](const Value& value, BodyDraft& draft) {
+         for (const Value* item : value.one_or_several()) read_layer(*item, draft);
+       }}};
+  return keys;
+}
+
+}  // namespace signorini

@@ -1,0 +1,435 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "addons/effects/split.hpp"
+#include "addons/files/gmsh.hpp"
+#include "addons/files/kinds.hpp"
+#include "meshes/disc.hpp"
+#include "meshes/half_space.hpp"
+#include "meshes/plate_with_hole.hpp"
+#include "meshes/ring.hpp"
+#include "signorini/core/family.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/reshape.hpp"
+
+namespace signorini {
+
+using Eigen::Index;
+
+template <>
+struct Words<DiscPart> {
+  static std::vector<Word<DiscPart>> all() {
+    return {{"full", DiscPart::Full},
+            {"right", DiscPart::Right},
+            {"lower right", DiscPart::LowerRight}};
+  }
+};
+
+template <>
+struct Words<Sector> {
+  static std::vector<Word<Sector>> all() {
+    return {{"full", Sector::Full}, {"half", Sector::Half}, {"quarter", Sector::Quarter}};
+  }
+};
+
+template <>
+struct Words<MirrorLine> {
+  static std::vector<Word<MirrorLine>> all() {
+    return {{"upright", MirrorLine::Upright}, {"level", MirrorLine::Level}};
+  }
+};
+
+namespace {
+
+constexpr Bound positive = Bound::Positive;
+constexpr double largest_mesh = 1e7;  // cells
+
+const char* const joined_body = "the body of this file";
+const double degree = std::acos(-1.0) / 180;
+
+void check_size(double cells) {
+  require(cells <= largest_mesh, "a mesh of ", cells, " cells is too large; at most ", largest_mesh,
+          " are made");
+}
+
+double number(Index n) { return static_cast<double>(n); }
+
+template <typename Spec>
+Key<Spec> quadratic() {
+  return {{"quadratic", "true or false", "", "false", "8 nodes per cell instead of 4"},
+          [](const Value& value, Spec& spec) {
+            bool wanted = false;
+            take(value, wanted);
+            spec.order = wanted ? MeshOrder::Quadratic : MeshOrder::Linear;
+          }};
+}
+
+Kind<Mesh> block() {
+  using S = BlockSpec;
+  return kind_of<Mesh, S>(
+      "block", "a rectangle; boundaries left, right, bottom, top",
+      {required(key("size", &S::size, "length", "width and height", positive)),
+       required(key("cells", &S::cells_x, &S::cells_y, "", "along x and y", positive)),
+       key("corner", &S::corner, "length", "lower left corner"),
+       key("grading", &S::grading_x, &S::grading_y, "", "last cell / first, along x and y",
+           positive),
+       quadratic<S>()},
+      [](const S& spec) {
+        check_size(number(spec.cells_x) * number(spec.cells_y));
+        return make_block(spec);
+      });
+}
+
+/// Lines of a block along one axis.
+struct Lines {
+  Eigen::VectorXd at, grading;
+  std::vector<Index> cells;
+};
+
+struct GradedBlock {
+  Eigen::VectorXd x, y;
+  MeshOrder order = MeshOrder::Linear;
+};
+
+const Keys<Lines>& line_keys() {
+  static const Keys<Lines> keys = {
+      required(key("at", &Lines::at, "length", "where the parts begin and end, increasing")),
+      {{"cells", "list of whole numbers > 0", "", "", "of each part", true},
+       [](const Value& value, Lines& lines) { take(value, lines.cells, positive); }},
+      key("grading", &Lines::grading, "", "last cell / first of each part; without it all 1",
+          positive)};
+  return keys;
+}
+
+Key<GradedBlock> lines(const char* name, Eigen::VectorXd GradedBlock::*member, const char* help) {
+  return {{name, "table of at, cells, grading", "", "", help, true},
+          [member](const Value& value, GradedBlock& block) {
+            Lines lines;
+            read_members(value, line_keys(), lines);
+            const auto parts = static_cast<Index>(lines.cells.size());
+            if (lines.at.size() != parts + 1)
+              value.fail("expected one more entry of 'at' than of 'cells', got ", lines.at.size(),
+                         " and ", parts);
+            if (lines.grading.size() == 0) lines.grading.setOnes(parts);
+            if (lines.grading.size() != parts)
+              value.fail("expected as many entries of 'grading' as of 'cells', got ",
+                         lines.grading.size(), " and ", parts);
+            std::vector<Stretch> stretches;
+            double cells = 0;
+            for (Index k = 0; k < parts; ++k) {
+              const Index n = lines.cells[static_cast<std::size_t>(k)];
+              stretches.push_back({lines.at(k + 1), n, lines.grading(k)});
+              cells += number(n);
+            }
+            value.explain([&] {
+              check_size(cells);
+              block.*member = stretched(lines.at(0), stretches);
+            });
+          }};
+}
+
+Kind<Mesh> graded_block() {
+  using S = GradedBlock;
+  return kind_of<Mesh, S>(
+      "graded_block", "a rectangle of several parts; boundaries left, right, bottom, top",
+      {lines("x", &S::x, "upright lines: { at = [..], cells = [..], grading = [..] }"),
+       lines("y", &S::y, "level lines, likewise"), quadratic<S>()},
+      [](const S& spec) {
+        check_size(number(spec.x.size()) * number(spec.y.size()));
+        return make_graded_block("block", spec.x, spec.y, spec.order);
+      });
+}
+
+Kind<Mesh> half_space() {
+  using S = HalfSpaceSpec;
+  return kind_of<Mesh, S>(
+      "half_space",
+      "right half of a half-space, fine at the origin; boundaries surface (y = 0), axis (x = 0), "
+      "side, base",
+      {required(key("width", &S::width, "length", "along x", positive)),
+       required(key("depth", &S::depth, "length", "downwards", positive)),
+       key("core", &S::core, "length", "width and depth of the even cells at the origin", positive),
+       key("core_cells", &S::core_columns, &S::core_rows, "", "of the core, along x and y",
+           positive),
+       key("layers", &S::layers, "", "of cells around the core", positive),
+       key("layer_grading", &S::layer_grading, "",
+           "growth of the last layer / of the first, in logarithms", positive),
+       quadratic<S>()},
+      [](const S& spec) {
+        const double columns = number(spec.core_columns), rows = number(spec.core_rows);
+        check_size(columns * rows + (columns + rows) * number(spec.layers));
+        return make_half_space(spec);
+      });
+}
+
+Kind<Mesh> edge_block() {
+  using S = EdgeBlockSpec;
+  return kind_of<Mesh, S>(
+      "edge_block",
+      "right half of a half-space, fine below the edge of a load; boundaries surface (y = 0), "
+      "loaded (of it), axis, side, base",
+      {required(key("edge", &S::edge, "length", "where the load ends", positive)),
+       required(key("width", &S::width, "length", "along x", positive)),
+       required(key("depth", &S::depth, "length", "downwards", positive)),
+       key("cells_under", &S::cells_under, "", "under the load", positive),
+       key("cells_beside", &S::cells_beside, "", "from the edge to the side, at least 2", positive),
+       key("cells_deep", &S::cells_deep, "", "from the surface to the base, at least 2", positive),
+       key("grading_under", &S::grading_under, "", "cell at the axis / cell at the edge", positive),
+       key("grading_beside", &S::grading_beside, "",
+           "cell at the side / at the edge; without it the first is as wide as the last under the "
+           "load",
+           positive),
+       key("grading_deep", &S::grading_deep, "",
+           "cell at the base / at the surface; without it the first is as high as that one is wide",
+           positive),
+       quadratic<S>()},
+      [](const S& spec) {
+        check_size((number(spec.cells_under) + number(spec.cells_beside)) *
+                   number(spec.cells_deep));
+        return make_edge_block(spec);
+      });
+}
+
+Kind<Mesh> round_disc() {
+  using S = DiscSpec;
+  return kind_of<Mesh, S>(
+      "disc", "a disc of even cells; boundaries rim, of a part also axis, of a quarter middle",
+      {required(key("radius", &S::radius, "length", "of the disc", positive)),
+       key("centre", &S::centre, "length", "of the disc"),
+       key("part", &S::part, "", "how much of it"),
+       key("core", &S::core, "", "half width of the core / radius", positive),
+       key("core_roundness", &S::core_roundness, "", "of the core, 0 (square) to 1 (disc)",
+           Bound::NotNegative),
+       key("core_cells", &S::core_cells, "", "from the centre to a side of the core", positive),
+       key("layers", &S::layers, "", "of cells around the core", positive),
+       key("layer_grading", &S::layer_grading, "", "outermost layer / innermost", positive),
+       quadratic<S>()},
+      [](const S& spec) {
+        const double core = number(spec.core_cells);
+        check_size(4 * (core * core + 2 * core * number(spec.layers)));
+        return make_disc(spec);
+      });
+}
+
+Kind<Mesh> pressed_disc() {
+  using S = PressedDiscSpec;
+  return kind_of<Mesh, S>(
+      "pressed_disc", "a disc that is fine at its lowest and highest point; boundaries as of disc",
+      {required(key("radius", &S::radius, "length", "of the disc", positive)),
+       key("pole", &S::pole, "length", "lowest point"), key("part", &S::part, "", "how much of it"),
+       key("core", &S::core, "length", "width along x and depth of the even cells at the pole",
+           positive),
+       key("core_cells", &S::core_columns, &S::core_rows, "", "of the core, along rim and axis",
+           positive),
+       key("layers", &S::layers, "", "of cells around the core", positive),
+       key("layer_grading", &S::layer_grading, "",
+           "growth of the last layer / of the first, in logarithms", positive),
+       quadratic<S>()},
+      [](const S& spec) {
+        const double columns = number(spec.core_columns), rows = number(spec.core_rows);
+        check_size(4 * (columns * rows + (columns + rows) * number(spec.layers)));
+        return make_pressed_disc(spec);
+      });
+}
+
+/// Rays in degrees, or evenly in each quadrant.
+template <typename Spec>
+struct WithRays : Spec {
+  std::vector<Index> quadrants;
+};
+
+template <typename Spec>
+Keys<WithRays<Spec>> ray_keys(Keys<WithRays<Spec>> keys) {
+  using S = WithRays<Spec>;
+  keys.push_back({{"rays", "list of numbers", "degree", "",
+                   "directions of the rays, one more than cells along the angle; without it even"},
+                  [](const Value& value, S& spec) {
+                    take(value, spec.rays);
+                    spec.rays *= degree;
+                  }});
+  keys.push_back({{"quadrants", "list of whole numbers > 0", "", "",
+                   "cells of each quadrant, in place of rays"},
+                  [](const Value& value, S& spec) {
+                    take(value, spec.quadrants, positive);
+                    if (spec.rays.size() > 0) value.fail("give either rays or quadrants, not both");
+                  }});
+  keys.push_back({{"sector", type_name<Sector>(Bound::Any), "", written(Sector::Full),
+                   "how much of it, counter-clockwise from the x axis"},
+                  [](const Value& value, S& spec) { take(value, spec.sector); }});
+  keys.push_back(quadratic<S>());
+  return keys;
+}
+
+template <typename Spec>
+Spec checked(WithRays<Spec> spec) {
+  if (!spec.quadrants.empty()) spec.rays = rays_by_quadrant(spec.quadrants);
+  check_size(number(spec.cells_angle) * number(spec.cells_radius));
+  return spec;
+}
+
+template <typename S>
+Key<S> cells_around(const char* help) {
+  return {{"cells", "two of: whole number > 0", "", "", help, true},
+          [](const Value& value, S& spec) {
+            const std::vector<Value>& both = list_of(value, 2, "whole number > 0");
+            take(both[0], spec.cells_angle, positive);
+            take(both[1], spec.cells_radius, positive);
+          }};
+}
+
+template <typename S, typename M, typename B>
+Key<S> inherited(const char* name, M B::*member, const char* unit, const char* help, Bound bound) {
+  return {{name, type_name<M>(bound), unit, written(S{}.*member), help},
+          [member, bound](const Value& value, S& spec) { take(value, spec.*member, bound); }};
+}
+
+Kind<Mesh> plate_with_hole() {
+  using B = PlateWithHoleSpec;
+  using S = WithRays<B>;
+  return kind_of<Mesh, S>(
+      "plate_with_hole",
+      "a rectangle with a round hole in its middle; boundaries hole, left, right, bottom, top, of "
+      "a "
+      "part also symmetry (x axis) and symmetry_y",
+      ray_keys<B>(
+          {required(
+               inherited<S>("hole_radius", &B::hole_radius, "length", "of the hole", positive)),
+           required(inherited<S>("size", &B::size, "length", "of the whole plate", positive)),
+           cells_around<S>("along the hole, and from the hole to the sides"),
+           inherited<S>("centre", &B::centre, "length", "of hole and plate", Bound::Any),
+           inherited<S>("grading", &B::grading, "", "outer cell of a ray / inner", positive)}),
+      [](const S& spec) { return make_plate_with_hole(checked<B>(spec)); });
+}
+
+Kind<Mesh> annulus() {
+  using B = AnnulusSpec;
+  using S = WithRays<B>;
+  return kind_of<Mesh, S>(
+      "ring",
+      "what lies between two circles; boundaries inner, outer, of a part also symmetry (x axis) "
+      "and symmetry_y",
+      ray_keys<B>(
+          {required(
+               inherited<S>("inner_radius", &B::inner_radius, "length", "of the hole", positive)),
+           required(inherited<S>("outer_radius", &B::outer_radius, "length", "above inner_radius",
+                                 positive)),
+           cells_around<S>("along the angle and the radius"),
+           inherited<S>("centre", &B::centre, "length", "of both circles", Bound::Any),
+           inherited<S>("grading", &B::grading, "", "outermost cell / innermost", positive)}),
+      [](const S& spec) { return make_annulus(checked<B>(spec)); });
+}
+
+/// A mesh of a file.
+struct Filed {
+  std::string file;
+  std::vector<std::string> surfaces;
+  const Value* value = nullptr;
+};
+
+/// The mesh of one surface; those of the others wait for their bodies.
+Mesh mesh_of_surface(const Origin& origin, const std::filesystem::path& file,
+                     const std::string& surface) {
+  std::vector<Mesh>& meshes = origin.waiting[file];
+  const auto place = [&] {
+    return std::find_if(meshes.begin(), meshes.end(),
+                        [&](const Mesh& mesh) { return mesh.name == surface; });
+  };
+  if (place() == meshes.end()) {
+    meshes = read_gmsh(file);
+    static_cast<void>(mesh_named(meshes, surface));
+  }
+  const auto found = place();
+  Mesh mesh = std::move(*found);
+  meshes.erase(found);
+  return mesh;
+}
+
+Kind<Mesh> gmsh() {
+  const Keys<Filed> keys = {
+      {{"file", "text", "", "", "written by Gmsh, in the folder of the scene file", true},
+       [](const Value& value, Filed& filed) {
+         take(value, filed.file);
+         filed.value = &value;
+       }},
+      {{"surface", "text or list of them", "", "",
+        "physical surface that is the body; may be left out if there is only one. Of a list each "
+        "becomes a region, for "
+        "layers"},
+       [](const Value& value, Filed& filed) {
+         for (const Value* item : value.one_or_several())
+           take(*item, filed.surfaces.emplace_back());
+         if (filed.surfaces.empty())
+           value.fail("expected the name of a physical surface, got none");
+       }}};
+  return {"gmsh", "a physical surface of a Gmsh file; boundaries are its physical curves",
+          infos(keys), [keys](const Value& table) -> Mesh {
+            Filed filed;
+            fill(table, keys, filed);
+            return filed.value->explain([&]() -> Mesh {
+              GmshParts parts;
+              if (filed.surfaces.size() > 1) parts[joined_body] = filed.surfaces;
+              const std::filesystem::path file = table.origin->folder / filed.file;
+              if (filed.surfaces.size() == 1)
+                return mesh_of_surface(*table.origin, file, filed.surfaces.front());
+              std::vector<Mesh> meshes = read_gmsh(file, parts);
+              if (!parts.empty()) return mesh_named(meshes, joined_body);
+              pose(meshes.size() == 1, "the file has ", meshes.size(),
+                   " bodies: say which one with surface = \"NAME\"; there are: ", names_of(meshes));
+              return std::move(meshes.front());
+            });
+          }};
+}
+
+/// What is done with a mesh of any kind, in this order.
+struct Place {
+  bool triangles = false;
+  std::optional<MirrorLine> mirror;
+  double turn = 0;
+  Eigen::Vector2d move = Eigen::Vector2d::Zero();
+};
+
+const Keys<Place>& place_keys() {
+  static const Keys<Place> keys = {
+      key("triangles", &Place::triangles, "", "every quadrilateral is cut into two triangles"),
+      key("mirror", &Place::mirror, "",
+          "at the line x = 0 (upright) or y = 0 (level); boundaries keep their names"),
+      key("turn", &Place::turn, "degree", "about the origin, counter-clockwise, after mirror"),
+      key("move", &Place::move, "length", "to another place, after mirror and turn")};
+  return keys;
+}
+
+}  // namespace
+
+const std::vector<Kind<Mesh>>& mesh_kinds() {
+  static const std::vector<Kind<Mesh>> kinds = {block(),      graded_block(),    half_space(),
+                                                edge_block(), round_disc(),      pressed_disc(),
+                                                annulus(),    plate_with_hole(), gmsh()};
+  return kinds;
+}
+
+const std::vector<KeyInfo>& mesh_keys() {
+  static const std::vector<KeyInfo> keys = infos(place_keys());
+  return keys;
+}
+
+Mesh read_mesh(const Value& table, const std::string& name) {
+  Mesh mesh = find_kind(table, mesh_kinds(), mesh_keys()).make(table);
+  Place place;
+  fill(table, place_keys(), place);
+  if (place.triangles) mesh = split(mesh);
+  if (place.mirror) mesh = mirrored(std::move(mesh), *place.mirror);
+  if (place.turn != 0) {
+    const Eigen::RowVector2d e = unit_vector(place.turn * degree);
+    mesh = mapped(std::move(mesh), [e](const Eigen::Vector2d& at) -> Eigen::Vector2d {
+      return {e.x() * at.x() - e.y() * at.y(), e.y() * at.x() + e.x() * at.y()};
+    });
+  }
+  if (place.move != Eigen::Vector2d::Zero()) mesh = moved(std::move(mesh), place.move);
+  mesh.name = name;
+  return mesh;
+}
+
+}  // namespace signorini

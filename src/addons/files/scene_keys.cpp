@@ -1,0 +1,220 @@
+#include "addons/files/scene_keys.hpp"
+
+#include <utility>
+
+#include "addons/files/kinds.hpp"
+#include "papers/solver_table.hpp"
+#include "signorini/contact/gap_operators.hpp"
+#include "signorini/core/family.hpp"
+
+namespace signorini {
+
+template <>
+struct Words<Quadrature> {
+  static std::vector<Word<Quadrature>> all() {
+    return {{"segments", Quadrature::Segments}, {"source edges", Quadrature::SourceEdges}};
+  }
+};
+
+namespace {
+
+/// A boundary as BODY.BOUNDARY; of the only body also as BOUNDARY.
+Side side_of(const Value& value, const std::vector<Body>& bodies) {
+  std::string word;
+  take(value, word);
+  std::vector<std::string> known;
+  for (const Body& body : bodies)
+    for (const auto& [name, sides] : body.mesh.boundaries) {
+      const std::string full = body.mesh.name + "." + name;
+      if (word == full || (bodies.size() == 1 && word == name)) {
+        if (sides.empty()) value.fail("the boundary ", in_quotes(word), " is empty");
+        return {name, body.mesh.name};
+      }
+      known.push_back(bodies.size() == 1 ? name : full);
+    }
+  value.fail("there is no boundary ", in_quotes(word), suggestion(word, known));
+}
+
+Body read_body(const Value& value, SceneDraft& scene) {
+  BodyDraft draft;
+  if (scene.material) draft.body.material = *scene.material;
+  read_members(value, body_keys(), draft);
+  if (!draft.material && !scene.material)
+    value.fail("the key 'material' is missing, of the body or at the head of the file");
+  scene.material_used = scene.material_used || !draft.material;
+  scene.file.notes.insert(scene.file.notes.end(), draft.notes.begin(), draft.notes.end());
+  return std::move(draft.body);
+}
+
+void read_bodies(const Value& value, SceneDraft& draft) {
+  std::vector<Body>& bodies = draft.file.scene.bodies;
+  bodies.clear();
+  for (const Value* item : value.one_or_several()) {
+    Body body = read_body(*item, draft);
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      if (bodies[k].mesh.name == body.mesh.name)
+        item->fail("the body of line ", draft.file.body_lines[k], " is called ",
+                   in_quotes(body.mesh.name), " too: give every body a name of its own");
+    bodies.push_back(std::move(body));
+    draft.file.body_lines.push_back(item->line);
+  }
+  if (bodies.empty()) value.fail("a scene needs at least one body");
+}
+
+/// Refuses choices that nothing asks for.
+void check_choices(const Value& value, const ContactSpec& contact) {
+  const bool rigid = std::holds_alternative<Obstacle>(contact.target);
+  const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
+  const auto refuse = [&](const char* name, bool taken) {
+    const Value* const choice = value.find(name);
+    if (choice == nullptr || (!rigid && taken)) return;
+    choice->fail("has no meaning ",
+                 rigid ? "beside a rigid obstacle" : "for the operator " + contact.gap_operator,
+                 ": leave it out");
+  };
+  refuse("operator", true);
+  refuse("points", gap_operator.takes_points);
+  refuse("quadrature", gap_operator.takes_quadrature);
+}
+
+void read_contacts(const Value& value, SceneDraft& draft) {
+  for (const Value* item : value.one_or_several()) {
+    ContactDraft contact;
+    contact.bodies = &draft.file.scene.bodies;
+    read_members(*item, contact_keys(), contact);
+    check_choices(*item, contact.contact);
+    draft.file.scene.contacts.push_back(std::move(contact.contact));
+    draft.file.contact_lines.push_back(item->line);
+  }
+}
+
+}  // namespace
+
+const Keys<Friction>& friction_keys() {
+  static const Keys<Friction> keys = {
+      key("coefficient", &Friction::coefficient, "", "mu", Bound::NotNegative),
+      key("cohesion", &Friction::cohesion, "force/length^2", "c where the sides touch",
+          Bound::NotNegative),
+      {{"law", "text", "", written(Friction().law),
+        "name of the law: " + names_of(friction_laws())},
+       [](const Value& value, Friction& friction) {
+         take_member(value, friction_laws(), "law", friction.law);
+       }}};
+  return keys;
+}
+
+const Keys<ContactDraft>& contact_keys() {
+  const ContactSpec usual;
+  static const Keys<ContactDraft> keys = {
+      {{"source", "\"BODY.BOUNDARY\"", "", "",
+        "side that carries the forces (slave); of the only body \"BOUNDARY\" is enough", true},
+       [](const Value& value, ContactDraft& draft) {
+         draft.contact.source = side_of(value, *draft.bodies);
+       }},
+      {{"target", "\"BODY.BOUNDARY\" or table", "", "",
+        "side that it meets (master), or a rigid obstacle, see obstacles", true},
+       [](const Value& value, ContactDraft& draft) {
+         if (value.kind == Value::Kind::Table)
+           draft.contact.target = read_obstacle(value);
+         else
+           draft.contact.target = side_of(value, *draft.bodies);
+       }},
+      {{"friction", "number >= 0 or table", "", "",
+        "coefficient of friction; as a table, see friction"},
+       [](const Value& value, ContactDraft& draft) {
+         Friction& friction = draft.contact.friction.emplace();
+         if (value.kind == Value::Kind::Table)
+           read_members(value, friction_keys(), friction);
+         else
+           take(value, friction.coefficient, Bound::NotNegative);
+         if (value.kind != Value::Kind::Table) return;
+         // So that what a law refuses is told where it stands.
+         value.explain(
+             [&] { static_cast<void>(find_friction_law(friction.law).bound(friction, 1)); });
+         if (value.find("coefficient") == nullptr && value.find("cohesion") == nullptr)
+           value.fail(
+               "expected a coefficient or a cohesion, got neither: give one, or leave friction "
+               "out");
+       }},
+      {{"interference", type_name<double>(Bound::NotNegative) + ", may grow", "length", "",
+        "by how much more the sides overlap than the meshes say: a press fit"},
+       [](const Value& value, ContactDraft& draft) {
+         take_growing(value, draft.contact.interference.emplace(),
+                      draft.contact.interference_history, Bound::NotNegative);
+       }},
+      {{"adjust", type_name<double>(Bound::NotNegative), "length", "",
+        "gaps and overlaps of the meshes up to this count as none"},
+       [](const Value& value, ContactDraft& draft) {
+         take(value, draft.contact.adjust, Bound::NotNegative);
+       }},
+      {{"operator", "text", "", written(usual.gap_operator),
+        "between two bodies: " + names_of(gap_operators())},
+       [](const Value& value, ContactDraft& draft) {
+         take_member(value, gap_operators(), "operator", draft.contact.gap_operator);
+       }},
+      {{"quadrature", type_name<Quadrature>(Bound::Any), "", written(usual.quadrature),
+        "where the operator integrates"},
+       [](const Value& value, ContactDraft& draft) { take(value, draft.contact.quadrature); }},
+      {{"points", type_name<int>(Bound::Positive), "", "",
+        "Gauss points per edge or segment; without it as many as the operator wants"},
+       [](const Value& value, ContactDraft& draft) {
+         take(value, draft.contact.points, Bound::Positive);
+       }},
+      {{"small_sliding", type_name<bool>(Bound::Any), "", written(usual.small_sliding),
+        "whether a pair may slide farther than its edge and still press on the place that it faced "
+        "at first"},
+       [](const Value& value, ContactDraft& draft) { take(value, draft.contact.small_sliding); }}};
+  return keys;
+}
+
+const Keys<Output>& output_keys() {
+  static const Keys<Output> keys = {
+      key("vtu", &Output::vtu, "", "file of meshes and fields, for ParaView"),
+      key("csv", &Output::csv, "", "file of the pressure table"),
+      key("plot", &Output::plot, "", "picture of pressure and deformed meshes, .svg or .png"),
+      key("state", &Output::state, "", "of load steps: where they are, for --from")};
+  return keys;
+}
+
+const Keys<SceneDraft>& scene_keys() {
+  static const Keys<SceneDraft> keys = {
+      {{"title", "text", "", "", "what it is, one line"},
+       [](const Value& value, SceneDraft& draft) { take(value, draft.file.title); }},
+      {{"solver", "text", "", written(std::string(Scene().solver.name)),
+        "of the contact problem, see signorini --list"},
+       [](const Value& value, SceneDraft& draft) {
+         std::string name;
+         take_member(value, all_solvers(), "solver", name);
+         draft.file.scene.solver = find_solver(name);
+       }},
+      {{"material", "table", "", "", "of the bodies that have none of their own, see material"},
+       [](const Value& value, SceneDraft& draft) {
+         read_members(value, material_keys(), draft.material.emplace());
+         value.explain([&] { check_material(*draft.material); });
+       }},
+      {{"body", "table or list of them", "", "", "each a [[body]] with its mesh, see body", true},
+       read_bodies},
+      {{"contact", "table or list of them", "", "",
+        "what may touch, each a [[contact]], see contact"},
+       read_contacts},
+      {{"history", "table or list of them", "", "",
+        "each a [[history]], what loads grow with if steps do not say it, see load steps"},
+       read_histories},
+      {{"steps", "table or list of them", "", "",
+        "each a [[steps]], one after another, see load steps; without it all loads come at once"},
+       read_steps},
+      {{"halvings", type_name<int>(Bound::NotNegative), "", written(Path().halvings),
+        "how often in a row a step that fails is tried half as long"},
+       [](const Value& value, SceneDraft& draft) {
+         std::optional<Path>& path = draft.file.scene.path;
+         if (!path) value.fail("has no meaning without [[steps]]: leave it out");
+         take(value, path->halvings, Bound::NotNegative);
+       }},
+      {{"output", "table", "", "", "what is written, into the working folder, see output"},
+       [](const Value& value, SceneDraft& draft) {
+         read_members(value, output_keys(), draft.file.output);
+       }}};
+  return keys;
+}
+
+}  // namespace signorini

@@ -1,0 +1,117 @@
+/// \file
+/// The keys of a scene file, table by table.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "addons/files/keys.hpp"
+#include "addons/files/scene_file.hpp"
+
+namespace signorini {
+
+/// A scene while it is read.
+struct SceneDraft {
+  SceneFile file;                         ///< what was read so far
+  const Value* root = nullptr;            ///< the whole text
+  std::optional<Material> material = {};  ///< of the bodies that have none of their own
+  bool material_used = false;             ///< whether there is such a body
+  std::vector<History> histories = {};    ///< of load steps
+  std::vector<const Value*> places = {};  ///< where each of them stands in the text
+};
+
+/// A body while it is read.
+struct BodyDraft {
+  Body body;                            ///< what was read so far
+  bool material = false;                ///< whether it has one of its own
+  std::vector<std::string> notes = {};  ///< on what was read
+};
+
+/// A contact while it is read.
+struct ContactDraft {
+  const std::vector<Body>* bodies = nullptr;  ///< of the scene
+  ContactSpec contact;                        ///< what was read so far
+};
+
+/// What acts at one point of a body.
+struct PointDraft {
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< where
+  std::optional<Eigen::Vector2d> force = {};     ///< on the body
+  std::optional<Eigen::Vector2d> spring = {};    ///< stiffness in x and y
+  std::optional<double> x = {};                  ///< given displacement along x
+  std::optional<double> y = {};                  ///< given displacement along y
+  std::string history = {};                      ///< that force and displacements grow with
+};
+
+/// Some load steps while they are read.
+struct StepsDraft {
+  std::optional<double> until = {};  ///< time at which they end
+  int count = 1;                     ///< how many
+  const Value* values = nullptr;     ///< table of what histories reach then
+};
+
+/// A layer while it is read.
+struct LayerDraft {
+  std::string region;       ///< its name; empty if it is given by a box
+  std::vector<double> box;  ///< left, bottom, right, top; empty without
+  Material material;        ///< that of the body, but for what the layer says
+};
+
+/// \return keys of the head of the file, in the order in which they are read
+[[nodiscard]] const Keys<SceneDraft>& scene_keys();
+/// \return keys of a body, in the order in which they are read
+[[nodiscard]] const Keys<BodyDraft>& body_keys();
+/// \return keys of a material, in the order in which they are read
+[[nodiscard]] const Keys<Material>& material_keys();
+/// \return keys of a layer, in the order in which they are read
+[[nodiscard]] const Keys<LayerDraft>& layer_keys();
+/// \return keys of a point of a body, in the order in which they are read
+[[nodiscard]] const Keys<PointDraft>& point_keys();
+/// \return keys of a temperature, in the order in which they are read
+[[nodiscard]] const Keys<Temperature>& temperature_keys();
+/// \return keys of a contact, in the order in which they are read
+[[nodiscard]] const Keys<ContactDraft>& contact_keys();
+/// \return keys of a history, in the order in which they are read
+[[nodiscard]] const Keys<History>& history_keys();
+/// \return keys of some load steps, in the order in which they are read
+[[nodiscard]] const Keys<StepsDraft>& steps_keys();
+/// \return keys of a value that grows with a history
+[[nodiscard]] const std::vector<KeyInfo>& growing_keys();
+/// \return keys of friction, in the order in which they are read
+[[nodiscard]] const Keys<Friction>& friction_keys();
+/// \return keys of what is written, in the order in which they are read
+[[nodiscard]] const Keys<Output>& output_keys();
+
+/// Reads `[[history]]`. \param value  of the key \param draft  gets the histories
+/// \throws ProblemError for a table that is none, or a name that another has
+void read_histories(const Value& value, SceneDraft& draft);
+/// Reads `[[steps]]`, after `[[history]]`. \param value  of the key \param draft  gets the path
+/// \throws ProblemError for a step of size zero or a value of a history that has a table
+void read_steps(const Value& value, SceneDraft& draft);
+/// Checks that every history that is named exists, and that every one is named, when all has been read.
+/// \param draft  of the text
+/// \throws ProblemError otherwise, or if there are histories but no steps
+void check_histories(const SceneDraft& draft);
+
+/// A value that may grow with a history: by itself, or as `{ value = ..., history = ... }`.
+/// \param value    of a key
+/// \param into     receives it
+/// \param history  receives the name; stays as it is without one
+/// \param bound    of numbers
+/// \throws ProblemError as take()
+template <typename M>
+void take_growing(const Value& value, M& into, std::string& history, Bound bound = Bound::Any) {
+  if (value.kind != Value::Kind::Table) return take(value, into, bound);
+  check_members(value, growing_keys());
+  take(*value.find("value"), into, bound);
+  take(*value.find("history"), history);
+}
+
+/// \param member  gets the name \return the key `history` of a table
+template <typename T>
+[[nodiscard]] Key<T> history_key(std::string T::*member) {
+  return key("history", member, "",
+             "what it grows with, see load steps; without it, it is always there");
+}
+
+}  // namespace signorini

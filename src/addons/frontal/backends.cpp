@@ -1,0 +1,18 @@
+#include "addons/frontal/backend.hpp"
+
+namespace signorini {
+
+// The table: one line per function that returns a member. A program that is linked with other libraries compiles this file
+// once more, with their members too.
+#ifndef SIGNORINI_BACKENDS
+#define SIGNORINI_BACKENDS frontal()
+#endif
+
+Backend SIGNORINI_BACKENDS;  // declares them
+
+const std::vector<Backend>& backends() {
+  static const std::vector<Backend> family = {SIGNORINI_BACKENDS};
+  return family;
+}
+
+}  // namespace signorini

@@ -1,0 +1,35 @@
+// The back end `frontal`: ours.
+#include <memory>
+
+#include "addons/frontal/backend.hpp"
+#include "addons/frontal/frontal_factor.hpp"
+
+namespace signorini {
+namespace {
+
+Factor factored(const Stiffness& K, Ledger& ledger) {
+  const SeparatorTree tree = [&] {
+    const Ledger::Phase ordering(ledger, "ordering");
+    return separator_tree(K.matrix, K.positions ? K.positions() : Positions{});
+  }();
+  const auto factor =
+      std::make_shared<const FrontalFactor>(K.matrix, tree, ledger, K.describe, K.grounded);
+  return {[factor](const Eigen::Ref<const Eigen::VectorXd>& load) { return factor->solve(load); },
+          [factor](const Factor::Rows& A, Ledger& counts) { return factor->compliance(A, counts); },
+          {factor->size(), factor->nonzeros(), factor->operations(), factor->solve_operations()},
+          [factor](const std::vector<Eigen::Index>& unknowns) {
+            const FrontalFactor::Part part = factor->part(unknowns);
+            return Factor::Part{[factor, part](const Eigen::Ref<const Eigen::VectorXd>& load) {
+                                  return factor->solve(part, load);
+                                },
+                                part.solve_operations};
+          }};
+}
+
+}  // namespace
+
+Backend frontal() {
+  return {"frontal", "front by front on a tree of separators; ours, needs nothing", factored};
+}
+
+}  // namespace signorini

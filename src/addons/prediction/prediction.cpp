@@ -1,0 +1,254 @@
+#include "addons/prediction/prediction.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "addons/prediction/front_speed.hpp"
+#include "signorini/core/bytes.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/fem/along_boundary.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/pattern.hpp"
+#include "signorini/scene/sample.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+BodySummary summary_of(const BodyModel& body) {
+  const NodeArray load = nodal_loads(body.mesh, body.element, body.material, body.loads);
+  Resultant sum;
+  for (Index node = 0; node < load.rows(); ++node)
+    sum.add(body.mesh.nodes.row(node).transpose(), load.row(node).transpose());
+  BodySummary summary{body.mesh.name, body.unknowns.count, static_cast<Index>(body.pieces.size()),
+                      sum.force, sum.moment};
+  if (is_axial(body)) {  // all round the axis, these cancel
+    summary.force.x() = 0;
+    summary.moment = 0;
+  }
+  return summary;
+}
+
+bool is_default(const Solver& solver) { return solver.solve == Scene().solver.solve; }
+
+/// Why the run will go the way it goes.
+std::string method_of(const Plan& plan) {
+  if (plan.gaps.A.rows() == 0) return "one linear solve: nothing touches";
+  const Solver& solver = plan.solver;
+  std::string why =
+      text("solver ", solver.name, is_default(solver) ? ", the default," : ", as asked for,",
+           " on the condensed problem (", solver.summary, ")");
+  if (!plan.law.pair.empty()) why += "; it takes friction";
+  if (!plan.modes.empty())
+    why += text("; ", plan.modes.size(),
+                plan.modes.size() == 1 ? " rigid motion is an unknown of its own"
+                                       : " rigid motions are unknowns of their own",
+                solver.rigid_modes ? "" : ", held by springs that carry nothing in the end");
+  return why + "; certified from K, p, A, g";
+}
+
+/// Why nobody knows how many iterations contact takes; empty if it is known.
+std::string why_not_counted(const Plan& plan) {
+  if (plan.gaps.A.rows() == 0) return "";
+  std::string why;
+  if (!is_default(plan.solver)) why += text(", solver ", plan.solver.name);
+  if (!plan.law.pair.empty()) why += text(", pairs that rub: ", plan.law.pair.size());
+  if (!plan.modes.empty()) why += text(", rigid motions: ", plan.modes.size());
+  if (why.empty()) return why;
+  return text("how many iterations contact takes depends on the numbers and is not known before (",
+              why.substr(2), ')');
+}
+
+/// Collects the figures phase by phase.
+class Figures {
+ public:
+  Figures(const Plan& plan, const Pattern& known)
+      : plan_(plan),
+        known_(known),
+        rows_(static_cast<double>(known.rows.rows())),
+        speed_(measure_speed(known.fronts, known.paths)),
+        sample_(sample_of(plan, known.stiffness.nonZeros())),
+        steps_(std::max(1.0, static_cast<double>(plan.path.times.size()))),
+        of_factor_(plan.backend.factor == Scene().backend.factor ? Trust::Exact : Trust::Estimate),
+        counted_(why_not_counted(plan).empty()) {}
+
+  std::vector<PredictedFigure> all() {
+    assembly();
+    factor();
+    condensation();
+    const double once = seconds_;
+    contact();
+    refinement();
+    const Trust trust = counted_ ? Trust::Estimate : Trust::AtLeast;
+    if (steps_ > 1) add(Built::PerStep, later_step, "seconds", (seconds_ - once) / steps_, trust);
+    add(Built::Once, all_phases, "seconds", seconds_, trust);
+    return std::move(figures_);
+  }
+
+ private:
+  static constexpr double number = sizeof(double);
+
+  void add(Built built, const char* phase, const char* what, double amount, Trust trust) {
+    figures_.push_back({built, phase, what, amount, trust});
+  }
+  void seconds(Built built, const char* phase, double amount) {
+    seconds_ += amount;
+    add(built, phase, "seconds", amount, Trust::Estimate);
+  }
+  [[nodiscard]] double factor_bytes() const {
+    return number * static_cast<double>(known_.fronts.entries);
+  }
+
+  void assembly() {
+    const char* const phase = "assembly";
+    const auto exact = [&](const char* what, Index amount) {
+      add(Built::Once, phase, what, static_cast<double>(amount), Trust::Exact);
+    };
+    exact("unknowns", plan_.unknowns.count);
+    exact("pairs", plan_.gaps.A.rows());
+    exact("rows", known_.rows.rows());
+    exact("stiffness entries", known_.stiffness.nonZeros());
+    exact("bytes", bytes_of(known_.stiffness) + bytes_of(known_.rows));
+    seconds(Built::Once, phase, sample_.assembly);
+  }
+
+  void factor() {
+    const Fronts& fronts = known_.fronts;
+    seconds(Built::Once, "factor/ordering", known_.ordering);
+    seconds(Built::Once, "factor/symbolic", known_.analysis);
+    const char* const phase = "factor/numeric";
+    add(Built::Once, phase, "nonzeros", static_cast<double>(fronts.nonzeros()), of_factor_);
+    add(Built::Once, phase, "operations", fronts.operations(), of_factor_);
+    add(Built::Once, phase, "bytes", factor_bytes(), of_factor_);
+    add(Built::Once, phase, "stack bytes",
+        number * static_cast<double>(fronts.update_stack().most()), of_factor_);
+    double handed_on = 0;
+    for (const Front& front : fronts.all)
+      handed_on += number * static_cast<double>(front.rim() * front.rim());
+    // Every entry of L and of an update is cleared once, and an update is read once by the front above.
+    seconds(Built::Once, phase,
+            over(fronts.operations(), speed_.elimination) +
+                over(factor_bytes() + 2 * handed_on, speed_.memory));
+  }
+
+  void condensation() {
+    const char* const phase = "condensation";
+    add(Built::PerStep, phase, "operations of one solve", known_.fronts.solve_operations(),
+        of_factor_);
+    add(Built::Once, phase, "operations",
+        known_.fronts.solve_operations() + known_.paths.operations, of_factor_);
+    add(Built::Once, phase, "bytes", number * rows_ * rows_, Trust::Exact);
+    add(Built::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()), of_factor_);
+    const double all =
+        1 + static_cast<double>(plan_.parts.size());  // each part of a path has its u0
+    // The compliance is cleared and filled, and every rigid motion meets every row.
+    const double modes = static_cast<double>(plan_.modes.size());
+    const double touched = 2 * rows_ * rows_ + modes * static_cast<double>(plan_.unknowns.count) +
+                           modes * 2 * static_cast<double>(known_.rows.nonZeros());
+    seconds(Built::Once, phase,
+            all * solve() + over(known_.paths.operations, speed_.carrying) +
+                over(number * touched, speed_.memory));
+  }
+
+  /// Seconds of the equations of a set with half of the rows closed. Rigid motions and slips, which follow the forces
+  /// of their pairs, leave no symmetric matrix.
+  [[nodiscard]] double closing(const SystemParts& system) const {
+    const double modes = static_cast<double>(system.modes.size());
+    const double closed = 0.5 * static_cast<double>(system.rows.size()) + modes;
+    const double triangles = plan_.law.pair.empty() && modes == 0 ? 1 : 2;
+    return over(triangles * closed * closed * closed / 3, speed_.elimination) +
+           over(2 * number * closed * closed, speed_.memory);
+  }
+  /// Seconds of the orthonormal rigid motions of the rows, which every pass of contact and of refinement makes anew: two
+  /// bidiagonal factors and their vectors.
+  [[nodiscard]] double orthonormal(const SystemParts& system) const {
+    const double rows = static_cast<double>(system.rows.size());
+    const double modes = static_cast<double>(system.modes.size());
+    return over((4 * rows + 22 * modes) * modes * modes, speed_.elimination);
+  }
+
+  void contact() {
+    if (rows_ == 0) return;
+    const char* const phase = "contact";
+    const double systems = static_cast<double>(
+        std::count_if(known_.systems.begin(), known_.systems.end(),
+                      [](const SystemParts& system) { return !system.rows.empty(); }));
+    double round = 0;  // of all systems
+    for (const SystemParts& system : known_.systems)
+      if (!system.rows.empty()) round += closing(system) + orthonormal(system);
+    if (!counted_) {
+      const double unknown = std::numeric_limits<double>::quiet_NaN();
+      add(Built::PerIteration, phase, "iterations", unknown, Trust::Unknown);
+      add(Built::PerIteration, phase, one_iteration, round / systems, Trust::Estimate);
+      add(Built::PerIteration, phase, "seconds", unknown, Trust::Unknown);
+      return;
+    }
+    constexpr double usual = 5;
+    add(Built::PerIteration, phase, "iterations", usual * steps_ * systems, Trust::Estimate);
+    seconds(Built::PerIteration, phase, usual * steps_ * round);
+  }
+
+  void refinement() {
+    const char* const phase = "refinement";
+    // A solve mends u without contact. Contact forces move it, a sweep mends both, and what it changes of the forces moves
+    // u again; rigid motions take two sweeps more.
+    // Every system has its own, which walk through its own part of the factor.
+    double all_solves = 0;
+    double walks = 0;
+    double equations = 0;                                       // [s]
+    double residuals = known_.systems.size() > 1 ? steps_ : 0;  // of the certificate of all
+    for (const SystemParts& system : known_.systems) {
+      const double part = static_cast<double>(system.unknowns.size()) /
+                          static_cast<double>(std::max<Index>(1, plan_.unknowns.count));
+      const double solves = (system.rows.empty() ? 1 : system.modes.empty() ? 3 : 5) * steps_;
+      all_solves += solves;
+      walks += part * solves;
+      equations += steps_ * (closing(system) + orthonormal(system));
+      // A residual for every solve that mends, and one for the certificate.
+      residuals += part * (system.rows.empty() ? 2 * steps_ : solves - steps_);
+    }
+    add(Built::PerIteration, phase, "solves", all_solves, Trust::Estimate);
+    add(Built::PerIteration, phase, "operations", walks * known_.fronts.solve_operations(),
+        Trust::Estimate);
+    seconds(Built::PerIteration, phase, walks * solve() + residuals * sample_.residual + equations);
+  }
+
+  /// Seconds of one solve: two walks through L.
+  [[nodiscard]] double solve() const { return over(2 * factor_bytes(), speed_.memory); }
+  [[nodiscard]] static double over(double amount, double speed) {
+    return amount > 0 ? amount / speed : 0;
+  }
+
+  const Plan& plan_;
+  const Pattern& known_;
+  double rows_;
+  FrontSpeed speed_;
+  Sample sample_;
+  double steps_;
+  Trust of_factor_;  // its fronts are those of ours
+  bool counted_;     // whether the iterations of contact are known beforehand
+  std::vector<PredictedFigure> figures_;
+  double seconds_ = 0;
+};
+
+}  // namespace
+
+double Prediction::amount(const std::string& phase, const std::string& what) const {
+  for (const PredictedFigure& figure : figures)
+    if (figure.phase == phase && figure.what == what) return figure.amount;
+  return 0;
+}
+
+Prediction predict(const Plan& plan) {
+  Prediction prediction;
+  for (const BodyModel& body : plan.bodies) prediction.bodies.push_back(summary_of(body));
+  prediction.method = method_of(plan);
+  prediction.unknown = why_not_counted(plan);
+  const Pattern known = pattern_of(plan);
+  prediction.figures = Figures(plan, known).all();
+  return prediction;
+}
+
+}  // namespace signorini

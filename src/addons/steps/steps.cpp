@@ -1,0 +1,299 @@
+#include "addons/steps/steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "addons/steps/steps_limit.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/problem/closing.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// How far a step that ends at the limit stays away from it, where pairs that all slide would hold nothing.
+constexpr double limit_margin = 1e-10;
+
+VectorField scaled(double factor, const VectorField& field) {
+  if (!field) return {};
+  return [factor, field](const Eigen::Vector2d& x) { return Eigen::Vector2d(factor * field(x)); };
+}
+
+void add_scaled(double factor, const Loads& loads, Loads& sum) {
+  if (loads.body_force) sum.body_force = scaled(factor, loads.body_force);
+  for (EdgeLoad load : loads.edges) {
+    load.pressure *= factor;
+    load.traction = scaled(factor, load.traction);
+    sum.edges.push_back(std::move(load));
+  }
+  for (PointForce load : loads.points) {
+    load.force *= factor;
+    sum.points.push_back(std::move(load));
+  }
+}
+
+void check_steps(const Model& model, const char* function) {
+  pose(!model.parts.empty(), function,
+       ": the scene has no load steps; give its `path` times, or use solve()");
+}
+
+/// Whether the numbers of a state are those of a model.
+void check_sizes(const PathState& state, const Model& model) {
+  const Index pairs = model.pairs.weight.size();
+  const Index slips = static_cast<Index>(model.law.pair.size());
+  const PrimalDual& solution = state.solution;
+  if (state.steps == 0) {
+    const Index sizes = static_cast<Index>(state.motion.size()) + state.slip.size() +
+                        state.increment.size() + state.dissipation.size() +
+                        solution.displacement.size() + solution.displacement_low.size() +
+                        solution.rigid.size() + solution.force.size();
+    pose(state.time == 0 && sizes == 0,
+         "a state before the first step is empty and of time 0, but "
+         "this one is of time ",
+         state.time, " and has ", sizes,
+         " numbers: go on from one that an observer or read_state() got, or from PathState()");
+    return;
+  }
+  const Index n = model.unknowns.count;
+  const bool fits =
+      static_cast<Index>(state.motion.size()) == pairs && state.slip.size() == slips &&
+      state.increment.size() == slips && state.dissipation.size() == slips &&
+      solution.displacement.size() == n &&
+      (solution.displacement_low.size() == 0 || solution.displacement_low.size() == n) &&
+      (solution.rigid.size() == 0 || solution.rigid.size() == n) &&
+      solution.force.size() == pairs + slips;
+  pose(fits, "the state at time ", state.time, " is of another scene: it has ",
+       solution.displacement.size(), " unknowns, ", state.motion.size(), " pairs and ",
+       state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ", slips);
+  pose(state.steps > 0 && std::isfinite(state.time) && state.slip.allFinite() &&
+           state.increment.allFinite() && state.dissipation.allFinite(),
+       "the state after step ", state.steps, " at time ", state.time,
+       " has numbers that are not finite or steps below 0: go on from one that was solved");
+}
+
+/// Lets the slips of a model count from where they were.
+void forget_slip(const VectorXd& slip, Model& model) {
+  if (slip.size() > 0) model.programme.initial_gap.tail(slip.size()) -= slip;
+}
+
+/// Says why a step failed, and until when its loads can be balanced at all.
+void tell(const Model& model, const Solution& failed, double time, PathEnd& end) {
+  const std::string& why = failed.contact.reason;
+  end.status = failed.contact.report.status;
+  end.reason = text("the step from time ", shortest(end.state.time), " to ", shortest(time),
+                    " was not solved: ", to_string(end.status), why.empty() ? "" : ": ", why,
+                    failed.escape.empty() ? "" : ": ", failed.escape);
+  if (end.limit)
+    end.reason += text(". Contact", model.law.pair.empty() ? " holds" : " and friction hold",
+                       " the loads until time ", *end.limit, " at most");
+}
+
+PathEnd ended(PathEnd end) {
+  end.reason += text("; the last good state is that of time ", shortest(end.state.time));
+  return end;
+}
+
+/// \param given  slips in total if no unknown moves
+PathState after(const PathState& past, double time, const Model& model, const VectorXd& given,
+                const Solution& solution) {
+  const ContactState& contact = solution.contact;
+  PathState state = past;
+  ++state.steps;
+  state.time = time;
+  state.motion = all_motions(contact);
+  state.solution = solution.refined;
+  state.increment = increment(contact);
+  const VectorXd lost = dissipated(contact);
+  if (past.steps == 0) {
+    state.slip = state.increment;
+    state.dissipation = lost;
+  } else {
+    state.slip += state.increment;
+    state.dissipation += lost;
+  }
+  // What supports give is known: a sum of rounded increments would seem to move where they stand still.
+  const Index pairs = model.pairs.weight.size();
+  for (Index k = 0; k < given.size(); ++k)
+    if (model.programme.A.row(pairs + k).norm() == 0) state.slip(k) = given(k);
+  return state;
+}
+
+}  // namespace
+
+void check_state(const PathState& state, Model& model) {
+  check_sizes(state, model);
+  if (state.steps == 0) return;
+  set_time(state.time, model);
+  forget_slip(state.slip - state.increment, model);
+  const Certificate certificate = certify(model.programme, state.solution, model.law);
+  pose(certificate.holds(), "the state at time ", state.time,
+       " is of another scene, or what comes before time ", shortest(state.time),
+       " was changed, but only what comes later may: its displacements and forces do not solve "
+       "this one then (",
+       certificate, "). Go on with the scene that it was saved from, or start anew");
+}
+
+CondensedPath condense_path(const Model& model, Ledger& ledger) {
+  check_steps(model, "condense_path");
+  CondensedPath path{condense(model, ledger), {}};
+  const Ledger::Phase phase(ledger, "condensation");
+  for (const LoadPart& part : model.parts) {
+    const bool acts = (part.load.array() != 0).any();
+    path.free_displacement.push_back(acts ? path.condensed.factor.solve(part.load)
+                                          : VectorXd::Zero(part.load.size()));
+    ledger.count("solves", acts ? 1 : 0);
+  }
+  return path;
+}
+
+void set_time(double time, Model& model) {
+  check_steps(model, "set_time");
+  QuadraticProgramme& programme = model.programme;
+  programme.load.setZero();
+  programme.initial_gap.setZero();
+  for (const LoadPart& part : model.parts) {
+    const double factor = factor_of(model.path, part, time);
+    programme.load += factor * part.load;
+    programme.initial_gap += factor * part.movement;
+  }
+  model.pairs.initial_gap = programme.initial_gap.head(model.pairs.weight.size());
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    BodyModel& body = model.bodies[b];
+    body.loads = {};
+    body.material.temperature = {};
+    body.unknowns.held.setZero();
+    for (const LoadPart& part : model.parts) {
+      const double f = factor_of(model.path, part, time);
+      add_scaled(f, part.loads[b], body.loads);
+      body.material.temperature.uniform += f * part.temperature[b].uniform;
+      body.material.temperature.gradient += f * part.temperature[b].gradient;
+      body.unknowns.held += f * part.held[b];
+    }
+    model.unknowns.held.middleRows(body.first_node, body.mesh.n_nodes()) = body.unknowns.held;
+  }
+}
+
+VectorXd increment(const ContactState& contact) {
+  VectorXd slip = contact.slip;
+  for (Index k = 0; k < slip.size(); ++k)
+    if (contact.motion[static_cast<std::size_t>(k)] == Motion::Stick) slip(k) = 0;
+  return slip;
+}
+
+VectorXd dissipated(const ContactState& contact) {
+  return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
+}
+
+Step step(const PathState& past, double time, Model& model, CondensedPath& path, Ledger ledger) {
+  check_steps(model, "step");
+  check_sizes(past, model);
+  pose(time > past.time, "load step: it must end after time ", past.time,
+       ", where the last one ended, got ", time);
+  // [step]
+  set_time(time, model);  // loads, temperatures and given displacements of that time
+  const VectorXd given =
+      model.programme.initial_gap.tail(static_cast<Index>(model.law.pair.size()));
+  forget_slip(past.slip, model);  // slip counts from the step before
+  VectorXd free = VectorXd::Zero(model.unknowns.count);
+  for (std::size_t k = 0; k < model.parts.size(); ++k)
+    free += factor_of(model.path, model.parts[k], time) * path.free_displacement[k];
+  move_freely(model, std::move(free), path.condensed);
+  SolverOptions options;
+  options.start = past.motion;  // begin with what the pairs did last
+  Step result{solve(model, path.condensed, model.solver, std::move(ledger), options), past};
+  Solution& solution = result.solution;
+  if (solution.contact.report.status == Status::Solved)
+    result.state = after(past, time, model, given, solution);
+  // [step]
+  return result;
+}
+
+PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathState& from) {
+  pose(scene.path.has_value(),
+       "solve_steps: the scene has no load steps; give its `path` times, or use solve()");
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  check_state(from, model);
+  CondensedPath path = condense_path(model, ledger);
+  return solve_steps(model, path, std::move(ledger), observe, from);
+}
+
+PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const StepObserver& observe,
+                    const PathState& from) {
+  PathEnd end{from};
+  // All that is decided here follows from the state and from the times that are given, or a path that goes on from the
+  // state would take other steps.
+  double before = 0;
+  double target = 0;
+  const auto goes = [&](double time) {
+    const Step next = step(end.state, time, model, path, std::exchange(ledger, {}));
+    const bool solved = next.solution.contact.report.status == Status::Solved;
+    if (solved) {
+      end.state = next.state;
+      if (observe) observe(model, next);
+    } else {
+      if (next.solution.contact.escape.size() > 0 && !end.limit)
+        end.limit = balanced_until(before, target, model, path.condensed.problem);
+      tell(model, next.solution, time, end);
+    }
+    return solved;
+  };
+  const bool divides = model.path.halvings > 0;
+  double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
+  for (const double time : model.path.times) {
+    before = std::exchange(target, time);
+    const double margin = limit_margin * (target - before);
+    double reach = target;
+    int foreseen = 0;  // changes of pairs
+    for (int halved = 0; end.state.time < target;) {
+      const double begin = end.state.time;
+      const double half = begin + 0.5 * (reach - begin);  // times may have no digit for it
+      const bool known = end.limit.has_value();
+      if (goes(reach)) {
+        if (reach >= held) return ended(std::move(end));
+        reach = std::min(target, held);
+        halved = 0;
+      } else if (end.status == Status::Slid) {
+        return ended(std::move(end));  // no shorter way leads there
+      } else if (end.limit && !known) {
+        held = *end.limit - margin;
+        if (!divides || held <= begin) return ended(std::move(end));
+        reach = held;
+      } else if (begin < half && half < reach && ++halved <= model.path.halvings) {
+        ++end.halvings;
+        reach = half;
+      } else {
+        const std::optional<double> share = foreseen++ < model.path.halvings
+                                                ? first_change(end.state, path.condensed.problem)
+                                                : std::nullopt;
+        const double change = begin + share.value_or(0) * (reach - begin);
+        const bool there = share && change - margin <= begin;
+        const double next = there ? change + margin : change - margin;
+        if (!share || !(next > begin) || !goes(next)) {
+          if (there) end.limit = change;
+          end.reason +=
+              text(". The step to ", target, " was halved ", model.path.halvings, " times",
+                   there ? text(", and nothing is found beyond time ", change,
+                                ", where pairs begin to slide or to open")
+                         : "");
+          return ended(std::move(end));
+        }
+        reach = target;
+        halved = 0;
+      }
+    }
+    if (!end.limit) {
+      end.status = Status::Solved;
+      end.reason.clear();
+    }
+  }
+  return end;
+}
+
+}  // namespace signorini

@@ -1,0 +1,85 @@
+#include <ostream>
+
+#include "addons/steps/steps.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/core/text_reader.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr const char* first_line = "signorini-state-1";
+constexpr std::string_view motion_letters = "osfb";  // in the order of Motion
+
+/// The vectors of a state, by name.
+template <typename State, typename Visit>
+void visit_vectors(State& state, Visit&& visit) {
+  visit("slip", state.slip);
+  visit("increment", state.increment);
+  visit("dissipation", state.dissipation);
+  visit("force", state.solution.force);
+  visit("displacement", state.solution.displacement);
+  visit("displacement-low", state.solution.displacement_low);
+  visit("rigid", state.solution.rigid);
+}
+
+Index next_size(TextReader& reader, const std::string& name, Index least = 0) {
+  if (!reader.next_line()) reader.fail(name, "");
+  const std::string_view word = reader.word();
+  if (word != name) reader.fail(name, word);
+  const Index size = reader.size(reader.word(), "size of " + name, least);
+  reader.expect_end_of_line("the size of " + name);
+  return size;
+}
+
+double next_number(TextReader& reader, const std::string& name) {
+  if (!reader.next_line()) reader.fail(name, "");
+  const std::string_view word = reader.word();
+  if (word != name) reader.fail(name, word);
+  const double value = reader.number(reader.word(), name);
+  reader.expect_end_of_line(name);
+  return value;
+}
+
+}  // namespace
+
+void write_state(const PathState& state, std::ostream& out) {
+  out << first_line << "\nsteps " << state.steps << "\ntime " << shortest(state.time) << "\nmotion "
+      << state.motion.size() << '\n';
+  for (const Motion motion : state.motion)
+    out << motion_letters[static_cast<std::size_t>(motion)] << '\n';
+  visit_vectors(state, [&](const char* name, const VectorXd& values) {
+    out << name << ' ' << values.size() << '\n';
+    for (const double value : values) out << shortest(value) << '\n';
+  });
+}
+
+PathState read_state(const std::string& content, const std::string& name) {
+  TextReader reader(content, name);
+  PathState state;
+  reader.expect_line(first_line);
+  state.steps = next_size(reader, "steps", 1);
+  state.time = next_number(reader, "time");
+  if (!(state.time > 0)) reader.fail("time: expected a number > 0, got " + shortest(state.time));
+  const Index pairs = next_size(reader, "motion");
+  reader.check_room(pairs, 1, "motion");
+  for (Index k = 0; k < pairs; ++k) {
+    const std::string_view word = reader.word_anywhere();
+    const std::size_t motion =
+        word.size() == 1 ? motion_letters.find(word) : std::string_view::npos;
+    if (motion == std::string_view::npos) reader.fail("o, s, f or b", word);
+    state.motion.push_back(static_cast<Motion>(motion));
+  }
+  visit_vectors(state, [&](const char* what, VectorXd& values) {
+    values.resize(next_size(reader, what));
+    reader.check_room(values.size(), 1, what);
+    for (double& value : values) value = reader.number(reader.word_anywhere(), what);
+  });
+  if (reader.next_line()) reader.fail("the end of the file", reader.word());
+  return state;
+}
+
+}  // namespace signorini

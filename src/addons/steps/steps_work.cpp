@@ -1,0 +1,109 @@
+#include "addons/effects/thermal.hpp"
+#include "addons/steps/steps.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/fem/stress.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+Eigen::Map<const VectorXd> flat(const NodeArray& values) { return {values.data(), values.size()}; }
+
+/// Forces that strain a body and its springs to displacements, as if it were not warm.
+NodeArray straining_forces(const BodyModel& body, const NodeArray& displacement) {
+  Matter cold = body.material;
+  cold.temperature = {};
+  NodeArray forces = internal_forces(body.mesh, body.element, cold, displacement);
+  if (body.springs.rows() > 0)
+    Eigen::Map<VectorXd>(forces.data(), forces.size()) += body.springs * flat(displacement);
+  return forces;
+}
+
+/// Loads and what stands for the temperature, on all nodes.
+NodeArray loading_forces(const BodyModel& body) {
+  NodeArray forces = nodal_loads(body.mesh, body.element, body.material, body.loads);
+  if (body.material.temperature.warms())
+    forces += thermal_forces(body.mesh, body.element, body.material);
+  return forces;
+}
+
+/// What contact does to the nodes of all bodies.
+VectorXd contact_forces(const Model& model, const VectorXd& force) {
+  const Index pairs = model.pairs.weight.size();
+  VectorXd nodal = model.pairs.opening.transpose() * force.head(pairs);
+  if (!model.law.pair.empty())
+    nodal += selected_rows(model.pairs.sliding, model.law.pair).transpose() *
+             force.tail(force.size() - pairs);
+  return nodal;
+}
+
+VectorXd interference_now(const Model& model, double time) {
+  VectorXd sum = VectorXd::Zero(model.pairs.weight.size());
+  for (const LoadPart& part : model.parts)
+    sum += factor_of(model.path, part, time) * part.interference;
+  return sum;
+}
+
+/// The force between two steps times the displacement.
+double mean_work(const NodeArray& last, const NodeArray& now, const NodeArray& moved) {
+  return 0.5 * (last + now).cwiseProduct(moved).sum();
+}
+
+}  // namespace
+
+void WorkMeter::add(const Model& model, const Step& step) {
+  const VectorXd& force = step.state.solution.force;
+  const ContactState& contact = step.solution.contact;
+  const VectorXd pushed = contact_forces(model, force);
+  const VectorXd interference = interference_now(model, step.state.time);
+  const bool first = bodies_.empty();
+  pose(!first || step.state.steps == 1,
+       "WorkMeter: sums begin at rest without loads, with step 1 of "
+       "a path, got step ",
+       step.state.steps, ": add every step from the beginning");
+  VectorXd moved(2 * count_nodes(model.bodies));
+  work_.strain = 0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
+    const Index nodes = body.mesh.n_nodes();
+    const NodeArray zero = NodeArray::Zero(nodes, 2);
+    if (first) bodies_.push_back({zero, zero, zero});
+    Body& last = bodies_[b];
+    Body now{step.solution.displacements[b], loading_forces(body), zero};
+    const NodeArray strains = straining_forces(body, now.displacement);
+    for (Index node = 0; node < nodes; ++node)
+      for (int axis = 0; axis < 2; ++axis)
+        if (body.unknowns.number(node, axis) < 0)
+          now.support(node, axis) = strains(node, axis) - now.load(node, axis) -
+                                    pushed(2 * (body.first_node + node) + axis);
+    const NodeArray change = now.displacement - last.displacement;
+    work_.loads += mean_work(last.load, now.load, change);
+    work_.supports += mean_work(last.support, now.support, change);
+    work_.strain += strain_energy(body.mesh, body.element, body.material, now.displacement);
+    if (body.springs.rows() > 0)
+      work_.strain += 0.5 * flat(now.displacement).dot(body.springs * flat(now.displacement));
+    moved.segment(2 * body.first_node, 2 * nodes) = flat(now.displacement);
+    last = std::move(now);
+  }
+  const Index pairs = contact.gap.size();
+  if (first) {
+    force_.setZero(force.size());
+    interference_.setZero(pairs);
+    gap_ = contact.gap - model.pairs.opening * moved + interference;  // of the meshes
+  }
+  const VectorXd lambda = force.head(pairs);
+  const VectorXd last_lambda = force_.head(pairs);
+  const VectorXd& slip = step.state.increment;
+  work_.contacts += 0.5 * (lambda + last_lambda).dot(interference - interference_);
+  work_.dissipation = step.state.dissipation.sum();
+  work_.between += 0.5 * (force - force_).tail(slip.size()).dot(slip) +
+                   0.5 * (lambda.dot(gap_) - last_lambda.dot(contact.gap));
+  force_ = force;
+  gap_ = contact.gap;
+  interference_ = interference;
+}
+
+}  // namespace signorini

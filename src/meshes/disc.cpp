@@ -1,0 +1,119 @@
+#include "meshes/disc.hpp"
+
+#include <cmath>
+
+#include "meshes/quarter_grid.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/fem/reshape.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+void check(const DiscSpec& spec) {
+  require(spec.radius > 0 && std::isfinite(spec.radius) && spec.centre.allFinite(), "make_disc '",
+          spec.name, "': radius must be positive, got ", spec.radius);
+  require(spec.core > 0 && spec.core < 1, "make_disc '", spec.name,
+          "': core must be above 0 and below 1, got ", spec.core);
+  require(spec.core_roundness >= 0 && spec.core_roundness < 1, "make_disc '", spec.name,
+          "': core_roundness must be at least 0 and below 1, got ", spec.core_roundness);
+  // Else the diagonals of the layers, which become rounder outwards, would run inwards at the rim.
+  require(2 * spec.core < 1 + spec.core_roundness, "make_disc '", spec.name, "': a core of ",
+          spec.core, " needs a core_roundness above ", 2 * spec.core - 1, ", got ",
+          spec.core_roundness);
+  require(spec.core_cells > 0 && spec.layers > 0, "make_disc '", spec.name,
+          "': core_cells and layers must be at least 1, got ", spec.core_cells, " and ",
+          spec.layers);
+  require(spec.layer_grading > 0 && std::isfinite(spec.layer_grading), "make_disc '", spec.name,
+          "': layer_grading must be positive, got ", spec.layer_grading);
+}
+
+void check(const PressedDiscSpec& spec) {
+  require(spec.radius > 0 && std::isfinite(spec.radius) && spec.pole.allFinite(),
+          "make_pressed_disc '", spec.name, "': radius must be positive, got ", spec.radius);
+  require(spec.core.minCoeff() > 0 && spec.core.maxCoeff() < spec.radius / 2, "make_pressed_disc '",
+          spec.name, "': width and depth of the core must be above 0 and below half the radius, ",
+          spec.radius / 2, ", got ", spec.core.x(), " and ", spec.core.y());
+  require(spec.core_columns > 0 && spec.core_rows > 0 && spec.layers > 0, "make_pressed_disc '",
+          spec.name, "': core_columns, core_rows and layers must be at least 1, got ",
+          spec.core_columns, ", ", spec.core_rows, " and ", spec.layers);
+  require(spec.layer_grading > 0 && std::isfinite(spec.layer_grading), "make_pressed_disc '",
+          spec.name, "': layer_grading must be positive, got ", spec.layer_grading);
+}
+
+/// The part of a disc whose lower right quarter is given, with its centre at x = 0, y = `level`.
+Mesh part_of_disc(const Mesh& quarter, double level, DiscPart part) {
+  if (part == DiscPart::LowerRight) return quarter;
+  const Mesh right =
+      joined(quarter, "middle", mirrored(quarter, MirrorLine::Level, level), "middle");
+  if (part == DiscPart::Right) return right;
+  return joined(right, "axis", mirrored(right, MirrorLine::Upright), "axis");
+}
+
+/// The map of the upper half plane to the disc of radius `radius` that touches y = 0 at the origin.
+Vector2d moebius(const Vector2d& w, double radius) {
+  const Vector2d v = w / (2 * radius);
+  const double stretch = (1 + v.y()) * (1 + v.y()) + v.x() * v.x();
+  return Vector2d(w.x(), w.y() * (1 + v.y()) + w.x() * v.x()) / stretch;
+}
+
+/// Where the core has its nodes before the map: even ones in the disc, as seen by `before`.
+template <typename Before>
+Eigen::VectorXd core_places(double length, Index cells, Before before) {
+  Eigen::VectorXd places = length * graded_steps(2 * cells, 1);
+  for (double& place : places) place = before(place);
+  return places;
+}
+
+}  // namespace
+
+Mesh make_disc(const DiscSpec& spec) {
+  check(spec);
+  QuarterGrid grid;
+  grid.name = spec.name;
+  grid.columns = graded_steps(2 * spec.core_cells, 1);
+  grid.rows = grid.columns;
+  const Eigen::VectorXd outwards = graded_steps(spec.layers, spec.layer_grading);
+  grid.width = spec.radius * (spec.core + (1 - spec.core) * outwards.array());
+  grid.width(spec.layers) = spec.radius;
+  grid.depth = grid.width;
+  grid.roundness = spec.core_roundness + (1 - spec.core_roundness) * outwards.array();
+  grid.roundness(spec.layers) = 1;
+  grid.order = spec.order;
+  Mesh quarter = renamed(make_quarter_grid(grid), "surface", "middle");
+  quarter = renamed(renamed(quarter, "base", "rim"), "side", "rim");
+  return moved(part_of_disc(quarter, 0, spec.part), spec.centre);
+}
+
+Mesh make_pressed_disc(const PressedDiscSpec& spec) {
+  check(spec);
+  const double radius = spec.radius;
+  QuarterGrid grid;
+  grid.name = spec.name;
+  grid.columns = core_places(spec.core.x(), spec.core_columns, [radius](double x) {
+    return 2 * x / (1 + std::sqrt(1 - x / radius * (x / radius)));
+  });
+  grid.rows = core_places(spec.core.y(), spec.core_rows,
+                          [radius](double y) { return y / (1 - y / (2 * radius)); });
+  const double width = grid.columns(2 * spec.core_columns);
+  const double depth = grid.rows(2 * spec.core_rows);
+  grid.columns /= width;
+  grid.rows /= depth;
+  grid.width = growing_layers(width, 2 * radius, spec.layers, spec.layer_grading);
+  grid.depth = growing_layers(depth, 2 * radius, spec.layers, spec.layer_grading);
+  const Eigen::ArrayXd outwards = graded_steps(spec.layers, spec.layer_grading);
+  grid.roundness = 1 - (1 - outwards).square();
+  grid.order = spec.order;
+
+  Mesh quarter = mirrored(make_quarter_grid(grid), MirrorLine::Level);
+  quarter = mapped(quarter, [radius](const Vector2d& w) { return moebius(w, radius); });
+  quarter = renamed(renamed(quarter, "surface", "rim"), "base", "middle");
+  quarter = renamed(quarter, "side", "middle");
+  for (const Index node : boundary_nodes(quarter, "middle")) quarter.nodes(node, 1) = radius;
+  return moved(part_of_disc(quarter, radius, spec.part), spec.pole);
+}
+
+}  // namespace signorini

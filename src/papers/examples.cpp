@@ -1,0 +1,123 @@
+#include "papers/examples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/random.hpp"
+#include "signorini/core/rounding.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+Eigen::MatrixXd random_matrix(Random& random, Index rows, Index cols) {
+  Eigen::MatrixXd matrix(rows, cols);
+  for (Index j = 0; j < cols; ++j)
+    for (Index i = 0; i < rows; ++i) matrix(i, j) = random.uniform(-1, 1);
+  return matrix;
+}
+
+/// The first `count` of a random order of 0, ..., n - 1.
+std::vector<Index> random_choice(Random& random, Index n, Index count) {
+  std::vector<Index> order(static_cast<std::size_t>(n));
+  std::iota(order.begin(), order.end(), Index{0});
+  for (Index k = 0; k < count; ++k)
+    std::swap(order[static_cast<std::size_t>(k)],
+              order[static_cast<std::size_t>(
+                  random.whole(static_cast<int>(k), static_cast<int>(n - 1)))]);
+  order.resize(static_cast<std::size_t>(count));
+  return order;
+}
+
+/// Share of the total force left of x, under Hertz's pressure (2 / pi b) sqrt(1 - (x/b)^2).
+double share_parabola(double x, double b) {
+  const double t = std::clamp(x / b, -1.0, 1.0);
+  return 0.5 + (t * std::sqrt(1 - t * t) + std::asin(t)) / pi;
+}
+
+/// The same under the pressure of a flat punch, 1 / (pi sqrt(1 - x^2)).
+double share_flat(double x) { return 0.5 + std::asin(std::clamp(x, -1.0, 1.0)) / pi; }
+
+}  // namespace
+
+KnownProgramme rosen_suzuki(Index n, Index m, std::uint64_t seed) {
+  require(n > 0 && m > 0, "rosen_suzuki: sizes must be positive, got n = ", n, ", m = ", m);
+  Random random(seed);
+  KnownProgramme known;
+  DenseProgramme& programme = known.programme;
+  const Eigen::MatrixXd B = random_matrix(random, n, n);
+  programme.stiffness = Eigen::MatrixXd::Zero(n, n);
+  programme.stiffness.selfadjointView<Eigen::Lower>().rankUpdate(B);
+  programme.stiffness.triangularView<Eigen::StrictlyUpper>() = programme.stiffness.transpose();
+  programme.stiffness.diagonal().array() += static_cast<double>(n) / 3;
+  programme.A = random_matrix(random, m, n);
+  known.displacement = random_matrix(random, n, 1);
+
+  known.force.setZero(m);
+  Eigen::VectorXd gap(m);
+  for (Index i = 0; i < m; ++i) gap(i) = random.uniform(0.1, 2);
+  for (const Index i : random_choice(random, m, std::min(n, m) / 2)) {
+    gap(i) = 0;
+    known.force(i) = random.uniform(0.5, 2);
+  }
+  const Eigen::VectorXd stretched = programme.stiffness * known.displacement;
+  programme.load = stretched + programme.A.transpose() * known.force;
+  programme.initial_gap = programme.A * known.displacement + gap;
+  known.energy = 0.5 * known.displacement.dot(stretched) - programme.load.dot(known.displacement);
+  return known;
+}
+
+Indentation half_plane_indentation(Index n, Punch punch) {
+  require(n > 0, "half_plane_indentation: needs at least one pair, got n = ", n);
+  const double h = 2.0 / static_cast<double>(n);
+  const double far = 2;  // where the displacement is taken as zero
+  const auto integral = [far](double s) {
+    return s == 0 ? 0 : s * (std::log(std::abs(s) / far) - 1);
+  };
+  Eigen::VectorXd influence(n);  // of a force at the distance k h
+  for (Index k = 0; k < n; ++k) {
+    const double r = static_cast<double>(k) * h;
+    influence(k) = -2 / (pi * h) * (integral(r + h / 2) - integral(r - h / 2));
+  }
+  const bool flat = punch == Punch::Flat;
+  Indentation made;
+  made.half_width = flat ? 1 : 0.6;
+  const double b = made.half_width;
+  made.total_force = flat ? 1 : pi * b * b / 4;
+  const double depth =
+      flat ? 2 / pi * std::log(2 * far) : b * b / 2 * (std::log(2 * far / b) + 0.5);
+  made.position.resize(n);
+  made.force.resize(n);
+  made.problem = {Eigen::MatrixXd(n, n), Eigen::VectorXd(n)};
+  for (Index i = 0; i < n; ++i) {
+    const double x = (static_cast<double>(2 * i + 1) / static_cast<double>(n)) - 1;
+    const auto share = [&](double end) { return flat ? share_flat(end) : share_parabola(end, b); };
+    made.position(i) = x;
+    made.force(i) = made.total_force * (share(x + h / 2) - share(x - h / 2));
+    made.problem.free_gap(i) = (flat ? 0 : x * x / 2) - depth;
+    for (Index j = 0; j < n; ++j) made.problem.compliance(i, j) = influence(std::abs(i - j));
+  }
+  return made;
+}
+
+ContactProblem fathi(Index n) {
+  require(n > 0, "fathi: needs at least one pair, got n = ", n);
+  Eigen::MatrixXd L = Eigen::MatrixXd::Identity(n, n);
+  L.triangularView<Eigen::StrictlyLower>().setConstant(2);
+  return {L * L.transpose(), Eigen::VectorXd::Constant(n, -1)};
+}
+
+ContactProblem murty(Index n) {
+  require(n > 0 && n <= 50, "murty: n must be from 1 to 50, so that 2^n is exact, got ", n);
+  ContactProblem problem{Eigen::MatrixXd::Identity(n, n), Eigen::VectorXd(n)};
+  problem.compliance.triangularView<Eigen::StrictlyUpper>().setConstant(2);
+  for (Index i = 0; i < n; ++i)
+    problem.free_gap(i) =
+        std::ldexp(1, static_cast<int>(i + 1)) - std::ldexp(1, static_cast<int>(n + 1));
+  return problem;
+}
+
+}  // namespace signorini

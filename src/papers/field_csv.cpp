@@ -1,0 +1,153 @@
+#include "papers/field_csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/table.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Polygon = std::vector<Eigen::Vector3d>;  // x, y and the field
+
+// What is left of a polygon where sign * (field - level) >= 0.
+Polygon part(const Polygon& whole, double level, int sign) {
+  Polygon kept;
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    const Eigen::Vector3d &here = whole[k], &next = whole[(k + 1) % whole.size()];
+    const double now = sign * (here[2] - level), then = sign * (next[2] - level);
+    if (now >= 0) kept.push_back(here);
+    if (now * then < 0) {
+      kept.push_back(here + now / (now - then) * (next - here));
+      kept.back()[2] = level;
+    }
+  }
+  return kept;
+}
+
+// The pieces of a cell between two levels: of a triangle one, of a quadrilateral those of four triangles.
+std::vector<Polygon> between(const Polygon& corners, const Eigen::Vector3d& middle, double low,
+                             double high) {
+  std::vector<Polygon> pieces;
+  const bool whole = corners.size() == 3;
+  for (std::size_t k = 0; k < (whole ? 1 : 4); ++k) {
+    const Eigen::Vector3d& last = whole ? corners[2] : middle;
+    Polygon piece = part(part({corners[k], corners[(k + 1) % 4], last}, low, 1), high, -1);
+    if (piece.size() > 2) pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+// Values that rounding alone keeps from a level are moved onto it: every machine cuts the same cells.
+double snapped(double value, const std::vector<double>& levels, double tolerance) {
+  for (const double level : levels)
+    if (std::abs(value - level) <= tolerance) return level;
+  return value;
+}
+
+}  // namespace
+
+std::string deformed_cells_csv(const Mesh& mesh, const NodeArray& displacements,
+                               const Eigen::Ref<const Eigen::VectorXd>& value, double scale) {
+  require(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_cells(),
+          "deformed_cells_csv: need ", mesh.n_nodes(), " displacements and ", mesh.n_cells(),
+          " values, got ", displacements.rows(), " and ", value.size());
+  const NodeArray moved = mesh.nodes + scale * displacements;
+  const double size = moved.cwiseAbs().maxCoeff();
+  const double largest = value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0;
+  Table field({"x", "y", "value"});
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const int n = mesh.corners(cell);
+    for (int corner = 0; corner <= n; ++corner) {
+      const Eigen::Index node = mesh.cells(cell, corner % n);
+      field.row({number(moved(node, 0), "%.5g"), number(moved(node, 1), "%.5g"),
+                 number(value(cell), "%.5g")});
+    }
+    field.blank_line();
+  }
+  return field.csv(text("rel 1e-4 abs ", 2e-5 * std::max(size, largest)));
+}
+
+std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
+                               const Eigen::Ref<const Eigen::VectorXd>& value,
+                               const std::vector<double>& levels, double scale) {
+  require(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_nodes(),
+          "deformed_bands_csv: need ", mesh.n_nodes(), " displacements and values, got ",
+          displacements.rows(), " and ", value.size());
+  require(std::adjacent_find(levels.begin(), levels.end(), std::greater_equal<>()) == levels.end(),
+          "deformed_bands_csv: every level must be above the one before it");
+  const NodeArray moved = mesh.nodes + scale * displacements;
+  const double tolerance = 1e-9 * (value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0);
+  std::vector<double> limits = levels;
+  limits.push_back(std::numeric_limits<double>::infinity());
+  limits.insert(limits.begin(), -limits.back());
+  Table field({"x", "y", "band"});
+  const auto add = [&field](const Polygon& piece, std::size_t band) {
+    for (std::size_t k = 0; k <= piece.size(); ++k) {
+      const Eigen::Vector3d& point = piece[k % piece.size()];
+      field.row({number(point[0], "%.5g"), number(point[1], "%.5g"), std::to_string(band)});
+    }
+    field.blank_line();
+  };
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    Polygon corners;
+    double low = limits.back(), high = limits.front(), sum = 0;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    const int n = mesh.corners(cell);
+    for (int corner = 0; corner < n; ++corner) {
+      const Eigen::Index node = mesh.cells(cell, corner);
+      corners.push_back({moved(node, 0), moved(node, 1), snapped(value(node), levels, tolerance)});
+      low = std::min(low, corners.back()[2]);
+      high = std::max(high, corners.back()[2]);
+      middle += corners.back() / n;
+      sum += value(node) / n;
+    }
+    middle[2] = snapped(sum, levels, tolerance);
+    for (std::size_t band = 0; band + 1 < limits.size(); ++band) {
+      if (low >= limits[band] && high <= limits[band + 1]) {
+        add(corners, band);
+        break;
+      }
+      for (const Polygon& piece : between(corners, middle, limits[band], limits[band + 1]))
+        add(piece, band);
+    }
+  }
+  return field.csv(text("rel 1e-4 abs ", 2e-5 * moved.cwiseAbs().maxCoeff()));
+}
+
+std::string deformed_zero_line_csv(const Mesh& mesh, const NodeArray& displacements,
+                                   const Eigen::Ref<const Eigen::VectorXd>& value, double scale) {
+  require(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_nodes(),
+          "deformed_zero_line_csv: need ", mesh.n_nodes(), " displacements and values, got ",
+          displacements.rows(), " and ", value.size());
+  const NodeArray moved = mesh.nodes + scale * displacements;
+  const double rounding = 1e-12 * (value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0);
+  Table line({"x", "y"});
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const int n = mesh.corners(cell);
+    Eigen::Matrix<double, 5, 3> corner;  // x, y, value; the last of a quadrilateral is the middle
+    for (int k = 0; k < n; ++k)
+      corner.row(k) << moved.row(mesh.cells(cell, k)),
+          snapped(value(mesh.cells(cell, k)), {0}, rounding);
+    if (n == 4) corner.row(4) = corner.topRows<4>().colwise().mean();
+    for (int k = 0; k < (n == 4 ? 4 : 1); ++k) {
+      const int triangle[] = {k, (k + 1) % 4, n == 4 ? 4 : 2};
+      int crossings = 0;
+      for (int side = 0; side < 3; ++side) {
+        const Eigen::RowVector3d one = corner.row(triangle[side]);
+        const Eigen::RowVector3d other = corner.row(triangle[(side + 1) % 3]);
+        if ((one(2) < 0) == (other(2) < 0)) continue;
+        const Eigen::RowVector3d at = one + one(2) / (one(2) - other(2)) * (other - one);
+        line.row({number(at(0), "%.5g"), number(at(1), "%.5g")});
+        ++crossings;
+      }
+      if (crossings > 0) line.blank_line();
+    }
+  }
+  return line.csv(text("rel 1e-4 abs ", 2e-5 * moved.cwiseAbs().maxCoeff()));
+}
+
+}  // namespace signorini

@@ -1,0 +1,184 @@
+#include "papers/friction_split.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "addons/certified/proofs.hpp"
+#include "signorini/core/dense.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/problem/complementarity_functions.hpp"
+#include "signorini/problem/contact_equations.hpp"
+#include "signorini/solvers/newton.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// What is taken off the diagonal of u+ and u-. An entry of a regular Jacobian loses no digit that a
+/// Newton step needs; where both entries vanish, 1e-10 still leaves six digits of their difference.
+constexpr double shift = 1e-10;
+
+// The law: phi(u+, b + tau) = 0, phi(u-, b - tau) = 0, slip = u+ - u-.
+Index first_forward(const ContactEquations& equations) {
+  return equations.rows() + equations.modes();
+}
+
+void start(const ContactEquations& equations, VectorXd& x) {
+  const Index slips = equations.slips();
+  const Index plus = first_forward(equations);
+  x.segment(plus, slips) = equations.movement().tail(slips).cwiseMax(0.0);
+  x.segment(plus + slips, slips) = (-equations.movement().tail(slips)).cwiseMax(0.0);
+}
+
+/// \PaperEq{LinEtAl, 30}
+void evaluate(const ContactEquations& equations, const VectorXd& x, VectorXd& residual) {
+  const Index slips = equations.slips();
+  for (Index k = 0; k < slips; ++k) {
+    const Index row = equations.pairs() + k;
+    const Index plus = first_forward(equations) + k;
+    const double b = equations.bound(x, k);
+    residual(row) = equations.movement()(row) - x(plus) + x(plus + slips);  // LinEtAl 19
+    residual(plus) = fischer_burmeister(x(plus), b + x(row));               // LinEtAl 29
+    residual(plus + slips) = fischer_burmeister(x(plus + slips), b - x(row));
+  }
+}
+
+/// \PaperEq{LinEtAl, 31}, without the displacements
+void jacobian(const ContactEquations& equations, const VectorXd& x, MatrixXd& J) {
+  const Index slips = equations.slips();
+  for (Index k = 0; k < slips; ++k) {
+    const Index row = equations.pairs() + k;
+    const Index plus = first_forward(equations) + k;
+    const Index minus = plus + slips;
+    const double b = equations.bound(x, k);
+    const double slope = equations.bound_slope(x, k);
+    J(row, plus) = -1;
+    J(row, minus) = 1;
+    const ComplementaritySlope ahead = fischer_burmeister_slope(x(plus), b + x(row));
+    J(plus, plus) = ahead.a;
+    J(plus, row) = ahead.b;
+    J(plus, equations.pair(k)) = ahead.b * slope;
+    const ComplementaritySlope back = fischer_burmeister_slope(x(minus), b - x(row));
+    J(minus, minus) = back.a;
+    J(minus, row) = -back.b;
+    J(minus, equations.pair(k)) = back.b * slope;
+  }
+}
+
+void shifted_jacobian(const ContactEquations& equations, const VectorXd& x, MatrixXd& J) {
+  jacobian(equations, x, J);
+  J.diagonal().tail(2 * equations.slips()).array() -= shift;
+}
+
+constexpr Formulation mended = {2, start, evaluate, shifted_jacobian};
+constexpr Formulation printed = {2, nullptr, evaluate, jacobian, Reading::AsPrinted};
+
+/// A problem that is not scaled, in the form of one that is.
+ScaledProblem unscaled(const ContactProblem& problem) {
+  const Index modes = problem.resultant.size();
+  const VectorXd free = free_movement(problem);
+  return {problem.compliance,
+          free,
+          VectorXd::Ones(free.size()),
+          true,
+          problem.law,
+          problem.rigid,
+          problem.resultant,
+          MatrixXd::Identity(modes, modes)};
+}
+
+/// In words, what makes the Jacobian singular: a pair whose two slip equations do not know u+ and u-.
+std::string singular(const ContactEquations& equations, const VectorXd& x) {
+  const auto free = [](double slope) { return std::abs(slope) < 1e-6; };
+  for (Index k = 0; k < equations.slips(); ++k) {
+    const Index plus = first_forward(equations) + k;
+    const double b = equations.bound(x, k);
+    const double tau = x(equations.pairs() + k);
+    if (free(fischer_burmeister_slope(x(plus), b + tau).a) &&
+        free(fischer_burmeister_slope(x(plus + equations.slips()), b - tau).a))
+      return text("the Jacobian is singular: pair ", equations.pair(k) + 1, " has c + mu f_n = ", b,
+                  ", where u+ and u- enter only by their difference");
+  }
+  return "the Jacobian is singular, and not by u+ and u-: too few pairs are closed for the rigid "
+         "modes, or pairs repeat each other";
+}
+
+/// Newton's method until the residual, once below the tolerance, falls no more: its steps are cheap there.
+/// \return why it ended, or nothing if there
+std::string iterate(ContactEquations& equations, const SolverOptions& options, VectorXd& x,
+                    Report& report) {
+  const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 50;
+  const Index pairs = equations.pairs();
+  VectorXd residual(x.size());
+  MatrixXd J(x.size(), x.size());
+  equations.evaluate(x, residual);
+  const double first = residual.norm();
+  const double enough = options.tolerance * first;
+  double last = std::numeric_limits<double>::infinity();
+  while (residual.norm() > 0 && (residual.norm() > enough || residual.norm() < last) &&
+         report.iterations < limit) {
+    last = residual.norm();
+    equations.differentiate(x, J);
+    const LuFactor factor(J);
+    ++report.factorisations;
+    if (!(factor.rcond() > epsilon)) {
+      if (last > enough) return singular(equations, x);
+      break;
+    }
+    x -= factor.solve(residual);
+    ++report.iterations;
+    equations.evaluate(x, residual);
+    Iteration entry{};
+    entry.active = (x.head(pairs).array() > equations.movement().head(pairs).array()).count();
+    entry.residual = residual.norm() / first;
+    report.history.push_back(entry);
+  }
+  report.status = residual.norm() <= enough ? Status::Solved : Status::IterationLimit;
+  return report.status == Status::Solved ? "" : "Newton's method did not come to rest";
+}
+
+}  // namespace
+
+ContactState friction_split_literal(const ContactProblem& problem, const SolverOptions& options) {
+  check_problem(problem);
+  const ScaledProblem raw = unscaled(problem);
+  ContactEquations equations(raw, printed);
+  VectorXd x = VectorXd::Zero(equations.size());
+  if (equations.modes() > 0) {  // from no force at all no pair would hold the modes
+    const ScaledProblem scaled = equilibrate(problem);
+    x.head(equations.rows()) = scaled.scale.cwiseProduct(first_attempt(scaled).closure.force);
+  }
+  equations.choose_closed(x);
+  Report report;
+  std::string reason = iterate(equations, options, x, report);
+  Closure end;
+  equations.read(x, end);
+  std::vector<Motion> motions = motions_of({}, equations.pairs());
+  predict(raw, end, 1, motions);
+  if (report.status == Status::Solved)  // the smaller of force and gap is rounding
+    for (std::size_t i = 0; i < motions.size(); ++i)
+      if (motions[i] == Motion::Open) end.force(static_cast<Index>(i)) = 0;
+  const bool solved = report.status == Status::Solved;
+  ContactState state = finished(problem, raw, end, motions, std::move(report));
+  state.reason = solved && state.report.status != Status::Solved
+                     ? "the printed equations are solved, but contact is not"
+                     : std::move(reason);
+  return state;
+}
+
+ContactState friction_split(const ContactProblem& problem, const SolverOptions& options) {
+  const ScaledProblem scaled = equilibrate(problem);
+  if (auto away = pulled_away(problem, scaled)) return *away;
+  Attempt attempt = first_attempt(scaled);
+  follow_newton(scaled, mended,
+                options.iteration_limit > 0 ? options.iteration_limit : newton_limit, attempt);
+  return finished(problem, scaled, std::move(attempt));
+}
+
+}  // namespace signorini

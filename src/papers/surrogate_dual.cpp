@@ -1,0 +1,160 @@
+#include "papers/surrogate_dual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "papers/weight_iteration.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/problem/closing.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+void check_sizes(const char* function, const ContactProblem& problem,
+                 const Eigen::VectorXd& weights) {
+  const Index n = problem.free_gap.size();
+  require(problem.compliance.rows() == n && problem.compliance.cols() == n && weights.size() == n,
+          function, ": G, d and weights must belong to the same pairs, got G ",
+          problem.compliance.rows(), " x ", problem.compliance.cols(), ", d ", n, ", weights ",
+          weights.size());
+}
+
+/// Pairs in use whose force exceeds their gap, the largest force first.
+std::vector<Index> guess(const WeightIteration& run) {
+  std::vector<Index> closed;
+  for (Index i = 0; i < run.weights().size(); ++i)
+    if (run.weights()(i) > 0 && run.total_force() * run.weights()(i) > -run.overlap()(i))
+      closed.push_back(i);
+  std::stable_sort(closed.begin(), closed.end(),
+                   [&run](Index i, Index j) { return run.weights()(i) > run.weights()(j); });
+  return closed;
+}
+
+/// Closes the candidates, without those that would have to pull.
+Confirmed without_tension(const ScaledProblem& scaled, std::vector<Index> candidates) {
+  while (true) {
+    if (auto found = confirmed(scaled, candidates)) return found;
+    const Closure now = close(scaled, KnownSet{candidates});
+    const auto pulls = [&now](Index i) { return now.force(i) <= 0; };
+    const auto kept = std::remove_if(candidates.begin(), candidates.end(), pulls);
+    if (now.rows.size() < candidates.size() || kept == candidates.end()) return std::nullopt;
+    candidates.erase(kept, candidates.end());
+  }
+}
+
+Iteration summary(const ScaledProblem& scaled, const WeightIteration& run) {
+  const Eigen::VectorXd overlap = run.overlap().cwiseQuotient(scaled.scale);
+  return {(run.weights().array() > 0).count(), (overlap.array() > 0).count(),
+          std::max(0.0, overlap.maxCoeff()), 0, run.value()};
+}
+
+/// Whether G y = 0 to rounding, for y of a problem with unit diagonal.
+bool is_proof(const ContactProblem& unit, const Eigen::VectorXd& y) {
+  const Eigen::VectorXd root = unit.compliance.diagonal().cwiseSqrt();
+  const double rounding = 2 * static_cast<double>(y.size()) * epsilon * root.dot(y);
+  return ((unit.compliance * y).array().abs() <= rounding * root.array()).all() &&
+         unit.free_gap.dot(y) < 0;
+}
+
+/// The present forces, which are no solution.
+ContactState unfinished(const ContactProblem& problem, const ScaledProblem& scaled,
+                        const WeightIteration& run, Report report) {
+  Closure now;
+  const double total = std::isfinite(run.total_force()) ? run.total_force() : 0;
+  now.force = total * run.weights();
+  now.movement = -run.overlap();
+  std::vector<Index> active;
+  for (Index i = 0; i < now.force.size(); ++i)
+    if (now.force(i) > 0) active.push_back(i);
+  Eigen::VectorXd proof;
+  if (report.status == Status::Infeasible) proof = scaled.scale.cwiseProduct(run.infeasibility());
+  return finished(problem, scaled, now, motions_of(active, now.force.size()), std::move(report),
+                  std::move(proof));
+}
+
+}  // namespace
+
+double lagrangian(const QuadraticProgramme& programme, const Eigen::VectorXd& displacement,
+                  const Eigen::VectorXd& force) {
+  require(
+      displacement.size() == programme.load.size() && force.size() == programme.initial_gap.size(),
+      "lagrangian: expects ", programme.load.size(), " displacements and ",
+      programme.initial_gap.size(), " forces, got ", displacement.size(), " and ", force.size());
+  const Eigen::VectorXd overlap = programme.A * displacement - programme.initial_gap;
+  return displacement.dot(0.5 * (programme.stiffness * displacement) - programme.load) +
+         force.dot(overlap);
+}
+
+double total_contact_force(const ContactProblem& problem, const Eigen::VectorXd& weights) {
+  check_sizes("total_contact_force", problem, weights);
+  const double overlap = -problem.free_gap.dot(weights);
+  return overlap > 0 ? overlap / weights.dot(problem.compliance * weights) : 0;
+}
+
+double surrogate_dual_value(const ContactProblem& problem, const Eigen::VectorXd& weights) {
+  return -0.5 * problem.free_gap.dot(weights) * total_contact_force(problem, weights);
+}
+
+Eigen::VectorXd surrogate_dual_gradient(const ContactProblem& problem,
+                                        const Eigen::VectorXd& weights) {
+  const double force = total_contact_force(problem, weights);
+  return -force * (problem.free_gap + force * (problem.compliance * weights));
+}
+
+Eigen::VectorXd start_weights(const ContactProblem& problem) {
+  const Index n = problem.free_gap.size();
+  if (problem.free_gap.sum() < 0) return Eigen::VectorXd::Constant(n, 1 / static_cast<double>(n));
+  const Eigen::VectorXd overlaps = (problem.free_gap.array() < 0).cast<double>();
+  return overlaps / std::max(1.0, overlaps.sum());
+}
+
+double best_step(const WeightLine& line, double largest) {
+  const double rise = line.overlap_slope * line.compliance - line.overlap * line.compliance_slope;
+  if (rise <= 0) return 0;
+  const double bend =
+      line.overlap_slope * line.compliance_slope - line.overlap * line.compliance_bend;
+  return bend < 0 ? std::min(largest, -rise / bend) : largest;
+}
+
+ContactState surrogate_dual(const ContactProblem& problem, WeightRule rule,
+                            const SolverOptions& options) {
+  check_plain(problem, "surrogate_dual");
+  const ScaledProblem scaled = equilibrate(problem);
+  const ContactProblem unit{scaled.compliance, scaled.free};
+  const Index n = problem.free_gap.size();
+  const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 100 * n + 1000;
+  const bool ends_by_itself = rule == WeightRule::FullyCorrective;
+  WeightIteration run(unit, rule);
+  Report report;
+  report.status = Status::IterationLimit;
+  if (n > 0) report.history.push_back(summary(scaled, run));
+  std::vector<Index> tried = {-1};
+  for (bool moved = true; moved;) {
+    const bool close = !ends_by_itself && run.relative_gap() <= options.tolerance;
+    moved = !close && report.iterations < limit && run.step();
+    const Index k = report.iterations += moved ? 1 : 0;
+    if (moved && is_kept(k)) report.history.push_back(summary(scaled, run));
+    const bool power_of_two = (k & (k - 1)) == 0;
+    if (moved && (!power_of_two || ends_by_itself)) continue;
+    std::vector<Index> candidates = guess(run);
+    if (moved && candidates == tried) continue;
+    tried = std::move(candidates);
+    report.factorisations += tried.empty() ? 0 : 1;
+    if (const auto found = moved ? confirmed(scaled, tried) : without_tension(scaled, tried)) {
+      report.status = Status::Solved;
+      report.factorisations += run.factorisations();
+      return finished(problem, scaled, found->first, found->second, std::move(report));
+    }
+  }
+  report.factorisations += run.factorisations();
+  if (run.end() == WeightEnd::Unbounded)
+    report.status = is_proof(unit, run.infeasibility()) ? Status::Infeasible : Status::Breakdown;
+  return unfinished(problem, scaled, run, std::move(report));
+}
+
+}  // namespace signorini

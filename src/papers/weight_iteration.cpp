@@ -1,0 +1,165 @@
+#include "papers/weight_iteration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "signorini/core/rounding.hpp"
+#include "signorini/problem/scaled.hpp"
+
+namespace signorini {
+
+using Eigen::Index;
+
+WeightIteration::WeightIteration(const ContactProblem& problem, WeightRule rule)
+    : problem_(problem),
+      rule_(rule),
+      root_(problem.compliance.diagonal().cwiseMax(0.0).cwiseSqrt()),
+      weights_(start_weights(problem)),
+      face_(problem),
+      visited_(static_cast<std::size_t>(problem.free_gap.size())) {
+  Index best = 0;
+  const bool one_vertex = rule == WeightRule::FullyCorrective && weights_.sum() > 0;
+  if (one_vertex && problem.free_gap.minCoeff(&best) < 0) take_in(best);
+  renew();
+  evaluate();
+}
+
+void WeightIteration::renew() {
+  if (weights_.size() > 0 && weights_.sum() > 0) weights_ /= weights_.sum();
+  product_.noalias() = problem_.compliance * weights_;
+}
+
+void WeightIteration::evaluate() {
+  const double weighted = -problem_.free_gap.dot(weights_);
+  compliance_ = weights_.dot(product_);
+  total_force_ = weighted > 0 ? weighted / compliance_ : 0;
+  value_ = 0.5 * weighted * total_force_;
+  overlap_ = -problem_.free_gap;
+  if (std::isfinite(total_force_)) overlap_ -= total_force_ * product_;
+}
+
+double WeightIteration::relative_gap() const {
+  const double worst = overlap_.size() > 0 ? overlap_.maxCoeff() : 0;
+  if (worst <= 0) return 0;
+  return value_ > 0 && std::isfinite(value_) ? total_force_ * worst / value_
+                                             : std::numeric_limits<double>::infinity();
+}
+
+bool WeightIteration::stop(WeightEnd why) {
+  end_ = why;
+  return false;
+}
+
+bool WeightIteration::step() {
+  if (end_ != WeightEnd::None) return false;
+  if (weights_.size() == 0) return stop(WeightEnd::Optimal);
+  const double n = static_cast<double>(weights_.size());
+  const double rounding = n * epsilon;
+  const double size = root_.dot(weights_);
+  if (problem_.free_gap.dot(weights_) < 0 &&
+      (product_.array().abs() <= rounding * size * root_.array()).all()) {
+    infeasibility_ = weights_;
+    return stop(WeightEnd::Unbounded);
+  }
+  Index best = 0;  // the vertex that (28) returns: the most violated pair
+  overlap_.maxCoeff(&best);
+  const double terms = std::abs(problem_.free_gap(best)) + total_force_ * root_(best) * size;
+  if (overlap_(best) <= rounding * terms) return stop(WeightEnd::Optimal);
+  if (rule_ == WeightRule::FullyCorrective) return correct(best);
+  if (rule_ == WeightRule::LiteralVertex) return jump(best);
+  const Direction towards = direction(best);
+  const double length = step_length(towards);
+  if (length == 0) return stop(WeightEnd::Still);
+  const double before = value_;
+  move(towards, length);
+  if (++steps_ % weights_.size() == 0) renew();
+  evaluate();
+  if (rule_ != WeightRule::Harmonic && value_ < before * (1 - rounding))
+    return stop(WeightEnd::Still);
+  return true;
+}
+
+bool WeightIteration::jump(Index best) {
+  if (visited_[static_cast<std::size_t>(best)]) return stop(WeightEnd::Repeats);
+  visited_[static_cast<std::size_t>(best)] = true;
+  move({best, best, 1, 0, -1, 1}, 1);
+  evaluate();
+  return true;
+}
+
+// [face step]
+bool WeightIteration::correct(Index best) {
+  const double before = value_;
+  if (!take_in(best)) return false;
+  renew();
+  evaluate();
+  return value_ > before || stop(WeightEnd::Still);
+}
+
+bool WeightIteration::take_in(Index vertex) {
+  if (face_.add(vertex)) {
+    weights_ = face_.forces();
+    return true;
+  }
+  infeasibility_ = face_.infeasibility();
+  return stop(WeightEnd::Unbounded);
+}
+// [face step]
+
+WeightIteration::Direction WeightIteration::direction(Index best) const {
+  const Direction towards{best, best, 1, 0, -1, 1};
+  if (rule_ != WeightRule::AwaySteps && rule_ != WeightRule::Pairwise) return towards;
+  Index worst = best;  // of the vertices in use
+  for (Index i = 0; i < weights_.size(); ++i)
+    if (weights_(i) > 0 && (weights_(worst) == 0 || overlap_(i) < overlap_(worst))) worst = i;
+  const double weight = weights_(worst);
+  if (rule_ == WeightRule::Pairwise) return {best, worst, 1, 1, 0, weight};
+  if (weight >= 1 || -overlap_(worst) <= overlap_(best)) return towards;
+  return {worst, worst, 0, 1, 1, weight / (1 - weight)};
+}
+
+double WeightIteration::step_length(const Direction& along) const {
+  if (rule_ == WeightRule::Harmonic) return 2 / static_cast<double>(steps_ + 2);
+  const auto [to, from, p, q, r, largest] = along;
+  const Eigen::MatrixXd& G = problem_.compliance;
+  const Eigen::VectorXd& d = problem_.free_gap;
+  const double weighted = -d.dot(weights_);
+  const WeightLine line{weighted, r * weighted - p * d(to) + q * d(from), compliance_,
+                        r * compliance_ + p * product_(to) - q * product_(from),
+                        r * r * compliance_ + p * p * G(to, to) + q * q * G(from, from) -
+                            2 * p * q * G(to, from) +
+                            2 * r * (p * product_(to) - q * product_(from))};
+  return best_step(line, largest);
+}
+
+void WeightIteration::move(const Direction& along, double step) {
+  const auto [to, from, p, q, r, largest] = along;
+  weights_ *= 1 + r * step;
+  product_ *= 1 + r * step;
+  if (p != 0) {
+    weights_(to) += step;
+    product_ += step * problem_.compliance.col(to);
+  }
+  if (q != 0) {
+    weights_(from) = step < largest ? std::max(0.0, weights_(from) - step) : 0;
+    product_ -= step * problem_.compliance.col(from);
+  }
+}
+
+std::vector<std::vector<Index>> weight_supports(const ContactProblem& problem, WeightRule rule,
+                                                Index limit) {
+  check_plain(problem, "weight_supports");
+  const ScaledProblem scaled = equilibrate(problem);
+  const ContactProblem unit{scaled.compliance, scaled.free};
+  WeightIteration run(unit, rule);
+  std::vector<std::vector<Index>> supports;
+  do {
+    supports.emplace_back();
+    for (Index i = 0; i < unit.free_gap.size(); ++i)
+      if (run.weights()(i) > 0) supports.back().push_back(i);
+  } while (static_cast<Index>(supports.size()) <= limit && run.step());
+  return supports;
+}
+
+}  // namespace signorini

@@ -1,0 +1,50 @@
+/// \file
+/// Integrals along a boundary, and what forces add up to.
+#pragma once
+#include <Eigen/Core>
+#include <string>
+
+#include "signorini/fem/element.hpp"
+#include "signorini/fem/side_curve.hpp"
+
+namespace signorini {
+
+/// A Gauss point of a side of a boundary.
+struct BoundaryPoint {
+  const SideCurve& side;    ///< that it lies on; the shape functions are those of its nodes()
+  Eigen::Vector3d N;        ///< shape functions there [-]
+  Eigen::Vector2d tangent;  ///< dx/dxi [length], in walking order
+  AnchoredPoint point;      ///< where it is
+  double weight;            ///< of the Gauss rule: times |tangent| a part of the length [-]
+};
+
+/// Calls a function at the three Gauss points of every side of a boundary, in walking order.
+/// \param mesh   that has the boundary
+/// \param name   of the boundary
+/// \param visit  gets a BoundaryPoint
+/// \throws ProblemError if there is no such boundary, or it has no sides
+template <typename Visit>
+void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit) {
+  for (const SideCurve& side : side_curves(mesh, name))
+    for (const GaussPoint& gauss : gauss_line(3))
+      visit(BoundaryPoint{side, side.shape(gauss.xi).value, side.tangent(gauss.xi),
+                          side.point(gauss.xi), gauss.weight});
+}
+
+/// What forces add up to, and what they would if nothing cancelled.
+struct Resultant {
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< their sum [force]
+  double moment = 0;       ///< about where the arms begin, anticlockwise > 0 [force length]
+  double all_forces = 0;   ///< sum of their sizes [force]
+  double all_moments = 0;  ///< sum of arm times size [force length]
+
+  /// \param arm  from the point that moments are taken about [length] \param one  of the forces there
+  void add(const Eigen::Vector2d& arm, const Eigen::Vector2d& one) {
+    force += one;
+    moment += arm.x() * one.y() - arm.y() * one.x();
+    all_forces += one.norm();
+    all_moments += arm.norm() * one.norm();
+  }
+};
+
+}  // namespace signorini

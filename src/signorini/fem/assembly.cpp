@@ -1,0 +1,281 @@
+#include "signorini/fem/assembly.hpp"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "addons/effects/thermal.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/fem/along_boundary.hpp"
+#include "signorini/fem/elements.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// A curved cell can fold although its corners are in order; the map then turns over at some point.
+void check_unfolded(const Cell& cell) {
+  if (cell.element.n_nodes <= 4) return;  // for straight sides the corners decide, see check_mesh()
+  for (const GaussPoint& at : gauss_cell(cell.element))
+    pose(jacobian(cell.element.shape(at.xi, at.eta), cell.body.arms).determinant > 0, "mesh '",
+         cell.mesh.name, "': cell ", cell.number,
+         " folds over itself: move the middle nodes of its sides closer to the straight lines");
+}
+
+void add_body_force(const Mesh& mesh, const Element& element, const Matter& matter,
+                    const VectorField& force, NodeArray& load) {
+  visit_strains(mesh, element, matter, [&](const Cell& cell, const StrainPoints& points) {
+    for (int i = 0; i < points.size; ++i) {
+      const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+      const CellScalars N = cell.element.shape(point.local.x(), point.local.y()).value;
+      const Eigen::Vector2d position = cell.body.position(N);
+      const Eigen::Vector2d f = force(position);
+      pose(f.allFinite(), "body force on '", mesh.name, "': not finite at (", position.x(), ", ",
+           position.y(), "), but it must be at every point of the body");
+      for (Index k = 0; k < cell.element.n_nodes; ++k)
+        load.row(cell.node(k)) += point.volume * N(k) * f.transpose();
+    }
+  });
+}
+
+void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, NodeArray& load) {
+  integrate_boundary(mesh, edge.boundary, [&](const BoundaryPoint& at) {
+    const Eigen::Vector2d position = at.point.position();
+    const Eigen::Vector2d inward(-at.tangent.y(), at.tangent.x());  // body on the left
+    Eigen::Vector2d force = edge.pressure * inward;
+    if (edge.traction) force += edge.traction(position) * at.tangent.norm();
+    pose(force.allFinite(), "load on '", edge.boundary, "' of '", mesh.name, "': not finite at (",
+         position.x(), ", ", position.y(), "), but it must be at every point of the boundary");
+    Index k = 0;
+    for (const Index node : at.side.nodes())
+      load.row(node) += depth.at(position.x()) * at.weight * at.N(k++) * force.transpose();
+  });
+}
+
+/// The integrals of the shape functions times something along a boundary, in the order of boundary_nodes().
+/// \param integrand  two numbers for a tangent, times its length
+template <typename Integrand>
+NodeArray boundary_integrals(const Mesh& mesh, const std::string& name, const Depth& depth,
+                             const Integrand& integrand) {
+  const std::vector<Index> nodes = boundary_nodes(mesh, name);
+  std::map<Index, Index> number;
+  for (const Index node : nodes) number.emplace(node, static_cast<Index>(number.size()));
+  NodeArray sums = NodeArray::Zero(static_cast<Index>(nodes.size()), 2);
+  integrate_boundary(mesh, name, [&](const BoundaryPoint& at) {
+    const double share = depth.at(at.point.position().x()) * at.weight;
+    Index k = 0;
+    for (const Index node : at.side.nodes())
+      sums.row(number.at(node)) += share * at.N(k++) * integrand(at.tangent);
+  });
+  return sums;
+}
+
+void add_point_forces(const Mesh& mesh, const std::vector<PointForce>& forces, NodeArray& load) {
+  auto force = forces.begin();
+  for (const EdgePlace& place : places_of(mesh, forces)) {
+    for (std::size_t k = 0; k < place.nodes.size(); ++k)
+      load.row(place.nodes[k]) += place.share(static_cast<Index>(k)) * force->force.transpose();
+    ++force;
+  }
+}
+
+/// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
+struct CellsAround {
+  Eigen::ArrayX<Index> first;
+  Eigen::ArrayX<Index> cell;
+};
+
+CellsAround cells_around(const Mesh& mesh) {
+  CellsAround around{Eigen::ArrayX<Index>::Zero(mesh.n_nodes() + 1),
+                     Eigen::ArrayX<Index>(mesh.cells.size())};
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (Index k = 0, n = mesh.cell_size(cell); k < n; ++k) ++around.first(mesh.cells(cell, k));
+  for (Index node = 0; node < mesh.n_nodes(); ++node) around.first(node + 1) += around.first(node);
+  for (Index cell = mesh.n_cells() - 1; cell >= 0; --cell)
+    for (Index k = 0, n = mesh.cell_size(cell); k < n; ++k)
+      around.cell(--around.first(mesh.cells(cell, k))) = cell;
+  return around;
+}
+
+/// Nodes of its largest cell; in a mixed mesh that is a quadrilateral.
+Index largest_cell(const Mesh& mesh) {
+  Index size = 0;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) size = std::max(size, mesh.cell_size(cell));
+  return size;
+}
+
+/// The element to use first for cells of so many nodes.
+const char* usual_element(Index size) {
+  static const std::map<Index, const char*> usual = {
+      {3, "t3"}, {4, "q4_incompatible"}, {6, "t6"}, {8, "q8"}};
+  return usual.at(size);
+}
+
+}  // namespace
+
+void check_element(const Mesh& mesh, const Element& element) {
+  const Index size = largest_cell(mesh);
+  pose(size == element.n_nodes, "mesh '", mesh.name, "' has cells of ", size,
+       " nodes, but the element ", element.name, " needs ", element.n_nodes, "; take ",
+       usual_element(size), " or another mesh");
+}
+
+const Element& element_for(const Mesh& mesh, const std::string& name) {
+  const Element& element = find_element(name.empty() ? usual_element(largest_cell(mesh)) : name);
+  check_element(mesh, element);
+  return element;
+}
+
+CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
+  StrainPoints points;
+  element.strain(cell, points);
+  CellMatrix K = CellMatrix::Zero(2 * element.n_nodes, 2 * element.n_nodes);
+  with_rows(cell.D.rows(), [&](auto n_rows) {
+    const auto& D = fixed_rows<n_rows>(cell.D);
+    for (int i = 0; i < points.size; ++i) {
+      const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+      const auto& B = fixed_rows<n_rows>(point.B);
+      const FixedRows<n_rows> stress = point.volume * D * B;
+      K.noalias() += B.transpose() * stress;
+    }
+  });
+  return 0.5 * (K + CellMatrix(K.transpose()));  // exactly symmetric
+}
+
+std::vector<EdgePlace> places_of(const Mesh& mesh, const std::vector<PointForce>& loads) {
+  Edge edge(mesh);
+  std::vector<EdgePlace> places;
+  for (const PointForce& load : loads) {
+    pose(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(), ", ",
+         load.point.y(), "): not finite, but its components must be numbers");
+    places.push_back((load.force.array() == 0).all() ? EdgePlace{{}, {0, 0, 0}}
+                                                     : edge.place(load.point));
+  }
+  return places;
+}
+
+NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& matter,
+                      const Loads& loads) {
+  NodeArray load = NodeArray::Zero(mesh.n_nodes(), 2);
+  if (loads.body_force) add_body_force(mesh, element, matter, loads.body_force, load);
+  for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, depth_of(matter), edge, load);
+  add_point_forces(mesh, loads.points, load);
+  return load;
+}
+
+Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& unknowns) {
+  const CellsAround around = cells_around(mesh);
+  Eigen::SparseMatrix<double> K(unknowns.count, unknowns.count);
+  K.reserve(4 * mesh.cells.size() * mesh.cells.cols());  // more than enough: cells share entries
+  std::vector<Index> rows;
+  Index last = -1;
+  for (Index column = 0; column < unknowns.count; ++column) {
+    const Index node = unknowns.node_of[static_cast<std::size_t>(column)];
+    if (node != last) {
+      rows.clear();
+      for (Index k = around.first(node); k < around.first(node + 1); ++k) {
+        const Index cell = around.cell(k);
+        for (Index j = 0, n = mesh.cell_size(cell); j < n; ++j)
+          for (const Index number : unknowns.number.row(mesh.cells(cell, j)))
+            if (number >= 0) rows.push_back(number);
+      }
+      std::sort(rows.begin(), rows.end());
+      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+      last = node;
+    }
+    K.startVec(column);
+    for (const Index row : rows) K.insertBack(row, column) = 0;
+  }
+  K.finalize();
+  return K;
+}
+
+LinearSystem assemble(const Mesh& mesh, const Element& element, const Matter& matter,
+                      const Unknowns& unknowns, const Loads& loads) {
+  check_element(mesh, element);
+  LinearSystem system{stiffness_pattern(mesh, unknowns), {}};
+  NodeArray nodal = nodal_loads(mesh, element, matter, loads);
+  if (matter.temperature.warms()) nodal += thermal_forces(mesh, element, matter);
+  system.load = restricted(unknowns, nodal);
+
+  visit_cells(mesh, element, matter, [&](const Cell& cell) {
+    check_unfolded(cell);
+    const CellMatrix K = cell_stiffness(cell.element, cell.body);
+    for (Index i = 0; i < K.rows(); ++i) {
+      const Index row = unknowns.number(cell.node(i / 2), i % 2);
+      if (row < 0) continue;
+      for (Index j = 0; j < K.cols(); ++j) {
+        const Index column = unknowns.number(cell.node(j / 2), j % 2);
+        if (column >= 0)
+          system.stiffness.coeffRef(row, column) += K(i, j);
+        else
+          system.load(row) -= K(i, j) * unknowns.held(cell.node(j / 2), j % 2);
+      }
+    }
+  });
+  return system;
+}
+
+NodeArray internal_forces(const Mesh& mesh, const Element& element, const Matter& matter,
+                          const NodeArray& displacements) {
+  require(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
+          " displacements (one per node), got ", displacements.rows());
+  NodeArray forces = NodeArray::Zero(mesh.n_nodes(), 2);
+  if (matter.temperature.warms()) forces -= thermal_forces(mesh, element, matter);
+  visit_cells(mesh, element, matter, [&](const Cell& cell) {
+    const CellVector f = cell_stiffness(cell.element, cell.body) * gathered(cell, displacements);
+    for (Index k = 0; k < cell.element.n_nodes; ++k)
+      forces.row(cell.node(k)) += f.segment<2>(2 * k).transpose();
+  });
+  return forces;
+}
+
+Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, const Depth& depth) {
+  return boundary_integrals(
+             mesh, name, depth,
+             [](const Eigen::Vector2d& tangent) { return Eigen::RowVector2d(tangent.norm(), 0); })
+      .col(0);
+}
+
+NodeArray boundary_areas(const Mesh& mesh, const std::string& name, const Depth& depth) {
+  return boundary_integrals(mesh, name, depth, [](const Eigen::Vector2d& tangent) {
+    return Eigen::RowVector2d(tangent.y(), -tangent.x());
+  });
+}
+
+std::vector<Index> nodes_without_share(const Mesh& mesh, const std::string& name,
+                                       const Depth& depth) {
+  std::vector<Index> nodes;
+  if (!depth.axial) return nodes;
+  const std::vector<Index> axis = axis_nodes(mesh);
+  for (const CellSide& side : boundary(mesh, name)) {
+    const std::vector<Index> own = mesh.side_nodes(side);
+    if (own.size() == 2) continue;
+    for (const Index end : {own.front(), own.back()})
+      if (std::binary_search(axis.begin(), axis.end(), end)) nodes.push_back(end);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+NodeArray expand(const Unknowns& unknowns, const Eigen::Ref<const Eigen::VectorXd>& values) {
+  require(values.size() == unknowns.count, "expand: need ", unknowns.count,
+          " values (one per unknown), got ", values.size());
+  NodeArray all = unknowns.held;
+  for (Index node = 0; node < all.rows(); ++node)
+    for (int axis = 0; axis < 2; ++axis)
+      if (unknowns.number(node, axis) >= 0) all(node, axis) = values(unknowns.number(node, axis));
+  return all;
+}
+
+Eigen::VectorXd restricted(const Unknowns& unknowns, const NodeArray& nodal) {
+  Eigen::VectorXd values(unknowns.count);
+  for (Index node = 0; node < nodal.rows(); ++node)
+    for (int axis = 0; axis < 2; ++axis)
+      if (unknowns.number(node, axis) >= 0) values(unknowns.number(node, axis)) = nodal(node, axis);
+  return values;
+}
+
+}  // namespace signorini

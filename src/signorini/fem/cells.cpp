@@ -1,0 +1,38 @@
+#include "signorini/fem/cells.hpp"
+
+#include "signorini/fem/elements.hpp"
+
+namespace signorini {
+
+using Eigen::Index;
+
+CellNodes cell_nodes(const Mesh& mesh, Index cell) {
+  CellNodes nodes(mesh.cell_size(cell), 2);
+  for (Index k = 0; k < nodes.rows(); ++k) nodes.row(k) = mesh.nodes.row(mesh.cells(cell, k));
+  return nodes;
+}
+
+const Element& triangle_beside(const Mesh& mesh) {
+  return find_element(mesh.order() == MeshOrder::Linear ? "t3" : "t6");
+}
+
+CellBody cell_body(const CellNodes& nodes, const Elasticity& D, const Depth& depth) {
+  CellBody body{arms_from_middle(nodes), {}, D, depth};
+  body.middle = (nodes.row(0) - body.arms.row(0)).transpose();
+  return body;
+}
+
+std::vector<Elasticity> elasticity_matrices(const Matter& matter) {
+  std::vector<Elasticity> D = {elasticity_matrix(matter.bulk)};
+  for (const Material& layer : matter.layers) D.push_back(elasticity_matrix(layer));
+  return D;
+}
+
+CellVector gathered(const Cell& cell, const NodeArray& displacements) {
+  CellVector u(2 * cell.element.n_nodes);
+  for (Index k = 0; k < cell.element.n_nodes; ++k)
+    u.segment<2>(2 * k) = displacements.row(cell.node(k)).transpose();
+  return u;
+}
+
+}  // namespace signorini

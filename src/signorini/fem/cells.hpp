@@ -1,0 +1,93 @@
+/// \file
+/// The one loop over the cells of a body: which element stands in each cell, and what it is made of.
+#pragma once
+#include <vector>
+
+#include "addons/effects/matter.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/fem/element.hpp"
+#include "signorini/fem/mesh.hpp"
+#include "signorini/fem/unknowns.hpp"
+
+namespace signorini {
+
+/// One cell of a body, with all that is integrated over it.
+struct Cell {
+  Eigen::Index number;       ///< in its mesh
+  const Element& element;    ///< that stands in it
+  const Material& material;  ///< that it is made of
+  CellBody body;             ///< as the element sees it
+  const Mesh& mesh;          ///< that has it
+
+  /// \param k  one of the nodes of the element
+  /// \return its number in the mesh
+  [[nodiscard]] Eigen::Index node(Eigen::Index k) const { return mesh.cells(number, k); }
+};
+
+/// Gathers the nodes of one cell for the element functions.
+/// \param mesh  that has it
+/// \param cell  its number
+/// \return positions in the order of the cell [length]
+[[nodiscard]] CellNodes cell_nodes(const Mesh& mesh, Eigen::Index cell);
+
+/// The element of the triangles in a mesh that has quadrilaterals as well.
+/// \param mesh  any
+/// \return t3 or t6, which has as many nodes per side
+[[nodiscard]] const Element& triangle_beside(const Mesh& mesh);
+
+/// A cell as an element sees it.
+/// \param nodes  `m x 2` positions [length]
+/// \param D      elasticity_matrix() of its material [force/length^2]
+/// \param depth  across the plane
+/// \return both, with the positions counted from the middle
+[[nodiscard]] CellBody cell_body(const CellNodes& nodes, const Elasticity& D, const Depth& depth);
+
+/// What nodes of a cell do.
+/// \param cell          any
+/// \param displacements `n_nodes x 2` of its mesh [length]
+/// \return x, y of its first node, x, y of its second, ... [length]
+[[nodiscard]] CellVector gathered(const Cell& cell, const NodeArray& displacements);
+
+/// \param matter  of a body
+/// \return elasticity_matrix() of its bulk, then of its layers
+/// \throws ProblemError as check_material()
+[[nodiscard]] std::vector<Elasticity> elasticity_matrices(const Matter& matter);
+
+/// Calls visit(cell) for every cell of a body, in their order.
+/// \param mesh     the body
+/// \param element  of its cells, of as many corners; triangles beside quadrilaterals are triangle_beside()
+/// \param matter   of its cells
+/// \param visit    gets a Cell
+/// \throws ProblemError as check_material(); std::invalid_argument if the layers are those of another mesh
+template <typename Visit>
+void visit_cells(const Mesh& mesh, const Element& element, const Matter& matter, Visit&& visit) {
+  const std::vector<std::size_t>& layer_of = matter.layer_of;
+  require(layer_of.empty() || layer_of.size() == static_cast<std::size_t>(mesh.n_cells()),
+          "cells of '", mesh.name, "': there are ", mesh.n_cells(),
+          ", but the layers are those of ", layer_of.size());
+  const std::vector<Elasticity> D = elasticity_matrices(matter);
+  const Depth depth = depth_of(matter);
+  const Element& triangle = element.corners() == 3 ? element : triangle_beside(mesh);
+  for (Eigen::Index number = 0; number < mesh.n_cells(); ++number) {
+    const std::size_t layer = layer_of.empty() ? 0 : layer_of[static_cast<std::size_t>(number)];
+    visit(Cell{number, mesh.corners(number) == 3 ? triangle : element, matter.material(layer),
+               cell_body(cell_nodes(mesh, number), D[layer], depth), mesh});
+  }
+}
+
+/// Calls visit(cell, points) for every cell of a body with its strain points.
+/// \param mesh     the body
+/// \param element  of its cells, as in visit_cells()
+/// \param matter   of its cells
+/// \param visit    gets a Cell and its StrainPoints
+/// \throws ProblemError, std::invalid_argument as visit_cells()
+template <typename Visit>
+void visit_strains(const Mesh& mesh, const Element& element, const Matter& matter, Visit&& visit) {
+  StrainPoints points;
+  visit_cells(mesh, element, matter, [&](const Cell& cell) {
+    cell.element.strain(cell.body, points);
+    visit(cell, points);
+  });
+}
+
+}  // namespace signorini

@@ -1,0 +1,18 @@
+/// \file
+/// How far a mesh lies from the origin, and what its coordinates have lost to rounding there.
+#pragma once
+#include "signorini/fem/mesh.hpp"
+
+namespace signorini {
+
+/// \param nodes  `n x 2`, one at least [length]
+/// \return distance of the origin from the box around them; 0 if it lies inside [length]
+[[nodiscard]] double distance_from_origin(const NodeArray& nodes);
+
+/// How well a mesh knows the directions of its sides: the largest coordinate is rounded the most, and the shortest side
+/// turns the most by it.
+/// \param mesh  whose cells refer to existing nodes
+/// \return what one rounding does to a direction [-], epsilon at least
+[[nodiscard]] double direction_rounding(const Mesh& mesh);
+
+}  // namespace signorini

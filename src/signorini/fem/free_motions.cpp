@@ -1,0 +1,158 @@
+#include "signorini/fem/free_motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "signorini/core/dense.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/fem/far.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// One piece of a mesh, and where it is.
+struct ConnectedBody {
+  /// \param mesh   that has it
+  /// \param piece  one of its pieces
+  ConnectedBody(const Mesh& mesh, const MeshPiece& piece) : nodes(piece.nodes), cells(piece.cells) {
+    const NodeArray x = mesh.nodes(nodes, Eigen::all);
+    arms = arms_from_middle(x);
+    centre = middle(mesh, piece);
+    size = (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
+    rounding = 16 * epsilon * (1 + distance_from_origin(x) / size);
+  }
+
+  const std::vector<Index>& nodes;
+  NodeArray arms;          ///< from the centre to each of the nodes
+  Eigen::Vector2d centre;  ///< middle of the box of the nodes
+  double size;             ///< diagonal of the bounding box
+  double rounding;         ///< of a displacement by a motion that moves the body by 1
+  Index cells;
+};
+
+/// What the translations x and y and a rotation about the centre, each of which moves the body by about 1, do to the
+/// components that are held: `n x 3`, `n` at least 3. What moves or turns the cross-section of a body of revolution
+/// sideways strains the body.
+Eigen::MatrixXd held_motions(const ConnectedBody& body, const Unknowns& unknowns,
+                             PlaneState state) {
+  std::vector<Eigen::Vector3d> rows;
+  if (state == PlaneState::Axial) rows = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()};
+  for (std::size_t k = 0; k < body.nodes.size(); ++k) {
+    const Index node = body.nodes[k];
+    const Eigen::Vector2d arm = body.arms.row(static_cast<Index>(k)).transpose() / body.size;
+    if (unknowns.number(node, 0) < 0) rows.emplace_back(1, 0, -arm.y());
+    if (unknowns.number(node, 1) < 0) rows.emplace_back(0, 1, arm.x());
+  }
+  rows.resize(std::max<std::size_t>(3, rows.size()), Eigen::Vector3d::Zero());
+  Eigen::MatrixXd held(static_cast<Index>(rows.size()), 3);
+  for (Index k = 0; k < held.rows(); ++k) held.row(k) = rows[static_cast<std::size_t>(k)];
+  return held;
+}
+
+/// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)), and no held component by more than what
+/// rounding of the coordinates makes of it.
+std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknowns& unknowns,
+                                        PlaneState state) {
+  const Eigen::MatrixXd held = held_motions(body, unknowns, state);
+  const Eigen::MatrixXd modes = singular_values(held).V;
+  std::vector<Eigen::Vector3d> motions;
+  for (int k = 0; k < 3; ++k) {
+    Eigen::Vector3d motion = modes.col(k);
+    if (largest(held * motion) > body.rounding) continue;
+    motion = (motion.array().abs() <= body.rounding).select(0, motion);
+    motion(2) /= body.size;
+    motion /= std::max(motion.head<2>().norm(), std::abs(motion(2)) * body.size);
+    motions.push_back(motion);
+  }
+  return motions;
+}
+
+/// One more digit than is printed.
+constexpr double visible = 1e-6;
+
+/// The larger of the displacements by its translation and by its rotation.
+double displacement(const FreeMotion& free) {
+  return std::max(free.motion.head<2>().norm(), std::abs(free.motion(2)) * free.size);
+}
+
+}  // namespace
+
+std::string in_words(const FreeMotion& free) {
+  const Eigen::Vector3d motion = free.motion / displacement(free);
+  const std::string can = free.body + " can ";
+  if (std::abs(motion(2)) * free.size > visible) {
+    const auto printed = [&free](double coordinate) {
+      return std::abs(coordinate) > visible * free.size ? coordinate : 0.0;
+    };
+    return text(can, "turn freely about (", printed(free.centre.x() - motion(1) / motion(2)), ", ",
+                printed(free.centre.y() + motion(0) / motion(2)), ')');
+  }
+  if (std::abs(motion(1)) <= visible) return can + "move freely in direction x";
+  if (std::abs(motion(0)) <= visible) return can + "move freely in direction y";
+  const double forward = motion(0) > 0 ? 1 : -1;
+  return text(can, "move freely in direction (", forward * motion(0), ", ", forward * motion(1),
+              ')');
+}
+
+std::vector<std::string> in_words(const std::vector<FreeMotion>& motions,
+                                  const Eigen::VectorXd& amplitude) {
+  std::vector<FreeMotion> bodies;
+  double farthest = 0;
+  for (Index k = 0; k < amplitude.size(); ++k) {
+    const FreeMotion& one = motions[static_cast<std::size_t>(k)];
+    if (bodies.empty() || bodies.back().body != one.body || bodies.back().centre != one.centre) {
+      bodies.push_back(one);
+      bodies.back().motion.setZero();
+    }
+    bodies.back().motion += amplitude(k) * one.motion;
+  }
+  for (const FreeMotion& body : bodies) farthest = std::max(farthest, displacement(body));
+  std::vector<std::string> words;
+  for (const FreeMotion& body : bodies)
+    if (displacement(body) > visible * farthest) words.push_back(in_words(body));
+  return words;
+}
+
+std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPiece>& pieces,
+                                     const Unknowns& unknowns, PlaneState state) {
+  std::vector<FreeMotion> found;
+  const double directions = direction_rounding(mesh);
+  for (const MeshPiece& piece : pieces) {
+    const ConnectedBody body(mesh, piece);
+    for (const Eigen::Vector3d& motion : motions_of(body, unknowns, state)) {
+      FreeMotion free;
+      free.directions = directions;
+      free.body = text("body '", mesh.name, "' (", in_words(mesh, piece), ')');
+      free.motion = motion;
+      free.centre = body.centre;
+      free.size = body.size;
+      free.shape.setZero(unknowns.count);
+      for (std::size_t k = 0; k < body.nodes.size(); ++k) {
+        const Index node = body.nodes[k];
+        const Eigen::Vector2d arm = body.arms.row(static_cast<Index>(k)).transpose();
+        const Eigen::Vector2d turns(-motion(2) * arm.y(), motion(2) * arm.x());
+        for (int axis = 0; axis < 2; ++axis) {
+          const Index unknown = unknowns.number(node, axis);
+          if (unknown < 0) continue;
+          const double moves = motion(axis) + turns(axis);
+          // A node straight above the pivot does not move sideways, whatever rounding makes of it.
+          const bool still =
+              std::abs(moves) <= 64 * epsilon * (std::abs(motion(axis)) + std::abs(turns(axis)));
+          free.shape(unknown) = still ? 0 : moves;
+        }
+      }
+      found.push_back(std::move(free));
+    }
+  }
+  return found;
+}
+
+std::vector<FreeMotion> free_motions(const Mesh& mesh, const Unknowns& unknowns, PlaneState state) {
+  return free_motions(mesh, pieces(mesh), unknowns, state);
+}
+
+}  // namespace signorini

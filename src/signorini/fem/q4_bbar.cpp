@@ -1,0 +1,38 @@
+#include "signorini/fem/elements.hpp"
+
+namespace signorini {
+namespace {
+
+/// Replaces the volumetric strain by its mean over the cell (see [Hughes1980]).
+///
+/// What the change of area xx + yy, with the hoop strain of volume, lacks to its mean is split between xx and yy, so
+/// that the same operator serves plane stress, plane strain, and bodies of revolution, which far from their axis are
+/// in plane strain.
+void averaged_strain(const CellBody& cell, StrainPoints& points) {
+  sample_strain(bilinear_shape, gauss_square(2), cell, points);
+  const bool axial = cell.D.rows() == 4;
+  Eigen::Matrix<double, 1, 8> mean = Eigen::Matrix<double, 1, 8>::Zero();
+  double volume = 0;
+  for (int i = 0; i < points.size; ++i) {
+    const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+    mean += point.volume * (point.B.row(0) + point.B.row(1));
+    if (axial) mean += point.volume * point.B.row(3);
+    volume += point.volume;
+  }
+  mean /= volume;
+  for (int i = 0; i < points.size; ++i) {
+    StrainMatrix& B = points.point[static_cast<std::size_t>(i)].B;
+    Eigen::Matrix<double, 1, 8> shift = mean - B.row(0) - B.row(1);
+    if (axial) shift -= B.row(3);
+    B.row(0) += 0.5 * shift;
+    B.row(1) += 0.5 * shift;
+  }
+}
+
+}  // namespace
+
+Element q4_bbar() {
+  return {"q4_bbar", "4 nodes, mean volumetric strain", 4, 1, bilinear_shape, averaged_strain};
+}
+
+}  // namespace signorini

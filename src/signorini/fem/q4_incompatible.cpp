@@ -1,0 +1,116 @@
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <array>
+
+#include "signorini/fem/elements.hpp"
+
+namespace signorini {
+namespace {
+
+template <int n_rows>
+using ModeStrain = Eigen::Matrix<double, n_rows, 4>;  // one column per internal unknown
+
+/// Strain of the modes 1 - xi^2 and 1 - eta^2 in x and y at one strain point.
+///
+/// Taken with the Jacobian of the centre and scaled by its determinant over the local one, so that in the plane the
+/// modes do no work against a constant stress: this is what makes the patch test pass on distorted
+/// cells (see [TaylorBeresfordWilson1976]).
+template <int n_rows>
+ModeStrain<n_rows> mode_strain(const CellBody& cell, const StrainPoint& point, double weight,
+                               const Jacobian& centre) {
+  const Eigen::Vector2d at = point.local;
+  double depth = cell.depth.factor;
+  CellScalars hoop;
+  if constexpr (n_rows == 4) {
+    const CellScalars N = bilinear_shape(at.x(), at.y()).value;
+    depth = cell.depth_at(N);
+    hoop = cell.hoop(1 - at.array().square(), N);
+  }
+  const double scale = centre.determinant * depth / (point.volume / weight);
+  CellNodes slope(2, 2);
+  slope << -2 * at.x(), 0, 0, -2 * at.y();
+  const Eigen::Matrix2d gradient = scale * slope * centre.matrix.inverse().transpose();
+  StrainMatrix strain;
+  write_strain_matrix(gradient, hoop, strain);
+  return fixed_rows<n_rows>(strain);
+}
+
+/// Takes its mean from the strain of every mode: where volumes grow with the radius, and with the hoop strain, it is
+/// not zero by itself. Without it a body of revolution can be strained evenly at will.
+void subtract_mean(const StrainPoints& points, std::array<ModeStrain<4>, 4>& modes) {
+  ModeStrain<4> mean = ModeStrain<4>::Zero();
+  double volume = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    mean += points.point[i].volume * modes[i];
+    volume += points.point[i].volume;
+  }
+  for (ModeStrain<4>& mode : modes) mode -= mean / volume;
+}
+
+/// The strains of the modes at the strain points.
+template <int n_rows>
+std::array<ModeStrain<n_rows>, 4> mode_strains(const CellBody& cell, const StrainPoints& points) {
+  const Jacobian centre = jacobian(bilinear_shape(0, 0), cell.arms);
+  std::array<ModeStrain<n_rows>, 4> modes;
+  for (std::size_t i = 0; i < 4; ++i)
+    modes[i] = mode_strain<n_rows>(cell, points.point[i], gauss_square(2)[i].weight, centre);
+  if constexpr (n_rows == 4) subtract_mean(points, modes);
+  return modes;
+}
+
+template <int n_rows>
+void add_modes(const CellBody& cell, StrainPoints& points) {
+  const auto& D = fixed_rows<n_rows>(cell.D);
+  const std::array<ModeStrain<n_rows>, 4> modes = mode_strains<n_rows>(cell, points);
+  Eigen::Matrix<double, 4, 4> K_modes = Eigen::Matrix<double, 4, 4>::Zero();
+  Eigen::Matrix<double, 4, 8> K_mixed = Eigen::Matrix<double, 4, 8>::Zero();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const StrainPoint& point = points.point[i];
+    const Eigen::Matrix<double, 4, n_rows> stress = point.volume * modes[i].transpose() * D;
+    K_modes += stress * modes[i];
+    K_mixed += stress * fixed_rows<n_rows>(point.B);
+  }
+  // The modes carry no load, so they follow the nodes: amplitudes = -K_modes^-1 K_mixed u.
+  const Eigen::Matrix<double, 4, 8> amplitudes = -K_modes.ldlt().solve(K_mixed);
+  for (std::size_t i = 0; i < 4; ++i) points.point[i].B += modes[i] * amplitudes;
+}
+
+template <int n_rows>
+void relax_modes(const CellBody& cell, const StrainPoints& points, PointStrains& strains) {
+  const auto& D = fixed_rows<n_rows>(cell.D);
+  const std::array<ModeStrain<n_rows>, 4> modes = mode_strains<n_rows>(cell, points);
+  Eigen::Matrix<double, 4, 4> K_modes = Eigen::Matrix<double, 4, 4>::Zero();
+  Eigen::Vector4d load = Eigen::Vector4d::Zero();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Matrix<double, 4, n_rows> stress =
+        points.point[i].volume * modes[i].transpose() * D;
+    K_modes += stress * modes[i];
+    load += stress * strains.col(static_cast<Eigen::Index>(i));
+  }
+  const Eigen::Vector4d amplitudes = K_modes.ldlt().solve(load);
+  for (std::size_t i = 0; i < 4; ++i)
+    strains.col(static_cast<Eigen::Index>(i)) -= modes[i] * amplitudes;
+}
+
+void incompatible_strain(const CellBody& cell, StrainPoints& points) {
+  sample_strain(bilinear_shape, gauss_square(2), cell, points);
+  with_rows(cell.D.rows(), [&](auto n_rows) { add_modes<n_rows>(cell, points); });
+}
+
+void relax(const CellBody& cell, const StrainPoints& points, PointStrains& strains) {
+  with_rows(cell.D.rows(), [&](auto n_rows) { relax_modes<n_rows>(cell, points, strains); });
+}
+
+}  // namespace
+
+Element q4_incompatible() {
+  return {"q4_incompatible",
+          "4 nodes, four incompatible modes",
+          4,
+          1,
+          bilinear_shape,
+          incompatible_strain,
+          relax};
+}
+
+}  // namespace signorini

@@ -1,0 +1,137 @@
+#include "signorini/fem/reshape.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+Index first_node(const Mesh& mesh, const std::vector<CellSide>& sides) {
+  return mesh.side_nodes(sides.front()).front();
+}
+
+Index last_node(const Mesh& mesh, const std::vector<CellSide>& sides) {
+  return mesh.side_nodes(sides.back()).back();
+}
+
+/// Adds `more` to a boundary, before or after what it has, whichever continues the walk.
+void lengthen(const Mesh& mesh, const std::vector<CellSide>& more, std::vector<CellSide>& sides) {
+  const bool before = !sides.empty() && !more.empty() &&
+                      last_node(mesh, more) == first_node(mesh, sides) &&
+                      last_node(mesh, sides) != first_node(mesh, more);
+  sides.insert(before ? sides.begin() : sides.end(), more.begin(), more.end());
+}
+
+/// Numbers in `first` of the nodes of `second`; those off the line follow the nodes of `first`.
+std::vector<Index> numbers_after_joining(const Mesh& first, const std::string& along,
+                                         const Mesh& second, const std::string& opposite) {
+  const std::vector<Index> line = boundary_nodes(first, along);
+  std::vector<Index> other = boundary_nodes(second, opposite);
+  std::reverse(other.begin(), other.end());  // both keep their body on the left
+  pose(line.size() == other.size(), "joined: '", first.name, "' has ", line.size(), " nodes on '",
+       along, "', but '", second.name, "' has ", other.size(), " on '", opposite,
+       "'; they must be the same");
+  const double size =
+      std::max(first.nodes.cwiseAbs().maxCoeff(), second.nodes.cwiseAbs().maxCoeff());
+  std::vector<Index> number(static_cast<std::size_t>(second.n_nodes()), -1);
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const Eigen::RowVector2d here = first.nodes.row(line[k]);
+    const Eigen::RowVector2d there = second.nodes.row(other[k]);
+    pose((here - there).norm() <= 1e-12 * size, "joined: node ", k, " on '", along, "' of '",
+         first.name, "' is at (", here.x(), ", ", here.y(), "), but its partner on '", opposite,
+         "' of '", second.name, "' is at (", there.x(), ", ", there.y(),
+         "); they must be in one place");
+    number[static_cast<std::size_t>(other[k])] = line[k];
+  }
+  Index next = first.n_nodes();
+  for (Index& n : number)
+    if (n < 0) n = next++;
+  return number;
+}
+
+}  // namespace
+
+Mesh mapped(Mesh mesh, const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& map) {
+  for (Index node = 0; node < mesh.n_nodes(); ++node) {
+    const Eigen::Vector2d image = map(mesh.nodes.row(node).transpose());
+    mesh.nodes.row(node) = image.transpose();
+  }
+  return mesh;
+}
+
+Mesh moved(Mesh mesh, const Eigen::Vector2d& shift) {
+  mesh.nodes.rowwise() += shift.transpose();
+  return mesh;
+}
+
+Mesh mirrored(Mesh mesh, MirrorLine line, double place) {
+  const Index axis = line == MirrorLine::Upright ? 0 : 1;
+  mesh.nodes.col(axis) = (2 * place - mesh.nodes.col(axis).array()).matrix();
+  // Backwards from the second corner: side 0 stays side 0, side 1 becomes the last.
+  const bool quadratic = mesh.order() == MeshOrder::Quadratic;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    auto nodes = mesh.cells.row(cell);
+    const int n = mesh.corners(cell);
+    std::swap(nodes(0), nodes(1));
+    if (n == 4) std::swap(nodes(2), nodes(3));
+    if (quadratic) std::swap(nodes(n + 1), nodes(2 * n - 1));
+  }
+  for (auto& [name, sides] : mesh.boundaries) {
+    std::reverse(sides.begin(), sides.end());
+    for (CellSide& side : sides) {
+      const int n = mesh.corners(side.cell);
+      side.side = (n - side.side) % n;
+    }
+  }
+  return mesh;
+}
+
+Mesh renamed(Mesh mesh, const std::string& from, const std::string& to) {
+  const std::vector<CellSide> sides = boundary(mesh, from);
+  mesh.boundaries.erase(from);
+  std::vector<CellSide>& target = mesh.boundaries[to];
+  pose(target.empty() || last_node(mesh, target) == first_node(mesh, sides) ||
+           last_node(mesh, sides) == first_node(mesh, target),
+       "renamed: mesh '", mesh.name, "' has a boundary '", to, "' already, and '", from,
+       "' neither begins where it ends nor ends where it begins; take another name");
+  lengthen(mesh, sides, target);
+  return mesh;
+}
+
+Mesh joined(Mesh first, const std::string& along, const Mesh& second, const std::string& opposite) {
+  const auto per_side = [](const Mesh& mesh) { return mesh.order() == MeshOrder::Linear ? 2 : 3; };
+  pose(first.order() == second.order(), "joined: sides of '", first.name, "' have ",
+       per_side(first), " nodes, those of '", second.name, "' have ", per_side(second),
+       "; they must be alike");
+  const std::vector<Index> number = numbers_after_joining(first, along, second, opposite);
+  const Index old_nodes = first.n_nodes();
+  const Index old_cells = first.n_cells();
+  Mesh mesh = std::move(first);
+  mesh.nodes.conservativeResize(*std::max_element(number.begin(), number.end()) + 1, 2);
+  for (std::size_t node = 0; node < number.size(); ++node)
+    if (number[node] >= old_nodes)
+      mesh.nodes.row(number[node]) = second.nodes.row(static_cast<Index>(node));
+  const Index width = std::max(mesh.cells.cols(), second.cells.cols());
+  mesh.cells.conservativeResizeLike(CellArray::Constant(old_cells + second.n_cells(), width, -1));
+  for (Index cell = 0; cell < second.n_cells(); ++cell)
+    for (Index k = 0; k < second.cell_size(cell); ++k)
+      mesh.cells(old_cells + cell, k) = number[static_cast<std::size_t>(second.cells(cell, k))];
+
+  mesh.boundaries.erase(along);
+  for (const auto& [name, sides] : second.boundaries) {
+    if (name == opposite) continue;
+    std::vector<CellSide> more = sides;
+    for (CellSide& side : more) side.cell += old_cells;
+    lengthen(mesh, more, mesh.boundaries[name]);
+  }
+  for (const auto& [name, cells] : second.regions)
+    for (const Index cell : cells) mesh.regions[name].push_back(old_cells + cell);
+  return mesh;
+}
+
+}  // namespace signorini

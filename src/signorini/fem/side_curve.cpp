@@ -1,0 +1,158 @@
+#include "signorini/fem/side_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+/// (x(xi) - x) . x'(xi) as a polynomial of third degree: negative where the distance falls.
+struct Cubic {
+  double c[4];
+  double operator()(double s) const { return c[0] + s * (c[1] + s * (c[2] + s * c[3])); }
+  [[nodiscard]] double slope(double s) const { return c[1] + s * (2 * c[2] + s * 3 * c[3]); }
+};
+
+/// Roots of a + 2 b s + c s^2 between two bounds, increasing; without cancellation.
+std::vector<double> roots(double a, double b, double c, double low, double high) {
+  std::vector<double> found;
+  const auto keep = [&](double s) {
+    if (s > low && s < high) found.push_back(s);  // never true for a quotient that is not finite
+  };
+  const double discriminant = b * b - a * c;
+  if (discriminant < 0) return found;
+  const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+  if (q != 0) keep(a / q);
+  if (c != 0 && (discriminant > 0 || q == 0)) keep(q / c);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// The root between two places where f <= 0 and f >= 0 and in between f rises: Newton's method,
+/// halving where it leaves the bounds.
+double rising_root(const Cubic& f, double low, double high) {
+  double s = low + (high - low) * (f(low) / (f(low) - f(high)));
+  for (int step = 0; step < 60; ++step) {
+    if (!(s >= low && s <= high)) s = low + (high - low) / 2;
+    const double value = f(s);
+    (value <= 0 ? low : high) = s;
+    const double next = s - value / f.slope(s);
+    if (!(std::abs(next - s) > epsilon)) break;
+    s = next;
+  }
+  return std::clamp(s, low, high);
+}
+
+}  // namespace
+
+SideShape side_shape(std::size_t n_nodes, double xi) {
+  if (n_nodes == 2) return {{(1 - xi) / 2, (1 + xi) / 2, 0}, {-0.5, 0.5, 0}};
+  return {{xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2}, {xi - 0.5, -2 * xi, xi + 0.5}};
+}
+
+SideCurve::SideCurve(const Mesh& mesh, const CellSide& side)
+    : nodes_(mesh.side_nodes(side)),
+      first_(mesh.nodes.row(nodes_.front())),
+      last_(mesh.nodes.row(nodes_.back())),
+      middle_(first_, (last_ - first_) / 2),
+      slope_((last_ - first_) / 2),
+      bend_(0, 0) {
+  if (nodes_.size() == 2) return;
+  const AnchoredPoint chord = middle_;
+  middle_ = mesh.nodes.row(nodes_[1]).transpose();
+  bend_ = chord - middle_;
+}
+
+AnchoredPoint SideCurve::point(double xi) const {
+  if (xi == -1) return first_;
+  if (xi == 1) return last_;
+  return middle_ + xi * (slope_ + xi * bend_);
+}
+
+Vector2d SideCurve::normal(double xi) const {
+  const Vector2d t = tangent(xi).normalized();
+  return {t.y(), -t.x()};
+}
+
+Eigen::Matrix2d SideCurve::box() const {
+  // A parabola lies in the triangle of its ends and the point where the tangents there meet.
+  const Vector2d apex = (middle_ + -bend_).position();
+  Eigen::Matrix2d box;
+  box.col(0) = first_.cwiseMin(last_).cwiseMin(apex);
+  box.col(1) = first_.cwiseMax(last_).cwiseMax(apex);
+  return box;
+}
+
+double SideCurve::closest(const AnchoredPoint& x) const {
+  const Vector2d arm = middle_ - x;
+  const Cubic f{{arm.dot(slope_), slope_.squaredNorm() + 2 * arm.dot(bend_), 3 * slope_.dot(bend_),
+                 2 * bend_.squaredNorm()}};
+  if (nodes_.size() == 2) return std::clamp(-f.c[0] / f.c[1], -1.0, 1.0);
+  std::vector<double> bounds = roots(f.c[1], f.c[2], 3 * f.c[3], -1, 1);
+  bounds.insert(bounds.begin(), -1);
+  bounds.push_back(1);
+  double best = -1;
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto compare = [&](double s) {
+    const double distance = (point(s) - x).squaredNorm();
+    if (distance < nearest) {
+      best = s;
+      nearest = distance;
+    }
+  };
+  if (f(-1) >= 0) compare(-1);
+  for (std::size_t k = 0; k + 1 < bounds.size(); ++k)
+    if (f(bounds[k]) < 0 && f(bounds[k + 1]) >= 0)
+      compare(rising_root(f, bounds[k], bounds[k + 1]));
+  if (f(1) <= 0) compare(1);
+  return best;
+}
+
+double SideCurve::continued(const AnchoredPoint& x, int end) const {
+  double xi = end;
+  for (int step = 0; step < 4; ++step) {
+    const Vector2d arm = point(xi) - x;
+    const Vector2d t = tangent(xi);
+    const double curvature = t.squaredNorm() + 2 * arm.dot(bend_);
+    if (!(curvature > 0)) return std::numeric_limits<double>::quiet_NaN();
+    xi -= arm.dot(t) / curvature;
+  }
+  return xi;
+}
+
+std::vector<double> SideCurve::crossings(const AnchoredPoint& x, const Vector2d& direction,
+                                         double beyond) const {
+  const Vector2d across(direction.y(), -direction.x());
+  return roots((middle_ - x).dot(across), slope_.dot(across) / 2, bend_.dot(across), -1 - beyond,
+               1 + beyond);
+}
+
+std::map<Index, NodeOnSide> nodes_on_sides(const std::vector<SideCurve>& sides) {
+  std::map<Index, NodeOnSide> found;
+  for (const SideCurve& side : sides) {
+    const double step = 2.0 / static_cast<double>(side.nodes().size() - 1);
+    for (std::size_t k = 0; k < side.nodes().size(); ++k) {
+      const double xi = -1 + step * static_cast<double>(k);
+      const auto [place, is_new] = found.insert({side.nodes()[k], {&side, xi, side.normal(xi)}});
+      if (!is_new) place->second.normal += side.normal(xi);
+    }
+  }
+  return found;
+}
+
+std::vector<SideCurve> side_curves(const Mesh& mesh, const std::string& boundary) {
+  std::vector<SideCurve> sides;
+  for (const CellSide& side : signorini::boundary(mesh, boundary)) sides.emplace_back(mesh, side);
+  pose(!sides.empty(), "mesh '", mesh.name, "': the boundary '", boundary,
+       "' has no sides; give it some, or leave it out");
+  return sides;
+}
+
+}  // namespace signorini

@@ -1,0 +1,139 @@
+#include "signorini/fem/stress.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "addons/effects/thermal.hpp"
+#include "signorini/core/dense.hpp"
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, max_strain_points, 4>;
+
+/// Stress at one strain point; across the plane it is a component of D, or follows from those in the plane.
+/// \param free    strain that needs no stress, null if there is none
+/// \param warmer  than without stress
+Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const CellVector& u,
+                          const double* free, double warmer) {
+  return with_rows(cell.body.D.rows(), [&](auto n_rows) {
+    using Components = Eigen::Matrix<double, n_rows, 1>;
+    Components strain = fixed_rows<n_rows>(point.B) * u;
+    if (free != nullptr) strain -= Eigen::Map<const Components>(free);
+    const Components stress = fixed_rows<n_rows>(cell.body.D) * strain;
+    Eigen::Vector4d all;
+    if constexpr (n_rows == 4)
+      all = stress;
+    else
+      all << stress, stress_across(cell.material, stress, warmer);
+    return all;
+  });
+}
+
+/// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them, row by row.
+template <typename Visit>
+void visit_stresses(const Mesh& mesh, const Element& element, const Matter& matter,
+                    const NodeArray& displacements, Visit&& visit) {
+  require(displacements.rows() == mesh.n_nodes(), "stress: need the displacements of ",
+          mesh.n_nodes(), " nodes, got ", displacements.rows());
+  const Temperature& temperature = matter.temperature;
+  const bool warm = temperature.warms();
+  PointStrains free;
+  PointStress stress;
+  visit_strains(mesh, element, matter, [&](const Cell& cell, const StrainPoints& points) {
+    const CellVector u = gathered(cell, displacements);
+    stress.resize(points.size, 4);
+    if (warm) free = thermal_strains(cell, points, temperature);
+    for (int i = 0; i < points.size; ++i) {
+      const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+      stress.row(i) = stress_at(point, cell, u, warm ? free.col(i).data() : nullptr,
+                                warm ? temperature.at(position(cell, point)) : 0)
+                          .transpose();
+    }
+    visit(cell, points, stress);
+  });
+}
+
+/// Takes values at the strain points to the nodes through the function that fits them best: bilinear on the square,
+/// linear on the triangle.
+Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points) {
+  const Index n_terms = element.corners();
+  const auto monomials = [n_terms](double x, double y) {
+    return Eigen::RowVector4d(1, x, y, x * y).head(n_terms).eval();
+  };
+  Eigen::MatrixXd at_points(points.size, n_terms);
+  for (int i = 0; i < points.size; ++i) {
+    const Eigen::Vector2d& local = points.point[static_cast<std::size_t>(i)].local;
+    at_points.row(i) = monomials(local.x(), local.y());
+  }
+  const CellNodes nodes = reference_nodes(element);
+  Eigen::MatrixXd at_nodes(element.n_nodes, n_terms);
+  for (Index k = 0; k < element.n_nodes; ++k) at_nodes.row(k) = monomials(nodes(k, 0), nodes(k, 1));
+  return at_nodes * pseudo_inverse(at_points);
+}
+
+}  // namespace
+
+StressArray nodal_stress(const Mesh& mesh, const Element& element, const Matter& matter,
+                         const NodeArray& displacements) {
+  StressArray stress = StressArray::Zero(mesh.n_nodes(), 4);
+  Eigen::VectorXd cells_at = Eigen::VectorXd::Zero(mesh.n_nodes());
+  std::array<Eigen::MatrixXd, 2> of_kind;  // triangles, quadrilaterals
+  visit_stresses(mesh, element, matter, displacements,
+                 [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
+                   Eigen::MatrixXd& to_nodes = of_kind[cell.element.corners() == 3 ? 0 : 1];
+                   if (to_nodes.size() == 0) to_nodes = extrapolation(cell.element, points);
+                   for (Index k = 0; k < cell.element.n_nodes; ++k) {
+                     stress.row(cell.node(k)) += to_nodes.row(k) * at_points;
+                     cells_at(cell.node(k)) += 1;
+                   }
+                 });
+  for (Index node = 0; node < mesh.n_nodes(); ++node)
+    if (cells_at(node) > 0) stress.row(node) /= cells_at(node);
+  return stress;
+}
+
+StressArray cell_stress(const Mesh& mesh, const Element& element, const Matter& matter,
+                        const NodeArray& displacements) {
+  StressArray stress = StressArray::Zero(mesh.n_cells(), 4);
+  visit_stresses(mesh, element, matter, displacements,
+                 [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
+                   double volume = 0;
+                   for (int i = 0; i < points.size; ++i) {
+                     const double share = points.point[static_cast<std::size_t>(i)].volume;
+                     stress.row(cell.number) += share * at_points.row(i);
+                     volume += share;
+                   }
+                   stress.row(cell.number) /= volume;
+                 });
+  return stress;
+}
+
+double strain_energy(const Mesh& mesh, const Element& element, const Matter& matter,
+                     const NodeArray& displacements) {
+  require(displacements.rows() == mesh.n_nodes(), "strain_energy: need the displacements of ",
+          mesh.n_nodes(), " nodes, got ", displacements.rows());
+  double energy = 0;
+  visit_strains(mesh, element, matter, [&](const Cell& cell, const StrainPoints& points) {
+    const CellVector u = gathered(cell, displacements);
+    with_rows(cell.body.D.rows(), [&](auto n_rows) {
+      for (int i = 0; i < points.size; ++i) {
+        const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+        const Eigen::Matrix<double, n_rows, 1> strain = fixed_rows<n_rows>(point.B) * u;
+        energy += 0.5 * point.volume * strain.dot(fixed_rows<n_rows>(cell.body.D) * strain);
+      }
+    });
+  });
+  return energy;
+}
+
+double von_mises(const Eigen::Vector4d& stress) {
+  const double xy = stress(0) - stress(1);
+  const double yz = stress(1) - stress(3);
+  const double zx = stress(3) - stress(0);
+  return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * stress(2) * stress(2));
+}
+
+}  // namespace signorini

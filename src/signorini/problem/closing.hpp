@@ -1,0 +1,228 @@
+/// \file
+/// The one linear system that every method ends with: what all pairs do is known.
+#pragma once
+#include <Eigen/Core>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "addons/certified/sparse_lu.hpp"
+#include "signorini/core/dense.hpp"
+#include "signorini/problem/exact_sum.hpp"
+#include "signorini/problem/scaled.hpp"
+
+namespace signorini {
+
+/// A friction force at its bound, tau = slope lambda + offset.
+struct SlidingPair {
+  Eigen::Index gap;   ///< row of its gap
+  Eigen::Index slip;  ///< row of its slip
+  double slope;       ///< -mu, 0 or mu [-]
+  double offset;      ///< -c, 0 or c [force]
+
+  /// \param normal  lambda, rounded [force]
+  /// \param low     what rounding took away from it [force]
+  /// \return tau in twice the working precision, \PaperEq{LinEtAl, 15}, \PaperEq{LinEtAl, 16}
+  [[nodiscard]] ExactSum friction(double normal, double low = 0) const {
+    ExactSum tau(offset);
+    tau.add_product(slope, normal);
+    tau.add(slope * low);
+    return tau;
+  }
+};
+
+/// What follows for the rows of gaps and slips: which of them do not move, and which friction forces are at
+/// their bounds. All other forces vanish.
+struct KnownSet {
+  std::vector<Eigen::Index> closed;       ///< rows that do not move, the most certain first
+  std::vector<SlidingPair> sliding = {};  ///< in increasing order
+};
+
+/// The set that the motions of all pairs make.
+/// \param motions  `n_c`
+/// \param law      of the pairs that rub; one whose mu and c vanish slides without a force
+/// \return rows `n_c` of gaps, then `n_s` of slips; those that are closed in increasing order
+[[nodiscard]] KnownSet known_set(const std::vector<Motion>& motions, const FrictionLaw& law);
+
+/// \param active  closed pairs
+/// \param pairs   n_c
+/// \return `n_c` motions: these stick, the others are open
+[[nodiscard]] std::vector<Motion> motions_of(const std::vector<Eigen::Index>& active,
+                                             Eigen::Index pairs);
+
+/// \param state  what a solver says
+/// \return `n_c` motions
+[[nodiscard]] std::vector<Motion> all_motions(const ContactState& state);
+
+/// \param motions  `n_c`
+/// \return the pairs that are not open, in increasing order
+[[nodiscard]] std::vector<Eigen::Index> closed_pairs(const std::vector<Motion>& motions);
+
+/// The system of a known set, factored once:
+///
+/// \f[ \begin{pmatrix} F_{WW} + F_{WS}\,\mathrm{slope} & U_W \\ (U_W + U_S\,\mathrm{slope})^T & 0 \end{pmatrix}
+///     \begin{pmatrix} f_W \\ b \end{pmatrix} = \dots \f]
+///
+/// for closed rows W and the slips S of sliding pairs, whose friction forces follow the normal ones. Where it
+/// is symmetric and rows of W repeat each other, as many as are independent are kept, the first of the set
+/// first; they close the others as well if that can be done. Adding \f$ \rho U_W U_W^T \f$ to the first block
+/// changes no solution then, because U^T f is given, and makes that block positive definite. Any other
+/// singular system has its least-norm solution. Where F has few entries, \f$ \sqrt\epsilon \f$ on the diagonal makes
+/// any system regular, and refinement takes it away again from all that the system determines.
+class Closing {
+ public:
+  /// \param problem  scaled
+  /// \param set      W and S, with the slopes of scaled forces
+  Closing(const ScaledProblem& problem, const KnownSet& set);
+
+  /// \return independent rows of W, all of W if it has no others
+  [[nodiscard]] const std::vector<Eigen::Index>& rows() const { return rows_; }
+  /// \return whether the determinant has the sign that it cannot have with little friction
+  [[nodiscard]] bool reversed() const { return reversed_; }
+  /// Solves the system.
+  /// \param top     what the forces must add to the movements of rows() [sqrt(energy)]
+  /// \param bottom  what they must add to U^T f `k` [sqrt(energy)]
+  /// \return changes of the forces of rows(), and of the amplitudes; where W leaves a mode free, none of it
+  [[nodiscard]] std::pair<Eigen::VectorXd, Eigen::VectorXd> solve(
+      const Eigen::VectorXd& top, const Eigen::VectorXd& bottom) const;
+
+ private:
+  void factor_symmetric(const ScaledProblem& problem);
+  void factor_general(const ScaledProblem& problem, const KnownSet& set);
+  void factor_sparse(const ScaledProblem& problem, const KnownSet& set);
+
+  std::vector<Eigen::Index> rows_;
+  bool symmetric_ = true;
+  bool reversed_ = false;
+  CholeskyFactor factor_;                   ///< of F_WW + rho U_W U_W^T
+  Eigen::MatrixXd rigid_;                   ///< U_W
+  double rho_ = 0;                          ///< compliance of springs that hold the modes [-]
+  Eigen::MatrixXd held_;                    ///< `k x m` orthonormal: the modes that W holds
+  Eigen::MatrixXd spread_;                  ///< factor^-1 U_W held
+  CholeskyFactor schur_;                    ///< of held^T U_W^T spread
+  LuFactor general_;                        ///< of a system that is not symmetric
+  Eigen::MatrixXd inverse_;                 ///< its pseudo-inverse where that is singular
+  std::unique_ptr<SparseLuFactor> sparse_;  ///< of a system with few entries, made regular; or null
+};
+
+/// The matrix of Closing as it is written there.
+/// \param problem  scaled
+/// \param rows     W `m`
+/// \param set      whose sliding pairs have their gaps in W
+/// \return `m + k` square, its first m columns those of the forces of W
+[[nodiscard]] Eigen::MatrixXd closing_matrix(const ScaledProblem& problem,
+                                             const std::vector<Eigen::Index>& rows,
+                                             const KnownSet& set);
+
+/// Forces and movements when what all pairs do is known; scaled numbers [sqrt(energy)].
+struct Closure {
+  Eigen::VectorXd force;           ///< of all rows; tension < 0 is possible
+  Eigen::VectorXd movement;        ///< of all rows: gaps, then slips; exactly 0 in `rows`
+  Eigen::VectorXd amplitude;       ///< b `k`
+  std::vector<Eigen::Index> rows;  ///< the independent rows that were closed, in increasing order
+  double force_rounding = 0;       ///< what rounding may have done to each force
+  Eigen::VectorXd movement_rounding;  ///< and to each movement
+  bool solvable = false;              ///< whether `rows` are closed and U^T f = t, to rounding
+  bool reversed = false;              ///< as Closing::reversed()
+
+  /// \param row  any \return whether its movement is what rounding of its terms, or of a force, can make of 0
+  [[nodiscard]] bool closes(Eigen::Index row) const {
+    return std::abs(movement(row)) <= 4 * (movement_rounding(row) + force_rounding);
+  }
+};
+
+/// Solves the equations of a known set, refined in twice the working precision: no movement of closed rows,
+/// friction forces at their bounds, U^T f = t.
+/// \param problem    scaled
+/// \param set        what is known
+/// \param start      where to start, or null: of rows that repeat others and of amplitudes that nothing holds
+///                   this is kept, else it is zero
+/// \return forces, movements and amplitudes, of any sign
+[[nodiscard]] Closure close(const ScaledProblem& problem, const KnownSet& set,
+                            const Closure* start = nullptr);
+
+/// The same for motions of pairs.
+/// \param problem  scaled
+/// \param motions  `n_c`
+/// \param start    as above
+/// \return as above
+[[nodiscard]] Closure close(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                            const Closure* start = nullptr);
+
+/// What numbers say of each pair: it is closed if its force exceeds its gap, and then slides if |tau - slip|
+/// exceeds the bound of the force less the gap.
+///
+/// At a solution all this is as it is said; elsewhere it is the guess of a projection
+/// [\ref AlartCurnier1991]. Of a closure, what rounding may have done decides nothing.
+/// \param problem  scaled
+/// \param closure  any numbers; without roundings these count as 0
+/// \param reach    forces count reach times against gaps and slips
+/// \param[in,out] motions  `n_c`: what was assumed, and then what the numbers say
+/// \return how many entries of `motions` changed
+Eigen::Index predict(const ScaledProblem& problem, const Closure& closure, double reach,
+                     std::vector<Motion>& motions);
+
+/// Whether a closure is a solution: no force is tensile, no pair overlaps, friction keeps its bound and resists,
+/// all beyond rounding; and rounding is so small that certify() agrees. It does not where a system passed
+/// as regular only because of its rounding: then the forces are huge, and any gap could be rounding.
+/// \param problem  scaled
+/// \param motions  `n_c` that were assumed
+/// \param closure  from close() of them
+/// \return whether a solver may say Solved
+[[nodiscard]] bool solves(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                          const Closure& closure);
+
+/// A closure that is a solution, and the motions that it belongs to.
+using Confirmed = std::optional<std::pair<Closure, std::vector<Motion>>>;
+
+/// Ends a method that only guesses which pairs are closed: takes as many of them as are independent, closes
+/// these exactly, and looks whether that is a solution.
+/// \param problem     scaled, without friction
+/// \param candidates  pairs taken as closed, the most certain first
+/// \param start       as of close()
+/// \return forces and movements if they are a solution, see solves(); otherwise nothing
+[[nodiscard]] Confirmed confirmed(const ScaledProblem& problem,
+                                  const std::vector<Eigen::Index>& candidates,
+                                  const Closure* start = nullptr);
+
+/// Names the direction of pairs that slide without a friction force after their slip: a method need not know it. Where
+/// there is a friction force it tells the direction, also of a slip that is nothing but rounding.
+/// \param law            of the pairs that rub
+/// \param[in,out] state  whose motions may change from forward to backward and back
+void name_slides(const FrictionLaw& law, ContactState& state);
+
+/// One entry of a history, in the units of the problem as it was posed.
+/// \param problem  scaled
+/// \param motions  `n_c`
+/// \param closure  forces and movements
+/// \param changes  pairs that change
+/// \return closed pairs, changes, the largest overlap of an open pair and tension of a closed one; the dual energy
+///   of held bodies without friction
+[[nodiscard]] Iteration summary(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                                const Closure& closure, Eigen::Index changes);
+
+/// \param iteration  from 0
+/// \return whether the history of a long run keeps it: 0 to 31, then 16 per doubling
+[[nodiscard]] bool is_kept(Eigen::Index iteration);
+
+/// \param weight  `n_c`
+/// \return the pairs with a positive one, the largest first
+[[nodiscard]] std::vector<Eigen::Index> by_falling(const Eigen::VectorXd& weight);
+
+/// Turns scaled numbers into a state of the original problem, and withdraws a claim that the problem as it was
+/// posed does not confirm: scaling back is rounded, which dependent pairs with large forces can notice.
+/// \param problem  as it was posed
+/// \param scaled   the same, equilibrated
+/// \param closure  forces, movements and amplitudes; of a solution, negative ones, which may be rounding, become 0
+/// \param motions  `n_c`
+/// \param report   how the solver got there
+/// \param proof    that nothing solves the problem, in its units, or empty
+/// \return the state, `Breakdown` instead of `Solved` if the certificate is worse than 1e-12, and instead of
+///   `Infeasible`, without the proof, if that does not hold by refutes()
+[[nodiscard]] ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
+                                    const Closure& closure, const std::vector<Motion>& motions,
+                                    Report report, Eigen::VectorXd proof = {});
+
+}  // namespace signorini

@@ -1,0 +1,197 @@
+// What the motions of pairs mean, and what numbers say of them.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "addons/certified/proofs.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/problem/closing.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// What a closed pair that rubs does. \param tau, slip, bound  of the pair, in one unit
+/// \param slack  how far tau of a sticking pair may exceed the bound by rounding \param still  a slip that is rounding
+Motion rubbing(Motion last, double tau, double slip, double bound, double slack, double still) {
+  const bool slides = friction_sign(last) != 0;
+  if (slides && still > 0 && (bound == 0 || friction_sign(last) * slip <= still)) return last;
+  const double pulled = tau - slip;
+  const double allowed = bound + (last == Motion::Stick ? slack : 0);
+  return pulled > allowed ? Motion::Backward : pulled < -allowed ? Motion::Forward : Motion::Stick;
+}
+
+}  // namespace
+
+KnownSet known_set(const std::vector<Motion>& motions, const FrictionLaw& law) {
+  const Index pairs = static_cast<Index>(motions.size());
+  KnownSet set{closed_pairs(motions)};
+  for (std::size_t k = 0; k < law.pair.size(); ++k) {
+    const Motion motion = motions[at(law.pair[k])];
+    const Index row = static_cast<Index>(k);
+    const double sign = friction_sign(motion);
+    const bool rubs = law.coefficient(row) > 0 || law.cohesion(row) > 0;
+    if (motion == Motion::Stick && rubs) set.closed.push_back(pairs + row);
+    if (sign != 0 && rubs)
+      set.sliding.push_back(
+          {law.pair[k], pairs + row, sign * law.coefficient(row), sign * law.cohesion(row)});
+  }
+  return set;
+}
+
+std::vector<Motion> motions_of(const std::vector<Index>& active, Index pairs) {
+  std::vector<Motion> motions(at(pairs), Motion::Open);
+  for (const Index i : active) motions[at(i)] = Motion::Stick;
+  return motions;
+}
+
+std::vector<Motion> all_motions(const ContactState& state) {
+  std::vector<Motion> motions = motions_of(state.active, state.force.size());
+  for (std::size_t k = 0; k < state.motion.size(); ++k)
+    motions[at(state.rubbing[k])] = state.motion[k];
+  return motions;
+}
+
+std::vector<Index> closed_pairs(const std::vector<Motion>& motions) {
+  std::vector<Index> closed;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (motions[i] != Motion::Open) closed.push_back(static_cast<Index>(i));
+  return closed;
+}
+
+Index predict(const ScaledProblem& problem, const Closure& closure, double reach,
+              std::vector<Motion>& motions) {
+  const Index pairs = problem.pairs();
+  const std::vector<Motion> last = motions;
+  const bool exact = closure.movement_rounding.size() == 0;
+  const auto rounding = [&](Index row) { return exact ? 0 : closure.movement_rounding(row); };
+  const double force_rounding = exact ? 0 : reach * closure.force_rounding;
+  const auto pressed = [&](Index i) { return reach * closure.force(i) - closure.movement(i); };
+  for (Index i = 0; i < pairs; ++i) {
+    const bool closed = exact || last[at(i)] == Motion::Open ? pressed(i) > rounding(i)
+                                                             : pressed(i) >= -force_rounding;
+    motions[at(i)] = closed ? Motion::Stick : Motion::Open;
+  }
+  for (std::size_t k = 0; k < problem.law.pair.size(); ++k) {
+    const Index i = problem.law.pair[k];
+    if (motions[at(i)] == Motion::Open) continue;
+    const Index row = static_cast<Index>(k);
+    const double mu = problem.law.coefficient(row);
+    const double bound = mu * std::max(pressed(i), 0.0) + reach * problem.law.cohesion(row);
+    motions[at(i)] =
+        rubbing(last[at(i)], reach * closure.force(pairs + row), closure.movement(pairs + row),
+                bound, (1 + mu) * force_rounding, rounding(pairs + row));
+  }
+  Index changes = 0;
+  for (std::size_t i = 0; i < motions.size(); ++i) changes += motions[i] != last[i] ? 1 : 0;
+  return changes;
+}
+
+bool solves(const ScaledProblem& problem, const std::vector<Motion>& motions,
+            const Closure& closure) {
+  std::vector<Motion> next = motions;
+  if (!closure.solvable || predict(problem, closure, 1, next) != 0) return false;
+  for (const Index row : known_set(motions, problem.law).closed)
+    if (!closure.closes(row)) return false;
+  Claim claim{closure.force, closure.movement, closure.amplitude};
+  const Index pairs = problem.pairs();
+  claim.force.head(pairs) = closure.force.head(pairs).cwiseMax(0.0);
+  claim.movement.head(pairs) = closure.movement.head(pairs).cwiseMax(0.0);
+  // In the units of the problem every number is rounded once more.
+  const ProblemBlocks blocks{problem.compliance, problem.free, problem.law, problem.rigid,
+                             problem.resultant};
+  return certify(blocks, claim).holds(0.25 * certificate_tolerance);
+}
+
+Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& candidates,
+                    const Closure* start) {
+  Closure closure = close(problem, KnownSet{candidates}, start);
+  std::vector<Motion> motions = motions_of(closure.rows, problem.pairs());
+  if (!solves(problem, motions, closure)) return std::nullopt;
+  return std::make_pair(std::move(closure), std::move(motions));
+}
+
+void name_slides(const FrictionLaw& law, ContactState& state) {
+  for (std::size_t k = 0; k < state.motion.size(); ++k) {
+    const Index row = static_cast<Index>(k);
+    const double slip = state.slip(row);
+    const double pressed = std::max(state.force(law.pair[k]), 0.0);
+    const bool rubs = law.coefficient(row) * pressed + law.cohesion(row) > 0;
+    if (friction_sign(state.motion[k]) != 0 && slip != 0 && !rubs)
+      state.motion[k] = slip > 0 ? Motion::Forward : Motion::Backward;
+  }
+}
+
+Iteration summary(const ScaledProblem& problem, const std::vector<Motion>& motions,
+                  const Closure& closure, Index changes) {
+  Iteration entry{0, changes, 0, 0};
+  for (Index i = 0; i < problem.pairs(); ++i)
+    if (motions[at(i)] == Motion::Open) {
+      entry.penetration = std::max(entry.penetration, -closure.movement(i) / problem.scale(i));
+    } else {
+      ++entry.active;
+      entry.tension = std::max(entry.tension, -closure.force(i) * problem.scale(i));
+    }
+  // gap = d + G lambda, so -d.lambda - 1/2 lambda.G lambda = -1/2 lambda.(d + gap)
+  if (problem.rigid.cols() == 0 && problem.law.pair.empty())
+    entry.dual_energy = -0.5 * closure.force.dot(problem.free + closure.movement);
+  return entry;
+}
+
+bool is_kept(Index iteration) {
+  Index spacing = 1;
+  while (iteration / spacing >= 32) spacing *= 2;
+  return iteration % spacing == 0;
+}
+
+std::vector<Index> by_falling(const VectorXd& weight) {
+  std::vector<Index> order;
+  for (Index i = 0; i < weight.size(); ++i)
+    if (weight(i) > 0) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index i, Index j) { return weight(i) > weight(j); });
+  return order;
+}
+
+ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
+                      const Closure& closure, const std::vector<Motion>& motions, Report report,
+                      VectorXd proof) {
+  const Index pairs = scaled.pairs();
+  const Index slips = scaled.free.size() - pairs;
+  const VectorXd force = scaled.scale.cwiseProduct(closure.force);
+  VectorXd movement = closure.movement.cwiseQuotient(scaled.scale);
+  ContactState state;
+  if (report.status == Status::Solved)
+    for (const Index row : known_set(motions, scaled.law).closed) movement(row) = 0;
+  state.force = force.head(pairs);
+  state.gap = movement.head(pairs);
+  state.friction = force.tail(slips);
+  state.slip = movement.tail(slips);
+  if (report.status == Status::Solved) {  // what is negative is of rounding size
+    state.force = state.force.cwiseMax(0.0);
+    state.gap = state.gap.cwiseMax(0.0);
+  }
+  state.active = closed_pairs(motions);
+  state.rubbing = scaled.law.pair;
+  for (const Index pair : scaled.law.pair) state.motion.push_back(motions[at(pair)]);
+  name_slides(scaled.law, state);
+  if (problem.resultant.size() > 0)
+    state.amplitude = closure.amplitude.size() > 0 ? VectorXd(scaled.inverse * closure.amplitude)
+                                                   : VectorXd::Zero(problem.resultant.size());
+  state.report = std::move(report);
+  state.infeasibility = std::move(proof);
+  if (state.report.status == Status::Solved && !certify(problem, state).holds()) {
+    state.report.status = Status::Breakdown;
+    state.reason = "the end of the method does not hold in the units of the problem";
+  }
+  if (state.report.status == Status::Infeasible && !refutes(problem, state.infeasibility)) {
+    state.report.status = Status::Breakdown;
+    state.infeasibility.resize(0);
+  }
+  return state;
+}
+
+}  // namespace signorini

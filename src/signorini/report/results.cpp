@@ -1,0 +1,100 @@
+#include "signorini/report/results.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <system_error>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+/// What the system says about its last error, in brackets; nothing if it says nothing.
+std::string reason(int error) {
+  return error == 0 ? "" : " (" + std::generic_category().message(error) + ")";
+}
+
+}  // namespace
+
+Results::Results(std::string program) : program_(std::move(program)) {}
+
+void Results::add(const std::string& key, double value, const std::string& unit, Repeats repeats) {
+  require(!key.empty() && key.find_first_of(" \t\n") == std::string::npos,
+          "Results::add: a key must be one word, got '", key, "'");
+  const bool known =
+      std::any_of(lines_.begin(), lines_.end(), [&](const Line& l) { return l.key == key; });
+  require(!known, "Results::add: the key '", key, "' was added before");
+  lines_.push_back({key, value, unit, repeats});
+}
+
+void Results::headline(const std::string& key, double reference, const std::string& source) {
+  std::ostringstream line;
+  line << "# headline " << key << ' ' << std::setprecision(17) << reference << ' ' << source
+       << '\n';
+  headline_ = line.str();
+}
+
+double Results::value(const std::string& key) const {
+  const auto known =
+      std::find_if(lines_.begin(), lines_.end(), [&](const Line& l) { return l.key == key; });
+  require(known != lines_.end(), "Results::value: no key '", key, "' was added");
+  return known->value;
+}
+
+void Results::print() const {
+  std::ostringstream out;
+  for (const Line& line : lines_)
+    out << std::left << std::setw(40) << line.key << ' ' << std::setprecision(6) << line.value
+        << ' ' << line.unit << '\n';
+  std::cout << out.str();
+}
+
+void Results::write(const std::filesystem::path& folder) const {
+  std::ostringstream out;
+  out << headline_ << std::setprecision(17);
+  for (const Line& line : lines_)
+    out << line.key << ' ' << line.value << ' ' << line.unit
+        << (line.repeats == Repeats::No ? " varies" : "") << '\n';
+  write_file(folder / (program_ + ".results"), out.str());
+}
+
+void write_file(const std::filesystem::path& file, const std::string& content) {
+  const std::filesystem::path draft = file.string() + ".part";
+  errno = 0;
+  std::ofstream out(draft, std::ios::binary);
+  out << content;
+  out.close();
+  int error = errno;
+  std::error_code failed;
+  if (out) std::filesystem::rename(draft, file, failed);
+  if (out && !failed) return;
+  if (failed) error = failed.value();
+  std::error_code ignored;
+  std::filesystem::remove(draft, ignored);
+  throw ProblemError(text("cannot write '", file.string(), "'", reason(error),
+                          ": give a folder that exists, has room and may be written to"));
+}
+
+void finish_printing() {
+  errno = 0;
+  std::cout.flush();
+  pose(std::cout.good(), "cannot write all that is to be printed", reason(errno),
+       ": send the output to a terminal, or to a file on a disk that has room");
+}
+
+void prepare_output_folder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  pose(!failed && std::filesystem::is_directory(folder), "cannot make the output folder '",
+       folder.string(), "' (", failed ? failed.message() : "it is a file",
+       "): give another one with --out FOLDER");
+  const std::filesystem::path probe = folder / ".writable";
+  write_file(probe, "");
+  std::filesystem::remove(probe, failed);
+}
+
+}  // namespace signorini

@@ -1,0 +1,108 @@
+#include "signorini/scene/rigid_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/problem/exact_sum.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+/// Roundings that a factor may have gone through.
+constexpr double roundings = 64;
+
+/// One rigid mode, and what rounding of directions makes of its work.
+class Mode {
+ public:
+  Mode(const Eigen::MatrixXd& null_vectors, Index number, double directions)
+      : moves_(null_vectors.col(number)), rounding_(roundings * directions * largest(moves_)) {
+    while (end_ > 0 && moves_(end_ - 1) == 0) --end_;
+    while (begin_ < end_ && moves_(begin_) == 0) ++begin_;
+  }
+  [[nodiscard]] double at(Index unknown) const { return moves_(unknown); }
+  /// What one rounding of an entry is at least. \param unknown  that the entry belongs to
+  [[nodiscard]] double rounding(Index unknown) const {
+    return unknown >= begin_ && unknown < end_ ? rounding_ : 0;
+  }
+
+ private:
+  Eigen::MatrixXd::ConstColXpr moves_;
+  double rounding_;
+  Index begin_ = 0;
+  Index end_ = moves_.size();
+};
+
+/// What forces do along a mode, 0 where the rounding of the factors can make as much.
+class Work {
+ public:
+  explicit Work(const Mode& mode) : mode_(mode) {}
+  void add(double force, Index unknown) {
+    const double moves = mode_.at(unknown);
+    directions_ += std::abs(force) * mode_.rounding(unknown);
+    if (force == 0 || moves == 0) return;
+    sum_.add_product(force, moves);
+    size_ += std::abs(force * moves);
+    ++terms_;
+  }
+  [[nodiscard]] double value() const {
+    const double rounding = (roundings + static_cast<double>(terms_)) * epsilon * size_;
+    return std::abs(sum_.value()) <= std::max(rounding, directions_) ? 0 : sum_.value();
+  }
+
+ private:
+  const Mode& mode_;
+  ExactSum sum_;
+  double size_ = 0;
+  double directions_ = 0;
+  Index terms_ = 0;
+};
+
+}  // namespace
+
+Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
+                           const Eigen::MatrixXd& null_vectors, double directions) {
+  require(A.cols() == null_vectors.rows() || null_vectors.cols() == 0, "rigid modes: A has ",
+          A.cols(), " columns and N ", null_vectors.rows(), " rows");
+  Eigen::MatrixXd R(A.rows(), null_vectors.cols());
+  for (Index j = 0; j < R.cols(); ++j) {
+    const Mode mode(null_vectors, j, directions);
+    for (Index pair = 0; pair < R.rows(); ++pair) {
+      Work opened(mode);
+      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator at(A, pair); at; ++at)
+        opened.add(-at.value(), at.col());
+      R(pair, j) = opened.value();
+    }
+  }
+  return R;
+}
+
+Eigen::VectorXd rigid_resultant(const Eigen::VectorXd& load, const Eigen::MatrixXd& null_vectors,
+                                double directions) {
+  Eigen::VectorXd resultant(null_vectors.cols());
+  for (Index j = 0; j < null_vectors.cols(); ++j) {
+    const Mode mode(null_vectors, j, directions);
+    Work work(mode);
+    for (Index i = 0; i < load.size(); ++i) work.add(-load(i), i);
+    resultant(j) = work.value();
+  }
+  return resultant;
+}
+
+void add_rigid_modes(const QuadraticProgramme& programme, const Eigen::MatrixXd& null_vectors,
+                     ContactProblem& problem, double directions) {
+  const Index n = programme.load.size();
+  const Index rows = programme.A.rows();
+  require(programme.A.cols() == n && null_vectors.rows() == n, "rigid modes: A must be ", rows,
+          " x ", n, " and N have ", n, " rows, got ", rows, " x ", programme.A.cols(), " and ",
+          null_vectors.rows());
+  require(problem.compliance.rows() == rows, "rigid modes: expected a compliance of ", rows,
+          " rows, got ", problem.compliance.rows());
+  problem.rigid = rigid_gaps(programme.A, null_vectors, directions);
+  problem.resultant = rigid_resultant(programme.load, null_vectors, directions);
+}
+
+}  // namespace signorini

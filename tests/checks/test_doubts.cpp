@@ -1,0 +1,274 @@
+// What a user hardly meant is told: by an error, or by a note that nothing loses.
+#include <algorithm>
+#include <cmath>
+
+#include "addons/checks/doubts.hpp"
+#include "catch_compat.hpp"
+#include "meshes/ring.hpp"
+#include "signorini/scene/readings.hpp"
+#include "support/cantilever.hpp"
+#include "support/doubtful_scenes.hpp"
+#include "support/loose_meshes.hpp"
+#include "support/message.hpp"
+#include "support/random_scenes.hpp"
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using namespace signorini;
+using namespace signorini_test;
+
+namespace {
+
+/// Of each note that a sound scene does not have.
+const char* const doubts[] = {
+    "loose pieces",           "coincide with others",   "hang on the side",
+    "zero everywhere",        "no force and no moment", "no node of the boundary faces",
+    "can open or close",      "lie behind the target",  "no pair carries a force",
+    "deformations for small", "forces of single pairs", "straight edges of the target",
+    "has closed a gap of",    "is thick there",         "Where the bodies have moved to"};
+
+bool has_all(const std::string& line, const std::vector<std::string>& words) {
+  return std::all_of(words.begin(), words.end(), [&line](const std::string& word) {
+    return line.find(word) != std::string::npos;
+  });
+}
+
+bool tells(const std::vector<std::string>& notes, const std::vector<std::string>& words) {
+  return std::any_of(notes.begin(), notes.end(),
+                     [&words](const std::string& note) { return has_all(note, words); });
+}
+
+std::string lines(const std::vector<std::string>& notes) {
+  std::string all;
+  for (const std::string& note : notes) all += note + '\n';
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a doubtful scene is told, a sound one is not", "[doubts]") {
+  for (const DoubtfulScene& doubtful : doubtful_scenes()) {
+    CAPTURE(doubtful.mistake);
+    const auto planned = [&] { return plan(doubtful.scene).notes; };
+    const auto solved = [&] { return solve(doubtful.scene).notes; };
+    if (doubtful.said == Said::Error) {
+      const std::string error = problem_message(planned);
+      CAPTURE(error);
+      CHECK(has_all(error, doubtful.words));
+      CHECK(problem_message(solved) == error);
+    } else {
+      const std::vector<std::string> before = planned();
+      const Solution after = solve(doubtful.scene);
+      CAPTURE(lines(before), lines(after.notes));
+      REQUIRE(after.contact.report.status == Status::Solved);
+      CHECK(tells(before, doubtful.words) == (doubtful.said == Said::Plan));
+      CHECK(tells(after.notes, doubtful.words));
+      REQUIRE(after.notes.size() >= before.size());
+      CHECK(std::equal(before.begin(), before.end(), after.notes.begin()));
+    }
+    const Solution sound = solve(doubtful.sound);
+    CAPTURE(lines(sound.notes));
+    CHECK(sound.contact.report.status == Status::Solved);
+    for (const char* doubt : doubts) CHECK_FALSE(tells(sound.notes, {doubt}));
+  }
+}
+
+TEST_CASE("doubts have the same words in other units, but for the numbers of places", "[doubts]") {
+  for (const double pressure : {3.6, 360.0, 3.6e6}) {
+    const auto kinds = [&](const Units& units) {
+      const std::vector<std::string> notes =
+          solve(cantilever("q4_incompatible", 20, 2, pressure, units)).notes;
+      std::vector<std::string> found;
+      for (const char* word : {"strain ", "rotation ", "pressure ", "units"})
+        if (tells(notes, {word})) found.emplace_back(word);
+      return found;
+    };
+    CAPTURE(pressure);
+    const std::vector<std::string> usual = kinds({});
+    CHECK(usual.empty() == (pressure == 3.6));
+    CHECK(kinds({1e-6, 1e6}) == usual);
+    CHECK(kinds({1e3, 1e-3}) == usual);
+  }
+}
+
+// u = (x, y) G^T: every strain measure has a closed form, on cells of any shape.
+TEST_CASE("strain and rotation of a linear displacement are exact on distorted cells", "[doubts]") {
+  for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
+    Scene scene;
+    Body& body = scene.bodies[0];
+    body.mesh = mapped(named_block("block", {3, 5}, {4, 2}, 4, 3, order), [](const Vector2d& x) {
+      return Vector2d(x.x() + 0.1 * x.y() * x.y(), x.y() + 0.05 * x.x() * x.y());
+    });
+    body.element = order == MeshOrder::Linear ? "q4_incompatible" : "q8";
+    body.material = {1000, 0.3, PlaneState::Stress, 1};
+    body.supports = {fixed("left")};
+    Ledger ledger;
+    const Model model = build(scene, ledger);
+    Solution solution = solve(model, condense(model, ledger), ledger);
+    const Eigen::Matrix2d G = (Eigen::Matrix2d() << 0.03, 0.05, -0.01, -0.02).finished();
+    solution.displacements[0] = body.mesh.nodes * G.transpose();
+    const double strain = 0.005 + std::hypot(0.025, 0.02);
+    const double rotation = 0.03 * 180 / std::acos(-1.0);
+    for (const double factor : {1 - 1e-9, 1 + 1e-9}) {
+      const auto notes = [&](const SmallLimits& limits) {
+        return doubts_of_solution(model, solution, limits);
+      };
+      CHECK(notes({factor * strain, 90, 1}).empty() == (factor > 1));
+      CHECK(notes({1, factor * rotation, 1}).empty() == (factor > 1));
+    }
+  }
+}
+
+TEST_CASE("in axial symmetry a hoop strain counts", "[doubts]") {
+  Scene scene = signorini_test::cantilever("q4_incompatible", 4, 2);
+  scene.contacts.clear();
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  Solution solution = solve(model, condense(model, ledger), ledger);
+  solution.displacements[0].setZero();
+  solution.displacements[0].col(0).setConstant(1);  // at the radii 0 to 50
+  CHECK(doubts_of_solution(model, solution).empty());
+  model.bodies[0].material.bulk.state = PlaneState::Axial;
+  CHECK(tells(doubts_of_solution(model, solution), {"strain 16 %", "cell 0"}));  // at 6.25
+}
+
+TEST_CASE("the pressure is compared with the softer body, whichever side it is", "[doubts]") {
+  for (const std::size_t soft : {0, 1}) {
+    Scene scene = two_blocks(named_block("lower", {-1, -1}, {2, 1}, 4, 2),
+                             named_block("upper", {-1, 0}, {2, 1}, 4, 2));
+    scene.bodies[soft].material.youngs_modulus = 1;
+    scene.bodies[1].supports = {prescribed_at("top", {-1, 1}, Axis::X)};
+    scene.bodies[1].loads.edges = {{"top", 0.2, {}}};
+    CAPTURE(soft);
+    CHECK(tells(solve(scene).notes, {"contact pressure 0.2"}));
+    Body& body = scene.bodies[soft];  // a soft core under a hard skin is not pressed
+    Material hard = body.material;
+    hard.youngs_modulus = 1000;
+    const Index skin = soft == 0 ? 1 : 0;  // two rows of four cells
+    for (Index k = 0; k < 4; ++k) body.mesh.regions["skin"].push_back(4 * skin + k);
+    body.layers = {{"skin", hard}};
+    CHECK_FALSE(tells(solve(scene).notes, {"contact pressure"}));
+  }
+}
+
+TEST_CASE("faces of a crack that may touch are meant", "[doubts]") {
+  const Mesh mesh = split_block(0.5, 2);
+  Scene scene;
+  scene.bodies[0].mesh = mesh;
+  scene.bodies[0].material = {1000, 0.3, PlaneState::Strain, 1};
+  scene.bodies[0].supports = {fixed("bottom"), fixed("bottom2")};
+  scene.bodies[0].loads.edges = {{"left", 1, {}}};
+  CHECK(tells(plan(scene).notes, {"3 nodes coincide"}));
+  // The boundaries go on below the tip, where the halves share their nodes: of each the upper part is meant.
+  Mesh& own = scene.bodies[0].mesh;
+  const auto above = [&own](std::vector<CellSide> sides) {
+    sides.erase(std::remove_if(sides.begin(), sides.end(),
+                               [&own](const CellSide& side) {
+                                 for (const Index node : own.side_nodes(side))
+                                   if (own.nodes(node, 1) < 1) return true;
+                                 return false;
+                               }),
+                sides.end());
+    return sides;
+  };
+  own.boundaries["right"] = above(own.boundaries["right"]);
+  own.boundaries["left2"] = above(own.boundaries["left2"]);
+  scene.contacts = {{{"right"}, Side{"left2"}}};
+  scene.contacts[0].gap_operator = "node_to_segment";
+  const Solution solution = solve(scene);
+  CHECK(solution.contact.report.status == Status::Solved);
+  CHECK(solution.contact.force.sum() > 0);
+  CAPTURE(lines(solution.notes));
+  for (const char* doubt : doubts) CHECK_FALSE(tells(solution.notes, {doubt}));
+}
+
+TEST_CASE("pressure around a closed boundary has no resultant and is meant", "[doubts]") {
+  Scene scene;
+  AnnulusSpec ring;
+  ring.cells_angle = 24;
+  Body& body = scene.bodies[0];
+  body.mesh = make_annulus(ring);
+  body.material = {1000, 0.3, PlaneState::Strain, 1};
+  body.supports = {prescribed_at("outer", {2, 0}, Axis::Y),
+                   prescribed_at("outer", {-2, 0}, Axis::Y),
+                   prescribed_at("outer", {-2, 0}, Axis::X)};
+  body.loads.edges = {{"inner", 1, {}}};
+  CHECK(plan(scene).notes.empty());
+  body.loads.edges = {{"inner", 0, [](const Vector2d& x) { return Vector2d(x.normalized()); }}};
+  CHECK(plan(scene).notes.empty());
+  body.loads.edges = {{"inner", 0, {}}};
+  CHECK(tells(plan(scene).notes, {"load on 'inner' of", "zero everywhere"}));
+}
+
+TEST_CASE("contacts that share sides are one contact twice, those that share a node are not",
+          "[doubts]") {
+  Scene scene = cantilever("q4_incompatible", 20, 2);
+  const double all = solve(scene).contact.force.sum();
+  Mesh& mesh = scene.bodies[0].mesh;
+  const std::vector<CellSide> bottom = mesh.boundaries.at("bottom");
+  scene.contacts.push_back(scene.contacts[0]);
+  const auto split = [&](std::ptrdiff_t first_end, std::ptrdiff_t second_begin) {
+    mesh.boundaries["one"] = {bottom.begin(), bottom.begin() + first_end};
+    mesh.boundaries["two"] = {bottom.begin() + second_begin, bottom.end()};
+    scene.contacts[0].source.boundary = "one";
+    scene.contacts[1].source.boundary = "two";
+  };
+  split(15, 14);
+  CHECK_THAT(problem_message([&] { static_cast<void>(plan(scene)); }),
+             ContainsSubstring("contacts 1 and 2") && ContainsSubstring("'two' of 'beam'"));
+  split(15, 15);
+  CHECK(solve(scene).contact.force.sum() == Approx(all).epsilon(1e-10));
+  split(20, 0);  // between two walls
+  scene.contacts[1].target = half_plane({0, -2}, {0, 1});
+  CHECK_NOTHROW(plan(scene));
+}
+
+TEST_CASE("an error tells the notes as well", "[doubts]") {
+  Scene scene = cantilever("q4", 10, 2);
+  scene.bodies[0].material.state = PlaneState::Strain;
+  scene.bodies[0].material.poisson_ratio = 0.45;
+  REQUIRE(plan(scene).notes.size() == 1);
+  const std::string note = ". Note: " + plan(scene).notes[0];
+  Scene loose = scene;
+  loose.bodies[0].supports.clear();
+  CHECK_THAT(problem_message([&] { static_cast<void>(plan(loose)); }), ContainsSubstring(note));
+  Scene infinite = scene;
+  infinite.bodies[0].loads.body_force = [](const Vector2d&) { return Vector2d(0, 1 / 0.0); };
+  CHECK_THAT(problem_message([&] { static_cast<void>(solve(infinite)); }), ContainsSubstring(note));
+  Solution solution = solve(scene);
+  solution.contact.report.status = Status::IterationLimit;
+  CHECK_THAT(message_of<NotSolved>([&] { require_solved(solution, "the beam"); }),
+             ContainsSubstring("was not solved") && ContainsSubstring(note));
+}
+
+// Bodies, loads and contacts of random scenes are sound; how large their loads are is left to chance.
+TEST_CASE("random scenes raise no doubt but of what they have", "[doubts][random]") {
+  for (const RandomScenes kind : {RandomScenes::Frictionless, RandomScenes::Frictional})
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+      CAPTURE(seed);
+      const RandomScene drawn = random_scene(seed, kind);
+      std::vector<std::string> notes;
+      const std::string error = problem_message([&] { notes = plan(drawn.scene).notes; });
+      for (const char* cause : {"same sides", "in front of the"})
+        CHECK_THAT(error, !ContainsSubstring(cause));
+      for (const char* doubt : doubts)
+        if (doubt != std::string("zero everywhere") &&
+            doubt != std::string("straight edges of the target"))
+          CHECK_FALSE(tells(notes, {doubt}));
+      const auto idle = [](const EdgeLoad& load) { return load.pressure == 0 && !load.traction; };
+      bool has_idle = false;
+      for (const Body& body : drawn.scene.bodies)
+        has_idle = has_idle || std::any_of(body.loads.edges.begin(), body.loads.edges.end(), idle);
+      if (error.empty() && has_idle) CHECK(tells(notes, {"zero everywhere"}));
+    }
+}
+
+TEST_CASE("an error tells every note once, however many tell them", "[doubts]") {
+  const std::vector<std::string> one = {"soft"}, both = {"soft", "thin"};
+  const std::string told = signorini_test::problem_message(
+      [&] { telling(both, [&] { telling(one, [] { throw ProblemError("it fails"); }); }); });
+  CHECK(told == "it fails. Note: soft; thin");
+  CHECK(with_notes("it fails", {}) == "it fails");
+  CHECK(without_notes(told) == "it fails");
+  CHECK(without_notes("it fails") == "it fails");
+}

@@ -1,0 +1,96 @@
+// Load steps: what must not depend on how a path is gone, and what a step costs.
+#include "addons/steps/steps.hpp"
+#include "catch_compat.hpp"
+#include "support/cantilever.hpp"
+#include "support/checked_path.hpp"
+#include "support/hertz.hpp"
+#include "support/paths.hpp"
+
+using namespace signorini;
+using namespace signorini_test;
+using Eigen::VectorXd;
+
+TEST_CASE("without friction many proportional steps end where one does", "[steps]") {
+  Scene scene = cantilever("q4_incompatible", 30, 3);
+  scene.bodies[0].temperature = Temperature{};
+  const Solution whole = solve(scene);
+  scene.bodies[0].loads.edges[0].history = "pressure";
+  for (const int count : {1, 7, 20}) {
+    scene.path = Path{equal_steps(count), {proportional("pressure")}};
+    const std::vector<Step> steps = steps_of(scene);
+    REQUIRE(steps.size() == static_cast<std::size_t>(count));
+    const Solution& last = steps.back().solution;
+    CHECK(last.contact.active == whole.contact.active);
+    CHECK((last.contact.force - whole.contact.force).norm() <= 1e-12 * whole.contact.force.norm());
+    CHECK((last.displacements[0] - whole.displacements[0]).norm() <=
+          1e-12 * whole.displacements[0].norm());
+  }
+}
+
+TEST_CASE("a disc that contact alone holds: twice the load and back again", "[steps]") {
+  Scene scene = hertz();
+  scene.bodies[0].loads.edges[0].history = "load";
+  scene.path = Path{{1, 2, 3}, {{"load", {1, 2, 3}, {1, 2, 1}}}};
+  const std::vector<Step> steps = steps_of(scene);
+  const VectorXd& first = steps[0].state.solution.force;
+  CHECK(std::abs(steps[1].state.solution.force.sum() / first.sum() - 2) < 1e-10);
+  CHECK(steps[1].solution.contact.active.size() > steps[0].solution.contact.active.size());
+  CHECK((steps[2].state.solution.force - first).norm() <= 1e-10 * first.norm());
+}
+
+TEST_CASE("every kind of load follows its history: a step is the scene with scaled loads",
+          "[steps]") {
+  Scene stepped = slab(1, {});
+  Body& body = stepped.bodies[0];
+  body.material.expansion = 1e-3;
+  body.supports = {prescribed("left", Axis::X, -0.01), prescribed("right", Axis::X, 0.02),
+                   prescribed_at("bottom", {4, 0}, Axis::Y, 0.003)};
+  body.supports[1].history = "one";
+  body.supports[2].history = "two";
+  body.springs = {{"left", {0, 3}}};
+  body.temperature = Temperature{2, {1, -0.5}, "one"};
+  body.loads.edges = {
+      {"top", 5, [](const Eigen::Vector2d& x) { return Eigen::Vector2d(0.3 * x.x(), 0); }}};
+  body.loads.edges[0].history = "two";
+  body.loads.edges.push_back({"top", 1, {}});
+  body.loads.points = {{{0, 1}, {0.5, -1}, "one"}};
+  body.loads.body_force = [](const Eigen::Vector2d& x) { return Eigen::Vector2d(0, -x.x()); };
+  body.loads.body_force_history = "one";
+  stepped.contacts[0].interference = 0.002;
+  stepped.contacts[0].interference_history = "one";
+  stepped.path = Path{{1}, {{"one", {1, 2}, {0.3, -0.7}}, {"two", {1, 2}, {0.9, 1.6}}}};
+  const Scene now = at_time(stepped, 1);
+  const Solution expected = solve(now);
+  require_solved(expected, "the slab");
+  Ledger ledger;
+  const Model fresh = build(now, ledger);
+  Model model = build(stepped, ledger);
+  set_time(1, model);
+  CHECK((model.programme.load - fresh.programme.load).norm() <=
+        1e-13 * fresh.programme.load.norm());
+  CHECK((model.programme.initial_gap - fresh.programme.initial_gap).norm() <=
+        1e-13 * fresh.programme.initial_gap.norm());
+  CHECK((model.unknowns.held - fresh.unknowns.held).norm() <= 1e-15);
+  const Solution found = steps_of(stepped).front().solution;
+  CHECK(found.contact.active == expected.contact.active);
+  CHECK((found.displacements[0] - expected.displacements[0]).norm() <=
+        1e-11 * expected.displacements[0].norm());
+}
+
+TEST_CASE("steps after the first cost at most four triangular solves", "[steps]") {
+  Scene beam = cantilever("q4_incompatible", 60, 6);
+  beam.bodies[0].loads.edges[0].history = "pressure";
+  beam.path = Path{equal_steps(20), {proportional("pressure")}};
+  for (const Scene& scene : {beam, slab(8, {1, -1})}) {
+    const std::vector<Step> steps = steps_of(scene);
+    for (std::size_t k = 1; k < steps.size(); ++k) {
+      CAPTURE(k);
+      CHECK(steps[k].solution.ledger.counted("refinement", "solves") <= 4);
+      // The pairs that did the same last time are no search.
+      const bool kept = steps[k].state.motion == steps[k - 1].state.motion;
+      CHECK((!kept || steps[k].solution.ledger.counted("contact", "iterations") == 1));
+      CHECK(steps[k].solution.ledger.seconds("factor") == 0);
+      CHECK(steps[k].solution.ledger.seconds("condensation") == 0);
+    }
+  }
+}
