@@ -46,13 +46,13 @@ struct Head {
 };
 
 /// One kind of file; the first row that fits is meant.
-struct Kind {
+struct OtherKind {
   bool (*is)(const Head& head);
   const char* name;
   const char* way_out;
 };
 
-const Kind kinds[] = {
+const OtherKind kinds[] = {
     {[](const Head& head) { return head.begins("\x89hdf"); }, "an HDF5 file, as MED and CGNS are",
      through_gmsh},
     {[](const Head& head) { return head.begins("cdf\x01") || head.begins("cdf\x02"); },
@@ -98,7 +98,7 @@ const Kind kinds[] = {
 
 std::string other_kind(std::string_view content) {
   const Head head(content);
-  for (const Kind& kind : kinds)
+  for (const OtherKind& kind : kinds)
     if (kind.is(head)) return text(kind.name, "; ", kind.way_out);
   return "";
 }

@@ -37,9 +37,9 @@ class Mode {
 };
 
 /// What forces do along a mode, 0 where the rounding of the factors can make as much.
-class Work {
+class WorkAlong {
  public:
-  explicit Work(const Mode& mode) : mode_(mode) {}
+  explicit WorkAlong(const Mode& mode) : mode_(mode) {}
   void add(double force, Index unknown) {
     const double moves = mode_.at(unknown);
     directions_ += std::abs(force) * mode_.rounding(unknown);
@@ -71,7 +71,7 @@ Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A
   for (Index j = 0; j < R.cols(); ++j) {
     const Mode mode(null_vectors, j, directions);
     for (Index pair = 0; pair < R.rows(); ++pair) {
-      Work opened(mode);
+      WorkAlong opened(mode);
       for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator at(A, pair); at; ++at)
         opened.add(-at.value(), at.col());
       R(pair, j) = opened.value();
@@ -85,7 +85,7 @@ Eigen::VectorXd rigid_resultant(const Eigen::VectorXd& load, const Eigen::Matrix
   Eigen::VectorXd resultant(null_vectors.cols());
   for (Index j = 0; j < null_vectors.cols(); ++j) {
     const Mode mode(null_vectors, j, directions);
-    Work work(mode);
+    WorkAlong work(mode);
     for (Index i = 0; i < load.size(); ++i) work.add(-load(i), i);
     resultant(j) = work.value();
   }
