@@ -11,7 +11,7 @@ namespace {
 using namespace ch03;
 
 const Index most = 200;  // steps
-const VectorXd count = VectorXd::LinSpaced(most + 1, 0, most);
+const VectorXd step_numbers = VectorXd::LinSpaced(most + 1, 0, most);
 
 // The problems of the chapter, or the three carts, of which the second overlaps more or less.
 ContactProblem problem_of(const Request& now) {
@@ -32,10 +32,10 @@ struct Climb {
 Climb climb(const ContactProblem& problem) {
   const VectorXd force = surrogate_dual(problem, WeightRule::FullyCorrective).force;
   Climb all{problem, force / force.sum(), -0.5 * force.dot(problem.free_gap), {}};
-  all.missing.resize(count.size(), 6);
+  all.missing.resize(step_numbers.size(), 6);
   for (Index r = 0; r < 6; ++r) {
     WeightIteration run(problem, rules[r].rule);
-    for (Index k = 0; k < count.size(); ++k, (void)run.step())
+    for (Index k = 0; k < step_numbers.size(); ++k, (void)run.step())
       all.missing(k, r) = std::max(1e-12, 1 - run.value() / all.height);
   }
   return all;
@@ -79,9 +79,9 @@ Answer step_by_step(const Request& now) {
   missing.log_y = true;
   missing.window = {0, xi.size() > 3 ? 200 : std::max(25.0, 1.1 * now["steps"]), 1e-12, 1};
   for (Index r = 0; r < 6; ++r)
-    missing.curve(r == 0 ? "all rules" : "", Look::Dotted, count, top.missing.col(r));
-  missing.curve(rules[rule].name, Look::Line, count, missed);
-  missing.curve("here", Look::Here, count.segment(steps, 1), missed.segment(steps, 1));
+    missing.curve(r == 0 ? "all rules" : "", Look::Dotted, step_numbers, top.missing.col(r));
+  missing.curve(rules[rule].name, Look::Line, step_numbers, missed);
+  missing.curve("here", Look::Here, step_numbers.segment(steps, 1), missed.segment(steps, 1));
   Panel overlaps{"Overlaps that are left", "pair", "overlap"};
   overlaps.curve("no gap", Look::Dotted, pair, 0 * pair);
   overlaps.points("pairs", pair, run.overlap(), xi, "with weight", "without");
@@ -89,10 +89,11 @@ Answer step_by_step(const Request& now) {
   Answer answer;
   Index worst = 0;
   run.overlap().maxCoeff(&worst);
-  answer.number("steps", "steps", count(steps), "", "%.0f");
+  answer.number("steps", "steps", step_numbers(steps), "", "%.0f");
   answer.number("missing", "missing to the best s", 100 * missed(steps), "%", "%.2g");
   const Index above = (missed.array() > 1e-8).count();
-  if (above <= most) answer.number("to_8", "steps until 1e-8 is missing", count(above), "", "%.0f");
+  if (above <= most)
+    answer.number("to_8", "steps until 1e-8 is missing", step_numbers(above), "", "%.0f");
   answer.sets = {{"with_weight", {}}};
   for (Index i = 0; i < xi.size(); ++i)
     if (xi(i) > 0) answer.sets[0].members.push_back(i);

@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 
 // Pressures are counted in the largest true one, places in half of the contact's width.
 const double q0 = hertz_peak_pressure(hertz_contact);
-const double b = hertz_half_width(hertz_contact);
+const double half_width = hertz_half_width(hertz_contact);
 
 struct Points {
   SolvedScene run;
@@ -62,7 +62,7 @@ Answer push(const Request& now) {
   });
   const ClosedPoints& closed = all.closed;
   const Pairs& pairs = all.run.model.pairs;
-  const VectorXd x = pairs.position(closed.points, 0) / b;
+  const VectorXd x = pairs.position(closed.points, 0) / half_width;
   Index point = 0;
   (x.array() - now["place"]).abs().minCoeff(&point);
   const VectorXd pressure = pushed(closed, point, now["wish"] * q0);
@@ -77,13 +77,14 @@ Answer push(const Request& now) {
   nodes.window = {-0.02, 1.15, -0.1, 1.5};
   const BoundaryForces rim = boundary_forces(all.run, {"rim", "disc"});
   const VectorXd lumped = rim.force.col(1).cwiseQuotient(rim.weight);
-  nodes.curve("forces of the points, lumped", Look::Open, rim.position.col(0) / b, lumped / q0);
-  nodes.curve("weighted gaps", Look::Cross, nodal.model.pairs.position.col(0) / b,
+  nodes.curve("forces of the points, lumped", Look::Open, rim.position.col(0) / half_width,
+              lumped / q0);
+  nodes.curve("weighted gaps", Look::Cross, nodal.model.pairs.position.col(0) / half_width,
               nodal.solution.pressure / q0);
   Answer answer;
   answer.panels = {points_panel(all, x, pressure, point), unfelt, nodes};
   const VectorXd fine = VectorXd::LinSpaced(161, 0, 1.15);
-  const auto exact = [](double at) { return hertz_pressure(hertz_contact, at * b) / q0; };
+  const auto exact = [](double at) { return hertz_pressure(hertz_contact, at * half_width) / q0; };
   for (const std::size_t k : {0, 2})
     answer.panels[k].curve("closed form", Look::Dashed, fine, fine.unaryExpr(exact));
 
