@@ -257,7 +257,7 @@ for my $exercise (@wanted) {
         $longest = $result->{seconds} if $result->{seconds} > $longest;
     }
     $reference{$exercise}{seconds} = POSIX::ceil(20 * $longest > $seconds ? 20 * $longest : $seconds);
-    my $library = $library{"@{ $parts->{libraries} }"} //= symbols('[TDBRi]', @{ $parts->{libraries} });
+    my $library = $library{"@{ $parts->{libraries} }"} //= symbols('[TDBRi]', grep { !/^-/ } @{ $parts->{libraries} });
     $taken{$exercise} = { %$library, %{ symbols('[TDBRi]', map { @{ $parts->{$_} } } qw(judge tests heldout)) } };
 }
 

@@ -9,9 +9,13 @@ cd "$2/user"
 cat > CMakeLists.txt << 'END'
 cmake_minimum_required(VERSION 3.22)
 project(user LANGUAGES CXX)
-find_package(signorini 0.1 CONFIG REQUIRED)
+find_package(signorini 0.1 CONFIG REQUIRED COMPONENTS core report)
 add_executable(user user.cpp)
-target_link_libraries(user PRIVATE signorini::signorini)
+target_link_libraries(user PRIVATE signorini::report)
+find_package(signorini 0.1 CONFIG QUIET COMPONENTS attic)
+if(signorini_FOUND OR NOT signorini_NOT_FOUND_MESSAGE MATCHES "no component 'attic'")
+  message(FATAL_ERROR "a component that there is not is found")
+endif()
 END
 cat > user.cpp << 'END'
 #include <iostream>
@@ -45,7 +49,7 @@ right loads
 
 # Flags with which the program aligns otherwise than the library: the linker says what to do.
 name=compile_with_the_march_that_signorini_was_built_with
-aligned=$(nm -C "$prefix"/lib*/libsignorini.* "$prefix"/lib/*/libsignorini.* 2> /dev/null | sed -n "s/.* [TW] .*$name<\([0-9]*\), .*/\1/p")
+aligned=$(nm -C "$prefix"/lib*/libsignorini_core.* "$prefix"/lib/*/libsignorini_core.* 2> /dev/null | sed -n "s/.* [TW] .*$name<\([0-9]*\), .*/\1/p")
 refused() { # folder
     grep -q "undefined reference to .*$name<" "$1.log" || { cat "$1.log"; exit 1; }
 }

@@ -155,7 +155,7 @@ TEST_CASE("a press fit by interference bears what Lame says", "[fit]") {
   CHECK(solution.pressure.mean() == Approx(pressure).epsilon(1e-3));
 }
 
-TEST_CASE("a temperature of zero is none", "[heat]") {
+TEST_CASE("a temperature of zero is none to a scene", "[heat]") {
   Scene none = cantilever("q4_incompatible", 20, 2);
   Scene zero = none;
   zero.bodies[0].temperature = Temperature{0, {0, 0}};

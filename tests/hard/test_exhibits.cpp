@@ -3,7 +3,7 @@
 
 #include "../chapters/ch17_hard_cases/naive.hpp"
 #include "catch_compat.hpp"
-#include "signorini/core/results.hpp"
+#include "signorini/report/results.hpp"
 #include "support/message.hpp"
 
 using namespace museum;

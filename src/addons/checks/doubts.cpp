@@ -133,7 +133,7 @@ struct Most {
 /// Mean of the displacement gradient over a cell, as if its sides were and stayed straight.
 Eigen::Matrix2d mean_gradient(const Mesh& mesh, const NodeArray& displacements, Index cell) {
   const int corners = mesh.corners(cell);
-  const auto corner = [&](int k) { return mesh.cells(cell, k % corners); };
+  const auto corner = [&](int k) { return mesh.cells(cell, k < corners ? k : 0); };
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
   double twice_area = 0;
   for (int k = 1; k < corners; ++k) {

@@ -120,12 +120,10 @@ std::vector<std::string> in_words(const std::vector<FreeMotion>& motions,
 std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPiece>& pieces,
                                      const Unknowns& unknowns, PlaneState state) {
   std::vector<FreeMotion> found;
-  const double directions = direction_rounding(mesh);
   for (const MeshPiece& piece : pieces) {
     const ConnectedBody body(mesh, piece);
     for (const Eigen::Vector3d& motion : motions_of(body, unknowns, state)) {
       FreeMotion free;
-      free.directions = directions;
       free.body = text("body '", mesh.name, "' (", in_words(mesh, piece), ')');
       free.motion = motion;
       free.centre = body.centre;
@@ -148,6 +146,9 @@ std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPie
       found.push_back(std::move(free));
     }
   }
+  if (found.empty()) return found;
+  const double directions = direction_rounding(mesh);
+  for (FreeMotion& free : found) free.directions = directions;
   return found;
 }
 
