@@ -85,4 +85,5 @@ run path 1 into
 grep -q "^signorini: cannot write 'a.csv': its lock '.a.csv.lock' cannot be opened (.*); remove that if" said.1 ||
     wrong "a link in the place of a lock, said: $(cat said.1)"
 grep -qx mine into/mine || wrong 'a file behind a lock was changed'
-[ "$failures" -eq 0 ]
+[ "$failures" -eq 0 ] || exit 1
+cd / && rm -rf "$folder"

@@ -26,4 +26,5 @@ without() { # what is taken away, from which file
 without '<a id="eq-39"></a>' "$(grep -l 'id="eq-39"' chapters/ch04_*/README.md)"
 without '<a id="eq-46"></a>' "$(grep -l 'id="eq-46"' chapters/ch13_*/README.md)"
 without 'PaperEq{LinEtAl, 43}' src/closed_form/hertz.hpp
-exit $failures
+[ "$failures" -eq 0 ] || exit 1
+cd / && rm -rf "$copy"

@@ -56,3 +56,4 @@ refused() { # folder
 ! build other "-DEIGEN_MAX_ALIGN_BYTES=$((aligned > 0 ? 2 * aligned : 16))" || { echo "a program with another alignment was linked"; exit 1; }
 refused other
 if build native -march=native; then right native; else refused native; fi
+cd / && rm -rf "$2"
