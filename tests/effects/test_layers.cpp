@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "addons/effects/regions.hpp"
 #include "catch_compat.hpp"
+#include "signorini/fem/regions.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"

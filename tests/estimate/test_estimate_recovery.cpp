@@ -1,11 +1,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "addons/effects/regions.hpp"
 #include "addons/effects/split.hpp"
 #include "addons/estimate/error_products.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/elements.hpp"
+#include "signorini/fem/regions.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "support/meshes.hpp"
 

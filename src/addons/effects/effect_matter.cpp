@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "addons/checks/doubts.hpp"
-#include "addons/effects/regions.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/fem/regions.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini::effect {

@@ -1,7 +1,7 @@
 #include "addons/effects/matter.hpp"
 
-#include "addons/effects/regions.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/fem/regions.hpp"
 
 namespace signorini {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "addons/effects/matter.hpp"
-#include "addons/effects/places.hpp"
 #include "signorini/fem/cells.hpp"
 #include "signorini/fem/mesh.hpp"
+#include "signorini/fem/places.hpp"
 #include "signorini/fem/unknowns.hpp"
 
 namespace signorini {
