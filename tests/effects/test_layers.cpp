@@ -157,5 +157,5 @@ TEST_CASE("stresses of a part of a layered body need the layers of the part", "[
                static_cast<void>(cell_stress(part, body.element, body.material,
                                              NodeArray::Zero(part.n_nodes(), 2)));
              }),
-             ContainsSubstring("there are 10, but the layers are those of 20"));
+             ContainsSubstring("there are 10, but the materials are those of 20"));
 }

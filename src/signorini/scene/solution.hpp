@@ -24,7 +24,7 @@ namespace signorini {
 struct BodyModel {
   Mesh mesh;                   ///< of the scene
   Element element;             ///< found by its name
-  Matter material;             ///< of its cells
+  MaterialField material;      ///< of its cells
   Loads loads;                 ///< of the scene
   Unknowns unknowns;           ///< of this body, numbered from 0
   Eigen::Index first_node;     ///< number of its first node among those of all bodies
