@@ -5,8 +5,8 @@
 #pragma once
 #include <vector>
 
-#include "addons/certified/sparse_lu.hpp"
 #include "hertz_scene.hpp"
+#include "signorini/core/sparse_lu.hpp"
 #include "signorini/problem/complementarity_functions.hpp"
 
 namespace signorini {

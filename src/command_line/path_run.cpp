@@ -136,7 +136,7 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
     add("closed", "%.0f", [&] { return sum->closed; });
     if (rubs) add("stick", "%.0f", [&] { return sum->stick; });
     if (rubs) add("slide", "%.0f", [&] { return sum->slide; });
-    if (run.model->bodies[0].material.bulk.state != PlaneState::Axial)
+    if (run.model->bodies[0].material.base.state != PlaneState::Axial)
       add("force x", "%.5g", [&] { return sum->force.x(); });
     add("force y", "%.5g", [&] { return sum->force.y(); });
     if (rubs) add("dissipated_total", "%.5g", [&] { return sum->dissipated_total; });

@@ -6,10 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "addons/certified/refine.hpp"
-#include "addons/certified/sparse_lu.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/sparse_lu.hpp"
 #include "signorini/problem/complementarity_functions.hpp"
 
 namespace signorini {

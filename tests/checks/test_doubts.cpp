@@ -128,7 +128,7 @@ TEST_CASE("in axial symmetry a hoop strain counts", "[doubts]") {
   solution.displacements[0].setZero();
   solution.displacements[0].col(0).setConstant(1);  // at the radii 0 to 50
   CHECK(doubts_of_solution(model, solution).empty());
-  model.bodies[0].material.bulk.state = PlaneState::Axial;
+  model.bodies[0].material.base.state = PlaneState::Axial;
   CHECK(tells(doubts_of_solution(model, solution), {"strain 16 %", "cell 0"}));  // at 6.25
 }
 

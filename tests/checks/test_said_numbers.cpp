@@ -4,6 +4,7 @@
 
 #include "addons/certified/end_words.hpp"
 #include "addons/checks/fit_doubts.hpp"
+#include "addons/effects/fit.hpp"
 #include "catch_compat.hpp"
 #include "support/doubtful_scenes.hpp"
 #include "support/loose_meshes.hpp"

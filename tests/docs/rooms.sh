@@ -142,7 +142,7 @@ expect found signorini/contact/obstacle.cpp '<signorini/scene/scene.hpp>'
 expect found signorini/problem/problem.hpp '"signorini/solvers/lemke.hpp"'
 expect found signorini/scene/solve.cpp '"papers/surrogate_dual.hpp"'
 expect found signorini/core/errors.hpp '<addons/certified/proofs.hpp>'
-expect found meshes/disc.cpp '"addons/effects/regions.hpp"'
+expect found meshes/disc.cpp '"addons/effects/springs.hpp"'
 expect found signorini/problem/problem.hpp '"signorini/fem/mesh.hpp"'                         # beside
 expect found addons/certified/road.cpp '"addons/frontal/frontal_factor.hpp"'
 expect found closed_form/beam.cpp '"signorini/problem/problem.hpp"'

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "addons/effects/regions.hpp"
 #include "catch_compat.hpp"
+#include "signorini/fem/regions.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
@@ -157,5 +157,5 @@ TEST_CASE("stresses of a part of a layered body need the layers of the part", "[
                static_cast<void>(cell_stress(part, body.element, body.material,
                                              NodeArray::Zero(part.n_nodes(), 2)));
              }),
-             ContainsSubstring("there are 10, but the layers are those of 20"));
+             ContainsSubstring("there are 10, but the materials are those of 20"));
 }

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "addons/effects/regions.hpp"
 #include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/block.hpp"
+#include "signorini/fem/regions.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "support/half_disc.hpp"
 #include "support/mesh_measures.hpp"

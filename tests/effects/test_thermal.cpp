@@ -3,6 +3,7 @@
 
 #include "addons/effects/thermal.hpp"
 #include "catch_compat.hpp"
+#include "signorini/fem/eigenstrain.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "signorini/fem/stress.hpp"
@@ -17,10 +18,10 @@ using namespace signorini_test;
 
 namespace {
 
-Matter warm(PlaneState state, const Temperature& temperature) {
-  Matter matter(Material{1000, 0.3, state, state == PlaneState::Axial ? 1 : 0.5, 1e-3});
-  matter.temperature = temperature;
-  return matter;
+MaterialField warm(PlaneState state, const Temperature& temperature) {
+  MaterialField material(Material{1000, 0.3, state, state == PlaneState::Axial ? 1 : 0.5, 1e-3});
+  material.eigenstrain = expansion(temperature);
+  return material;
 }
 
 /// A block that can expand freely from the origin.
@@ -38,18 +39,18 @@ TEST_CASE("every element: an even temperature expands a free body without stress
       CAPTURE(element.name);
       const Vector2d size(3, 2);
       const Mesh mesh = distorted(block_for(element, size, 4, 3), size, {0.75, 2.0 / 3}, 7);
-      const Matter matter = warm(state, {20, {0, 0}});
-      const NodeArray u = solve_body(mesh, element, matter, hung_up(mesh));
+      const MaterialField material = warm(state, {20, {0, 0}});
+      const NodeArray u = solve_body(mesh, element, material, hung_up(mesh));
       const double strain = 0.02 * (state == PlaneState::Strain ? 1.3 : 1);
       CHECK((u - strain * mesh.nodes).cwiseAbs().maxCoeff() <= 1e-12 * strain * 3);
       // Across the plane strain it is held: -E alpha dT.
       const double across = state == PlaneState::Strain ? -1000 * 0.02 : 0;
       for (const StressArray& stress :
-           {nodal_stress(mesh, element, matter, u), cell_stress(mesh, element, matter, u)}) {
+           {nodal_stress(mesh, element, material, u), cell_stress(mesh, element, material, u)}) {
         CHECK(stress.leftCols(3).cwiseAbs().maxCoeff() <= 1e-12 * 20);
         CHECK((stress.col(3).array() - across).abs().maxCoeff() <= 1e-12 * 20);
       }
-      CHECK(internal_forces(mesh, element, matter, u).cwiseAbs().maxCoeff() <= 1e-12 * 20);
+      CHECK(internal_forces(mesh, element, material, u).cwiseAbs().maxCoeff() <= 1e-12 * 20);
     }
 }
 
@@ -63,19 +64,19 @@ TEST_CASE("a temperature that varies linearly bends a free body without stress",
       const Mesh mesh = mapped(block_for(element, {3, 2}, 4, 3), [](const Vector2d& x) -> Vector2d {
         return {x.x(), x.y()};
       });
-      const Matter matter = warm(state, {20, g});
+      const MaterialField material = warm(state, {20, g});
       const double e = 1e-3 * (state == PlaneState::Strain ? 1.3 : 1);
       const auto exact = [&](const Vector2d& x) -> Vector2d {
         return e * (x * (20 + g.dot(x)) - g * x.squaredNorm() / 2);
       };
-      const NodeArray u = solve_body(mesh, element, matter,
+      const NodeArray u = solve_body(mesh, element, material,
                                      {{"left", true, true, exact, false, Vector2d(0, 0)},
                                       {"left", true, false, exact, false, Vector2d(0, 2)}});
       double worst = 0;
       for (Index node = 0; node < mesh.n_nodes(); ++node)
         worst = std::max(worst, (u.row(node).transpose() - exact(mesh.nodes.row(node))).norm());
       CHECK(worst <= 1e-12 * u.cwiseAbs().maxCoeff());
-      const StressArray stress = nodal_stress(mesh, element, matter, u);
+      const StressArray stress = nodal_stress(mesh, element, material, u);
       CHECK(stress.leftCols(3).cwiseAbs().maxCoeff() <= 1e-11 * 1000 * 0.03);
       if (state == PlaneState::Stress) continue;
       for (Index node = 0; node < mesh.n_nodes(); ++node)
@@ -92,11 +93,11 @@ TEST_CASE("every element: a body held all around is pressed by its expansion", "
     const Mesh mesh = distorted(block_for(element, size, 4, 3), size, {0.75, 2.0 / 3}, 5);
     const VectorField none = [](const Vector2d&) { return Vector2d(0, 0); };
     for (const PlaneState state : {PlaneState::Stress, PlaneState::Strain}) {
-      const Matter matter = warm(state, {20, {0, 0}});
-      const NodeArray u = solve_body(mesh, element, matter, given_around(none));
+      const MaterialField material = warm(state, {20, {0, 0}});
+      const NodeArray u = solve_body(mesh, element, material, given_around(none));
       CHECK(u.cwiseAbs().maxCoeff() <= 1e-14);
       const double pressed = -20 / (state == PlaneState::Stress ? 0.7 : 0.4);
-      const StressArray stress = cell_stress(mesh, element, matter, u);
+      const StressArray stress = cell_stress(mesh, element, material, u);
       CHECK((stress.col(0).array() - pressed).abs().maxCoeff() <= 1e-11);
       CHECK((stress.col(1).array() - pressed).abs().maxCoeff() <= 1e-11);
       CHECK(stress.col(2).cwiseAbs().maxCoeff() <= 1e-11);
@@ -112,7 +113,8 @@ TEST_CASE("every element: the forces of a temperature are in balance", "[thermal
     CAPTURE(element.name);
     const Vector2d size(3, 2);
     const Mesh mesh = distorted(block_for(element, size, 4, 3), size, {0.75, 2.0 / 3}, 5);
-    const NodeArray force = thermal_forces(mesh, element, warm(PlaneState::Strain, {20, {3, -2}}));
+    const NodeArray force =
+        eigenstrain_forces(mesh, element, warm(PlaneState::Strain, {20, {3, -2}}));
     const double size_of = force.cwiseAbs().maxCoeff();
     CHECK(force.colwise().sum().norm() <= 1e-13 * size_of);
     CHECK(std::abs(mesh.nodes.col(0).dot(force.col(1)) - mesh.nodes.col(1).dot(force.col(0))) <=
@@ -126,11 +128,11 @@ TEST_CASE("every element: the forces of a temperature are in balance", "[thermal
 TEST_CASE("a temperature of zero is none", "[thermal]") {
   const Mesh mesh = block_for(q4_incompatible(), {3, 2}, 4, 3);
   const NodeArray u = 1e-3 * NodeArray::Random(mesh.n_nodes(), 2);
-  const Matter cold = warm(PlaneState::Strain, {0, {0, 0}});
+  const MaterialField cold = warm(PlaneState::Strain, {0, {0, 0}});
   const Material plain{1000, 0.3, PlaneState::Strain, 0.5};
   CHECK(nodal_stress(mesh, q4_incompatible(), cold, u) ==
         nodal_stress(mesh, q4_incompatible(), plain, u));
   CHECK(internal_forces(mesh, q4_incompatible(), cold, u) ==
         internal_forces(mesh, q4_incompatible(), plain, u));
-  CHECK(thermal_forces(mesh, q4_incompatible(), cold).isZero(0));
+  CHECK(eigenstrain_forces(mesh, q4_incompatible(), cold).isZero(0));
 }

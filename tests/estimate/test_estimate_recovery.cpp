@@ -1,11 +1,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "addons/effects/regions.hpp"
+#include "addons/effects/layers.hpp"
 #include "addons/effects/split.hpp"
 #include "addons/estimate/error_products.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/elements.hpp"
+#include "signorini/fem/regions.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "support/meshes.hpp"
 
@@ -43,11 +44,11 @@ TEST_CASE("a uniform stress is recovered exactly and leaves no error, on any cel
   const Eigen::Vector2d size(2, 1);
   Mesh mesh = signorini_test::distorted(block_for(element, size, 5, 4), size, {0.4, 0.25}, 7);
   mesh.nodes.col(0).array() += 1;  // away from the axis
-  Matter matter({200, 0.3, state, 1});
+  MaterialField material({200, 0.3, state, 1});
   const NodeArray u = stretched_linearly(mesh);
-  const Fields fields{mesh, element, matter, {u, u}};
+  const Fields fields{mesh, element, material, {u, u}};
   const SmoothStress smooth = recovered(fields);
-  const Elasticity D = elasticity_matrix(matter.bulk);
+  const Elasticity D = elasticity_matrix(material.base);
   Eigen::VectorXd strain = Eigen::VectorXd::Zero(D.rows());
   strain.head(2) << 0.3, -0.2;
   if (D.rows() == 4) strain(3) = 0.3;
@@ -60,7 +61,7 @@ TEST_CASE("a uniform stress is recovered exactly and leaves no error, on any cel
 
 TEST_CASE("stresses that cells know at their best points are recovered exactly up to the edge",
           "[recovery][closed-form]") {
-  const Matter matter({100, 0.25, PlaneState::Stress, 1});
+  const MaterialField material({100, 0.25, PlaneState::Stress, 1});
   // Displacements of one degree more than the element has; their stresses are of the degree of the polynomials.
   const auto bent = [](const Eigen::Vector2d& x, int degree) {
     return Eigen::Vector2d(std::pow(x.x(), degree) - 2 * std::pow(x.y(), degree),
@@ -77,12 +78,12 @@ TEST_CASE("stresses that cells know at their best points are recovered exactly u
   const int degree = element.degree + 1;
   const Mesh mesh = block_for(element, {2, 1}, 6, 4);
   const SmoothStress smooth =
-      recovered({mesh, element, matter, {field(mesh, [&](const Eigen::Vector2d& x) {
+      recovered({mesh, element, material, {field(mesh, [&](const Eigen::Vector2d& x) {
                    return bent(x, degree);
                  })}});
   for (Index k = 0; k < mesh.n_nodes(); ++k) {
     const Eigen::Vector3d exact =
-        elasticity_matrix(matter.bulk) * strain(mesh.nodes.row(k).transpose(), degree);
+        elasticity_matrix(material.base) * strain(mesh.nodes.row(k).transpose(), degree);
     CHECK(largest(smooth.value.row(k) - exact.transpose()) <= 1e-10 * 100 * degree * 4);
   }
 }
@@ -96,9 +97,9 @@ TEST_CASE(
     return Eigen::Vector2d(x.x() + x.y() / 2, std::sqrt(0.75) * x.y());
   });
   const Mesh mesh = split(rhombus);
-  const Matter matter({100, 0.25, PlaneState::Stress, 1});
+  const MaterialField material({100, 0.25, PlaneState::Stress, 1});
   const SmoothStress smooth =
-      recovered({mesh, find_element("t3"), matter, {field(mesh, [](const Eigen::Vector2d& x) {
+      recovered({mesh, find_element("t3"), material, {field(mesh, [](const Eigen::Vector2d& x) {
                    return Eigen::Vector2d(x.squaredNorm() * Eigen::Vector2d(1, -2));
                  })}});
   for (Index k = 0; k < mesh.n_nodes(); ++k) {
@@ -106,7 +107,7 @@ TEST_CASE(
       continue;  // the sharp corners, where none is fitted
     const Eigen::Vector2d x = mesh.nodes.row(k);
     const Eigen::Vector3d strain(2 * x.x(), -4 * x.y(), 2 * x.y() - 4 * x.x());
-    const Eigen::Vector3d exact = elasticity_matrix(matter.bulk) * strain;
+    const Eigen::Vector3d exact = elasticity_matrix(material.base) * strain;
     CHECK(largest(smooth.value.row(k) - exact.transpose()) <= 1e-10 * 100 * 4 * 8);
   }
 }
@@ -121,14 +122,14 @@ TEST_CASE("each layer is estimated as a body of its own material", "[recovery]")
   upper.regions["upper"].resize(static_cast<std::size_t>(upper.n_cells()));
   std::iota(upper.regions["upper"].begin(), upper.regions["upper"].end(), Index{0});
   const Material soft = {100, 0.2, state, 1}, stiff = {1000, 0.35, state, 1};
-  const auto products = [&](const Mesh& mesh, const Matter& matter) {
+  const auto products = [&](const Mesh& mesh, const MaterialField& material) {
     const NodeArray bent = field(mesh, [](const Eigen::Vector2d& x) {
       return Eigen::Vector2d(std::sin(x.x() + x.y()), std::cos(2 * x.y() - x.x()));
     });
     const NodeArray other = field(mesh, [](const Eigen::Vector2d& x) {
       return Eigen::Vector2d(x.x() * std::pow(x.y(), 3), std::exp(x.x()));
     });
-    const Fields fields{mesh, element, matter, {bent, other}};
+    const Fields fields{mesh, element, material, {bent, other}};
     return Eigen::VectorXd(error_products(fields, recovered(fields)).col(0));
   };
   const Mesh both = joined(lower, "top", upper, "bottom");
@@ -142,17 +143,17 @@ TEST_CASE("nothing is smoothed across layers", "[recovery][closed-form]") {
   // Two layers one above the other, stretched sideways: the stress along them jumps with E.
   const Element& element = find_element("q4");
   const Mesh mesh = with_region(block_for(element, {2, 2}, 4, 4), "top", {0, 1}, {2, 2});
-  const Matter matter =
+  const MaterialField material =
       layered(mesh, {100, 0, PlaneState::Stress, 1}, {{"top", {1000, 0, PlaneState::Stress, 1}}});
   const NodeArray u =
       field(mesh, [](const Eigen::Vector2d& x) { return Eigen::Vector2d(0.1 * x.x(), 0); });
-  const Fields fields{mesh, element, matter, {u, u}};
+  const Fields fields{mesh, element, material, {u, u}};
   const SmoothStress smooth = recovered(fields);
   CHECK(smooth.value.rows() == mesh.n_nodes() + 5);  // the interface has each of its nodes twice
   for (Index cell = 0; cell < mesh.n_cells(); ++cell)
     for (Index k = 0; k < 4; ++k)
       CHECK(smooth.value(smooth.cells(cell, k), 0) ==
-            Approx(matter.layer_of[static_cast<std::size_t>(cell)] == 0 ? 10 : 100).epsilon(1e-12));
+            Approx(material.number(cell) == 0 ? 10 : 100).epsilon(1e-12));
   CHECK(largest(error_products(fields, smooth)) <= 1e-13);
 }
 
@@ -161,15 +162,17 @@ TEST_CASE("a body that is warm and free has no stress to recover", "[recovery][c
   CAPTURE(name);
   const Element& element = find_element(name);
   const Mesh mesh = block_for(element, {2, 1}, 4, 3);
-  Matter matter({100, 0.25, PlaneState::Strain, 1, 1e-2});
-  matter.temperature.uniform = 20;
+  MaterialField material({100, 0.25, PlaneState::Strain, 1, 1e-2});
+  material.eigenstrain = [](const Material& own, const Eigen::Vector2d&) {
+    return Eigen::Vector4d(20 * own.expansion, 20 * own.expansion, 0, 20 * own.expansion);
+  };
   const double strain = 1.25 * 1e-2 * 20;
   const NodeArray u =
       field(mesh, [&](const Eigen::Vector2d& x) { return Eigen::Vector2d(strain * x); });
   const NodeArray bent = field(mesh, [](const Eigen::Vector2d& x) {
     return Eigen::Vector2d(std::pow(x.x(), 4), x.x() * std::pow(x.y(), 4));
   });
-  const Fields fields{mesh, element, matter, {u, bent}};
+  const Fields fields{mesh, element, material, {u, bent}};
   const SmoothStress smooth = recovered(fields);
   CHECK(largest(smooth.value.leftCols(3)) <= 1e-12 * 100 * strain);
   CHECK(largest(error_products(fields, smooth)) <= 1e-12 * 100 * strain);

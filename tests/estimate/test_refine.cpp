@@ -5,14 +5,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "addons/checks/joints.hpp"
-#include "addons/effects/regions.hpp"
 #include "addons/effects/split.hpp"
 #include "addons/estimate/refine.hpp"
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/fem/block.hpp"
+#include "signorini/fem/joints.hpp"
+#include "signorini/fem/regions.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "support/half_disc.hpp"
 #include "support/mesh_measures.hpp"

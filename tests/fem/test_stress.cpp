@@ -95,29 +95,31 @@ TEST_CASE(
   for (const Element& element : elements()) {
     CAPTURE(element.name);
     const Mesh mesh = block_for(element, {3, 2}, 3, 2);
-    Matter matter(Material{10, 0.3, PlaneState::Stress, 0.5, 1});
-    matter.temperature.uniform = 7;  // not looked at
+    MaterialField material(Material{10, 0.3, PlaneState::Stress, 0.5, 1});
+    material.eigenstrain = [](const Material&, const Vector2d&) {
+      return Vector4d(7, 7, 0, 7);  // not looked at
+    };
     const NodeArray stretched = sampled(mesh, [&](const Vector2d& x) {
       return Vector2d(even(0) * x.x() + even(2) * x.y(), even(1) * x.y());
     });
     const double volume = 3 * 2 * 0.5;
-    const double exact = 0.5 * volume * even.dot(elasticity_matrix(matter.bulk) * even);
-    CHECK(strain_energy(mesh, element, matter, stretched) == Approx(exact).epsilon(1e-13));
-    matter.temperature = {};
+    const double exact = 0.5 * volume * even.dot(elasticity_matrix(material.base) * even);
+    CHECK(strain_energy(mesh, element, material, stretched) == Approx(exact).epsilon(1e-13));
+    material.eigenstrain = {};
     for (const PlaneState state : {PlaneState::Strain, PlaneState::Axial}) {
-      matter.bulk.state = state;
-      matter.bulk.thickness = 1;
+      material.base.state = state;
+      material.base.thickness = 1;
       const NodeArray bent = sampled(mesh, [](const Vector2d& x) {
         return Vector2d(x.x() * x.y() * x.y(), std::sin(x.x()) - x.y());
       });
       const double work =
-          0.5 * internal_forces(mesh, element, matter, bent).cwiseProduct(bent).sum();
-      CHECK(strain_energy(mesh, element, matter, bent) == Approx(work).epsilon(1e-12));
+          0.5 * internal_forces(mesh, element, material, bent).cwiseProduct(bent).sum();
+      CHECK(strain_energy(mesh, element, material, bent) == Approx(work).epsilon(1e-12));
     }
     // Turned a million times as far as it is stretched, in numbers that add up exactly.
-    matter.bulk.state = PlaneState::Strain;
+    material.base.state = PlaneState::Strain;
     const auto energy = [&](double turned) {
-      return strain_energy(mesh, element, matter, sampled(mesh, [&](const Vector2d& x) {
+      return strain_energy(mesh, element, material, sampled(mesh, [&](const Vector2d& x) {
                              return Vector2d(0x1p-20 * x.x() - turned * x.y(), turned * x.x());
                            }));
     };

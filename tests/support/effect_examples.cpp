@@ -1,6 +1,6 @@
 #include "support/effect_examples.hpp"
 
-#include "addons/effects/regions.hpp"
+#include "signorini/fem/regions.hpp"
 #include "support/cantilever.hpp"
 
 namespace signorini_test {

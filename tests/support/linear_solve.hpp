@@ -7,13 +7,13 @@ namespace signorini_test {
 
 inline signorini::NodeArray solve_body(const signorini::Mesh& mesh,
                                        const signorini::Element& element,
-                                       const signorini::Matter& matter,
+                                       const signorini::MaterialField& material,
                                        const std::vector<signorini::Support>& supports,
                                        const signorini::Loads& loads = {}) {
   const signorini::Unknowns unknowns =
-      signorini::number_unknowns(mesh, supports, matter.bulk.state);
+      signorini::number_unknowns(mesh, supports, material.base.state);
   const signorini::LinearSystem system =
-      signorini::assemble(mesh, element, matter, unknowns, loads);
+      signorini::assemble(mesh, element, material, unknowns, loads);
   signorini::Ledger ledger;
   const signorini::FrontalFactor factor(
       system.stiffness,
@@ -26,7 +26,7 @@ inline signorini::NodeArray solve_body(const signorini::Mesh& mesh,
                                        const signorini::Material& material,
                                        const std::vector<signorini::Support>& supports,
                                        const signorini::Loads& loads = {}) {
-  return solve_body(mesh, element, signorini::Matter(material), supports, loads);
+  return solve_body(mesh, element, signorini::MaterialField(material), supports, loads);
 }
 
 }  // namespace signorini_test

@@ -9,12 +9,12 @@
 
 #include "addons/certified/road.hpp"
 #include "addons/certified/undetermined.hpp"
-#include "addons/checks/joints.hpp"
 #include "addons/frontal/frontal_factor.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/free_motions.hpp"
+#include "signorini/fem/joints.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/cantilever.hpp"
 

@@ -9,10 +9,10 @@
 
 #include "addons/certified/floating_programme.hpp"
 #include "addons/certified/programme_rows.hpp"
-#include "addons/certified/systems.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/exact_sum.hpp"
+#include "signorini/problem/systems.hpp"
 
 namespace signorini {
 namespace {

@@ -151,31 +151,6 @@ VectorXd posed_escape(const ContactProblem& problem, const ScaledProblem& scaled
 
 }  // namespace
 
-bool refutes(const ContactProblem& problem, const VectorXd& y) {
-  const VectorXd& d = problem.free_gap;
-  if (y.size() != d.size() || y.size() == 0 || !y.allFinite() || (y.array() < 0).any())
-    return false;
-  ExactSum overlap;
-  for (Index i = 0; i < y.size(); ++i) overlap.add_product(-d(i), y(i));
-  const double lost = static_cast<double>(y.size()) * proof_rounding * d.cwiseAbs().dot(y);
-  if (!(overlap.value() > lost)) return false;
-  const VectorXd scale = row_scales(problem.compliance, problem.rigid, free_movement(problem));
-  const VectorXd scaled = y.cwiseQuotient(scale.head(y.size()));
-  if (problem.rigid.cols() > 0) {
-    const VectorXd terms = problem.rigid.topRows(y.size()).cwiseAbs().transpose() * y;
-    const VectorXd moved = combined(problem.rigid, y).cwiseAbs();
-    if ((moved.array() > proof_rounding * terms.array()).any()) return false;
-  }
-  const double deepest = -d.cwiseProduct(scale.head(y.size())).minCoeff();
-  VectorXd moved = combined(problem.compliance, y).cwiseProduct(scale);
-  // Friction pushes either way, contact only one; but what is symmetric is semidefinite, to rounding.
-  const Index signless = is_symmetric(problem) ? moved.size() : moved.size() - y.size();
-  moved.tail(signless) = moved.tail(signless).cwiseAbs();
-  const double most = std::max(0.0, moved.maxCoeff());
-  return most <= proof_rounding * scaled.sum() &&
-         most * deepest < overlap.value() * std::sqrt(epsilon);
-}
-
 VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& active, Index pair) {
   ScaledProblem pressed = problem;
   pressed.free = problem.compliance.col(pair);

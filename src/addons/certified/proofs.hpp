@@ -4,27 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "signorini/core/rounding.hpp"
+#include "signorini/problem/certificate.hpp"
 #include "signorini/problem/closing.hpp"
 
 namespace signorini {
-
-/// What rounding may have done to numbers that a proof rests on.
-inline constexpr double proof_rounding = 1e3 * epsilon;
-
-/// Whether y proves that nothing solves a problem, checked on the original data in twice the working precision.
-///
-/// With y >= 0 on the gaps, \f$ F^T y \le 0 \f$, 0 where friction acts, R^T y = 0 and d^T y < 0 the gaps of any forces
-/// and amplitudes sum to \f$ y^T(d + F f + R a) \le d^T y < 0 \f$. A symmetric F is positive semidefinite but for rounding, so
-/// that F y = 0 is asked. Computed numbers give F^T y but for rounding, allowed here to
-/// be 1e3 epsilon of the largest that it could be; so the forces that lift the sum to zero, at least
-/// \f$ -d^T y / \max_i (F^T y)_i \f$, must be out of reach as well: beyond \f$ 1/\sqrt{\epsilon} \f$ times the
-/// one that closes the deepest free overlap alone, all in the units of equilibrate(). And d^T y must exceed what
-/// rounding did to d. The same is asked of a programme by proves_infeasible().
-/// \param problem  as it was posed, or any M and q
-/// \param y        `n_c`, or of another size, which proves nothing
-/// \return whether it does
-[[nodiscard]] bool refutes(const ContactProblem& problem, const Eigen::VectorXd& y);
 
 /// Looks for the proof that nothing solves a problem: y with y_p = 1 and \f$ y_W = -G_{WW}^{-1} G_{Wp} \f$,
 /// the forces that hold the pairs of a set where they are while one more is pressed.

@@ -16,15 +16,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// high + low += change, with high the rounded sum.
-void add_to(double& high, double& low, double change) {
-  const double sum = high + change;
-  const double part = sum - high;
-  const double rest = ((high - (sum - part)) + (change - part)) + low;
-  high = sum + rest;
-  low = rest - (high - sum);
-}
-
 /// A correction over what it corrected; all of it, if nothing is left.
 double relative(double change, double result) {
   return result == 0 && change > 0 ? 1 : ratio(change, result);
@@ -253,11 +244,6 @@ double length_of(const RefinementData& data, const PrimalDual& solution) {
 }
 
 }  // namespace
-
-void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
-  for (Index i = 0; i < change.size(); ++i)
-    add_to(solution.displacement(i), solution.displacement_low(i), change(i));
-}
 
 void add_rigid(PrimalDual& solution, const MatrixXd& null_vectors, const VectorXd& amplitude) {
   const Index n = null_vectors.rows();

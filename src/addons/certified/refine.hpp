@@ -9,11 +9,6 @@
 
 namespace signorini {
 
-/// u += change, keeping in `displacement_low` what does not fit into the leading double.
-/// \param solution  whose displacement grows; both parts `n`
-/// \param change    `n` [length]
-void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
-
 /// u += N a, a motion that strains nothing: the part of u that is kept as such grows too. A part that shrinks, because
 /// motions cancel, is left with the rounding of what it was, which strains: it becomes the motion nearest to it.
 /// \param solution      whose displacement grows

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "addons/certified/road.hpp"
-#include "addons/certified/systems.hpp"
+#include "signorini/problem/systems.hpp"
 
 namespace signorini {
 

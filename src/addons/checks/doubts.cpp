@@ -182,15 +182,14 @@ std::pair<Most, Most> deformation(const Model& model, const Solution& solution) 
 Eigen::VectorXd softest_around(const std::vector<BodyModel>& bodies) {
   Eigen::VectorXd softest(count_nodes(bodies));
   for (const BodyModel& body : bodies) {
-    const Matter& matter = body.material;
+    const MaterialField& material = body.material;
     auto own = softest.segment(body.first_node, body.mesh.n_nodes());
-    own.setConstant(matter.layers.empty() ? matter.bulk.youngs_modulus
-                                          : std::numeric_limits<double>::infinity());
-    for (std::size_t cell = 0; cell < matter.layer_of.size(); ++cell) {
-      const double modulus = matter.material(matter.layer_of[cell]).youngs_modulus;
-      const auto number = static_cast<Index>(cell);
-      for (Index k = 0; k < body.mesh.cell_size(number); ++k) {
-        double& at_node = own(body.mesh.cells(number, k));
+    own.setConstant(material.others.empty() ? material.base.youngs_modulus
+                                            : std::numeric_limits<double>::infinity());
+    for (Index cell = 0; cell < static_cast<Index>(material.number_of.size()); ++cell) {
+      const double modulus = material.of(cell).youngs_modulus;
+      for (Index k = 0; k < body.mesh.cell_size(cell); ++k) {
+        double& at_node = own(body.mesh.cells(cell, k));
         at_node = std::min(at_node, modulus);
       }
     }

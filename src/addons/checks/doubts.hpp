@@ -15,13 +15,6 @@ namespace signorini {
 /// \return notes on loose pieces, on nodes that coincide, and on hanging nodes
 [[nodiscard]] std::vector<std::string> doubts_of_mesh(const Scene& scene, const BodyModel& body);
 
-/// Where small displacements end: the note begins there.
-struct SmallLimits {
-  double strain = 0.05;   ///< largest principal strain, mean of a cell [-]
-  double rotation = 5;    ///< mean of a cell [degrees]
-  double pressure = 0.1;  ///< of contact over Young's modulus of the softer body [-]
-};
-
 /// Looks at the loads of a body.
 /// \param body  of a scene; its boundaries exist
 /// \return notes on loads that are zero everywhere, on pressures of the size of Young's modulus, and on tractions

@@ -15,26 +15,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 
-double area(const Mesh& mesh) {
-  double twice = 0;
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (int k = 2; k < mesh.corners(cell); ++k) {
-      const Vector2d origin = mesh.nodes.row(mesh.cells(cell, 0)).transpose();
-      const Vector2d a = mesh.nodes.row(mesh.cells(cell, k - 1)).transpose() - origin;
-      const Vector2d b = mesh.nodes.row(mesh.cells(cell, k)).transpose() - origin;
-      twice += std::abs(a.x() * b.y() - a.y() * b.x());
-    }
-  return twice / 2;
-}
-
-double thickness(const std::vector<BodyModel>& bodies, const Side& side) {
-  const Surface there = surface(bodies, side);
-  double length = 0;
-  for (const SideCurve& curve : side_curves(there.mesh, there.boundary))
-    length += (curve.point(1) - curve.point(-1)).norm();
-  return area(there.mesh) / length;
-}
-
 /// How far the straight sides of a round boundary lie within the curve at most: of two that turn by an angle, each of
 /// length h has the sag h angle / 8. Edges by which a boundary turns more than a curve does have none.
 class Sags {
@@ -80,17 +60,6 @@ std::size_t smallest(const Model& model, const std::vector<double>& sizes, Index
 }
 
 }  // namespace
-
-std::string doubt_of_fit(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
-                         const std::string& name, double length) {
-  double thin = thickness(bodies, contact.source);
-  if (const Side* target = std::get_if<Side>(&contact.target))
-    thin = std::min(thin, thickness(bodies, *target));
-  if (length <= thin) return "";
-  return text(name, " of the ", describe(bodies, contact), ": ", length,
-              " is more than the thinner body is thick there, ", thin,
-              ". Such a length is small beside the body: compare its unit with that of the mesh");
-}
 
 std::string doubt_of_sag(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
                          const Pairs& pairs) {

@@ -1,5 +1,5 @@
 /// \file
-/// Sides that are said to fit, or end up closed, over lengths that are seldom meant.
+/// Gaps that straight edges make, or that end up closed, over lengths that are seldom meant.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,16 +7,6 @@
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
-
-/// Compares a length of a contact with how thick its bodies are: their area over the length of the side in contact.
-/// \param contact  of the scene
-/// \param bodies   of the scene
-/// \param name     of the length
-/// \param length   its `adjust` or `interference` [length]
-/// \return a note if the length is more; else empty
-[[nodiscard]] std::string doubt_of_fit(const ContactSpec& contact,
-                                       const std::vector<BodyModel>& bodies,
-                                       const std::string& name, double length);
 
 /// Compares the gaps of a contact with what straight edges make of them: a node of the source that faces the middle of an
 /// edge of a round target is farther from it than from the curve, by the sag of the edge.

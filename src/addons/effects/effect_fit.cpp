@@ -4,14 +4,17 @@
 #include <cmath>
 #include <utility>
 
-#include "addons/checks/fit_doubts.hpp"
 #include "addons/effects/fit.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/fem/side_curve.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini {
 namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
 
 /// One of the two lengths.
 using Fit = std::optional<double> ContactSpec::*;
@@ -20,6 +23,26 @@ bool any_has(const Scene& scene, Fit length) {
   return std::any_of(scene.contacts.begin(), scene.contacts.end(), [=](const ContactSpec& contact) {
     return (contact.*length).value_or(0) != 0;
   });
+}
+
+double area(const Mesh& mesh) {
+  double twice = 0;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    for (int k = 2; k < mesh.corners(cell); ++k) {
+      const Vector2d origin = mesh.nodes.row(mesh.cells(cell, 0)).transpose();
+      const Vector2d a = mesh.nodes.row(mesh.cells(cell, k - 1)).transpose() - origin;
+      const Vector2d b = mesh.nodes.row(mesh.cells(cell, k)).transpose() - origin;
+      twice += std::abs(a.x() * b.y() - a.y() * b.x());
+    }
+  return twice / 2;
+}
+
+double thickness(const std::vector<BodyModel>& bodies, const Side& side) {
+  const Surface there = surface(bodies, side);
+  double length = 0;
+  for (const SideCurve& curve : side_curves(there.mesh, there.boundary))
+    length += (curve.point(1) - curve.point(-1)).norm();
+  return area(there.mesh) / length;
 }
 
 void price_fit(const Scene& scene, Plan& draft, Fit length, const std::string& name) {
@@ -52,6 +75,17 @@ std::string fit(const ContactSpec& contact, Pairs& pairs) {
     words += text(", all closer by ", closer);
   }
   return words;
+}
+
+std::string doubt_of_fit(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
+                         const std::string& name, double length) {
+  double thin = thickness(bodies, contact.source);
+  if (const Side* target = std::get_if<Side>(&contact.target))
+    thin = std::min(thin, thickness(bodies, *target));
+  if (length <= thin) return "";
+  return text(name, " of the ", describe(bodies, contact), ": ", length,
+              " is more than the thinner body is thick there, ", thin,
+              ". Such a length is small beside the body: compare its unit with that of the mesh");
 }
 
 namespace effect {

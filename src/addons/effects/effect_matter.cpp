@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "addons/checks/doubts.hpp"
-#include "addons/effects/regions.hpp"
+#include "addons/effects/layers.hpp"
+#include "addons/effects/thermal.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/fem/regions.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini::effect {
@@ -35,10 +36,10 @@ void price_layers(const Scene& scene, Plan& draft) {
 
 bool is_warm(const Body& body) { return body.temperature && body.temperature->warms(); }
 
-bool expands(const Matter& matter) {
-  return matter.bulk.expansion != 0 ||
-         std::any_of(matter.layers.begin(), matter.layers.end(),
-                     [](const Material& layer) { return layer.expansion != 0; });
+bool expands(const MaterialField& field) {
+  return field.base.expansion != 0 ||
+         std::any_of(field.others.begin(), field.others.end(),
+                     [](const Material& other) { return other.expansion != 0; });
 }
 
 void price_temperature(const Scene& scene, Plan& draft) {
@@ -49,20 +50,22 @@ void price_temperature(const Scene& scene, Plan& draft) {
     pose(std::isfinite(temperature.uniform) && temperature.gradient.allFinite(), what,
          ": must be finite, got ", temperature.uniform, " and the gradient (",
          temperature.gradient.x(), ", ", temperature.gradient.y(), ')');
-    Matter& matter = draft.bodies[b].material;
-    pose(expands(matter), what,
+    MaterialField& field = draft.bodies[b].material;
+    pose(expands(field), what,
          ": its material does not expand; give it a thermal expansion, or leave the temperature "
          "out");
-    matter.temperature = temperature;
+    field.eigenstrain = expansion(temperature);
     std::string line = text(what, ": ", temperature.uniform, " more than without stress");
     if ((temperature.gradient.array() != 0).any())
       line += text(" at the origin, with the gradient (", temperature.gradient.x(), ", ",
                    temperature.gradient.y(), ')');
     draft.on.push_back(line);
     double most = 0;
-    for (std::size_t layer = 0; layer <= matter.layers.size(); ++layer)
+    std::vector<Material> materials = field.others;
+    materials.push_back(field.base);
+    for (const Material& material : materials)
       for (Eigen::Index node = 0; node < draft.bodies[b].mesh.n_nodes(); ++node)
-        most = std::max(most, std::abs(matter.material(layer).expansion *
+        most = std::max(most, std::abs(material.expansion *
                                        temperature.at(draft.bodies[b].mesh.nodes.row(node))));
     if (most > SmallLimits().strain)
       draft.notes.push_back(text(what, ": free expansion alone is a strain of ", 100 * most,

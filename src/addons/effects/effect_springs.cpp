@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "addons/effects/springs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -37,7 +38,7 @@ void price_springs(const Scene& scene, Plan& draft) {
 void note_soft_springs(const BodyModel& body, Model& model) {
   const QuadraticProgramme& programme = model.programme;
   for (const FreeMotion& motion :
-       free_motions(body.mesh, body.pieces, body.unknowns, body.material.bulk.state)) {
+       free_motions(body.mesh, body.pieces, body.unknowns, body.material.base.state)) {
     Eigen::VectorXd moves = Eigen::VectorXd::Zero(programme.load.size());
     moves.segment(body.first_unknown, motion.shape.size()) = motion.shape.cwiseAbs();
     const double rounding = epsilon * moves.dot(programme.stiffness.cwiseAbs() * moves);

@@ -3,6 +3,7 @@
 /// "contact" do. The lengths are those of the meshes, so this comes before supports move anything.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "signorini/scene/scene.hpp"
 
@@ -13,5 +14,15 @@ namespace signorini {
 /// \param[in,out] pairs  of the meshes; gets new initial gaps
 /// \return what was done, to go on a line about the pairs; nothing if the contact asks for nothing
 [[nodiscard]] std::string fit(const ContactSpec& contact, Pairs& pairs);
+
+/// Compares a length of a contact with how thick its bodies are: their area over the length of the side in contact.
+/// \param contact  of the scene
+/// \param bodies   of the scene
+/// \param name     of the length
+/// \param length   its `adjust` or `interference` [length]
+/// \return a note if the length is more; else empty
+[[nodiscard]] std::string doubt_of_fit(const ContactSpec& contact,
+                                       const std::vector<BodyModel>& bodies,
+                                       const std::string& name, double length);
 
 }  // namespace signorini

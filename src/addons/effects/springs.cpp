@@ -1,8 +1,8 @@
 #include "addons/effects/springs.hpp"
 
-#include "addons/effects/places.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/along_boundary.hpp"
+#include "signorini/fem/places.hpp"
 
 namespace signorini {
 namespace {

@@ -2,22 +2,11 @@
 /// Springs that hold a body to the ground.
 #pragma once
 #include <Eigen/SparseCore>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "signorini/fem/material.hpp"
-#include "signorini/fem/mesh.hpp"
+#include "signorini/scene/scene.hpp"
 
 namespace signorini {
-
-/// Springs between a body and the ground, at rest where nothing moves.
-struct Spring {
-  std::string boundary;                                 ///< all along it
-  Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();  ///< in x and y, >= 0 [force/length^3]
-  /// One node of the boundary [length]; the stiffness is then in [force/length].
-  std::optional<Eigen::Vector2d> only_at = {};
-};
 
 /// What springs add to K: along a boundary the integral of the products of its shape functions, so that they
 /// feel the displacements between the nodes.

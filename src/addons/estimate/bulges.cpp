@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "addons/checks/joints.hpp"
 #include "addons/estimate/outline_shape.hpp"
+#include "signorini/fem/joints.hpp"
 #include "signorini/fem/side_curve.hpp"
 
 namespace signorini {

@@ -4,7 +4,6 @@
 #include <map>
 #include <utility>
 
-#include "addons/effects/matter.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {

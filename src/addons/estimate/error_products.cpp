@@ -37,17 +37,16 @@ struct Place {
 
   template <int n_rows>
   [[nodiscard]] Seen<n_rows> look(const Fields& fields, const SmoothStress& stress,
-                                  const Warmth& warmth, Index f) const {
+                                  const FreeStrains& free, Index f) const {
     using Components = typename Seen<n_rows>::Components;
     Seen<n_rows> seen;
     const CellVector u = gathered(cell, fields.displacements[at(f)]);
     Components strain = fixed_rows<n_rows>(point.B) * u;
     seen.modes = strain - fixed_rows<n_rows>(conforming) * u;
-    if (warmth.warms(f)) {
-      const Components relaxed = warmth.relaxed(number);
+    if (free.in(f)) {
+      const Components relaxed = free.relaxed(number);
       strain -= relaxed;
-      seen.modes +=
-          thermal_strain(cell.material, warmth.at(cell, point)).template head<n_rows>() - relaxed;
+      seen.modes += free.at(cell, point).template head<n_rows>() - relaxed;
     }
     for (Index k = 0; k < cell.element.n_nodes; ++k)
       seen.smooth += shape.value(k) * stress.value.row(stress.cells(cell.number, k))
@@ -65,22 +64,20 @@ Eigen::MatrixXd error_products(const Fields& fields, const SmoothStress& stress,
   check_fields(fields);
   const Index n_fields = static_cast<Index>(fields.displacements.size());
   Eigen::MatrixXd products = Eigen::MatrixXd::Zero(fields.mesh.n_cells(), n_fields - 1);
-  const std::vector<std::size_t>& layer_of = fields.matter.layer_of;
-  std::vector<Elasticity> inverse = elasticity_matrices(fields.matter);
+  std::vector<Elasticity> inverse = elasticity_matrices(fields.material);
   for (Elasticity& D : inverse) D = Elasticity(D.inverse());
-  Warmth warmth(fields.matter);
-  visit_strains(fields.mesh, fields.element, fields.matter,
+  FreeStrains free(fields.material);
+  visit_strains(fields.mesh, fields.element, fields.material,
                 [&](const Cell& cell, const StrainPoints& points) {
-                  const std::size_t layer = layer_of.empty() ? 0 : layer_of[at(cell.number)];
                   const double difference = counted.size() > 0 ? counted(cell.number) : 1;
-                  warmth.look(cell, points);
+                  free.look(cell, points);
                   with_rows(cell.body.D.rows(), [&](auto n_rows) {
-                    const auto C = fixed_rows<n_rows>(inverse[layer]);
+                    const auto C = fixed_rows<n_rows>(inverse[fields.material.number(cell.number)]);
                     for (int i = 0; i < points.size; ++i) {
                       const Place place(cell, points.point[at(i)], i);
-                      const Seen<n_rows> u = place.look<n_rows>(fields, stress, warmth, 0);
+                      const Seen<n_rows> u = place.look<n_rows>(fields, stress, free, 0);
                       for (Index f = 1; f < n_fields; ++f) {
-                        const Seen<n_rows> z = place.look<n_rows>(fields, stress, warmth, f);
+                        const Seen<n_rows> z = place.look<n_rows>(fields, stress, free, f);
                         products(cell.number, f - 1) +=
                             place.point.volume * (difference * u.error.dot(C * z.error) +
                                                   u.smooth.dot(z.modes) + z.smooth.dot(u.modes));

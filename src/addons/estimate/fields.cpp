@@ -10,11 +10,4 @@ void check_fields(const Fields& fields) {
             fields.mesh.n_nodes(), " nodes, got ", u.rows());
 }
 
-Warmth::Warmth(const Matter& matter)
-    : temperature_(matter.temperature), warm_(matter.temperature.warms()) {}
-
-void Warmth::look(const Cell& cell, const StrainPoints& points) {
-  if (warm_) relaxed_ = thermal_strains(cell, points, temperature_);
-}
-
 }  // namespace signorini

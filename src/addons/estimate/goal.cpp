@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "addons/effects/places.hpp"
 #include "addons/estimate/contact_edges.hpp"
 #include "addons/estimate/profile.hpp"
 #include "closed_form/hertz_fit.hpp"
@@ -11,6 +10,7 @@
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/fem/assembly.hpp"
+#include "signorini/fem/places.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {

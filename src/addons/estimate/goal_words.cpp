@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "addons/checks/joints.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/fem/assembly.hpp"
+#include "signorini/fem/joints.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {

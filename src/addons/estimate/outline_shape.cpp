@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "addons/checks/joints.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/fem/joints.hpp"
 
 namespace signorini {
 namespace {

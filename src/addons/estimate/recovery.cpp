@@ -15,21 +15,21 @@ using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMa
 
 constexpr Index most_samples = 4;  // of a cell
 
-/// Numbers of the nodes of cells, other ones in every layer. \param[out] count  of the numbers
-CellArray numbered_by_layer(const Mesh& mesh, const Matter& matter, Index& count) {
+/// Numbers of the nodes of cells, other ones for every material. \param[out] count  of the numbers
+CellArray numbered_by_material(const Mesh& mesh, const MaterialField& material, Index& count) {
   CellArray cells = mesh.cells;
   count = mesh.n_nodes();
-  if (matter.layer_of.empty()) return cells;
+  if (material.number_of.empty()) return cells;
   std::vector<Index> number(at(mesh.n_nodes()), -1);
   count = 0;
-  for (std::size_t layer = 0; layer <= matter.layers.size(); ++layer) {
+  for (std::size_t k = 0; k <= material.others.size(); ++k) {
     std::fill(number.begin(), number.end(), -1);
     for (Index cell = 0; cell < cells.rows(); ++cell) {
-      if (matter.layer_of[at(cell)] != layer) continue;
-      for (Index k = 0; k < mesh.cell_size(cell); ++k) {
-        Index& own = number[at(mesh.cells(cell, k))];
+      if (material.number(cell) != k) continue;
+      for (Index i = 0; i < mesh.cell_size(cell); ++i) {
+        Index& own = number[at(mesh.cells(cell, i))];
         if (own < 0) own = count++;
-        cells(cell, k) = own;
+        cells(cell, i) = own;
       }
     }
   }
@@ -81,7 +81,7 @@ struct Samples {
 };
 
 Index components(const Fields& fields) {
-  return fields.matter.bulk.state == PlaneState::Axial ? 4 : 3;
+  return fields.material.base.state == PlaneState::Axial ? 4 : 3;
 }
 
 Samples sampled(const Fields& fields) {
@@ -94,15 +94,15 @@ Samples sampled(const Fields& fields) {
   samples.count.resize(n_cells);
   samples.value.setZero(mesh.n_cells() * most_samples, rows * n_fields);
   StrainPoints points;
-  Warmth warmth(fields.matter);
-  visit_cells(mesh, fields.element, fields.matter, [&](const Cell& cell) {
+  FreeStrains free(fields.material);
+  visit_cells(mesh, fields.element, fields.material, [&](const Cell& cell) {
     const bool triangle = cell.element.corners() == 3, linear = cell.element.degree == 1;
     if (linear)
       cell.element.strain(cell.body, points);
     else
       sample_strain(cell.element.shape, triangle ? gauss_triangle(3) : gauss_square(2), cell.body,
                     points);
-    warmth.look(cell, points);
+    free.look(cell, points);
     const Index first = cell.number * most_samples;
     const int count = linear ? 1 : points.size;
     samples.count[at(cell.number)] = count;
@@ -114,7 +114,7 @@ Samples sampled(const Fields& fields) {
       for (Index f = 0; f < n_fields; ++f) {
         const CellVector u = gathered(cell, fields.displacements[at(f)]);
         Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4, 1> strain = point.B * u;
-        if (warmth.warms(f)) strain -= warmth.relaxed(i);
+        if (free.in(f)) strain -= free.relaxed(i);
         samples.value.row(row).segment(rows * f, rows) += part * (cell.body.D * strain).transpose();
       }
     }
@@ -268,7 +268,7 @@ SmoothStress recovered(const Fields& fields) {
   check_fields(fields);
   SmoothStress smooth;
   Index count = 0;
-  smooth.cells = numbered_by_layer(fields.mesh, fields.matter, count);
+  smooth.cells = numbered_by_material(fields.mesh, fields.material, count);
   const Samples samples = sampled(fields);
   Collected collected(fields.mesh, samples, count, smooth);
   if (fields.mesh.order() == MeshOrder::Linear)

@@ -2,12 +2,12 @@
 #include <limits>
 #include <utility>
 
-#include "addons/effects/regions.hpp"
 #include "addons/files/kinds.hpp"
 #include "addons/files/scene_keys.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/fem/elements.hpp"
+#include "signorini/fem/regions.hpp"
 
 namespace signorini {
 

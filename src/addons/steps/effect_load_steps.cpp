@@ -77,7 +77,7 @@ class Sorting {
     LoadPart& added = parts_.emplace_back();
     added.history = history;
     added.loads.resize(scene_.bodies.size());
-    added.temperature.resize(scene_.bodies.size());
+    added.eigenstrain.resize(scene_.bodies.size());
     for (const BodyModel& body : draft_.bodies)
       added.held.emplace_back(NodeArray::Zero(body.mesh.n_nodes(), 2));
     added.interference.setZero(static_cast<Index>(draft_.contact_of.size()));
@@ -107,7 +107,7 @@ class Sorting {
     for (const EdgeLoad& load : loads.edges) use(load.history).loads[b].edges.push_back(load);
     for (const PointForce& load : loads.points) use(load.history).loads[b].points.push_back(load);
     if (body.temperature && body.temperature->warms())
-      use(body.temperature->history).temperature[b] = *body.temperature;
+      use(body.temperature->history).eigenstrain[b] = draft_.bodies[b].material.eigenstrain;
     for (const Support& support : body.supports)
       if (!support.history.empty()) use(support.history);
     for (LoadPart& part : parts_) {
@@ -141,13 +141,13 @@ void price_steps(const Scene& scene, Plan& draft) {
 }
 
 /// What a part does to the nodes of a body, held ones too.
-NodeArray nodal_forces(const BodyModel& body, const Loads& loads, const Temperature& temperature,
+NodeArray nodal_forces(const BodyModel& body, const Loads& loads, const Eigenstrain& eigenstrain,
                        const NodeArray& held) {
   NodeArray forces = nodal_loads(body.mesh, body.element, body.material, loads);
-  if (temperature.warms() || (held.array() != 0).any()) {
-    Matter matter = body.material;
-    matter.temperature = temperature;
-    forces -= internal_forces(body.mesh, body.element, matter, held);
+  if (eigenstrain || (held.array() != 0).any()) {
+    MaterialField material = body.material;
+    material.eigenstrain = eigenstrain;
+    forces -= internal_forces(body.mesh, body.element, material, held);
   }
   if (body.springs.rows() > 0)
     Eigen::Map<VectorXd>(forces.data(), forces.size()) -=
@@ -164,7 +164,7 @@ void add_parts(Plan& plan, Model& model) {
     NodeArray held = NodeArray::Zero(count_nodes(model.bodies), 2);
     for (std::size_t b = 0; b < model.bodies.size(); ++b) {
       const BodyModel& body = model.bodies[b];
-      add_nodal_forces(body, nodal_forces(body, part.loads[b], part.temperature[b], part.held[b]),
+      add_nodal_forces(body, nodal_forces(body, part.loads[b], part.eigenstrain[b], part.held[b]),
                        part.load);
       held.middleRows(body.first_node, body.mesh.n_nodes()) = part.held[b];
     }

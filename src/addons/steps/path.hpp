@@ -42,7 +42,7 @@ struct Path {
 struct LoadPart {
   std::string history;                   ///< empty: of what is always there
   std::vector<Loads> loads;              ///< of each body
-  std::vector<Temperature> temperature;  ///< of each body
+  std::vector<Eigenstrain> eigenstrain;  ///< of each body, none if empty
   std::vector<NodeArray> held;   ///< `n_nodes x 2` given displacements of each body [length]
   Eigen::VectorXd interference;  ///< `n_c` [length]
   Eigen::VectorXd load;          ///< its share of p `n` [force]

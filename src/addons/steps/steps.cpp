@@ -38,6 +38,14 @@ void add_scaled(double factor, const Loads& loads, Loads& sum) {
   }
 }
 
+void add_scaled(double factor, const Eigenstrain& part, Eigenstrain& sum) {
+  if (factor == 0 || !part) return;
+  sum = [factor, part, rest = std::move(sum)](const Material& material, const Eigen::Vector2d& x) {
+    const Eigen::Vector4d strain = factor * part(material, x);
+    return rest ? Eigen::Vector4d(rest(material, x) + strain) : strain;
+  };
+}
+
 void check_steps(const Model& model, const char* function) {
   pose(!model.parts.empty(), function,
        ": the scene has no load steps; give its `path` times, or use solve()");
@@ -166,13 +174,12 @@ void set_time(double time, Model& model) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     BodyModel& body = model.bodies[b];
     body.loads = {};
-    body.material.temperature = {};
+    body.material.eigenstrain = {};
     body.unknowns.held.setZero();
     for (const LoadPart& part : model.parts) {
       const double f = factor_of(model.path, part, time);
       add_scaled(f, part.loads[b], body.loads);
-      body.material.temperature.uniform += f * part.temperature[b].uniform;
-      body.material.temperature.gradient += f * part.temperature[b].gradient;
+      add_scaled(f, part.eigenstrain[b], body.material.eigenstrain);
       body.unknowns.held += f * part.held[b];
     }
     model.unknowns.held.middleRows(body.first_node, body.mesh.n_nodes()) = body.unknowns.held;

@@ -1,6 +1,6 @@
-#include "addons/effects/thermal.hpp"
 #include "addons/steps/steps.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/fem/eigenstrain.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/bodies.hpp"
 
@@ -12,21 +12,21 @@ using Eigen::VectorXd;
 
 Eigen::Map<const VectorXd> flat(const NodeArray& values) { return {values.data(), values.size()}; }
 
-/// Forces that strain a body and its springs to displacements, as if it were not warm.
+/// Forces that strain a body and its springs to displacements, as if it had no eigenstrain.
 NodeArray straining_forces(const BodyModel& body, const NodeArray& displacement) {
-  Matter cold = body.material;
-  cold.temperature = {};
-  NodeArray forces = internal_forces(body.mesh, body.element, cold, displacement);
+  MaterialField material = body.material;
+  material.eigenstrain = {};
+  NodeArray forces = internal_forces(body.mesh, body.element, material, displacement);
   if (body.springs.rows() > 0)
     Eigen::Map<VectorXd>(forces.data(), forces.size()) += body.springs * flat(displacement);
   return forces;
 }
 
-/// Loads and what stands for the temperature, on all nodes.
+/// Loads and what stands for the eigenstrain, on all nodes.
 NodeArray loading_forces(const BodyModel& body) {
   NodeArray forces = nodal_loads(body.mesh, body.element, body.material, body.loads);
-  if (body.material.temperature.warms())
-    forces += thermal_forces(body.mesh, body.element, body.material);
+  if (body.material.eigenstrain)
+    forces += eigenstrain_forces(body.mesh, body.element, body.material);
   return forces;
 }
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <vector>
 
-#include "addons/effects/thermal.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/along_boundary.hpp"
+#include "signorini/fem/eigenstrain.hpp"
 #include "signorini/fem/elements.hpp"
 
 namespace signorini {
@@ -23,9 +23,9 @@ void check_unfolded(const Cell& cell) {
          " folds over itself: move the middle nodes of its sides closer to the straight lines");
 }
 
-void add_body_force(const Mesh& mesh, const Element& element, const Matter& matter,
+void add_body_force(const Mesh& mesh, const Element& element, const MaterialField& material,
                     const VectorField& force, NodeArray& load) {
-  visit_strains(mesh, element, matter, [&](const Cell& cell, const StrainPoints& points) {
+  visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
     for (int i = 0; i < points.size; ++i) {
       const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
       const CellScalars N = cell.element.shape(point.local.x(), point.local.y()).value;
@@ -155,11 +155,11 @@ std::vector<EdgePlace> places_of(const Mesh& mesh, const std::vector<PointForce>
   return places;
 }
 
-NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& matter,
+NodeArray nodal_loads(const Mesh& mesh, const Element& element, const MaterialField& material,
                       const Loads& loads) {
   NodeArray load = NodeArray::Zero(mesh.n_nodes(), 2);
-  if (loads.body_force) add_body_force(mesh, element, matter, loads.body_force, load);
-  for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, depth_of(matter), edge, load);
+  if (loads.body_force) add_body_force(mesh, element, material, loads.body_force, load);
+  for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, depth_of(material), edge, load);
   add_point_forces(mesh, loads.points, load);
   return load;
 }
@@ -191,15 +191,15 @@ Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& 
   return K;
 }
 
-LinearSystem assemble(const Mesh& mesh, const Element& element, const Matter& matter,
+LinearSystem assemble(const Mesh& mesh, const Element& element, const MaterialField& material,
                       const Unknowns& unknowns, const Loads& loads) {
   check_element(mesh, element);
   LinearSystem system{stiffness_pattern(mesh, unknowns), {}};
-  NodeArray nodal = nodal_loads(mesh, element, matter, loads);
-  if (matter.temperature.warms()) nodal += thermal_forces(mesh, element, matter);
+  NodeArray nodal = nodal_loads(mesh, element, material, loads);
+  if (material.eigenstrain) nodal += eigenstrain_forces(mesh, element, material);
   system.load = restricted(unknowns, nodal);
 
-  visit_cells(mesh, element, matter, [&](const Cell& cell) {
+  visit_cells(mesh, element, material, [&](const Cell& cell) {
     check_unfolded(cell);
     const CellMatrix K = cell_stiffness(cell.element, cell.body);
     for (Index i = 0; i < K.rows(); ++i) {
@@ -217,13 +217,13 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const Matter& ma
   return system;
 }
 
-NodeArray internal_forces(const Mesh& mesh, const Element& element, const Matter& matter,
+NodeArray internal_forces(const Mesh& mesh, const Element& element, const MaterialField& material,
                           const NodeArray& displacements) {
   require(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
           " displacements (one per node), got ", displacements.rows());
   NodeArray forces = NodeArray::Zero(mesh.n_nodes(), 2);
-  if (matter.temperature.warms()) forces -= thermal_forces(mesh, element, matter);
-  visit_cells(mesh, element, matter, [&](const Cell& cell) {
+  if (material.eigenstrain) forces -= eigenstrain_forces(mesh, element, material);
+  visit_cells(mesh, element, material, [&](const Cell& cell) {
     const CellVector f = cell_stiffness(cell.element, cell.body) * gathered(cell, displacements);
     for (Index k = 0; k < cell.element.n_nodes; ++k)
       forces.row(cell.node(k)) += f.segment<2>(2 * k).transpose();

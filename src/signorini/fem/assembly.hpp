@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "addons/effects/matter.hpp"
-#include "addons/effects/places.hpp"
 #include "signorini/fem/cells.hpp"
+#include "signorini/fem/material_field.hpp"
 #include "signorini/fem/mesh.hpp"
+#include "signorini/fem/places.hpp"
 #include "signorini/fem/unknowns.hpp"
 
 namespace signorini {
@@ -72,17 +72,18 @@ void check_element(const Mesh& mesh, const Element& element);
 /// \return `2m x 2m`, exactly symmetric, positive semidefinite [force/length]
 [[nodiscard]] CellMatrix cell_stiffness(const Element& element, const CellBody& cell);
 
-/// Assembles K and p of the free unknowns, with thermal_forces() in p. \PaperEq{XuanLi2002, 12}
+/// Assembles K and p of the free unknowns, with eigenstrain_forces() in p. \PaperEq{XuanLi2002, 12}
 /// \param mesh      the body, already through check_mesh()
 /// \param element   fits its cells
-/// \param matter    of its cells
+/// \param material  of its cells
 /// \param unknowns  `n` of the mesh; given displacements move to the right-hand side
 /// \param loads     on the body
 /// \return the system of the `n` unknowns
 /// \throws ProblemError if the element does not fit the cells, the material is out of range, a load
 ///   is not finite or its boundary does not exist
-[[nodiscard]] LinearSystem assemble(const Mesh& mesh, const Element& element, const Matter& matter,
-                                    const Unknowns& unknowns, const Loads& loads);
+[[nodiscard]] LinearSystem assemble(const Mesh& mesh, const Element& element,
+                                    const MaterialField& material, const Unknowns& unknowns,
+                                    const Loads& loads);
 
 /// Where point forces act.
 /// \param mesh   the body
@@ -95,25 +96,26 @@ void check_element(const Mesh& mesh, const Element& element);
 /// Nodal forces of the loads, consistent with the shape functions.
 /// \param mesh      the body
 /// \param element   fits its cells
-/// \param matter    whose depth multiplies the loads
+/// \param material  whose depth multiplies the loads
 /// \param loads     on the body
 /// \return `n_nodes x 2` on all nodes, held or not [force]
 /// \throws ProblemError if a load is not finite, its boundary does not exist, or as places_of()
-[[nodiscard]] NodeArray nodal_loads(const Mesh& mesh, const Element& element, const Matter& matter,
-                                    const Loads& loads);
+[[nodiscard]] NodeArray nodal_loads(const Mesh& mesh, const Element& element,
+                                    const MaterialField& material, const Loads& loads);
 
-/// What the body's stresses do to its nodes: K u less thermal_forces(), with the rows of held components.
+/// What the body's stresses do to its nodes: K u less eigenstrain_forces(), with the rows of held components.
 ///
 /// Less the loads and the contact forces it is zero where nothing holds a node, and what the support
 /// does to the body where something does.
 /// \param mesh           the body
 /// \param element        fits its cells
-/// \param matter         of its cells
+/// \param material       of its cells
 /// \param displacements  `n_nodes x 2` [length]
 /// \return `n_nodes x 2` [force]
 /// \throws std::invalid_argument unless there is one displacement per node
 [[nodiscard]] NodeArray internal_forces(const Mesh& mesh, const Element& element,
-                                        const Matter& matter, const NodeArray& displacements);
+                                        const MaterialField& material,
+                                        const NodeArray& displacements);
 
 /// Consistent share of a boundary for each of its nodes: the integral of its shape function along
 /// the boundary times the depth.

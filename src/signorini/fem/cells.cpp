@@ -6,6 +6,10 @@ namespace signorini {
 
 using Eigen::Index;
 
+Eigen::Vector2d position(const Cell& cell, const StrainPoint& point) {
+  return cell.body.position(cell.element.shape(point.local.x(), point.local.y()).value);
+}
+
 CellNodes cell_nodes(const Mesh& mesh, Index cell) {
   CellNodes nodes(mesh.cell_size(cell), 2);
   for (Index k = 0; k < nodes.rows(); ++k) nodes.row(k) = mesh.nodes.row(mesh.cells(cell, k));
@@ -22,9 +26,9 @@ CellBody cell_body(const CellNodes& nodes, const Elasticity& D, const Depth& dep
   return body;
 }
 
-std::vector<Elasticity> elasticity_matrices(const Matter& matter) {
-  std::vector<Elasticity> D = {elasticity_matrix(matter.bulk)};
-  for (const Material& layer : matter.layers) D.push_back(elasticity_matrix(layer));
+std::vector<Elasticity> elasticity_matrices(const MaterialField& material) {
+  std::vector<Elasticity> D = {elasticity_matrix(material.base)};
+  for (const Material& other : material.others) D.push_back(elasticity_matrix(other));
   return D;
 }
 

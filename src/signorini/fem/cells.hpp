@@ -3,9 +3,9 @@
 #pragma once
 #include <vector>
 
-#include "addons/effects/matter.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/element.hpp"
+#include "signorini/fem/material_field.hpp"
 #include "signorini/fem/mesh.hpp"
 #include "signorini/fem/unknowns.hpp"
 
@@ -23,6 +23,9 @@ struct Cell {
   /// \return its number in the mesh
   [[nodiscard]] Eigen::Index node(Eigen::Index k) const { return mesh.cells(number, k); }
 };
+
+/// \param cell   any \param point  one of its strain points \return where that is [length]
+[[nodiscard]] Eigen::Vector2d position(const Cell& cell, const StrainPoint& point);
 
 /// Gathers the nodes of one cell for the element functions.
 /// \param mesh  that has it
@@ -48,43 +51,43 @@ struct Cell {
 /// \return x, y of its first node, x, y of its second, ... [length]
 [[nodiscard]] CellVector gathered(const Cell& cell, const NodeArray& displacements);
 
-/// \param matter  of a body
-/// \return elasticity_matrix() of its bulk, then of its layers
+/// \param material  of a body
+/// \return elasticity_matrix() of its base, then of the others
 /// \throws ProblemError as check_material()
-[[nodiscard]] std::vector<Elasticity> elasticity_matrices(const Matter& matter);
+[[nodiscard]] std::vector<Elasticity> elasticity_matrices(const MaterialField& material);
 
 /// Calls visit(cell) for every cell of a body, in their order.
-/// \param mesh     the body
-/// \param element  of its cells, of as many corners; triangles beside quadrilaterals are triangle_beside()
-/// \param matter   of its cells
-/// \param visit    gets a Cell
-/// \throws ProblemError as check_material(); std::invalid_argument if the layers are those of another mesh
+/// \param mesh      the body
+/// \param element   of its cells, of as many corners; triangles beside quadrilaterals are triangle_beside()
+/// \param material  of its cells
+/// \param visit     gets a Cell
+/// \throws ProblemError as check_material(); std::invalid_argument if the numbers of materials are those of another mesh
 template <typename Visit>
-void visit_cells(const Mesh& mesh, const Element& element, const Matter& matter, Visit&& visit) {
-  const std::vector<std::size_t>& layer_of = matter.layer_of;
-  require(layer_of.empty() || layer_of.size() == static_cast<std::size_t>(mesh.n_cells()),
-          "cells of '", mesh.name, "': there are ", mesh.n_cells(),
-          ", but the layers are those of ", layer_of.size());
-  const std::vector<Elasticity> D = elasticity_matrices(matter);
-  const Depth depth = depth_of(matter);
+void visit_cells(const Mesh& mesh, const Element& element, const MaterialField& material,
+                 Visit&& visit) {
+  const std::size_t known = material.number_of.size();
+  require(known == 0 || known == static_cast<std::size_t>(mesh.n_cells()), "cells of '", mesh.name,
+          "': there are ", mesh.n_cells(), ", but the materials are those of ", known);
+  const std::vector<Elasticity> D = elasticity_matrices(material);
+  const Depth depth = depth_of(material);
   const Element& triangle = element.corners() == 3 ? element : triangle_beside(mesh);
   for (Eigen::Index number = 0; number < mesh.n_cells(); ++number) {
-    const std::size_t layer = layer_of.empty() ? 0 : layer_of[static_cast<std::size_t>(number)];
-    visit(Cell{number, mesh.corners(number) == 3 ? triangle : element, matter.material(layer),
-               cell_body(cell_nodes(mesh, number), D[layer], depth), mesh});
+    visit(Cell{number, mesh.corners(number) == 3 ? triangle : element, material.of(number),
+               cell_body(cell_nodes(mesh, number), D[material.number(number)], depth), mesh});
   }
 }
 
 /// Calls visit(cell, points) for every cell of a body with its strain points.
-/// \param mesh     the body
-/// \param element  of its cells, as in visit_cells()
-/// \param matter   of its cells
-/// \param visit    gets a Cell and its StrainPoints
+/// \param mesh      the body
+/// \param element   of its cells, as in visit_cells()
+/// \param material  of its cells
+/// \param visit     gets a Cell and its StrainPoints
 /// \throws ProblemError, std::invalid_argument as visit_cells()
 template <typename Visit>
-void visit_strains(const Mesh& mesh, const Element& element, const Matter& matter, Visit&& visit) {
+void visit_strains(const Mesh& mesh, const Element& element, const MaterialField& material,
+                   Visit&& visit) {
   StrainPoints points;
-  visit_cells(mesh, element, matter, [&](const Cell& cell) {
+  visit_cells(mesh, element, material, [&](const Cell& cell) {
     cell.element.strain(cell.body, points);
     visit(cell, points);
   });

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "addons/checks/joints.hpp"
+#include "signorini/fem/joints.hpp"
 #include "signorini/fem/unknowns.hpp"
 
 namespace signorini {

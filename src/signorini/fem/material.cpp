@@ -56,13 +56,12 @@ Elasticity elasticity_matrix(const Material& material) {
   return D;
 }
 
-double stress_across(const Material& material, const Eigen::Vector3d& stress, double warmer) {
+double stress_across(const Material& material, const Eigen::Vector3d& stress, double free) {
   require(material.state != PlaneState::Axial,
           "stress_across: in axial symmetry the hoop stress does not follow from the others");
   return material.state == PlaneState::Stress
              ? 0.0
-             : material.poisson_ratio * (stress(0) + stress(1)) -
-                   material.youngs_modulus * material.expansion * warmer;
+             : material.poisson_ratio * (stress(0) + stress(1)) - material.youngs_modulus * free;
 }
 
 }  // namespace signorini

@@ -48,6 +48,13 @@ struct Depth {
 /// \return its thickness, or in axial symmetry the circle
 [[nodiscard]] Depth depth_of(const Material& material);
 
+/// Where small displacements end, and linear elasticity with them: notes begin there.
+struct SmallLimits {
+  double strain = 0.05;   ///< largest principal strain, mean of a cell [-]
+  double rotation = 5;    ///< mean of a cell [degrees]
+  double pressure = 0.1;  ///< of contact over Young's modulus of the softer body [-]
+};
+
 /// Checks a material.
 /// \param material  any
 /// \throws ProblemError naming the constant that is out of range and what to use instead
@@ -65,10 +72,10 @@ void check_material(const Material& material);
 /// Stress across the plane from the stress in it.
 /// \param material  whose state and Poisson's ratio count
 /// \param stress    (xx, yy, xy) [force/length^2], tension positive
-/// \param warmer    how much warmer than without stress [temperature]
-/// \return nu (xx + yy) - E alpha times that in plane strain, 0 in plane stress [force/length^2]
+/// \param free      eigenstrain across the plane [-]
+/// \return nu (xx + yy) - E times that in plane strain, 0 in plane stress [force/length^2]
 /// \throws std::invalid_argument in axial symmetry, where it is a component of its own
 [[nodiscard]] double stress_across(const Material& material, const Eigen::Vector3d& stress,
-                                   double warmer = 0);
+                                   double free = 0);
 
 }  // namespace signorini

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "addons/effects/thermal.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/fem/eigenstrain.hpp"
 
 namespace signorini {
 namespace {
@@ -14,10 +14,10 @@ using Eigen::Index;
 using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, max_strain_points, 4>;
 
 /// Stress at one strain point; across the plane it is a component of D, or follows from those in the plane.
-/// \param free    strain that needs no stress, null if there is none
-/// \param warmer  than without stress
+/// \param free         strain that needs no stress, null if there is none
+/// \param free_across  the same across the plane
 Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const CellVector& u,
-                          const double* free, double warmer) {
+                          const double* free, double free_across) {
   return with_rows(cell.body.D.rows(), [&](auto n_rows) {
     using Components = Eigen::Matrix<double, n_rows, 1>;
     Components strain = fixed_rows<n_rows>(point.B) * u;
@@ -27,30 +27,29 @@ Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const Cell
     if constexpr (n_rows == 4)
       all = stress;
     else
-      all << stress, stress_across(cell.material, stress, warmer);
+      all << stress, stress_across(cell.material, stress, free_across);
     return all;
   });
 }
 
 /// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them, row by row.
 template <typename Visit>
-void visit_stresses(const Mesh& mesh, const Element& element, const Matter& matter,
+void visit_stresses(const Mesh& mesh, const Element& element, const MaterialField& material,
                     const NodeArray& displacements, Visit&& visit) {
   require(displacements.rows() == mesh.n_nodes(), "stress: need the displacements of ",
           mesh.n_nodes(), " nodes, got ", displacements.rows());
-  const Temperature& temperature = matter.temperature;
-  const bool warm = temperature.warms();
+  const Eigenstrain& eigenstrain = material.eigenstrain;
   PointStrains free;
   PointStress stress;
-  visit_strains(mesh, element, matter, [&](const Cell& cell, const StrainPoints& points) {
+  visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
     const CellVector u = gathered(cell, displacements);
     stress.resize(points.size, 4);
-    if (warm) free = thermal_strains(cell, points, temperature);
+    if (eigenstrain) free = eigenstrains(cell, points, eigenstrain);
     for (int i = 0; i < points.size; ++i) {
       const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
-      stress.row(i) = stress_at(point, cell, u, warm ? free.col(i).data() : nullptr,
-                                warm ? temperature.at(position(cell, point)) : 0)
-                          .transpose();
+      const double across = eigenstrain ? eigenstrain(cell.material, position(cell, point))(3) : 0;
+      stress.row(i) =
+          stress_at(point, cell, u, eigenstrain ? free.col(i).data() : nullptr, across).transpose();
     }
     visit(cell, points, stress);
   });
@@ -76,12 +75,12 @@ Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points
 
 }  // namespace
 
-StressArray nodal_stress(const Mesh& mesh, const Element& element, const Matter& matter,
+StressArray nodal_stress(const Mesh& mesh, const Element& element, const MaterialField& material,
                          const NodeArray& displacements) {
   StressArray stress = StressArray::Zero(mesh.n_nodes(), 4);
   Eigen::VectorXd cells_at = Eigen::VectorXd::Zero(mesh.n_nodes());
   std::array<Eigen::MatrixXd, 2> of_kind;  // triangles, quadrilaterals
-  visit_stresses(mesh, element, matter, displacements,
+  visit_stresses(mesh, element, material, displacements,
                  [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
                    Eigen::MatrixXd& to_nodes = of_kind[cell.element.corners() == 3 ? 0 : 1];
                    if (to_nodes.size() == 0) to_nodes = extrapolation(cell.element, points);
@@ -95,10 +94,10 @@ StressArray nodal_stress(const Mesh& mesh, const Element& element, const Matter&
   return stress;
 }
 
-StressArray cell_stress(const Mesh& mesh, const Element& element, const Matter& matter,
+StressArray cell_stress(const Mesh& mesh, const Element& element, const MaterialField& material,
                         const NodeArray& displacements) {
   StressArray stress = StressArray::Zero(mesh.n_cells(), 4);
-  visit_stresses(mesh, element, matter, displacements,
+  visit_stresses(mesh, element, material, displacements,
                  [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
                    double volume = 0;
                    for (int i = 0; i < points.size; ++i) {
@@ -111,12 +110,12 @@ StressArray cell_stress(const Mesh& mesh, const Element& element, const Matter& 
   return stress;
 }
 
-double strain_energy(const Mesh& mesh, const Element& element, const Matter& matter,
+double strain_energy(const Mesh& mesh, const Element& element, const MaterialField& material,
                      const NodeArray& displacements) {
   require(displacements.rows() == mesh.n_nodes(), "strain_energy: need the displacements of ",
           mesh.n_nodes(), " nodes, got ", displacements.rows());
   double energy = 0;
-  visit_strains(mesh, element, matter, [&](const Cell& cell, const StrainPoints& points) {
+  visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
     const CellVector u = gathered(cell, displacements);
     with_rows(cell.body.D.rows(), [&](auto n_rows) {
       for (int i = 0; i < points.size; ++i) {

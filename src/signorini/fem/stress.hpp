@@ -3,8 +3,8 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "addons/effects/matter.hpp"
 #include "signorini/fem/element.hpp"
+#include "signorini/fem/material_field.hpp"
 #include "signorini/fem/mesh.hpp"
 
 namespace signorini {
@@ -14,39 +14,41 @@ namespace signorini {
 using StressArray = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
 /// Stress at the nodes: the values at the strain points of each cell are fitted by a bilinear
-/// function (of a triangle, linear), evaluated at the nodes and averaged over the cells that meet there, also between layers.
+/// function (of a triangle, linear), evaluated at the nodes and averaged over the cells that meet there, also between materials.
 /// \param mesh           the body
 /// \param element        fits its cells
-/// \param matter         of its cells; what temperature alone strains needs no stress
+/// \param material       of its cells; its eigenstrain needs no stress
 /// \param displacements  `n_nodes x 2` [length]
 /// \return `n_nodes x 4`; zero at a node without a cell
 /// \throws std::invalid_argument unless there is one displacement per node
 /// \throws ProblemError as check_material()
 [[nodiscard]] StressArray nodal_stress(const Mesh& mesh, const Element& element,
-                                       const Matter& matter, const NodeArray& displacements);
+                                       const MaterialField& material,
+                                       const NodeArray& displacements);
 
 /// Mean stress of every cell.
 /// \param mesh           the body
 /// \param element        fits its cells
-/// \param matter         of its cells; what temperature alone strains needs no stress
+/// \param material       of its cells; its eigenstrain needs no stress
 /// \param displacements  `n_nodes x 2` [length]
 /// \return `n_cells x 4`
 /// \throws std::invalid_argument or ProblemError, as nodal_stress()
 [[nodiscard]] StressArray cell_stress(const Mesh& mesh, const Element& element,
-                                      const Matter& matter, const NodeArray& displacements);
+                                      const MaterialField& material,
+                                      const NodeArray& displacements);
 
-/// Energy that strains store, as if the body were not warm: half the integral of \f$ \varepsilon^T D\,\varepsilon \f$.
+/// Energy that strains store, as if there were no eigenstrain: half the integral of \f$ \varepsilon^T D\,\varepsilon \f$.
 ///
 /// As a sum of squares of strains it is exact to rounding of the strains, where \f$ \tfrac12 u^T K u \f$ loses as much
 /// as large displacements cancel in K u.
 /// \param mesh           the body
 /// \param element        fits its cells
-/// \param matter         of its cells; its temperature is not looked at
+/// \param material       of its cells; its eigenstrain is not looked at
 /// \param displacements  `n_nodes x 2` [length]
 /// \return not negative [force*length]
 /// \throws std::invalid_argument or ProblemError, as nodal_stress()
-[[nodiscard]] double strain_energy(const Mesh& mesh, const Element& element, const Matter& matter,
-                                   const NodeArray& displacements);
+[[nodiscard]] double strain_energy(const Mesh& mesh, const Element& element,
+                                   const MaterialField& material, const NodeArray& displacements);
 
 /// Von Mises stress.
 /// \param stress  (xx, yy, xy, zz) [force/length^2]

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "addons/effects/places.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/fem/places.hpp"
 
 namespace signorini {
 namespace {

@@ -7,11 +7,11 @@
 #include <ostream>
 #include <sstream>
 
-#include "addons/certified/systems.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/imbalance.hpp"
+#include "signorini/problem/systems.hpp"
 
 namespace signorini {
 namespace {
@@ -285,6 +285,11 @@ Certificate all_figures(const QuadraticProgramme& programme, const PrimalDual& s
 }
 
 }  // namespace
+
+void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change) {
+  for (Index i = 0; i < change.size(); ++i)
+    add_to(solution.displacement(i), solution.displacement_low(i), change(i));
+}
 
 Certificate uncertified() {
   const double infinity = std::numeric_limits<double>::infinity();

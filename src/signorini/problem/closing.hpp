@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "addons/certified/sparse_lu.hpp"
 #include "signorini/core/dense.hpp"
+#include "signorini/core/sparse_lu.hpp"
 #include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/scaled.hpp"
 

@@ -64,4 +64,15 @@ class ExactSumOf {
 /// The sum of plain numbers.
 using ExactSum = ExactSumOf<double>;
 
+/// high + low += change, with high the rounded sum.
+/// \param[in,out] high, low  the two parts of a number
+/// \param change             to be added
+inline void add_to(double& high, double& low, double change) {
+  const double sum = high + change;
+  const double part = sum - high;
+  const double rest = ((high - (sum - part)) + (change - part)) + low;
+  high = sum + rest;
+  low = rest - (high - sum);
+}
+
 }  // namespace signorini

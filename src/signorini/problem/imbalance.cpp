@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "addons/certified/systems.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/systems.hpp"
 
 namespace signorini {
 namespace {

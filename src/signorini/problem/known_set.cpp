@@ -3,7 +3,6 @@
 #include <optional>
 #include <utility>
 
-#include "addons/certified/proofs.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/closing.hpp"

@@ -16,15 +16,15 @@ Eigen::SparseMatrix<double> stiffness_of_cells(const BodyModel& body, Index firs
   if (count == 0) return {body.unknowns.count, body.unknowns.count};
   Mesh part = body.mesh;
   part.cells = body.mesh.cells.middleRows(first, count).eval();
-  Matter matter = body.material;
-  matter.temperature = {};
-  if (const auto begin = matter.layer_of.begin() + first; !matter.layer_of.empty())
-    matter.layer_of = {begin, begin + count};
+  MaterialField material = body.material;
+  material.eigenstrain = {};
+  if (const auto begin = material.number_of.begin() + first; !material.number_of.empty())
+    material.number_of = {begin, begin + count};
   bool triangles = true;  // beside the quadrilaterals of other shares
   for (Index cell = 0; cell < count; ++cell) triangles = triangles && part.corners(cell) == 3;
   const bool beside = triangles && body.element.corners() != 3;
   Eigen::SparseMatrix<double> K;
-  assemble(part, beside ? triangle_beside(part) : body.element, matter, body.unknowns, {})
+  assemble(part, beside ? triangle_beside(part) : body.element, material, body.unknowns, {})
       .stiffness.swap(K);  // a move would copy it
   return K;
 }
@@ -132,7 +132,7 @@ std::vector<std::string> contact_names(const std::vector<BodyModel>& bodies,
   return names;
 }
 
-bool is_axial(const BodyModel& body) { return body.material.bulk.state == PlaneState::Axial; }
+bool is_axial(const BodyModel& body) { return body.material.base.state == PlaneState::Axial; }
 
 Eigen::Vector2d sum_of_forces(const BodyModel& body, const NodeArray& forces) {
   Eigen::Vector2d sum = forces.colwise().sum().transpose();

@@ -60,9 +60,9 @@ std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
   for (const BodyModel& body : bodies)
     for (FreeMotion& mode :
          body.springs.rows() == 0
-             ? free_motions(body.mesh, body.pieces, body.unknowns, body.material.bulk.state)
+             ? free_motions(body.mesh, body.pieces, body.unknowns, body.material.base.state)
              : free_motions(body.mesh, body.pieces, held_by_springs(body),
-                            body.material.bulk.state)) {
+                            body.material.base.state)) {
       const Eigen::VectorXd own = std::move(mode.shape);
       mode.shape.setZero(last.first_unknown + last.unknowns.count);
       mode.shape.segment(body.first_unknown, own.size()) = own;

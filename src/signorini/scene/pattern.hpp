@@ -4,9 +4,9 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "addons/certified/systems.hpp"
 #include "addons/frontal/fronts.hpp"
 #include "signorini/core/alignment.hpp"
+#include "signorini/problem/systems.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {

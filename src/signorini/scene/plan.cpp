@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "addons/checks/doubts.hpp"
-#include "addons/effects/regions.hpp"
 #include "signorini/core/bytes.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/fem/regions.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/motions.hpp"

@@ -48,7 +48,7 @@ Sample sample_of(const Plan& plan, Index stiffness_entries) {
     {
       const Ledger::Phase phase(assembly, "assembly");
       LinearSystem system =
-          assemble(part, body.element, body.material.bulk, number_unknowns(part, {}), {});
+          assemble(part, body.element, body.material.base, number_unknowns(part, {}), {});
       programme.stiffness.swap(system.stiffness);
       programme.load.swap(system.load);
     }

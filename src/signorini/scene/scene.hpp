@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "addons/effects/springs.hpp"
 #include "signorini/contact/friction_laws.hpp"
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/contact/gaps.hpp"
@@ -17,6 +16,33 @@
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {
+
+/// A part of a body that is of another material.
+struct Layer {
+  std::string region;  ///< name in Mesh::regions
+  Material material;   ///< of the cells of that region
+};
+
+/// How much warmer a body is than where it is free of stress:
+/// \f$ \Delta T(x) = \Delta T_0 + \nabla T \cdot x \f$.
+struct Temperature {
+  double uniform = 0;                                  ///< at the origin [temperature]
+  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [temperature/length]
+  std::string history = {};  ///< name of what it grows with, see Path; empty: it is always there
+
+  /// \param x  a place [length] \return how much warmer it is there [temperature]
+  [[nodiscard]] double at(const Eigen::Vector2d& x) const { return uniform + gradient.dot(x); }
+  /// \return whether it is not zero everywhere
+  [[nodiscard]] bool warms() const { return uniform != 0 || (gradient.array() != 0).any(); }
+};
+
+/// Springs between a body and the ground, at rest where nothing moves.
+struct Spring {
+  std::string boundary;                                 ///< all along it
+  Eigen::Vector2d stiffness = Eigen::Vector2d::Zero();  ///< in x and y, >= 0 [force/length^3]
+  /// One node of the boundary [length]; the stiffness is then in [force/length].
+  std::optional<Eigen::Vector2d> only_at = {};
+};
 
 /// An elastic body, what holds it and what loads it. The name of its mesh is the name of the body.
 struct Body {

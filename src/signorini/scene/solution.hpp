@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "addons/certified/shared_forces.hpp"
-#include "addons/checks/joints.hpp"
 #include "addons/frontal/backend.hpp"
 #include "addons/steps/path.hpp"
 #include "signorini/contact/pairs.hpp"
@@ -15,6 +14,7 @@
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/free_motions.hpp"
+#include "signorini/fem/joints.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
@@ -24,7 +24,7 @@ namespace signorini {
 struct BodyModel {
   Mesh mesh;                   ///< of the scene
   Element element;             ///< found by its name
-  Matter material;             ///< of its cells
+  MaterialField material;      ///< of its cells
   Loads loads;                 ///< of the scene
   Unknowns unknowns;           ///< of this body, numbered from 0
   Eigen::Index first_node;     ///< number of its first node among those of all bodies

@@ -40,7 +40,7 @@ void price(const SpinningScene& spinning, Plan& draft) {
          spin.density, "; leave the spin out if there is no mass");
     pose(std::isfinite(spin.speed) && spin.centre.allFinite(), what,
          "speed and centre must be finite");
-    pose(draft.bodies[b].material.bulk.state != PlaneState::Axial || spin.centre.x() == 0, what,
+    pose(draft.bodies[b].material.base.state != PlaneState::Axial || spin.centre.x() == 0, what,
          "a body of revolution turns about its axis x = 0, not about x = ", spin.centre.x());
     draft.on.push_back(text(what, "speed ", spin.speed, ", density ", spin.density));
   }
@@ -50,7 +50,7 @@ void add(const SpinningScene& spinning, Model& model) {
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (!spins(spinning.spin[b])) continue;
     BodyModel& body = model.bodies[b];
-    const VectorField force = centrifugal(*spinning.spin[b], body.material.bulk.state);
+    const VectorField force = centrifugal(*spinning.spin[b], body.material.base.state);
     const NodeArray nodal =
         nodal_loads(body.mesh, body.element, body.material, Loads{force, {}, {}});
     for (Eigen::Index node = 0; node < body.mesh.n_nodes(); ++node)

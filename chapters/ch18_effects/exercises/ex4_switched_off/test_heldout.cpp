@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "addons/effects/regions.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/fem/block.hpp"
+#include "signorini/fem/regions.hpp"
 #include "signorini/scene/effects.hpp"
 
 using ex18_4::without;

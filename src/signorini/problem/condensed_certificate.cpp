@@ -6,6 +6,7 @@
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/exact_sum.hpp"
+#include "signorini/problem/exact_vector.hpp"
 
 namespace signorini {
 namespace {
@@ -115,6 +116,13 @@ Certificate figures(const ProblemBlocks& problem, const Claim& claim) {
   return certificate;
 }
 
+/// A^T y for the first rows of A.
+VectorXd combined(const MatrixXd& A, const VectorXd& y) {
+  ExactVector sums(VectorXd::Zero(A.cols()));
+  sums.add_products(A, y);
+  return sums.value();
+}
+
 VectorXd stacked(const VectorXd& top, const VectorXd& bottom) {
   VectorXd both(top.size() + bottom.size());
   both << top, bottom;
@@ -158,6 +166,31 @@ Certificate certify(const ContactProblem& problem, const ContactState& state) {
       ProblemBlocks{problem.compliance, free_movement(problem), problem.law, problem.rigid,
                     problem.resultant},
       Claim{stacked(state.force, state.friction), stacked(state.gap, state.slip), state.amplitude});
+}
+
+bool refutes(const ContactProblem& problem, const VectorXd& y) {
+  const VectorXd& d = problem.free_gap;
+  if (y.size() != d.size() || y.size() == 0 || !y.allFinite() || (y.array() < 0).any())
+    return false;
+  ExactSum overlap;
+  for (Index i = 0; i < y.size(); ++i) overlap.add_product(-d(i), y(i));
+  const double lost = static_cast<double>(y.size()) * proof_rounding * d.cwiseAbs().dot(y);
+  if (!(overlap.value() > lost)) return false;
+  const VectorXd scale = row_scales(problem.compliance, problem.rigid, free_movement(problem));
+  const VectorXd scaled = y.cwiseQuotient(scale.head(y.size()));
+  if (problem.rigid.cols() > 0) {
+    const VectorXd terms = problem.rigid.topRows(y.size()).cwiseAbs().transpose() * y;
+    const VectorXd moved = combined(problem.rigid, y).cwiseAbs();
+    if ((moved.array() > proof_rounding * terms.array()).any()) return false;
+  }
+  const double deepest = -d.cwiseProduct(scale.head(y.size())).minCoeff();
+  VectorXd moved = combined(problem.compliance, y).cwiseProduct(scale);
+  // Friction pushes either way, contact only one; but what is symmetric is semidefinite, to rounding.
+  const Index signless = is_symmetric(problem) ? moved.size() : moved.size() - y.size();
+  moved.tail(signless) = moved.tail(signless).cwiseAbs();
+  const double most = std::max(0.0, moved.maxCoeff());
+  return most <= proof_rounding * scaled.sum() &&
+         most * deepest < overlap.value() * std::sqrt(epsilon);
 }
 
 }  // namespace signorini

@@ -1,9 +1,9 @@
 // Parts of a body by name.
 #include <limits>
 
-#include "addons/effects/regions.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/block.hpp"
+#include "signorini/fem/regions.hpp"
 #include "support/message.hpp"
 
 using Eigen::Index;

@@ -2,12 +2,12 @@
 #include <numeric>
 #include <set>
 
-#include "addons/checks/joints.hpp"
 #include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
 #include "meshes/disc.hpp"
 #include "meshes/half_space.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/fem/joints.hpp"
 #include "support/loose_meshes.hpp"
 #include "support/random.hpp"
 

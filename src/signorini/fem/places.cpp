@@ -1,12 +1,12 @@
-#include "addons/effects/places.hpp"
+#include "signorini/fem/places.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
-#include "addons/checks/joints.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/fem/joints.hpp"
 
 namespace signorini {
 namespace {

@@ -1,4 +1,4 @@
-#include "addons/effects/regions.hpp"
+#include "signorini/fem/regions.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "addons/certified/sparse_lu.hpp"
+#include "signorini/core/sparse_lu.hpp"
 
 #include <Eigen/SparseLU>
 

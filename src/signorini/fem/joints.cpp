@@ -1,4 +1,4 @@
-#include "addons/checks/joints.hpp"
+#include "signorini/fem/joints.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -199,17 +199,17 @@ std::string in_words(const Mesh& mesh, const MeshPiece& piece) {
 
 std::vector<CellSide> outer_sides(const Mesh& mesh) {
   const std::vector<char> outer = on_outline(mesh);
-  struct OuterEdge {
+  struct CellEdge {
     Index low, high;  // its nodes
     CellSide side;
   };
-  std::vector<OuterEdge> edges;  // all those between nodes of the outline
+  std::vector<CellEdge> edges;  // all those between nodes of the outline
   for (Index cell = 0; cell < mesh.n_cells(); ++cell)
     visit_edges(mesh, cell, [&](int side, Index first, Index last) {
       if (outer[at(first)] != 0 && outer[at(last)] != 0)
         edges.push_back({std::min(first, last), std::max(first, last), {cell, side}});
     });
-  std::sort(edges.begin(), edges.end(), [](const OuterEdge& a, const OuterEdge& b) {
+  std::sort(edges.begin(), edges.end(), [](const CellEdge& a, const CellEdge& b) {
     return std::pair(a.low, a.high) < std::pair(b.low, b.high);
   });
   std::vector<CellSide> sides;

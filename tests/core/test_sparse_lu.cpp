@@ -1,9 +1,9 @@
 #include <vector>
 
-#include "addons/certified/sparse_lu.hpp"
 #include "catch_compat.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/random.hpp"
+#include "signorini/core/sparse_lu.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

@@ -1,4 +1,4 @@
-#include "addons/certified/systems.hpp"
+#include "signorini/problem/systems.hpp"
 
 #include <algorithm>
 #include <cmath>
