@@ -22,10 +22,10 @@ help:                     ## list what there is
 configure:
 	@cmake --preset release --log-level=NOTICE > /dev/null
 run: configure            ## run every chapter, draw its figures into build/out, print the summary, make the book
-	@rm -f $B/out/*/nanoseconds
-	@cmake --build $B -j $(JOBS) --target run_$(firstword $(PROGRAMS))  # alone, so that the first figure is there first
-	@status=0; cmake --build $B -j $(JOBS) --target run_chapters signorini_command -- -k || status=1; \
-	    echo; perl tools/summary.pl $B/out || status=1; echo; \
+	@rm -f $B/out/*/seconds
+	@status=0; cmake --build $B -j $(JOBS) --target run_$(firstword $(PROGRAMS)) || status=1; \
+	    cmake --build $B -j $(JOBS) --target run_chapters signorini_command -- -k || status=1; \
+	    echo; perl tools/summary.pl $B/out $(PROGRAMS) || status=1; echo; \
 	    if command -v doxygen > /dev/null && [ -f /usr/share/javascript/mathjax/MathJax.js ]; then \
 	        tools/docs.sh $B/book && echo "open $B/book/index.html" || status=1; \
 	    else echo "the book is left out, for want of doxygen and MathJax: tools/setup.sh book, then make book"; fi; exit $$status

@@ -28,9 +28,8 @@ foreach(dir IN LISTS folders)
   list(PREPEND programs ${dir}/${topic}.cpp)
   set(out ${PROJECT_BINARY_DIR}/out/${name})
   set(batch ${PROJECT_BINARY_DIR}/batches/${name}.cpp)
-  add_custom_command(OUTPUT ${batch} DEPENDS ${programs} ${tools}/batch.pl VERBATIM
-    COMMAND ${PERL_EXECUTABLE} ${tools}/batch.pl ${batch} --main ${name} ${programs})
-  # Compiled whether or not the library is: it is only linked that waits.
+  signorini_batch(${batch} "${programs}" --main ${name})
+  # Only linking needs the library.  With OPTIMIZE_DEPENDENCIES the chapters compile while the library does.
   add_library(${name}_programs OBJECT ${batch})
   set_target_properties(${name}_programs PROPERTIES OPTIMIZE_DEPENDENCIES ON)
   add_executable(${name} $<TARGET_OBJECTS:${name}_programs>)
@@ -55,20 +54,14 @@ foreach(dir IN LISTS folders)
   endif()
   list(APPEND chapter_names ${name})
 
-  # What takes long is a test of its own, `ctest -C long`: without it committed results stand for themselves.
-  set(committed "")
-  foreach(program IN LISTS programs)
-    file(STRINGS ${program} long REGEX "^// Takes longer than 5 s")
-    if(long)
-      set(committed ${dir})
-    endif()
-  endforeach()
-  if(committed)
+  # What takes long is a test of its own, `ctest -C long -L long`: chNN/run leaves it out and takes its committed results.
+  execute_process(COMMAND ${PERL_EXECUTABLE} ${tools}/batch.pl --long ${programs} OUTPUT_VARIABLE long COMMAND_ERROR_IS_FATAL ANY)
+  if(long)
     add_test(NAME ${name}/long COMMAND sh -c "'${tools}/chapter.sh' run '$<TARGET_FILE:${name}>' '${out}_long' && \
       '${PERL_EXECUTABLE}' '${tools}/compare.pl' '${dir}' '${out}_long'" CONFIGURATIONS long)
-    set_tests_properties(${name}/long PROPERTIES LABELS chapter TIMEOUT 600)
+    set_tests_properties(${name}/long PROPERTIES LABELS "chapter;long" TIMEOUT 600)
   endif()
-  add_test(NAME ${name}/run COMMAND ${tools}/chapter.sh run $<TARGET_FILE:${name}> ${out} ${committed})
+  add_test(NAME ${name}/run COMMAND ${tools}/chapter.sh run $<TARGET_FILE:${name}> ${out} ${dir})
   set_tests_properties(${name}/run PROPERTIES FIXTURES_SETUP ${name} LABELS chapter TIMEOUT 600)
   add_test(NAME ${name}/results COMMAND ${PERL_EXECUTABLE} ${tools}/compare.pl ${dir} ${out})
   set_tests_properties(${name}/results PROPERTIES FIXTURES_REQUIRED ${name} LABELS chapter)
