@@ -15,12 +15,15 @@ ifeq ($(filter-out ex%,$(or $(MAKECMDGOALS),all)),)
 MAKEFLAGS += --question
 endif
 
+# What a build leaves out is said where everything is built.
+LOG := WARNING
+all test: LOG := NOTICE
 all: configure            ## compile everything (the default)
 	@cmake --build $B -j $(JOBS)
 help:                     ## list what there is
 	@sed -n 's/^\([a-z][a-zA-Z0-9.%-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | sed 's/ch%/ch06/; s/ex%/ex6.1/' | expand -t 16
 configure:
-	@cmake --preset release --log-level=NOTICE > /dev/null
+	@cmake --preset release --log-level=$(LOG) > /dev/null
 run: configure            ## run every chapter, draw its figures into build/out, print the summary, make the book
 	@rm -f $B/out/*/seconds
 	@status=0; cmake --build $B -j $(JOBS) --target run_$(firstword $(PROGRAMS)) || status=1; \
