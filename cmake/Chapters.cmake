@@ -6,9 +6,11 @@
 #   chNN/figures  gnuplot draws every figure from the fresh curves without a warning, and the committed
 #                 pictures were drawn from the committed curves
 #   chNN/text     the text quotes the committed numbers, tables and code
-# `ctest -R ch06/` runs one chapter.  The target `chapters` compiles all of them and nothing else.
+# `ctest -R ch06/` runs one chapter.  The target `chapters` compiles all of them and nothing else, `alone` lets the compiler
+# read each program as the file that it is, without writing code.
 find_program(GNUPLOT gnuplot)
 add_custom_target(chapters)
+add_custom_target(alone)  # programs one by one and the tests of exercises apart: none may live on what another one of its batch includes
 add_custom_target(run_chapters)  # all but the first; one runs while the next is compiled
 
 file(GLOB folders LIST_DIRECTORIES true CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*)
@@ -44,9 +46,16 @@ foreach(dir IN LISTS folders)
     endif()
   endforeach()
   target_link_libraries(${name} PRIVATE ${library})
-  target_link_libraries(${name}_programs PRIVATE ${library} signorini_warnings signorini_light)
-  target_include_directories(${name}_programs PRIVATE ${PROJECT_SOURCE_DIR}/tests)  # for scenes that tests share
-  target_compile_definitions(${name}_programs PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
+  add_library(${name}_alone OBJECT EXCLUDE_FROM_ALL ${programs})
+  foreach(target ${name}_programs ${name}_alone)
+    target_link_libraries(${target} PRIVATE ${library} signorini_warnings)
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)  # for scenes that tests share
+    target_compile_definitions(${target} PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
+  endforeach()
+  target_link_libraries(${name}_programs PRIVATE signorini_light)
+  target_compile_options(${name}_alone PRIVATE -fsyntax-only)
+  signorini_precompiled(${name}_alone)
+  add_dependencies(alone ${name}_alone)
   add_dependencies(chapters ${name})
   add_custom_target(run_${name} COMMAND ${tools}/chapter.sh show $<TARGET_FILE:${name}> ${out} ${dir} VERBATIM)
   if(chapter_names)  # the first has run before
