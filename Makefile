@@ -15,17 +15,20 @@ ifeq ($(filter-out ex%,$(or $(MAKECMDGOALS),all)),)
 MAKEFLAGS += --question
 endif
 
+# What a build leaves out is said where everything is built.
+LOG := WARNING
+all test: LOG := NOTICE
 all: configure            ## compile everything (the default)
 	@cmake --build $B -j $(JOBS)
 help:                     ## list what there is
 	@sed -n 's/^\([a-z][a-zA-Z0-9.%-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | sed 's/ch%/ch06/; s/ex%/ex6.1/' | expand -t 16
 configure:
-	@cmake --preset release --log-level=NOTICE > /dev/null
+	@cmake --preset release --log-level=$(LOG) > /dev/null
 run: configure            ## run every chapter, draw its figures into build/out, print the summary, make the book
-	@rm -f $B/out/*/nanoseconds
-	@cmake --build $B -j $(JOBS) --target run_$(firstword $(PROGRAMS))  # alone, so that the first figure is there first
-	@status=0; cmake --build $B -j $(JOBS) --target run_chapters signorini_command -- -k || status=1; \
-	    echo; perl tools/summary.pl $B/out || status=1; echo; \
+	@rm -f $B/out/*/seconds
+	@status=0; cmake --build $B -j $(JOBS) --target run_$(firstword $(PROGRAMS)) || status=1; \
+	    cmake --build $B -j $(JOBS) --target run_chapters signorini_command -- -k || status=1; \
+	    echo; perl tools/summary.pl $B/out $(PROGRAMS) || status=1; echo; \
 	    if command -v doxygen > /dev/null && [ -f /usr/share/javascript/mathjax/MathJax.js ]; then \
 	        tools/docs.sh $B/book && echo "open $B/book/index.html" || status=1; \
 	    else echo "the book is left out, for want of doxygen and MathJax: tools/setup.sh book, then make book"; fi; exit $$status

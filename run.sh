@@ -1,6 +1,6 @@
 #!/bin/sh
-# ./run.sh       sets up a fresh Debian or Ubuntu, builds, runs every chapter and draws its figures
-# ./run.sh test  the same set-up, then every test
+# ./run.sh       sets up a fresh Debian or Ubuntu, compiles, runs every chapter, draws its figures, and makes the book if Doxygen is there
+# ./run.sh test  the same set-up, then compiles and runs every test
 # ./run.sh help  this text; afterwards `make help` lists the daily commands
 set -eu
 cd "$(dirname "$0")"

@@ -1,7 +1,8 @@
 # Files that are compiled as one: what they all include is read once.
 
-# The sources of a folder of the library, at most ten files at a time.  The table of a family stays alone, because a program may be linked with
-# one of its own; and so do the factorisations of Eigen, which take longest.
+# The sources of a folder of the library, at most ten files at a time.  These stay alone: the table of a family, because a program may be
+# linked with one of its own; backend.cpp, because it is compiled with a definition of its own, cmake/Backends.cmake; and the factorisations
+# of Eigen, because they take longest.
 function(signorini_unity_batches)
   foreach(source IN LISTS ARGN)
     if(source MATCHES "/(elements|gap_operators|solver_table|effects|backends|backend|core/dense[a-z_]*)\\.cpp$")
@@ -15,8 +16,14 @@ function(signorini_unity_batches)
   endforeach()
 endfunction()
 
-# Sources, `size` at a time, each in a namespace of its own: file names of what is compiled instead.
-find_package(Perl REQUIRED)
+# `batch`, a file that compiles others as one, each in a namespace of its own: `files`, and in ARGN options of tools/batch.pl.
+function(signorini_batch batch files)
+  find_package(Perl REQUIRED)
+  add_custom_command(OUTPUT ${batch} DEPENDS ${files} ${PROJECT_SOURCE_DIR}/tools/batch.pl VERBATIM
+    COMMAND ${PERL_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/batch.pl ${batch} ${ARGN} ${files})
+endfunction()
+
+# The sources in ARGN, `size` at a time: into `batches` go the names of what is compiled instead.
 function(signorini_in_batches batches name size)
   set(result "")
   set(number 0)
@@ -25,11 +32,9 @@ function(signorini_in_batches batches name size)
     list(REMOVE_ITEM ARGN ${files})
     math(EXPR number "${number} + 1")
     set(batch ${PROJECT_BINARY_DIR}/batches/${name}_${number}.cpp)
-    add_custom_command(OUTPUT ${batch} DEPENDS ${files} ${PROJECT_SOURCE_DIR}/tools/batch.pl VERBATIM
-      COMMAND ${PERL_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tools/batch.pl ${batch} ${files})
+    signorini_batch(${batch} "${files}")
     list(APPEND result ${batch})
   endwhile()
-  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/batches)
   set(${batches} ${result} PARENT_SCOPE)
 endfunction()
 

@@ -6,9 +6,11 @@
 #   chNN/figures  gnuplot draws every figure from the fresh curves without a warning, and the committed
 #                 pictures were drawn from the committed curves
 #   chNN/text     the text quotes the committed numbers, tables and code
-# `ctest -R ch06/` runs one chapter.  The target `chapters` compiles all of them and nothing else.
+# `ctest -R ch06/` runs one chapter.  The target `chapters` compiles all of them and nothing else, `alone` lets the compiler
+# read each program as the file that it is, without writing code.
 find_program(GNUPLOT gnuplot)
 add_custom_target(chapters)
+add_custom_target(alone)  # programs one by one and the tests of exercises apart: none may live on what another one of its batch includes
 add_custom_target(run_chapters)  # all but the first; one runs while the next is compiled
 
 file(GLOB folders LIST_DIRECTORIES true CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*)
@@ -28,9 +30,8 @@ foreach(dir IN LISTS folders)
   list(PREPEND programs ${dir}/${topic}.cpp)
   set(out ${PROJECT_BINARY_DIR}/out/${name})
   set(batch ${PROJECT_BINARY_DIR}/batches/${name}.cpp)
-  add_custom_command(OUTPUT ${batch} DEPENDS ${programs} ${tools}/batch.pl VERBATIM
-    COMMAND ${PERL_EXECUTABLE} ${tools}/batch.pl ${batch} --main ${name} ${programs})
-  # Compiled whether or not the library is: it is only linked that waits.
+  signorini_batch(${batch} "${programs}" --main ${name})
+  # Only linking needs the library.  With OPTIMIZE_DEPENDENCIES the chapters compile while the library does.
   add_library(${name}_programs OBJECT ${batch})
   set_target_properties(${name}_programs PROPERTIES OPTIMIZE_DEPENDENCIES ON)
   add_executable(${name} $<TARGET_OBJECTS:${name}_programs>)
@@ -45,9 +46,16 @@ foreach(dir IN LISTS folders)
     endif()
   endforeach()
   target_link_libraries(${name} PRIVATE ${library})
-  target_link_libraries(${name}_programs PRIVATE ${library} signorini_warnings signorini_light)
-  target_include_directories(${name}_programs PRIVATE ${PROJECT_SOURCE_DIR}/tests)  # for scenes that tests share
-  target_compile_definitions(${name}_programs PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
+  add_library(${name}_alone OBJECT EXCLUDE_FROM_ALL ${programs})
+  foreach(target ${name}_programs ${name}_alone)
+    target_link_libraries(${target} PRIVATE ${library} signorini_warnings)
+    target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)  # for scenes that tests share
+    target_compile_definitions(${target} PRIVATE SIGNORINI_CHAPTER_OUT="${out}" SIGNORINI_CHAPTER_DATA="${dir}")
+  endforeach()
+  target_link_libraries(${name}_programs PRIVATE signorini_light)
+  target_compile_options(${name}_alone PRIVATE -fsyntax-only)
+  signorini_precompiled(${name}_alone)
+  add_dependencies(alone ${name}_alone)
   add_dependencies(chapters ${name})
   add_custom_target(run_${name} COMMAND ${tools}/chapter.sh show $<TARGET_FILE:${name}> ${out} ${dir} VERBATIM)
   if(chapter_names)  # the first has run before
@@ -55,20 +63,14 @@ foreach(dir IN LISTS folders)
   endif()
   list(APPEND chapter_names ${name})
 
-  # What takes long is a test of its own, `ctest -C long`: without it committed results stand for themselves.
-  set(committed "")
-  foreach(program IN LISTS programs)
-    file(STRINGS ${program} long REGEX "^// Takes longer than 5 s")
-    if(long)
-      set(committed ${dir})
-    endif()
-  endforeach()
-  if(committed)
+  # What takes long is a test of its own, `ctest -C long -L long`: chNN/run leaves it out and takes its committed results.
+  execute_process(COMMAND ${PERL_EXECUTABLE} ${tools}/batch.pl --long ${programs} OUTPUT_VARIABLE long COMMAND_ERROR_IS_FATAL ANY)
+  if(long)
     add_test(NAME ${name}/long COMMAND sh -c "'${tools}/chapter.sh' run '$<TARGET_FILE:${name}>' '${out}_long' && \
       '${PERL_EXECUTABLE}' '${tools}/compare.pl' '${dir}' '${out}_long'" CONFIGURATIONS long)
-    set_tests_properties(${name}/long PROPERTIES LABELS chapter TIMEOUT 600)
+    set_tests_properties(${name}/long PROPERTIES LABELS "chapter;long" TIMEOUT 600)
   endif()
-  add_test(NAME ${name}/run COMMAND ${tools}/chapter.sh run $<TARGET_FILE:${name}> ${out} ${committed})
+  add_test(NAME ${name}/run COMMAND ${tools}/chapter.sh run $<TARGET_FILE:${name}> ${out} ${dir})
   set_tests_properties(${name}/run PROPERTIES FIXTURES_SETUP ${name} LABELS chapter TIMEOUT 600)
   add_test(NAME ${name}/results COMMAND ${PERL_EXECUTABLE} ${tools}/compare.pl ${dir} ${out})
   set_tests_properties(${name}/results PROPERTIES FIXTURES_REQUIRED ${name} LABELS chapter)
@@ -77,6 +79,9 @@ foreach(dir IN LISTS folders)
     set_tests_properties(${name}/figures PROPERTIES FIXTURES_REQUIRED ${name} LABELS "chapter;figure")
   endif()
 endforeach()
+if(NOT GNUPLOT)
+  signorini_left_out("chNN/figures" "no gnuplot: tools/setup.sh build")
+endif()
 
 file(GLOB texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/README.md)
 foreach(text IN LISTS texts)

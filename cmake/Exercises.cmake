@@ -2,15 +2,18 @@
 #   exN.K/solution, exN.K/solution-heldout   the reference solution passes both test files
 #   exN.K/starter                            attempt.cpp compiles with both and fails a check of the first
 # All of them are two programs, exercise_solutions and exercise_starters, whose tests begin with the name of the exercise.
-# Your own answer is compiled and checked alone, by `make exN.K` (tools/exercise.sh).  For those who collect answers the same are tests:
+# Your own answer is compiled and checked alone, by `make exN.K` (tools/exercise.sh).  Since it stands in attempt.cpp, a right one fails
+# exN.K/starter, and one that does not compile stops `make`, with a message that names its file; names may be the same in several answers.
+# For those who collect answers the same are tests:
 #   exN.K/answer, then exN.K/answer-heldout  the held-out tests open when the first ones pass
-# They exist only for `ctest -C answer`, so that `make test` does not depend on half an answer.
+# They exist only for `ctest -C answer`.
 # Exercises whose test.cpp includes support/problem_classes.hpp, for answers that are solvers, are linked with it.
 # A hand-out has neither solutions nor held-out tests: there only exN.K/answer is left.
 set(exercises_from ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*/exercises/ex*)
 file(GLOB exercise_headers CONFIGURE_DEPENDS ${exercises_from}/exercise.hpp)
 file(GLOB exercise_heldout CONFIGURE_DEPENDS ${exercises_from}/test_heldout.cpp)
 file(GLOB exercise_solutions CONFIGURE_DEPENDS ${exercises_from}/solution.cpp)
+set(exercises_proven "")  # folders of those that have both
 
 # What their tests found is told to tools/judge.pl.
 add_library(exercise_judge OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/tools/judged.cpp)
@@ -64,8 +67,7 @@ function(signorini_exercise dir)
     add_test(NAME ${ex}/starter COMMAND perl ${PROJECT_SOURCE_DIR}/tools/judge.pl starter $<TARGET_FILE:exercise_starters>
              "${ex} *" "~${ex} held out*")
     set_tests_properties(${ex}/starter PROPERTIES LABELS "exercise;starter" TIMEOUT 120)
-    list(APPEND exercise_tests ${dir}/test.cpp ${heldout})
-    set(exercise_tests ${exercise_tests} PARENT_SCOPE)
+    set(exercises_proven ${exercises_proven} ${dir} PARENT_SCOPE)
   endif()
 
   list(TRANSFORM signorini_folders PREPEND signorini_ OUTPUT_VARIABLE libraries)
@@ -101,24 +103,31 @@ set(some_tests "")
 if(Catch2_VERSION VERSION_LESS 3)
   set(some_tests -w NoTests)
 endif()
-set(exercise_tests "")
 foreach(header IN LISTS exercise_headers)
   get_filename_component(dir ${header} DIRECTORY)
   signorini_exercise(${dir})
 endforeach()
-if(exercise_solutions AND exercise_tests)
+if(exercises_proven)
   add_custom_target(exercises ALL)
+  list(TRANSFORM exercises_proven REPLACE "(.+)" "\\1/test.cpp;\\1/test_heldout.cpp" OUTPUT_VARIABLE exercise_tests)
+  list(TRANSFORM exercises_proven APPEND "/solution.cpp" OUTPUT_VARIABLE solutions)
+  list(TRANSFORM exercises_proven APPEND "/attempt.cpp" OUTPUT_VARIABLE attempts)
   signorini_in_batches(batches exercise_tests 16 ${exercise_tests})
   add_library(all_exercise_tests OBJECT ${batches})
   signorini_checks(all_exercise_tests)
-  foreach(kind solution attempt)
-    string(REGEX REPLACE "/exercise\\.hpp" "/${kind}.cpp" answers "${exercise_headers}")
-    set(program exercise_solutions)
-    if(kind STREQUAL attempt)
-      set(program exercise_starters)
-    endif()
-    add_executable(${program} $<TARGET_OBJECTS:exercise_judge> $<TARGET_OBJECTS:all_exercise_tests> ${answers})
-    set_target_properties(${program} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  # Both tests of an exercise without those of others, as `make exN.K` compiles them, but for the code.
+  signorini_in_batches(pairs exercise_alone 2 ${exercise_tests})
+  add_library(exercises_alone OBJECT EXCLUDE_FROM_ALL ${pairs})
+  signorini_checks(exercises_alone)
+  target_compile_options(exercises_alone PRIVATE -fsyntax-only)
+  if(TARGET alone)
+    add_dependencies(alone exercises_alone)
+  endif()
+  add_executable(exercise_solutions ${solutions})
+  set_target_properties(exercise_solutions PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  add_executable(exercise_starters ${attempts})
+  foreach(program exercise_solutions exercise_starters)
+    target_sources(${program} PRIVATE $<TARGET_OBJECTS:exercise_judge> $<TARGET_OBJECTS:all_exercise_tests>)
     signorini_checks(${program})
     target_link_libraries(${program} PRIVATE problem_classes)
     add_dependencies(exercises ${program})

@@ -22,7 +22,7 @@ check)
     [ -n "$folder" ] || { echo "no exercise $exercise; there are:$known" >&2; exit 2; }
     unset MFLAGS MAKELEVEL  # of the make that asks are not for the one that compiles, nor are its flags
     export MAKEFLAGS=--no-print-directory
-    cmake --preset release --log-level=NOTICE > /dev/null || exit 2
+    cmake --preset release --log-level=WARNING > /dev/null || exit 2
     compile() { cmake --build "$3" -j "${JOBS:-$(nproc)}" --target "$exercise"; }
     # Shows what the compiler says, and progress where the library has to be compiled as well.
     { compile "$@" 2>&1 || echo "exercise.sh: stopped"; } | awk '

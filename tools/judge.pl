@@ -174,7 +174,7 @@ if (!caller) {
     $| = 1;
     if (@ARGV > 1 && $ARGV[0] eq 'starter') { exit starter([File::Spec->rel2abs($ARGV[1]), @ARGV[2 .. $#ARGV]]) }
     if (@ARGV == 3 || @ARGV == 4) { exit judge(@ARGV[0, 1], map { File::Spec->rel2abs($_) } @ARGV[2 .. $#ARGV]) }
-    print STDERR "judge.pl ex6.1 FILE TESTS [HELDOUT], or judge.pl starter PROGRAM\n";
+    print STDERR "judge.pl ex6.1 FILE TESTS [HELDOUT], or judge.pl starter PROGRAM [TESTS ...]\n";
     exit 2;
 }
 1;

@@ -1,7 +1,8 @@
 #!/usr/bin/env perl
-# summary.pl OUT [chNN ...]: the last lines of a run, one per chapter: its headline number beside the
-# reference value, the seconds of the program and the first figure.  Reads OUT/chNN/chNN.results and
-# OUT/chNN/nanoseconds; the headline is the line  # headline KEY REFERENCE SOURCE WORDS ...
+# summary.pl OUT [chNN ...]: the last lines of a run, one per chapter: its headline number beside the reference value, the processor
+# seconds of the program, or "committed" if it was left out and the number is the committed one, and the first figure.  Reads
+# OUT/chNN/chNN.results, /seconds and /left_out, see tools/chapter.sh; the headline is the line  # headline KEY REFERENCE SOURCE WORDS ...
+# A chapter without results or seconds has failed, or has not run: its line says so, and the exit status is 1.
 use strict;
 use warnings;
 use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
@@ -9,20 +10,29 @@ use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
 my ($out, @only) = @ARGV;
 binmode STDOUT, ':utf8';
 defined $out or die "usage: summary.pl OUT [chNN ...]\n";
-my @row = (['chapter', 'headline number', 'reference', 'deviation', 'seconds', 'figure']);
+my @row = (['chapter', 'headline number', 'reference', 'deviation', 'processor seconds', 'figure']);
+my $failed = 0;
 
-for my $folder (grep { -d } glob "$out/ch[0-9][0-9]") {
-    my ($id) = $folder =~ /(ch\d\d)$/;
-    next if @only && !grep { $_ eq $id } @only;
-    open my $in, '<:utf8', "$folder/$id.results" or die "$folder/$id.results: $!\n";
+sub first_line { my ($file) = @_; open my $in, '<', $file or return undef; return scalar <$in> }
+
+my @chapters = @only ? @only : map { /(ch\d\d)$/ } grep { -d } glob "$out/ch[0-9][0-9]";
+for my $id (@chapters) {
+    my $folder  = "$out/$id";
+    my $seconds = first_line("$folder/seconds");
+    my $in;
+    if (!defined $seconds || !open $in, '<:utf8', "$folder/$id.results") {
+        push @row, [$id, 'failed', '-', '-', '-', '-'];
+        $failed = 1;
+        next;
+    }
+    $seconds = sprintf '%.2f', $seconds;
+    if (open my $left, '<', "$folder/left_out") { $seconds = 'committed' if grep { / \Q$id\E\.results\b/ } <$left> }
     my (%value, @headline);
     while (<$in>) {
         if    (/^# headline (\S+) (\S+) ?(.*)/) { push @headline, [$1, $2, $3] }
         elsif (/^([^#\s]\S*) (\S+) (\S+)/)      { $value{$1} = [$2, $3 eq '-' ? '' : " $3"] }
     }
     close $in;
-    my $seconds = '';
-    if (open my $t, '<', "$folder/nanoseconds") { $seconds = sprintf '%.2f', <$t> / 1e9 }
     my ($figure) = sort { length $a <=> length $b || $a cmp $b } glob "$folder/fig_*.svg";
     my @line = ($id, $seconds, $figure // '');
     for my $h (@headline) {
@@ -45,3 +55,4 @@ for my $r (@row) {
     print $line =~ s/\s+$//r, "\n";
     print '-' x length $line, "\n" if $r == $row[0];
 }
+exit $failed;

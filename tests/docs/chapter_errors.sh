@@ -20,11 +20,19 @@ expect() { # status, words that the message must contain, arguments of the progr
 
 program=$1 folder=$2
 : > "$folder/file"
+expect 0 '' --quick --help
+cp "$folder/out" "$folder/list"
+for word in --out --full --quick PROGRAM; do
+    grep -q -e "$word" "$folder/list" || { echo "--help does not tell of $word"; bad=1; }
+done
 expect 2 'no-such-option' --no-such-option
 expect 2 'file/below' --out "$folder/file/below"  # no permission helps here, not even root's
-expect 2 'out' --out
-expect 0 '' --help
-grep -q -e '--out' "$folder/out" || { echo "--help does not tell of --out"; bad=1; }
+expect 2 'out needs a folder' --out
+expect 2 'out needs a folder' --out --help
+first=$(sed -n 's/.*these options: runs \([a-z0-9_]*\).*/\1/p' "$folder/list")
+for misspelt in "${first}x" "--quick ${first}x" "--help ${first}x"; do
+    expect 2 "no program '${first}x'; did you mean '$first'" $misspelt
+done
 
 complains() { # status, what it said, what was done
     if [ "$1" -ne 2 ] || [ "$(printf '%s\n' "$2" | grep -c '')" -ne 1 ] || ! printf '%s\n' "$2" | grep -q 'cannot write'; then

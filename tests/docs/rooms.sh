@@ -1,10 +1,11 @@
 #!/bin/sh
-# rooms.sh ROOT FOLDER [OBJECT...]: every folder of the library includes and calls only those that src/plan gives it, and needs every
-# debt that stands there. Calls are read from the symbols of objects; where these are not compiled, calls are left out. Then copies the
+# rooms.sh ROOT FOLDER OBJECT...: every folder of the library includes and calls only those that src/plan gives it, and needs every
+# debt that stands there. Calls are read from the symbols of the objects; if one is not compiled, calls are left out. Then copies the
 # library to FOLDER and plants includes in it, and calls in lists of symbols, to see that the faults among them are found.
 set -u
 root=$1 copy=$2
 shift 2
+[ $# -gt 0 ] || { echo "rooms.sh: no objects, expected those of the library" >&2; exit 2; }
 mkdir -p "$(dirname "$copy")"
 plan=$copy.plan
 debts=$copy.debts  # those that were needed
@@ -108,8 +109,11 @@ check_calls() { # symbols of objects on the input, as `nm -A -P` lists them; a l
 check "$root" "$debts" || exit 1
 symbols=$copy.symbols
 : > "$symbols"
-if [ -e "${1:-}" ] && command -v nm > /dev/null; then
-    nm -A -P "$@" > "$symbols"
+missing=""
+for object in "$@"; do [ -e "$object" ] || missing=$object; done
+command -v nm > /dev/null || missing=nm
+if [ -z "$missing" ]; then
+    nm -A -P "$@" > "$symbols" || { echo "rooms.sh: nm ends with status $?" >&2; exit 1; }
     check_calls "$debts.calls" < "$symbols" > "$copy.faults" || { c++filt < "$copy.faults"; exit 1; }
     for edge in $(sed -n 's/^still //p' "$plan" | sed 's/[^: ]*\///g; s/: */:/; s/ /,/g'); do
         from=${edge%%:*}
@@ -118,7 +122,7 @@ if [ -e "${1:-}" ] && command -v nm > /dev/null; then
         done
     done
 else
-    echo "calls are left out: the library is not compiled, or there is no nm"
+    echo "calls are left out: there is no $missing"
 fi
 
 failures=0

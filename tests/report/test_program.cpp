@@ -251,34 +251,96 @@ int ill_called(int /*argc*/, char** /*argv*/) {
   return 1;
 }
 
+int printing(int argc, char** argv) {
+  return run_program("ch00", "A title", "out", argc, argv, well);
+}
+
 /// What is run, and the exit code, for some words behind the name of the program.
-std::pair<std::string, int> run_words(std::vector<std::string> words) {
+std::pair<std::string, int> run_words(std::vector<const char*> words,
+                                      const std::vector<ChapterProgram>& programs = {
+                                          {"one", well_called},
+                                          {"two", well_called, "two.results two.csv"},
+                                          {"three", ill_called},
+                                          {"four", well_called}}) {
   words.insert(words.begin(), "ch00");
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
   ran.clear();
-  const std::vector<ChapterProgram> programs = {{"one", well_called},
-                                                {"two", well_called, true},
-                                                {"three", ill_called},
-                                                {"four", well_called}};
-  const int code = run_programs("ch00", programs, static_cast<int>(argv.size()), argv.data());
+  const int code = run_programs("ch00", programs, static_cast<int>(words.size()), words.data());
   return {ran, code};
 }
+
+using Ran = std::pair<std::string, int>;
 
 }  // namespace
 
 TEST_CASE("the programs of a chapter run in order until one fails, or one alone", "[program]") {
-  using Ran = std::pair<std::string, int>;
   const Caught output(std::cout);
   const Caught errors(std::cerr);
   CHECK(run_words({}) == Ran{"well;well;ill;", 1});
   CHECK(run_words({"--out", "x"}) == Ran{"well --out x;well --out x;ill;", 1});
-  CHECK(run_words({"--quick", "--full"}) == Ran{"well --full;ill;", 1});
   CHECK(run_words({"four", "--full"}) == Ran{"well --full;", 0});
+  CHECK(run_words({"--full", "--out", "four", "four"}) == Ran{"well --out four --full;", 0});
   CHECK(run_words({"two"}) == Ran{"well;", 0});
-  CHECK(run_words({"--help"}) == Ran{"well --help;", 0});
-  CHECK_THAT(output.text(), ContainsSubstring("one, two, three, four"));
+  CHECK(output.text().empty());
   CHECK(errors.text().empty());
-  CHECK(run_words({"fuor"}) == Ran{"", 2});
-  CHECK_THAT(errors.text(), ContainsSubstring("ch00: no program 'fuor'; did you mean 'four'?"));
+}
+
+TEST_CASE("what takes long is left out on request, and the files that it would write are named",
+          "[program]") {
+  const Caught output(std::cout);
+  CHECK(run_words({"--quick", "--full"}) == Ran{"well --full;ill;", 1});
+  CHECK(output.text() == "ch00: two takes longer than 5 s and is left out: two.results two.csv\n");
+  CHECK(run_words({"four", "--quick"}) == Ran{"well;", 0});
+  CHECK(run_words({"--quick", "two"}) == Ran{"", 0});
+}
+
+TEST_CASE("help is that of the chapter, or of the program that is named", "[program]") {
+  for (const char* asked : {"--help", "-h"}) {
+    const Caught output(std::cout);
+    CHECK(run_words({asked}) == Ran{"well --help;", 0});
+    CHECK(run_words({"--quick", asked}) == Ran{"well --help;", 0});
+    CHECK_THAT(output.text(), ContainsSubstring("one, two, three, four"));
+  }
+  const Caught output(std::cout);
+  CHECK(run_words({"--help", "two"}) == Ran{"well --help;", 0});
+  CHECK(run_words({"two", "--quick", "--help"}) == Ran{"well --help;", 0});
+  CHECK(output.text().empty());
+}
+
+TEST_CASE("a word that is no program of the chapter, and no option, is refused wherever it stands",
+          "[program]") {
+  for (const std::vector<const char*>& words :
+       {std::vector<const char*>{"fuor"}, {"--quick", "fuor"}, {"--help", "fuor"}}) {
+    const Caught errors(std::cerr);
+    CHECK(run_words(words) == Ran{"", 2});
+    CHECK(errors.text() ==
+          "ch00: no program 'fuor'; did you mean 'four'? There are: one, two, three, four\n");
+  }
+  for (const std::vector<const char*>& words :
+       {std::vector<const char*>{"--out"}, {"--out", "--help"}, {"one", "--out", "-h"}}) {
+    const Caught errors(std::cerr);
+    CHECK(run_words(words) == Ran{"", 2});
+    CHECK(errors.text() == "ch00: --out needs a folder: --out FOLDER\n");
+  }
+  const Caught errors(std::cerr);
+  CHECK(run_words({"one", "--quik"}) == Ran{"", 2});
+  CHECK_THAT(errors.text(), ContainsSubstring("'--quik'") && ContainsSubstring("--quick"));
+  CHECK(run_words({"one", "four"}) == Ran{"", 2});
+  CHECK_THAT(errors.text(), ContainsSubstring("got 'one' and 'four'"));
+}
+
+TEST_CASE("what a chapter says of itself counts as written only if there is room", "[program]") {
+  for (const char* option : {"--help", "--quick"}) {
+    for (const int room : {300, 1000}) {
+      Full full(room);
+      std::streambuf* const before = std::cout.rdbuf(&full);
+      const Caught errors(std::cerr);
+      const std::string files(600, 'x');
+      const int code = run_words({option}, {{"one", printing, files.c_str()}}).second;
+      std::cout.clear();
+      std::cout.rdbuf(before);
+      CAPTURE(option, room, errors.text());
+      CHECK(code == (room == 1000 ? 0 : 2));
+      CHECK((errors.text().find("cannot write all") == std::string::npos) == (room == 1000));
+    }
+  }
 }

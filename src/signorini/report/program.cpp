@@ -4,6 +4,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -47,26 +48,36 @@ class Staging {
   std::filesystem::path draft_;
 };
 
-/// What the command line says.
+/// What a command line says.
 struct Command {
-  ProgramOptions options;
-  bool help = false;
+  std::set<std::string> flags;
+  std::string program;        ///< of a chapter, empty if none is named
+  std::filesystem::path out;  ///< empty if it is not said
 };
 
-Command read(const std::filesystem::path& default_out, int argc, const char* const* argv) {
-  Command command{{default_out, false}};
+/// \param flags     known options besides `--out FOLDER`
+/// \param programs  of a chapter, of which one may be named
+Command read(int argc, const char* const* argv, const std::vector<std::string>& flags,
+             const std::vector<std::string>& programs) {
+  const auto among = [](const std::string& word, const std::vector<std::string>& known) {
+    return std::find(known.begin(), known.end(), word) != known.end();
+  };
+  Command command;
   for (int k = 1; k < argc; ++k) {
-    const std::string word = argv[k];
-    if (word == "--help" || word == "-h") {
-      command.help = true;
-    } else if (word == "--full") {
-      command.options.full = true;
-    } else if (word == "--out") {
-      pose(++k < argc, "--out needs a folder: --out FOLDER");
-      command.options.out = argv[k];
+    const std::string word = argv[k] == std::string("-h") ? "--help" : argv[k];
+    if (word == "--out") {
+      ++k;
+      pose(k < argc && argv[k][0] != '-', "--out needs a folder: --out FOLDER");
+      command.out = argv[k];
+    } else if (word.rfind('-', 0) == 0 || programs.empty()) {
+      pose(among(word, flags), "unknown option ", in_quotes(word),
+           ". Known options: --out FOLDER, ", joined(flags, ", "));
+      command.flags.insert(word);
     } else {
-      pose(false, "unknown option ", in_quotes(word),
-           ". Known options: --out FOLDER, --full, --help");
+      pose(among(word, programs), "no program ", in_quotes(word), suggestion(word, programs));
+      pose(command.program.empty(), "runs one program, or without a name all of them, got ",
+           in_quotes(command.program), " and ", in_quotes(word));
+      command.program = word;
     }
   }
   return command;
@@ -83,32 +94,14 @@ void print_help(const std::string& name, const std::string& title,
             << "  --help        this text\n";
 }
 
-}  // namespace
+constexpr int well = 0;
+constexpr int not_solved = 1;
+constexpr int bad_input = 2;
 
-int run_program(const std::string& name, const std::string& title,
-                const std::filesystem::path& default_out, int argc, const char* const* argv,
-                const std::function<Status(const ProgramOptions&)>& body) {
-  constexpr int solved = 0;
-  constexpr int not_solved = 1;
-  constexpr int bad_input = 2;
+/// The exit code that `body` returns, or that belongs to what it throws, with one line on the error stream.
+int exit_code(const std::string& name, const std::function<int()>& body) {
   try {
-    const Command command = read(default_out, argc, argv);
-    if (command.help) {
-      print_help(name, title, default_out);
-      finish_printing();
-      return solved;
-    }
-    ProgramOptions options = command.options;
-    const Staging staging(options.out);
-    options.out = staging.folder();
-    const Status status = body(options);
-    finish_printing();
-    if (status == Status::Solved) {
-      staging.publish();
-      return solved;
-    }
-    std::cerr << name << ": not solved: " << to_string(status) << '\n';
-    return not_solved;
+    return body();
   } catch (const NotSolved& error) {
     std::cerr << name << ": " << error.what() << '\n';
     return not_solved;
@@ -123,43 +116,69 @@ int run_program(const std::string& name, const std::string& title,
   return bad_input;
 }
 
+/// Calls a program of a chapter with what its own command line may say.
+int call(const ChapterProgram& program, const std::string& chapter, const Command& command) {
+  std::vector<std::string> words = {chapter};
+  if (!command.out.empty()) words.insert(words.end(), {"--out", command.out.string()});
+  for (const char* flag : {"--full", "--help"})
+    if (command.flags.count(flag) > 0) words.emplace_back(flag);
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  return program.main(static_cast<int>(words.size()), argv.data());
+}
+
+}  // namespace
+
+int run_program(const std::string& name, const std::string& title,
+                const std::filesystem::path& default_out, int argc, const char* const* argv,
+                const std::function<Status(const ProgramOptions&)>& body) {
+  return exit_code(name, [&] {
+    const Command command = read(argc, argv, {"--full", "--help"}, {});
+    if (command.flags.count("--help") > 0) {
+      print_help(name, title, default_out);
+      finish_printing();
+      return well;
+    }
+    const Staging staging(command.out.empty() ? default_out : command.out);
+    const Status status = body({staging.folder(), command.flags.count("--full") > 0});
+    finish_printing();
+    if (status != Status::Solved) {
+      std::cerr << name << ": not solved: " << to_string(status) << '\n';
+      return not_solved;
+    }
+    staging.publish();
+    return well;
+  });
+}
+
 int run_programs(const std::string& chapter, const std::vector<ChapterProgram>& programs, int argc,
-                 char** argv) {
-  std::vector<std::string> names;
-  for (const ChapterProgram& program : programs) names.emplace_back(program.name);
-  if (argc > 1 && argv[1][0] != '-') {
-    const auto wanted = std::find(names.begin(), names.end(), argv[1]);
-    if (wanted != names.end()) {
-      argv[1] = argv[0];
-      return programs[static_cast<std::size_t>(wanted - names.begin())].main(argc - 1, argv + 1);
+                 const char* const* argv) {
+  return exit_code(chapter, [&] {
+    std::vector<std::string> names;
+    for (const ChapterProgram& program : programs) names.emplace_back(program.name);
+    const Command command = read(argc, argv, {"--quick", "--full", "--help"}, names);
+    const bool help = command.flags.count("--help") > 0;
+    const bool quick = command.flags.count("--quick") > 0;
+    for (const ChapterProgram& program : programs) {
+      if (!command.program.empty() && command.program != program.name) continue;
+      if (quick && !help && *program.committed != '\0') {
+        std::cout << chapter << ": " << program.name
+                  << " takes longer than 5 s and is left out: " << program.committed << '\n';
+        continue;
+      }
+      const int status = call(program, chapter, command);
+      if (status != well) return status;
+      if (help) break;  // the options are the same for all
     }
-    std::cerr << chapter << ": no program " << in_quotes(argv[1]) << suggestion(argv[1], names)
-              << '\n';
-    return 2;
-  }
-  std::vector<char*> arguments(argv, argv + argc);
-  const auto said = [&](const char* option) {
-    const auto found = std::find(arguments.begin(), arguments.end(), std::string(option));
-    return found == arguments.end() ? nullptr : &*found;
-  };
-  char** const quick = said("--quick");
-  if (quick != nullptr) arguments.erase(arguments.begin() + (quick - arguments.data()));
-  const bool help = said("--help") != nullptr;
-  for (const ChapterProgram& program : programs) {
-    if (quick != nullptr && program.takes_long) {
-      std::cout << chapter << ' ' << program.name << " takes longer than 5 s and is left out\n";
-      continue;
-    }
-    const int status = program.main(static_cast<int>(arguments.size()), arguments.data());
-    if (status != 0 || help) {
-      if (help && names.size() > 1)
-        std::cout << "\nPrograms, one after the other or one alone, " << chapter
-                  << " NAME: " << listed(names)
-                  << "\n  --quick       without those that take longer than 5 s\n";
-      return status;
-    }
-  }
-  return 0;
+    if (help && command.program.empty())
+      std::cout << "\n"
+                << chapter << " [PROGRAM] [--quick] and these options: runs " << listed(names)
+                << " one after the other, or one of them\n"
+                << "  --quick       without those that take longer than 5 s\n";
+    finish_printing();
+    return well;
+  });
 }
 
 }  // namespace signorini

@@ -37,17 +37,22 @@ struct ProgramOptions {
 struct ChapterProgram {
   const char* name;          ///< of its file
   int (*main)(int, char**);  ///< ends with run_program()
-  bool takes_long = false;   ///< more than 5 s
+  /// Of one that takes more than 5 s: the files that it writes, with blanks between, of which committed ones can serve.
+  const char* committed = "";
 };
 
-/// Runs the programs of a chapter one after the other, `ch06`, or the one that is named first, `ch06 pressure`; with `--quick`
-/// those that take long are left out.
+/// Runs the programs of a chapter: `ch06 [PROGRAM] [--quick] [--out FOLDER] [--full] [--help]`, in any order of the words.
+/// Without a name, all run one after the other. With `--quick`, a program with committed files is left out, and a line
+/// says `CHAPTER: NAME takes longer than 5 s and is left out: FILE FILE`, which `tools/chapter.sh` reads.
 /// \param chapter   such as "ch06", for messages
-/// \param programs  in the order of the text
+/// \param programs  the one that the chapter is called after, then the others by name
 /// \param argc      of main()
-/// \param argv      of main(): perhaps a name, then options as of run_program()
-/// \return exit code of the first program that does not end with 0, else 0; 2 with a message if there is none of the name
+/// \param argv      of main()
+/// \return exit code: that of the first program that does not end with 0, else 0. A program that fails leaves no file, those
+///   before it keep theirs, those after it do not run. 2 with a message if there is no program or no option of a name, or if
+///   what was printed could not be written
 [[nodiscard]] int run_programs(const std::string& chapter,
-                               const std::vector<ChapterProgram>& programs, int argc, char** argv);
+                               const std::vector<ChapterProgram>& programs, int argc,
+                               const char* const* argv);
 
 }  // namespace signorini
