@@ -44,6 +44,9 @@ foreach(dir IN LISTS folders)
       set(library yardsticks ${library})
     endif()
   endforeach()
+  if("signorini_scene" IN_LIST library OR "signorini_steps" IN_LIST library)  # the effects and the back end of its scenes
+    list(APPEND library signorini_families)
+  endif()
   target_link_libraries(${name} PRIVATE ${library})
   target_link_libraries(${name}_programs PRIVATE ${library} signorini_warnings signorini_light)
   target_include_directories(${name}_programs PRIVATE ${PROJECT_SOURCE_DIR}/tests)  # for scenes that tests share

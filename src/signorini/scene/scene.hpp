@@ -62,7 +62,7 @@ struct Scene {
   std::vector<ContactSpec> contacts;         ///< none by default
   Solver solver = primal_dual_active_set();  ///< a member of the family, see find_solver()
   std::optional<Path> path = {};             ///< load steps, for solve_steps(); none by default
-  Backend backend = frontal();               ///< factors K, see find_backend()
+  Backend backend = default_backend();       ///< factors K, see backends()
 };
 
 struct Effect;
@@ -87,7 +87,7 @@ struct Plan {
   Solver solver = primal_dual_active_set();  ///< of the scene
   Path path;                                 ///< load steps, none without
   std::vector<LoadPart> parts;  ///< of loads that follow one history each, none without steps
-  Backend backend = frontal();  ///< of the scene
+  Backend backend = default_backend();  ///< of the scene
 };
 
 /// Reads a scene and says what will be computed. \param scene  to be solved

@@ -8,12 +8,12 @@
 
 #include "addons/certified/shared_forces.hpp"
 #include "addons/checks/joints.hpp"
-#include "addons/frontal/backend.hpp"
 #include "addons/steps/path.hpp"
 #include "signorini/contact/pairs.hpp"
 #include "signorini/core/ledger.hpp"
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/elements.hpp"
+#include "signorini/fem/factor.hpp"
 #include "signorini/fem/free_motions.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
@@ -58,7 +58,7 @@ struct Model {
   std::vector<std::string> notes;            ///< of the plan
   Path path = {};                            ///< load steps, none without
   std::vector<LoadPart> parts = {};          ///< p and g are the sum of these times their histories
-  Backend backend = frontal();               ///< of the scene, factors K
+  Backend backend = default_backend();       ///< of the scene, factors K
   std::vector<std::string> contacts = {};    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of = {};  ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
