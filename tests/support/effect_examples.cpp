@@ -1,6 +1,7 @@
 #include "support/effect_examples.hpp"
 
 #include "addons/effects/regions.hpp"
+#include "addons/steps/histories.hpp"
 #include "support/cantilever.hpp"
 
 namespace signorini_test {

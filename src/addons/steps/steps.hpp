@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "addons/steps/histories.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/scene/scene.hpp"
 

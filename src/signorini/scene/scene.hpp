@@ -111,7 +111,8 @@ struct Plan {
 
 /// All of it: plan, build, condense, solve. \param scene  to be solved
 /// \return the solution; its status and the errors are those of the four steps
-/// \throws ProblemError for a scene of load steps: that is for solve_steps()
+/// \throws ProblemError for a scene of load steps: that is for solve_steps() of the add-on steps, as solve_to_limit() is for a
+///   scene with friction whose loads may be more than that holds
 [[nodiscard]] Solution solve(const Scene& scene);
 
 /// Prints what is on and off, one line each, and notes. \param out where to \param plan what
