@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "addons/estimate/goal_words.hpp"
+#include "addons/steps/steps_limit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/core/wording.hpp"
@@ -61,6 +62,13 @@ std::string by_value(double part, double value, bool column = false) {
 AccuracyRun understood(const AccuracyWish& wish, const SceneRun& run) {
   AccuracyRun accuracy{{}, {}};
   accuracy.wanted.target = target_of(wish.target);
+  accuracy.wanted.forecast = [](const Scene& scene) {
+    return predict(plan(scene)).amount(all_phases, "seconds");
+  };
+  accuracy.wanted.solve = [](const Scene& scene, const Model& model, const Condensed& condensed,
+                             Ledger ledger) {
+    return solve_to_limit(scene, model, condensed, std::move(ledger));
+  };
   if (!wish.unknowns.empty()) {
     const std::optional<double> most = positive(wish.unknowns);
     pose(most.has_value(), "--unknowns: expected a number above 0, got ", in_quotes(wish.unknowns));

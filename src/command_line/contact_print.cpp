@@ -91,11 +91,11 @@ void print_contacts(std::ostream& out, const Model& model, const Solution& solut
                     const PathState* state) {
   if (model.contacts.empty()) return;
   const bool axial = is_axial(model.bodies[0]);
-  const std::vector<PairColumn> columns = pair_columns(model, solution, state);
-  const std::vector<Resultants> sums = resultants_of_contacts(model, solution, state);
+  const std::vector<PairColumn> columns = pair_columns(model, solution, totals(state));
+  const std::vector<Resultants> sums = resultants_of_contacts(model, solution, totals(state));
   if (sums.size() > 1)
-    print_sums(out, "all contacts: force on the sources", resultants(model, solution, state),
-               axial);
+    print_sums(out, "all contacts: force on the sources",
+               resultants(model, solution, totals(state)), axial);
   for (std::size_t k = 0; k < sums.size(); ++k) {
     print_sums(out, "contact " + model.contacts[k] + ": force on the source", sums[k], axial);
     std::vector<Index> closed;
@@ -109,16 +109,16 @@ void print_contacts(std::ostream& out, const Model& model, const Solution& solut
 void write_contacts(Json& json, const Model& model, const Solution& solution,
                     const PathState* state) {
   json.key("resultants").object();
-  write_sums(json, resultants(model, solution, state));
+  write_sums(json, resultants(model, solution, totals(state)));
   json.end().key("contacts").array();
-  const std::vector<Resultants> sums = resultants_of_contacts(model, solution, state);
+  const std::vector<Resultants> sums = resultants_of_contacts(model, solution, totals(state));
   for (std::size_t k = 0; k < sums.size(); ++k) {
     json.object().key("name").value(model.contacts[k]);
     write_sums(json, sums[k]);
     json.end();
   }
   json.end().key("pairs").object();
-  const std::vector<PairColumn> columns = pair_columns(model, solution, state);
+  const std::vector<PairColumn> columns = pair_columns(model, solution, totals(state));
   for (const PairColumn& column : columns) {
     if (column.name == "status") json.key("closed").value(column.values);
     json.key(column.name);

@@ -126,7 +126,7 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
     all.push_back({name, step == nullptr ? 0.0 : static_cast<double>(value()), format});
   };
   std::optional<Resultants> sum;
-  if (step != nullptr) sum = resultants(*model, step->solution, &step->state);
+  if (step != nullptr) sum = resultants(*model, step->solution, totals(&step->state));
   const bool rubs = !run.plan.law.pair.empty();
   add("step", "%.0f", [&] { return step->state.steps; });
   add("time", "%.5g", [&] { return step->state.time; });
@@ -239,7 +239,7 @@ std::string PathFiles::rows_of(const Model& model, const Step& step) {
   const std::string at = shortest(step.state.time);
   std::string table;
   bool named = false;
-  std::istringstream lines(pressure_csv(model, step.solution, "", &step.state));
+  std::istringstream lines(pressure_csv(model, step.solution, "", totals(&step.state)));
   for (std::string line; std::getline(lines, line);) {
     if (line.front() == '#') {
       table += text("# time ", at, ": ", line.substr(2), '\n');
@@ -264,7 +264,7 @@ void PathFiles::add(const Model& model, const Step& step) {
     if (!wanted_.vtu.empty()) {
       const std::string fields = numbered(wanted_.vtu, step.state.steps);
       fields_.push_back({step.state.time, fs::path(fields).filename().string()});
-      write_vtu(drafts_.begin(fields), model, step.solution, &step.state);
+      write_vtu(drafts_.begin(fields), model, step.solution, totals(&step.state));
       write_pvd(drafts_.begin(collection(wanted_.vtu)), fields_);
     }
     if (!wanted_.csv.empty() && !begun_) write_file(drafts_.begin(wanted_.csv), table_);

@@ -4,6 +4,8 @@
 #include "addons/estimate/accuracy.hpp"
 #include "addons/estimate/goal_words.hpp"
 #include "addons/estimate/refine.hpp"
+#include "addons/prediction/prediction.hpp"
+#include "addons/steps/steps_limit.hpp"
 #include "catch_compat.hpp"
 #include "meshes/half_space.hpp"
 #include "support/lining_rings.hpp"
@@ -162,9 +164,24 @@ TEST_CASE("a mesh that takes longer than allowed is asked about before", "[accur
   const RoundBody body = round_bodies::rings().front();
   Accuracy wanted{1e-4, body.goal};
   wanted.most_seconds = 1e-9;
+  int asked = 0;
+  int solved_there = 0;
+  if (GENERATE(false, true)) {
+    wanted.forecast = [&asked](const Scene& scene) {
+      ++asked;
+      return predict(plan(scene)).amount(all_phases, "seconds");
+    };
+    wanted.solve = [&solved_there](const Scene& scene, const Model& model,
+                                   const Condensed& condensed, Ledger ledger) {
+      ++solved_there;
+      return solve_to_limit(scene, model, condensed, std::move(ledger));
+    };
+  }
   const AccurateSolution result = solve_to_accuracy(body.scene("q4", 1), wanted);
   CHECK_FALSE(result.met);
   CHECK(result.rounds.size() == 1);
+  CHECK(asked == (wanted.forecast ? 2 : 0));  // of the next mesh and of the last
+  CHECK(solved_there == (wanted.solve ? 1 : 0));
   CHECK(result.too_dear > result.rounds.back().unknowns);
   CHECK_THAT(result.verdict, ContainsSubstring("price") && ContainsSubstring("forecast") &&
                                  ContainsSubstring(std::to_string(result.too_dear)));

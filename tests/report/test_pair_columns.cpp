@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
 #include "signorini/report/pair_columns.hpp"
 #include "signorini/report/pressure_table.hpp"
@@ -48,20 +49,20 @@ TEST_CASE("on a path the table has slip and work so far", "[pressure_table][step
   state.dissipation = Eigen::Vector3d(12.5, 1, 0);
   const Solution solution = three_forces_with_friction();
   const std::vector<std::string> lines =
-      lines_of(pressure_csv(three_gaps(), solution, "rel 1e-6", &state));
+      lines_of(pressure_csv(three_gaps(), solution, "rel 1e-6", totals(&state)));
   CHECK_THAT(lines[1], ContainsSubstring("dissipated 2.5, in total 13.5"));
   CHECK(lines[2] ==
         "x,y,gap,pressure,force,status,shear_traction,shear_force,slip,motion,dissipated,"
         "slip_total,dissipated_total");
   CHECK(lines[3] == "0,1,0,20,10,closed,-10,-5,0.5,forward,2.5,1.5,12.5");
-  CHECK(resultants(three_gaps(), solution, &state).dissipated_total == 13.5);
-  const std::vector<PairColumn> columns = pair_columns(three_gaps(), solution, &state);
+  CHECK(resultants(three_gaps(), solution, totals(&state)).dissipated_total == 13.5);
+  const std::vector<PairColumn> columns = pair_columns(three_gaps(), solution, totals(&state));
   CHECK(lines_of(csv_head(columns) + csv_lines(columns)) ==
         std::vector<std::string>(lines.begin() + 2, lines.end()));
   state.slip = Eigen::Vector2d(0, 0);
-  CHECK_THROWS_WITH(pair_columns(three_gaps(), solution, &state),
+  CHECK_THROWS_WITH(pair_columns(three_gaps(), solution, totals(&state)),
                     ContainsSubstring("the solution has 3 slips, but the state of its path 2"));
-  CHECK_THROWS_AS(resultants(three_gaps(), solution, &state), std::invalid_argument);
+  CHECK_THROWS_AS(resultants(three_gaps(), solution, totals(&state)), std::invalid_argument);
 }
 
 TEST_CASE("words have a name each, numbers their digits, and what is missing is empty",

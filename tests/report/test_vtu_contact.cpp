@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "signorini/report/vtu.hpp"
@@ -105,12 +106,12 @@ TEST_CASE("a VTU file of a load step has the slip in total", "[vtu][steps]") {
   state.slip = Eigen::VectorXd::Constant(1, -1.5);
   state.dissipation = Eigen::VectorXd::Constant(1, 4.5);
   const Folder folder;
-  write_vtu(folder.path() / "step.vtu", run.model, run.solution, &state);
+  write_vtu(folder.path() / "step.vtu", run.model, run.solution, totals(&state));
   const std::string file = content_of(folder.path() / "step.vtu");
   CHECK(array_of(file, "contact_slip").at(node) == "-0.5");
   CHECK(array_of(file, "contact_slip_total").at(node) == "-1.5");
   CHECK(array_of(file, "contact_motion").at(node) == "3");
   state.slip.setZero(2);
-  CHECK_THROWS_AS(write_vtu(folder.path() / "other.vtu", run.model, run.solution, &state),
+  CHECK_THROWS_AS(write_vtu(folder.path() / "other.vtu", run.model, run.solution, totals(&state)),
                   std::invalid_argument);
 }

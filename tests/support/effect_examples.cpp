@@ -1,5 +1,6 @@
 #include "support/effect_examples.hpp"
 
+#include "addons/steps/histories.hpp"
 #include "signorini/fem/regions.hpp"
 #include "support/cantilever.hpp"
 

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "addons/steps/histories.hpp"
+
 namespace signorini_test {
 namespace {
 

@@ -8,8 +8,6 @@
 #include "addons/estimate/finer_meshes.hpp"
 #include "addons/estimate/hindrance.hpp"
 #include "addons/estimate/marking.hpp"
-#include "addons/prediction/prediction.hpp"
-#include "addons/steps/steps_limit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -91,7 +89,8 @@ class Loop {
     Model model = build(scene, ledger);
     round.unknowns = count_unknowns(model.bodies);
     const Condensed condensed = condense(model, ledger);
-    Solution solution = solve_to_limit(scene, model, condensed, std::move(ledger));
+    Solution solution = wanted_.solve ? wanted_.solve(scene, model, condensed, std::move(ledger))
+                                      : signorini::solve(model, condensed, std::move(ledger));
     const bool solved = solution.contact.report.status == Status::Solved;
     if (!solved && !run_.rounds.empty())
       return stop(text("the problem is not solved on the next mesh, of ", round.unknowns,
@@ -253,10 +252,9 @@ class Loop {
     const double growth =
         static_cast<double>(unknowns) / static_cast<double>(run_.rounds.back().unknowns);
     if (last * std::pow(growth, 3) <= wanted_.most_seconds) return true;
-    const auto forecast = [](const Scene& scene) {
-      return predict(plan(scene)).amount(all_phases, "seconds");
-    };
-    const double seconds = last * forecast(next) / forecast(run_.scene);
+    const double seconds =
+        last * (wanted_.forecast ? wanted_.forecast(next) / wanted_.forecast(run_.scene)
+                                 : std::pow(growth, 3));
     if (seconds <= wanted_.most_seconds) return true;
     double paid = 0;
     for (const AccuracyRound& round : run_.rounds) paid += round.seconds;

@@ -19,6 +19,13 @@ struct Accuracy {
   Eigen::Index most_unknowns = 400000;  ///< that a mesh may have
   /// That the next mesh may take by the forecast: one that takes longer is not solved [s]
   double most_seconds = std::numeric_limits<double>::infinity();
+  /// Forecast of what a scene takes, of which only the growth counts, as predict() of the add-on prediction makes it [s];
+  /// empty: the cube of the unknowns
+  std::function<double(const Scene& scene)> forecast = {};
+  /// Solves what condense() made of a scene, as solve_to_limit() of the add-on steps; empty: solve()
+  std::function<Solution(const Scene& scene, const Model& model, const Condensed& condensed,
+                         Ledger ledger)>
+      solve = {};
 };
 
 /// What one mesh came to.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "addons/files/scene_keys.hpp"
+#include "addons/steps/histories.hpp"
 #include "signorini/core/table.hpp"
 
 namespace signorini {

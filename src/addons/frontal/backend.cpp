@@ -12,23 +12,6 @@ namespace signorini {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd Factor::solve(const Eigen::Ref<const VectorXd>& load) const {
-  require(load.size() == size(), "Factor::solve: load must have ", size(),
-          " entries (one per unknown), got ", load.size());
-  return solve_(load);
-}
-
-std::optional<Factor::Part> Factor::part(const std::vector<Index>& unknowns) const {
-  if (!parts_) return {};
-  return parts_(unknowns);
-}
-
-Eigen::MatrixXd Factor::compliance(const Rows& A, Ledger& ledger) const {
-  require(A.cols() == size(), "Factor::compliance: A must have ", size(),
-          " columns (one per unknown), got ", A.cols());
-  return compliance_(A, ledger);
-}
-
 std::vector<MissingBackend> missing_backends() {
   std::vector<MissingBackend> missing = {SIGNORINI_OTHER_BACKENDS};
   const auto built = [](const MissingBackend& one) {

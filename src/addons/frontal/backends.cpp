@@ -10,9 +10,9 @@ namespace signorini {
 
 Backend SIGNORINI_BACKENDS;  // declares them
 
-const std::vector<Backend>& backends() {
+void register_backends() {
   static const std::vector<Backend> family = {SIGNORINI_BACKENDS};
-  return family;
+  for (const Backend& member : family) add_backend(member);
 }
 
 }  // namespace signorini

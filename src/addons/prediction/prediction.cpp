@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "addons/prediction/front_speed.hpp"
+#include "addons/prediction/pattern.hpp"
+#include "addons/prediction/sample.hpp"
 #include "signorini/core/bytes.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/along_boundary.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/pattern.hpp"
-#include "signorini/scene/sample.hpp"
 
 namespace signorini {
 namespace {

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "addons/steps/histories.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
@@ -195,14 +196,6 @@ void check_history(const History& history) {
     pose(std::isfinite(value), what, ": every value must be finite, got ", value);
 }
 
-double History::at(double time) const {
-  const auto after = std::upper_bound(times.begin(), times.end(), time);
-  if (after == times.begin()) return values.front();
-  const std::size_t k = static_cast<std::size_t>(after - times.begin()) - 1;
-  if (time == times[k] || after == times.end()) return values[k];
-  return values[k] + (values[k + 1] - values[k]) * ((time - times[k]) / (times[k + 1] - times[k]));
-}
-
 double factor_of(const Path& path, const LoadPart& part, double time) {
   for (const History& history : path.histories)
     if (history.name == part.history) return history.at(time);
@@ -219,14 +212,10 @@ std::vector<double> equal_steps(int steps, double end) {
   return times;
 }
 
-namespace effect {
-
-Effect load_steps() {
-  return {"load steps",
-          [](const Scene& scene, const Plan& /*draft*/) { return scene.path.has_value(); },
-          price_steps, add_parts};
+void register_load_steps() {
+  add_effect({"load steps",
+              [](const Scene& scene, const Plan& /*draft*/) { return scene.path.has_value(); },
+              price_steps, add_parts});
 }
-
-}  // namespace effect
 
 }  // namespace signorini

@@ -186,15 +186,9 @@ void set_time(double time, Model& model) {
   }
 }
 
-VectorXd increment(const ContactState& contact) {
-  VectorXd slip = contact.slip;
-  for (Index k = 0; k < slip.size(); ++k)
-    if (contact.motion[static_cast<std::size_t>(k)] == Motion::Stick) slip(k) = 0;
-  return slip;
-}
-
-VectorXd dissipated(const ContactState& contact) {
-  return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
+std::optional<PathTotals> totals(const PathState* state) {
+  if (state == nullptr) return {};
+  return PathTotals{state->slip, state->dissipation};
 }
 
 Step step(const PathState& past, double time, Model& model, CondensedPath& path, Ledger ledger) {

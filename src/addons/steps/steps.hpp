@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "addons/steps/histories.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
@@ -76,13 +78,9 @@ struct PathEnd {
 ///   displacements of its bodies at that time
 void set_time(double time, Model& model);
 
-/// \param contact  of a solution
-/// \return `n_s` slips of the step [length]; exactly 0 of a pair that sticks, where rounding leaves the solution a rest
-[[nodiscard]] Eigen::VectorXd increment(const ContactState& contact);
-
-/// \param contact  of a solution
-/// \return `n_s` work |tau| |slip| that each pair that rubs lost by sliding [force length], see increment()
-[[nodiscard]] Eigen::VectorXd dissipated(const ContactState& contact);
+/// \param state  of a path, or null
+/// \return its sums, as tables and files of the step want them; nothing of null
+[[nodiscard]] std::optional<PathTotals> totals(const PathState* state);
 
 /// Goes one step. Slip counts from the step before, in the place of the slip of \PaperEq{LinEtAl, 8}.
 /// \param past    where the path is

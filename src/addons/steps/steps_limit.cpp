@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "addons/certified/proofs.hpp"
+#include "signorini/core/errors.hpp"
 #include "signorini/problem/closing.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
@@ -78,6 +79,14 @@ std::optional<double> first_change(const PathState& past, const ContactProblem& 
     for (const double sign : {-1.0, 1.0}) use_up(room(now, sign), room(then, sign));
   }
   return share < 1 ? std::optional<double>(share) : std::nullopt;
+}
+
+Solution solve_to_limit(const Scene& scene) {
+  pose(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
+  Ledger ledger;
+  const Model model = build(scene, ledger);
+  const Condensed condensed = condense(model, ledger);
+  return solve_to_limit(scene, model, condensed, std::move(ledger));
 }
 
 Solution solve_to_limit(const Scene& scene, const Model& model, const Condensed& condensed,

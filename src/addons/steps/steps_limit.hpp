@@ -25,6 +25,12 @@ namespace signorini {
 [[nodiscard]] std::optional<double> first_change(const PathState& past,
                                                  const ContactProblem& problem);
 
+/// Plans, builds, condenses and solves a scene as solve() does, and finds out how much of its loads it holds, see below.
+/// \param scene  without load steps
+/// \return the solution, with its limit if there is one
+/// \throws ProblemError as solve()
+[[nodiscard]] Solution solve_to_limit(const Scene& scene);
+
 /// Solves a scene, and finds out how much of its loads one with friction holds, if it was not solved and no proof says
 /// why: with the loads, temperatures and given displacements grown from nothing in proportion, by solve_steps(). Gaps
 /// and interferences are there from the beginning. A scene that is solved costs nothing more.

@@ -1,6 +1,7 @@
 /// \file
 /// Open families: tables of members that are found by their names.
 #pragma once
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,19 @@ template <typename Member>
   for (const Member& member : family)
     names += (names.empty() ? "" : ", ") + std::string(member.name);
   return names;
+}
+
+/// Adds a member, unless the family has one of that name.
+/// \param member  with a `name`
+/// \param family  of members, in the order in which they are listed and asked
+/// \param before  name of the member in front of which it goes; the last place if there is none of that name
+template <typename Member>
+void add_member(const Member& member, std::vector<Member>& family, const std::string& before = "") {
+  const auto place = [&family](const std::string& name) {
+    return std::find_if(family.begin(), family.end(),
+                        [&name](const Member& known) { return known.name == name; });
+  };
+  if (place(member.name) == family.end()) family.insert(place(before), member);
 }
 
 /// Looks up a member.

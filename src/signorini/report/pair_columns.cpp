@@ -37,8 +37,9 @@ std::string csv_word(const std::string& word) {
 }
 
 /// \param slip  in total, as displacements tell it of pairs that do not rub
-void add_friction(const Model& model, const Solution& solution, const PathState* state,
-                  const VectorXd& slip, std::vector<PairColumn>& columns) {
+void add_friction(const Model& model, const Solution& solution,
+                  const std::optional<PathTotals>& totals, const VectorXd& slip,
+                  std::vector<PairColumn>& columns) {
   const ContactState& contact = solution.contact;
   VectorXd motion(contact.friction.size());
   for (Index k = 0; k < motion.size(); ++k)
@@ -51,21 +52,22 @@ void add_friction(const Model& model, const Solution& solution, const PathState*
   columns.push_back({"shear_force", "force", "", of_rubbing(contact, contact.friction, 0)});
   const VectorXd unknown = VectorXd::Constant(slip.size(), none);  // where steps keep only totals
   columns.push_back({"slip", "length", "contact_slip",
-                     of_rubbing(contact, increment(contact), state == nullptr ? slip : unknown)});
+                     of_rubbing(contact, increment(contact), totals ? unknown : slip)});
   columns.push_back(
       {"motion", "-", "contact_motion", of_rubbing(contact, motion, none), std::move(motions)});
   columns.push_back(
       {"dissipated", "force*length", "", of_rubbing(contact, dissipated(contact), 0)});
-  if (state == nullptr) return;
+  if (!totals) return;
   columns.push_back(
-      {"slip_total", "length", "contact_slip_total", of_rubbing(contact, state->slip, slip)});
+      {"slip_total", "length", "contact_slip_total", of_rubbing(contact, totals->slip, slip)});
   columns.push_back(
-      {"dissipated_total", "force*length", "", of_rubbing(contact, state->dissipation, 0)});
+      {"dissipated_total", "force*length", "", of_rubbing(contact, totals->dissipation, 0)});
 }
 
 }  // namespace
 
-void check_solved(const Solution& solution, const PathState* state, const char* function) {
+void check_solved(const Solution& solution, const std::optional<PathTotals>& totals,
+                  const char* function) {
   const ContactState& contact = solution.contact;
   require(contact.report.status == Status::Solved, function, ": the problem was not solved (",
           to_string(contact.report.status), ')');
@@ -75,10 +77,10 @@ void check_solved(const Solution& solution, const PathState* state, const char* 
               contact.slip.size() == static_cast<Index>(n_slips),
           function, ": expected friction, slip and motion of ", n_slips, " pairs, got ",
           contact.friction.size(), ", ", contact.slip.size(), " and ", contact.motion.size());
-  require(state == nullptr || (state->slip.size() == contact.friction.size() &&
-                               state->dissipation.size() == contact.friction.size()),
+  require(!totals || (totals->slip.size() == contact.friction.size() &&
+                      totals->dissipation.size() == contact.friction.size()),
           function, ": the solution has ", contact.friction.size(),
-          " slips, but the state of its path ", state == nullptr ? 0 : state->slip.size());
+          " slips, but the state of its path ", totals ? totals->slip.size() : 0);
 }
 
 VectorXd shear_tractions(const Model& model, const Solution& solution) {
@@ -93,8 +95,8 @@ std::string PairColumn::cell(Index pair, const char* format) const {
 }
 
 std::vector<PairColumn> pair_columns(const Model& model, const Solution& solution,
-                                     const PathState* state) {
-  check_solved(solution, state, "pair_columns");
+                                     const std::optional<PathTotals>& totals) {
+  check_solved(solution, totals, "pair_columns");
   const ContactState& contact = solution.contact;
   const Index n_pairs = contact.force.size();
   VectorXd closed = VectorXd::Zero(n_pairs);
@@ -111,8 +113,8 @@ std::vector<PairColumn> pair_columns(const Model& model, const Solution& solutio
   const VectorXd slip =
       moves ? slips(model, solution.displacements) : VectorXd::Constant(n_pairs, none);
   if (!contact.rubbing.empty())
-    add_friction(model, solution, state, slip, columns);
-  else if (moves && state == nullptr)
+    add_friction(model, solution, totals, slip, columns);
+  else if (moves && !totals)
     columns.push_back({"slip", "length", "contact_slip", slip});
   else if (moves)
     columns.push_back({"slip_total", "length", "contact_slip_total", slip});

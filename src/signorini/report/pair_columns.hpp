@@ -1,10 +1,11 @@
 /// \file
 /// What is known of every pair of a solution: the columns of every table and file that lists pairs.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "addons/steps/steps.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace signorini {
 
@@ -24,10 +25,11 @@ struct PairColumn {
 
 /// Stops who asks for the pairs of a problem that is not solved.
 /// \param solution  any
-/// \param state     of a path, or null
+/// \param totals    of a path, if it is a step of one
 /// \param function  what the message begins with
-/// \throws std::invalid_argument if the problem is not solved, or the state has another number of slips
-void check_solved(const Solution& solution, const PathState* state, const char* function);
+/// \throws std::invalid_argument if the problem is not solved, or the totals are of another number of slips
+void check_solved(const Solution& solution, const std::optional<PathTotals>& totals,
+                  const char* function);
 
 /// \param model     that was solved
 /// \param solution  of it
@@ -46,16 +48,16 @@ void check_solved(const Solution& solution, const PathState* state, const char* 
 /// work |shear force| |slip| >= 0 that sliding lost in the step. A pair that cannot rub has shear force 0, dissipates
 /// nothing, and has no motion.
 ///
-/// With friction and a state of load steps: `slip_total` and `dissipated_total` at the end.
+/// With friction and totals of load steps: `slip_total` and `dissipated_total` at the end.
 ///
 /// With several contacts: `contact`, its name as in Model::contacts.
 /// \param model     that was solved
 /// \param solution  of it
-/// \param state     after this step of a path, see Step; null: the solution is no step
+/// \param totals    after this step of a path, see totals(); nothing: the solution is no step
 /// \return the columns, each with one value per pair
-/// \throws std::invalid_argument if the problem is not solved, or the state has another number of slips
+/// \throws std::invalid_argument if the problem is not solved, or the totals are of another number of slips
 [[nodiscard]] std::vector<PairColumn> pair_columns(const Model& model, const Solution& solution,
-                                                   const PathState* state = nullptr);
+                                                   const std::optional<PathTotals>& totals = {});
 
 /// \param columns  from pair_columns()
 /// \return their names, comma separated, with a line end

@@ -14,9 +14,9 @@ using Eigen::Index;
 
 /// Adds every pair to the sum that it belongs to. \param sum_of  gives that of a pair
 template <typename SumOf>
-void add_pairs(const Model& model, const Solution& solution, const PathState* state,
-               const SumOf& sum_of) {
-  check_solved(solution, state, "resultants");
+void add_pairs(const Model& model, const Solution& solution,
+               const std::optional<PathTotals>& totals, const SumOf& sum_of) {
+  check_solved(solution, totals, "resultants");
   const Pairs& pairs = model.pairs;
   const ContactState& contact = solution.contact;
   const bool axial = std::any_of(model.bodies.begin(), model.bodies.end(), is_axial);
@@ -46,7 +46,7 @@ void add_pairs(const Model& model, const Solution& solution, const PathState* st
     Resultants& sum = sum_of(pair);
     sum.shear_force += contact.friction(k);
     sum.dissipated += lost(k);
-    sum.dissipated_total += state == nullptr ? lost(k) : state->dissipation(k);
+    sum.dissipated_total += totals ? totals->dissipation(k) : lost(k);
     ++sum.rubbing;
     sum.stick += motion == Motion::Stick ? 1 : 0;
     sum.slide += friction_sign(motion) != 0 ? 1 : 0;
@@ -72,25 +72,26 @@ void write_comment(std::ostream& out, const std::string& what, const Resultants&
 
 }  // namespace
 
-Resultants resultants(const Model& model, const Solution& solution, const PathState* state) {
+Resultants resultants(const Model& model, const Solution& solution,
+                      const std::optional<PathTotals>& totals) {
   Resultants sum{Eigen::Vector2d::Zero(), 0, 0, 0};
-  add_pairs(model, solution, state, [&](Index /*pair*/) -> Resultants& { return sum; });
+  add_pairs(model, solution, totals, [&](Index /*pair*/) -> Resultants& { return sum; });
   return sum;
 }
 
 std::vector<Resultants> resultants_of_contacts(const Model& model, const Solution& solution,
-                                               const PathState* state) {
+                                               const std::optional<PathTotals>& totals) {
   std::vector<Resultants> sums(model.contacts.size(), Resultants{Eigen::Vector2d::Zero(), 0, 0, 0});
-  add_pairs(model, solution, state, [&](Index pair) -> Resultants& {
+  add_pairs(model, solution, totals, [&](Index pair) -> Resultants& {
     return sums[model.contact_of[static_cast<std::size_t>(pair)]];
   });
   return sums;
 }
 
 std::string pressure_csv(const Model& model, const Solution& solution, const std::string& tolerance,
-                         const PathState* state) {
-  const std::vector<PairColumn> columns = pair_columns(model, solution, state);
-  const Resultants sum = resultants(model, solution, state);
+                         const std::optional<PathTotals>& totals) {
+  const std::vector<PairColumn> columns = pair_columns(model, solution, totals);
+  const Resultants sum = resultants(model, solution, totals);
   std::ostringstream out;
   out << std::setprecision(10);
   if (!tolerance.empty()) out << "# tolerance " << tolerance << '\n';
@@ -99,7 +100,7 @@ std::string pressure_csv(const Model& model, const Solution& solution, const std
   const bool named = several || sum.rubbing > 0;
   if (several || !named) write_comment(out, "force on the sources", sum);
   if (named) {
-    const std::vector<Resultants> each = resultants_of_contacts(model, solution, state);
+    const std::vector<Resultants> each = resultants_of_contacts(model, solution, totals);
     for (std::size_t k = 0; k < each.size(); ++k)
       write_comment(out, "contact " + model.contacts[k] + ": force on the source", each[k]);
   }

@@ -1,10 +1,11 @@
 /// \file
 /// What contact did, pair by pair, and in sum.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "addons/steps/steps.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace signorini {
 
@@ -32,21 +33,20 @@ struct Resultants {
 /// radial forces and moments cancel.
 /// \param model     that was solved
 /// \param solution  of it
-/// \param state     after this step of a path, see Step; null: the solution is no step
+/// \param totals    after this step of a path, see totals(); nothing: the solution is no step
 /// \return the sums, all 0 without contact
-/// \throws std::invalid_argument if the problem is not solved, or the state has another number of slips
+/// \throws std::invalid_argument if the problem is not solved, or the totals are of another number of slips
 [[nodiscard]] Resultants resultants(const Model& model, const Solution& solution,
-                                    const PathState* state = nullptr);
+                                    const std::optional<PathTotals>& totals = {});
 
 /// The same for each contact.
 /// \param model     that was solved
 /// \param solution  of it
-/// \param state     as above
+/// \param totals    as above
 /// \return one for each of Model::contacts, in their order
 /// \throws std::invalid_argument as resultants()
-[[nodiscard]] std::vector<Resultants> resultants_of_contacts(const Model& model,
-                                                             const Solution& solution,
-                                                             const PathState* state = nullptr);
+[[nodiscard]] std::vector<Resultants> resultants_of_contacts(
+    const Model& model, const Solution& solution, const std::optional<PathTotals>& totals = {});
 
 /// The table as comma separated text: the columns of pair_columns(), one line per pair.
 ///
@@ -55,11 +55,11 @@ struct Resultants {
 /// \param model      that was solved
 /// \param solution   of it
 /// \param tolerance  if not empty, goes in front as the comment `# tolerance <tolerance>`
-/// \param state      after this step of a path, see Step; null: the solution is no step
+/// \param totals     after this step of a path, see totals(); nothing: the solution is no step
 /// \return the text
 /// \throws std::invalid_argument as pair_columns()
 [[nodiscard]] std::string pressure_csv(const Model& model, const Solution& solution,
                                        const std::string& tolerance = "",
-                                       const PathState* state = nullptr);
+                                       const std::optional<PathTotals>& totals = {});
 
 }  // namespace signorini

@@ -187,9 +187,9 @@ std::string attribute(const std::string& tag, const std::string& name) {
 }  // namespace
 
 void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution,
-               const PathState* state) {
+               const std::optional<PathTotals>& totals) {
   const std::vector<NodalField> contact =
-      nodal_fields(model, solution, pair_columns(model, solution, state));
+      nodal_fields(model, solution, pair_columns(model, solution, totals));
   std::ostringstream out;
   out << std::setprecision(9);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "

@@ -2,10 +2,11 @@
 /// The solved field as a VTU file, for ParaView and other viewers.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "addons/steps/steps.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace signorini {
 
@@ -18,7 +19,7 @@ namespace signorini {
 /// on the source [force/length^2], friction included; `contact_status` (1 closed, 0 open, -1 no pair). Cell data:
 /// `cell_stress`. Field data: `notes` of the solution, if it has any.
 ///
-/// With friction also, as in pair_columns(): `contact_shear_traction` [force/length^2], `contact_slip` and, with a state,
+/// With friction also, as in pair_columns(): `contact_shear_traction` [force/length^2], `contact_slip` and, with totals,
 /// `contact_slip_total` [length], all 0 where no pair rubs, and `contact_motion` (0 open, 1 stick, 2 forward, 3 backward,
 /// -1 no pair that rubs). With several contacts: `contact_number`, from 0, -1 without a pair, and the field data
 /// `contacts`, their names in this order. A node with pairs of several contacts shows that with the largest force. Pairs at
@@ -26,11 +27,11 @@ namespace signorini {
 /// \param file      to be written, in a folder that exists
 /// \param model     that was solved
 /// \param solution  of it
-/// \param state     after this step of a path, see Step; null: the solution is no step
-/// \throws std::invalid_argument if the problem is not solved, or the state has another number of slips
+/// \param totals    after this step of a path, see totals(); nothing: the solution is no step
+/// \throws std::invalid_argument if the problem is not solved, or the totals are of another number of slips
 /// \throws ProblemError if the file cannot be written
 void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution,
-               const PathState* state = nullptr);
+               const std::optional<PathTotals>& totals = {});
 
 /// A file of the fields at one time.
 struct TimedFile {

@@ -1,7 +1,8 @@
 /// \file
 /// The family of effects: what a scene may call for besides elastic bodies on supports. To add one: give it an
 /// optional entry in Scene, write a `.cpp` with a function of its name that returns it, and put that name into
-/// the table in effects.cpp; the conformance suite asks for a scene that has it.
+/// the table in effects.cpp, or, in an add-on, into its register function, which programs call; the conformance suite asks
+/// for a scene that has it.
 ///
 /// No step of a run looks at what a scene calls for (doubts read it to write notes, and contact asks fit.hpp how
 /// its sides fit): plan() asks every effect in the order of the table whether it
@@ -14,6 +15,7 @@
 /// * *finite strain*: `price` says that K is assembled and factored once per iteration, `add` hands the model a
 ///   function from displacements to K and p.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "signorini/scene/scene.hpp"
@@ -35,7 +37,13 @@ struct Effect {
 };
 
 /// The family.
-/// \return all members, in the order in which they are asked
+/// \return all members, in the order in which they are asked: loads, contact, friction and rigid motions, which the library
+///   has, and those that add-ons added
 [[nodiscard]] const std::vector<Effect>& effects();
+
+/// Adds a member to the family, unless it has one of that name. A program does so at its beginning: plans refer to members.
+/// \param member  of an add-on
+/// \param before  name of the member in front of which it is asked; the last place if there is none of that name
+void add_effect(const Effect& member, const std::string& before = "");
 
 }  // namespace signorini

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <ostream>
 #include <set>
 #include <utility>
@@ -24,6 +25,27 @@ void check_names(const Scene& scene) {
   pose(scene.solver.solve != nullptr && scene.backend.factor != nullptr,  // needed or not
        "a scene's solver and back end must be members of their families, got one without a ",
        "function: take find_solver(name) and find_backend(name), or leave the defaults");
+}
+
+/// Refuses what an add-on does that the program has not.
+void check_effects(const Scene& scene) {
+  const auto check = [](bool wanted, const std::string& name, const char* function) {
+    const auto named = [&name](const Effect& effect) { return effect.name == name; };
+    pose(!wanted || std::any_of(effects().begin(), effects().end(), named), "the scene has ", name,
+         ", which this program does not know: call ", function, "() before the scene is planned");
+  };
+  const char* const own = "register_effects";
+  check(scene.path.has_value(), "load steps", "register_load_steps");
+  for (const Body& body : scene.bodies) {
+    check(body.material.state == PlaneState::Axial, "axial symmetry", own);
+    check(!body.layers.empty(), "layers", own);
+    check(body.temperature.has_value(), "temperature", own);
+    check(!body.springs.empty(), "springs", own);
+  }
+  for (const ContactSpec& contact : scene.contacts) {
+    check(contact.adjust.has_value(), "adjusted gaps", own);
+    check(contact.interference.has_value(), "interference", own);
+  }
 }
 
 /// Refuses loads that would follow a history that is not there.
@@ -161,6 +183,7 @@ void check_pairs(const Plan& plan) {
 Plan plan(const Scene& scene) {
   Plan plan;
   check_names(scene);
+  check_effects(scene);
   check_histories(scene);
   for (const Body& body : scene.bodies) plan_body(body, plan);
   plan_unknowns(scene, plan);

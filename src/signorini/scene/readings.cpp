@@ -15,6 +15,17 @@ void require_forces(const Solution& solution) {
 
 }  // namespace
 
+Eigen::VectorXd increment(const ContactState& contact) {
+  Eigen::VectorXd slip = contact.slip;
+  for (Eigen::Index k = 0; k < slip.size(); ++k)
+    if (contact.motion[static_cast<std::size_t>(k)] == Motion::Stick) slip(k) = 0;
+  return slip;
+}
+
+Eigen::VectorXd dissipated(const ContactState& contact) {
+  return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
+}
+
 // [solved]
 SolvedScene solved(const Scene& scene, const std::string& what) {
   Ledger ledger;

@@ -21,6 +21,20 @@ struct SolvedScene {
 /// \throws NotSolved as require_solved(); ProblemError as plan(), build() and condense()
 [[nodiscard]] SolvedScene solved(const Scene& scene, const std::string& what);
 
+/// \param contact  of a solution
+/// \return `n_s` slips of the step [length]; exactly 0 of a pair that sticks, where rounding leaves the solution a rest
+[[nodiscard]] Eigen::VectorXd increment(const ContactState& contact);
+
+/// \param contact  of a solution
+/// \return `n_s` work |tau| |slip| that each pair that rubs lost by sliding [force length], see increment()
+[[nodiscard]] Eigen::VectorXd dissipated(const ContactState& contact);
+
+/// What the pairs that rub did in all load steps so far.
+struct PathTotals {
+  Eigen::VectorXd slip;         ///< `n_s` [length], of the source along the tangent
+  Eigen::VectorXd dissipation;  ///< `n_s` [force length], >= 0
+};
+
 /// Forces of contact on the nodes of one body: \f$ N^T\lambda \f$. In axial symmetry, here and below, of the whole
 /// circle: sums along y are resultants, sums along x mean nothing.
 /// \param model     from build()

@@ -88,7 +88,7 @@ struct Scene {
   std::vector<ContactSpec> contacts;         ///< none by default
   Solver solver = primal_dual_active_set();  ///< a member of the family, see find_solver()
   std::optional<Path> path = {};             ///< load steps, for solve_steps(); none by default
-  Backend backend = frontal();               ///< factors K, see find_backend()
+  Backend backend = default_backend();       ///< factors K, see backends()
 };
 
 struct Effect;
@@ -113,7 +113,7 @@ struct Plan {
   Solver solver = primal_dual_active_set();  ///< of the scene
   Path path;                                 ///< load steps, none without
   std::vector<LoadPart> parts;  ///< of loads that follow one history each, none without steps
-  Backend backend = frontal();  ///< of the scene
+  Backend backend = default_backend();  ///< of the scene
 };
 
 /// Reads a scene and says what will be computed. \param scene  to be solved
@@ -137,7 +137,8 @@ struct Plan {
 
 /// All of it: plan, build, condense, solve. \param scene  to be solved
 /// \return the solution; its status and the errors are those of the four steps
-/// \throws ProblemError for a scene of load steps: that is for solve_steps()
+/// \throws ProblemError for a scene of load steps: that is for solve_steps() of the add-on steps, as solve_to_limit() is for a
+///   scene with friction whose loads may be more than that holds
 [[nodiscard]] Solution solve(const Scene& scene);
 
 /// Prints what is on and off, one line each, and notes. \param out where to \param plan what

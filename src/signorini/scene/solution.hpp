@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "addons/certified/shared_forces.hpp"
-#include "addons/frontal/backend.hpp"
-#include "addons/steps/path.hpp"
 #include "signorini/contact/pairs.hpp"
 #include "signorini/core/ledger.hpp"
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/elements.hpp"
+#include "signorini/fem/factor.hpp"
 #include "signorini/fem/free_motions.hpp"
 #include "signorini/fem/joints.hpp"
 #include "signorini/problem/certificate.hpp"
+#include "signorini/scene/path.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {
@@ -58,7 +58,7 @@ struct Model {
   std::vector<std::string> notes;            ///< of the plan
   Path path = {};                            ///< load steps, none without
   std::vector<LoadPart> parts = {};          ///< p and g are the sum of these times their histories
-  Backend backend = frontal();               ///< of the scene, factors K
+  Backend backend = default_backend();       ///< of the scene, factors K
   std::vector<std::string> contacts = {};    ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of = {};  ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
@@ -87,8 +87,8 @@ struct Solution {
   std::vector<SharedForces> shared = {};
   std::string escape;  ///< if the load pulls a body away: how it moves off
   /// How much of the whole load contact and friction can hold at most [-]: with `escape` it is proved by
-  /// balanced_share(), else found by solve_to_limit(). Nothing without friction, and in load steps, which have
-  /// PathEnd::limit
+  /// balanced_share(), else found by solve_to_limit() of the add-on steps. Nothing without friction, and in load
+  /// steps, which have PathEnd::limit
   std::optional<double> limit = {};
   /// What a user should know: the notes of the plan, then such as that other solutions exist, that forces are not determined, or that strains are large.
   std::vector<std::string> notes;

@@ -11,7 +11,6 @@
 #include "addons/certified/undetermined.hpp"
 #include "addons/checks/doubts.hpp"
 #include "addons/checks/fit_doubts.hpp"
-#include "addons/steps/steps_limit.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -279,7 +278,7 @@ Solution solve(const Scene& scene) {
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);
-  return solve_to_limit(scene, model, condensed, std::move(ledger));
+  return solve(model, condensed, std::move(ledger));
 }
 
 }  // namespace signorini

@@ -1,4 +1,4 @@
-#include "signorini/scene/pattern.hpp"
+#include "addons/prediction/pattern.hpp"
 
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"

@@ -1,6 +1,7 @@
 /// \file
-/// Load steps as a scene asks for them, and the parts that the loads of a model are made of.
+/// Load steps as a scene asks for them, and the parts that the loads of a model are made of. The add-on steps solves them.
 #pragma once
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,16 +19,13 @@ struct History {
   [[nodiscard]] double at(double time) const;
 };
 
-/// Refuses a history that is none. \param history  any
-/// \throws ProblemError unless its times are finite and increase and it has as many finite values
-void check_history(const History& history);
-
-/// \param name  of the history \return 0 at time 0, 1 at time 1, straight between
-[[nodiscard]] History proportional(const std::string& name);
-
-/// \param steps  how many, at least 1 \param end  time of the last one, > 0 [time]
-/// \return `steps` times at equal distances, the last one `end` [time]
-[[nodiscard]] std::vector<double> equal_steps(int steps, double end = 1);
+inline double History::at(double time) const {
+  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  if (after == times.begin()) return values.front();
+  const std::size_t k = static_cast<std::size_t>(after - times.begin()) - 1;
+  if (time == times[k] || after == times.end()) return values[k];
+  return values[k] + (values[k + 1] - values[k]) * ((time - times[k]) / (times[k + 1] - times[k]));
+}
 
 /// Load steps. What names no history is there in full from the first step on.
 ///
@@ -48,10 +46,5 @@ struct LoadPart {
   Eigen::VectorXd load;          ///< its share of p `n` [force]
   Eigen::VectorXd movement;      ///< its share of g `n_c + n_s`: gaps, then slips [length]
 };
-
-/// \param path  with all histories \param part  of its loads \param time  any [time]
-/// \return what the part is multiplied by then [-]
-/// \throws ProblemError if the path has no such history
-[[nodiscard]] double factor_of(const Path& path, const LoadPart& part, double time);
 
 }  // namespace signorini

@@ -1,4 +1,4 @@
-#include "signorini/scene/sample.hpp"
+#include "addons/prediction/sample.hpp"
 
 #include <algorithm>
 #include <map>

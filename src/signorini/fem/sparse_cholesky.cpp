@@ -1,0 +1,106 @@
+// The plain factor: Eigen's L D L^T of K, whose pivots are looked at.
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <memory>
+
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/fem/factor.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;
+using Cholesky = Eigen::SimplicialLDLT<Matrix>;
+
+std::string name(const Stiffness& K, Index unknown) {
+  return text(unknown, K.describe ? " (" + K.describe(unknown) + ")" : "");
+}
+
+void check_entries(const Stiffness& K) {
+  for (Index k = 0; k < K.matrix.cols(); ++k)
+    for (Matrix::InnerIterator entry(K.matrix, k); entry; ++entry)
+      if (!std::isfinite(entry.value()))
+        throw ProblemError(
+            text("stiffness matrix has an entry that is no finite number at unknown ", name(K, k),
+                 ": look at the material and the thickness of its body"));
+}
+
+/// K with the springs that hold it besides, each as stiff as a diagonal entry.
+Matrix with_springs(const Stiffness& K) {
+  Matrix held = K.matrix;
+  for (const Index unknown : K.grounded) {
+    require(unknown >= 0 && unknown < held.cols(), "sparse_cholesky: grounded unknowns are 0 to ",
+            held.cols() - 1, ", got ", unknown);
+    held.coeffRef(unknown, unknown) *= 2;
+  }
+  return held;
+}
+
+/// A pivot is a diagonal entry minus an inner product of at most n terms: that bounds its error.
+void check_pivots(const Stiffness& K, const Matrix& held, const Cholesky& cholesky) {
+  const VectorXd pivots = cholesky.vectorD();
+  const VectorXd diagonal = cholesky.permutationP() * VectorXd(held.diagonal());
+  const double least = epsilon * static_cast<double>(pivots.size());
+  for (Index k = 0; k < pivots.size(); ++k) {
+    if (pivots(k) > least * std::abs(diagonal(k))) continue;
+    const Index unknown = cholesky.permutationPinv().indices()(k);
+    throw ProblemError(
+        text("stiffness matrix is singular at unknown ", name(K, unknown), ": pivot ", pivots(k),
+             " of a diagonal entry ", K.matrix.coeff(unknown, unknown),
+             ". Something can move there without resistance: add a support; or the cells are too "
+             "slender for double precision: use more of them"));
+  }
+}
+
+/// What it takes: a column of L with k entries below the diagonal is scaled, and its outer product subtracted.
+Factor::Size size_of(const Cholesky& cholesky) {
+  const Matrix L = cholesky.matrixL();
+  Factor::Size size;
+  size.unknowns = L.cols();
+  for (Index k = 0; k < L.cols(); ++k) {
+    const double below = static_cast<double>(L.col(k).nonZeros() - 1);
+    size.nonzeros += L.col(k).nonZeros();
+    size.operations += below * (below + 2);
+  }
+  size.solve_operations = static_cast<double>(4 * size.nonzeros - 3 * size.unknowns);
+  return size;
+}
+
+Factor factored(const Stiffness& K, Ledger& ledger) {
+  const Ledger::Phase phase(ledger, "numeric");
+  check_entries(K);
+  const auto cholesky = std::make_shared<Cholesky>();
+  Factor::Size size;
+  if (const Matrix held = with_springs(K); held.cols() > 0) {
+    cholesky->compute(held);
+    check_pivots(K, held, *cholesky);
+    size = size_of(*cholesky);
+  }
+  ledger.count("nonzeros", size.nonzeros);
+  ledger.count("operations", static_cast<long long>(size.operations));
+  ledger.bytes(size.nonzeros * static_cast<long long>(sizeof(double)));
+  const auto solve = [cholesky](const Eigen::Ref<const VectorXd>& load) {
+    return load.size() > 0 ? VectorXd(cholesky->solve(load)) : VectorXd();
+  };
+  const auto compliance = [cholesky, size](const Factor::Rows& A, Ledger& counts) -> MatrixXd {
+    if (A.rows() == 0 || A.cols() == 0) return MatrixXd::Zero(A.rows(), A.rows());
+    counts.count("operations",
+                 static_cast<long long>(static_cast<double>(A.rows()) * size.solve_operations));
+    const MatrixXd response = cholesky->solve(MatrixXd(A.transpose()));
+    const MatrixXd product = A * response;
+    return 0.5 * (product + product.transpose());
+  };
+  return {solve, compliance, size};
+}
+
+}  // namespace
+
+Backend sparse_cholesky() {
+  return {"sparse_cholesky", "Eigen's sparse Cholesky factor; plain, needs nothing", factored};
+}
+
+}  // namespace signorini
