@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "addons/steps/histories.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace ex15_2 {
