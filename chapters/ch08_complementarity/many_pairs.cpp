@@ -51,13 +51,13 @@ void compare_friction(const ProgramOptions& run, Results& results) {
       row.push_back(solved ? std::to_string(state.report.iterations)
                            : to_string(state.report.status));
       if (counts.size() > all.size()) continue;  // the first member is enough
-      const auto of = [&](Motion s) {
+      const auto of = [&](ContactStatus s) {
         return std::count(state.motion.begin(), state.motion.end(), s);
       };
-      counts.push_back(text(of(Motion::Open), ", ", of(Motion::Stick), ", ",
-                            of(Motion::Forward) + of(Motion::Backward)));
-      results.add(text("open_pairs_", counts.size() - 1), static_cast<double>(of(Motion::Open)),
-                  "-");
+      counts.push_back(text(of(ContactStatus::Open), ", ", of(ContactStatus::Stick), ", ",
+                            of(ContactStatus::SlipForward) + of(ContactStatus::SlipBackward)));
+      results.add(text("open_pairs_", counts.size() - 1),
+                  static_cast<double>(of(ContactStatus::Open)), "-");
     }
     table.row(row);
   }

@@ -13,7 +13,8 @@ using namespace ch15;
 void fork(const ProgramOptions& run, Results& results) {
   Table all({"mu", "motion", "push", "slip"}), path({"mu", "time", "push", "slip"});
   for (const double coefficient : {1., 3.}) {
-    for (const Motion motion : {Motion::Stick, Motion::Forward, Motion::Open}) {
+    for (const ContactStatus motion :
+         {ContactStatus::Stick, ContactStatus::SlipForward, ContactStatus::Open}) {
       for (int i = 0; i <= 120; ++i)
         for (const Answer& answer : answers(coefficient, i / 150.))
           if (answer.motion == motion)

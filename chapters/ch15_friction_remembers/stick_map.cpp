@@ -19,14 +19,14 @@ void stick_map(const ProgramOptions& run, Results& results) {
   double never_slid = 0;  // width [mm]
   remember(by_force(cylinder(push_times(6), pressing, known.push())),
            [&](const Model& model, const Step& step) {
-             const std::vector<Motion>& motion = step.solution.contact.motion;
+             const std::vector<ContactStatus>& motion = step.solution.contact.motion;
              slid.resize(motion.size());
              never_slid = 0;
              for (std::size_t i = 0; i < motion.size(); ++i) {
                const auto pair = static_cast<Index>(i);
                map.row({number(step.state.time), number(model.pairs.position(pair, 0)),
                         number(model.pairs.weight(pair)), to_string(motion[i])});
-               slid[i] = slid[i] || motion[i] != Motion::Stick;
+               slid[i] = slid[i] || motion[i] != ContactStatus::Stick;
                if (!slid[i]) never_slid += model.pairs.weight(pair);
              }
            });

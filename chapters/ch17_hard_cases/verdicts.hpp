@@ -21,9 +21,10 @@ inline double quantity(const std::string& name, const Answer& answer) {
   };
   if (name == "closed pairs") return static_cast<double>(state.active.size());
   if (name == "sticking pairs")
-    return count([](signorini::Motion motion) { return motion == signorini::Motion::Stick; });
+    return count(
+        [](signorini::ContactStatus motion) { return motion == signorini::ContactStatus::Stick; });
   if (name == "sliding pairs")
-    return count([](signorini::Motion motion) { return friction_sign(motion) != 0; });
+    return count([](signorini::ContactStatus motion) { return friction_sign(motion) != 0; });
   if (name == "doubtful") return state.uniqueness == signorini::Uniqueness::Doubtful ? 1 : 0;
   if (name == "objective") return answer.objective;
   if (name == "limit") return answer.limit;

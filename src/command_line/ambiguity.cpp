@@ -69,9 +69,9 @@ std::vector<ForceRange> undetermined_multipliers(const OneSided& form,
                                                  const DenseSolution& solution) {
   const DenseProgramme& programme = form.programme;
   const VectorXd& force = solution.refined.force;
-  std::vector<Motion> motions = motions_of(solution.active, force.size());
+  std::vector<ContactStatus> motions = motions_of(solution.active, force.size());
   for (Index row = 0; row < force.size(); ++row)
-    if (force(row) != 0) motions[static_cast<std::size_t>(row)] = Motion::Stick;
+    if (force(row) != 0) motions[static_cast<std::size_t>(row)] = ContactStatus::Stick;
   const QuadraticProgramme rows{programme.stiffness.sparseView(), programme.load,
                                 programme.A.sparseView(), programme.initial_gap};
   Carried carrying = carried(rows, solution.refined, {}, std::move(motions));

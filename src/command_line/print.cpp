@@ -94,11 +94,12 @@ void print_rubbing(std::ostream& out, const Outcome& solution) {
 }
 
 /// How many pairs do what.
-void print_motions(std::ostream& out, const std::vector<Motion>& motions) {
+void print_motions(std::ostream& out, const std::vector<ContactStatus>& motions) {
   out << '\n';
-  for (const Motion motion : {Motion::Open, Motion::Stick, Motion::Forward, Motion::Backward})
+  for (const ContactStatus motion : {ContactStatus::Open, ContactStatus::Stick,
+                                     ContactStatus::SlipForward, ContactStatus::SlipBackward})
     out << signorini::to_string(motion) << ' ' << std::count(motions.begin(), motions.end(), motion)
-        << (motion == Motion::Backward ? "\n" : ", ");
+        << (motion == ContactStatus::SlipBackward ? "\n" : ", ");
 }
 
 /// What speaks for other solutions.
@@ -230,7 +231,7 @@ void write(Json& json, const FiledProblem& filed, Matrix kind, const std::vector
     if (!filed.rubs()) return;
     json.key("friction").value(outcome.friction).key("slip").value(outcome.slip);
     json.key("motion").array();
-    for (const Motion motion : outcome.motion) json.value(signorini::to_string(motion));
+    for (const ContactStatus motion : outcome.motion) json.value(signorini::to_string(motion));
     json.end();
     write_uniqueness(json, outcome);
   });

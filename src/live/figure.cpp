@@ -193,7 +193,7 @@ void Panel::bodies(const signorini::Model& model, const signorini::Solution& sol
 std::vector<Index> closed_pairs(const signorini::ContactState& contact, bool slide) {
   std::vector<Index> found;
   for (const Index i : contact.active)
-    if ((contact.motion[static_cast<std::size_t>(i)] != signorini::Motion::Stick) == slide)
+    if ((contact.motion[static_cast<std::size_t>(i)] != signorini::ContactStatus::Stick) == slide)
       found.push_back(i);
   return found;
 }

@@ -100,7 +100,8 @@ TEST_CASE("few entries or all of them: the same closure", "[friction][soft]") {
   CHECK(reach(sparse()) == Approx(reach(dense)).epsilon(1e-15));
 
   SECTION("more forces than unknowns: the gaps and slips are the same") {
-    const std::vector<Motion> stuck(static_cast<std::size_t>(dense.pairs()), Motion::Stick);
+    const std::vector<ContactStatus> stuck(static_cast<std::size_t>(dense.pairs()),
+                                           ContactStatus::Stick);
     const Closure all = close(dense, stuck);
     const Closure few = close(sparse(), stuck);
     REQUIRE(all.solvable);
@@ -118,9 +119,9 @@ TEST_CASE("few entries or all of them: the same closure", "[friction][soft]") {
     int reversed = 0;
     for (int sample = 0; sample < 40; ++sample) {
       dense.law.coefficient.setConstant(sample < 20 ? 0.5 : 8);
-      std::vector<Motion> motions;
+      std::vector<ContactStatus> motions;
       for (Index i = 0; i < dense.pairs(); ++i)
-        motions.push_back(static_cast<Motion>(random.uniform(0, 4)));
+        motions.push_back(static_cast<ContactStatus>(random.uniform(0, 4)));
       const Closure all = close(dense, motions);
       const Closure few = close(sparse(), motions);
       CAPTURE(floating, sample);

@@ -105,14 +105,14 @@ TEST_CASE("a determinant of the wrong sign warns of other solutions", "[closing]
   const ContactProblem problem{F, Vector2d::Ones(), Vector2d::Constant(4),
                                law_of_all(Vector2d::Ones(), Vector2d::Zero())};
   const ScaledProblem scaled = equilibrate(problem);
-  for (const Motion motion : {Motion::Open, Motion::Forward}) {
-    const std::vector<Motion> both(2, motion);
+  for (const ContactStatus motion : {ContactStatus::Open, ContactStatus::SlipForward}) {
+    const std::vector<ContactStatus> both(2, motion);
     const Closure end = close(scaled, both);
     CHECK(solves(scaled, both, end));
-    CHECK(end.reversed == (motion == Motion::Forward));
+    CHECK(end.reversed == (motion == ContactStatus::SlipForward));
     CHECK(uniqueness(scaled, both, end) ==
-          (motion == Motion::Forward ? Uniqueness::Doubtful : Uniqueness::Unknown));
-    if (motion != Motion::Forward) continue;
+          (motion == ContactStatus::SlipForward ? Uniqueness::Doubtful : Uniqueness::Unknown));
+    if (motion != ContactStatus::SlipForward) continue;
     // det [1 -2 mu; -2 1] = 1 - 4 mu with mu the friction of the first alone: -3, and none from mu = 1/4 down.
     const Doubt found = doubt(scaled, both, end);
     CHECK(found.pair == 0);
@@ -148,7 +148,8 @@ TEST_CASE("one solution is proved only if the pairs that press leave no body fre
     problem.rigid = mode;
     problem.resultant = Eigen::VectorXd::Constant(1, load);
     const ScaledProblem scaled = equilibrate(problem);
-    const std::vector<Motion> motions = {load > 0 ? Motion::Forward : Motion::Open};
+    const std::vector<ContactStatus> motions = {load > 0 ? ContactStatus::SlipForward
+                                                         : ContactStatus::Open};
     const Closure closure = close(scaled, motions);
     CHECK(closure.solvable);
     return uniqueness(scaled, motions, closure);

@@ -33,7 +33,7 @@ Carried node(const MatrixXd& effect, const FrictionLaw& law, const VectorXd& for
           force,
           VectorXd::Zero(force.size()),
           VectorXd::Zero(force.size()),
-          std::vector<Motion>(static_cast<std::size_t>(pairs), Motion::Stick)};
+          std::vector<ContactStatus>(static_cast<std::size_t>(pairs), ContactStatus::Stick)};
 }
 
 /// Least and largest of each force over all vertices: every choice of as many met bounds as there are exchanges.
@@ -182,7 +182,7 @@ TEST_CASE("two pairs of one node share what presses it", "[closing][closed-form]
 TEST_CASE("a gap, a slip beyond rounding or cohesion leaves no choice", "[closing][closed-form]") {
   const MatrixXd same = (MatrixXd(2, 2) << 1, 1, 0, 0).finished();
   Carried carried = node(same, {}, Vector2d(3, 0));
-  carried.motions[1] = Motion::Open;
+  carried.motions[1] = ContactStatus::Open;
   CHECK(undetermined_forces(carried).size() == 1);  // it touches
   carried.movement(1) = 1e-15;
   CHECK(undetermined_forces(carried).empty());
@@ -194,7 +194,7 @@ TEST_CASE("a gap, a slip beyond rounding or cohesion leaves no choice", "[closin
   const FrictionLaw law = law_of_all(Vector2d::Constant(0.5), Vector2d::Zero());
   carried = node(corner, law, (VectorXd(4) << 1, 1, 0.5, 0.5).finished());
   CHECK(undetermined_forces(carried).size() == 1);
-  carried.motions.assign(2, Motion::Backward);
+  carried.motions.assign(2, ContactStatus::SlipBackward);
   CHECK(undetermined_forces(carried).size() == 1);  // the slips are none
   carried.movement.tail(2).setConstant(-1);
   CHECK(undetermined_forces(carried).empty());

@@ -148,7 +148,7 @@ TEST_CASE("what pushes a shaft out of its hub is friction times the normal force
     scene.contacts[0].friction = Friction{mu, 0};
     const SolvedScene run = solved(scene, "the push");
     const ContactState& contact = run.solution.contact;
-    for (const Motion motion : contact.motion) CHECK(friction_sign(motion) != 0);
+    for (const ContactStatus motion : contact.motion) CHECK(friction_sign(motion) != 0);
     const double push = support_forces(run.model, run.solution, 0).col(1).sum();
     CAPTURE(mu);
     CHECK(push == Approx(mu * contact.force.sum()).epsilon(1e-11));

@@ -117,7 +117,7 @@ TEST_CASE("a nearly singular block is solved to the last digits", "[closing]") {
 
 TEST_CASE("of rows that repeat each other the first is kept, and closes the others if it can",
           "[closing]") {
-  const std::vector<Motion> both = motions_of({0, 1}, 2);
+  const std::vector<ContactStatus> both = motions_of({0, 1}, 2);
   const ScaledProblem same = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -1)});
   for (const Eigen::Index first : {0, 1}) {
     const Closure kept = close(same, KnownSet{{first, 1 - first}});

@@ -99,7 +99,7 @@ TEST_CASE("a VTU file of a load step has the slip in total", "[vtu][steps]") {
   const Eigen::Index pair = run.solution.contact.active.front();
   const auto node = static_cast<std::size_t>(run.model.pairs.node[static_cast<std::size_t>(pair)]);
   run.solution.contact.rubbing = {pair};
-  run.solution.contact.motion = {Motion::Backward};
+  run.solution.contact.motion = {ContactStatus::SlipBackward};
   run.solution.contact.friction = Eigen::VectorXd::Constant(1, 3);
   run.solution.contact.slip = Eigen::VectorXd::Constant(1, -0.5);
   PathState state;

@@ -110,8 +110,10 @@ TEST_CASE("a block pressed on a rough plane: its mesh's own displacements, force
     CHECK(state.force.sum() == Approx(expected.normal).epsilon(1e-6).margin(0));
     CHECK(state.friction.sum() == Approx(expected.tangential).epsilon(1e-6).margin(0));
     for (Index k = 0; k < 32; ++k) {
-      const Motion status = state.motion[static_cast<std::size_t>(k)];
-      CHECK(status == (k < 3 ? Motion::Open : k < 24 ? Motion::Forward : Motion::Stick));
+      const ContactStatus status = state.motion[static_cast<std::size_t>(k)];
+      CHECK(status == (k < 3    ? ContactStatus::Open
+                       : k < 24 ? ContactStatus::SlipForward
+                                : ContactStatus::Stick));
     }
     const NodeArray forces = support_forces(run.model, run.solution);
     const NodeArray contact = contact_forces(run.model, run.solution);

@@ -87,8 +87,8 @@ TEST_CASE("Tresca's law in a scene: no coefficient, and the bound is the cohesio
   for (Eigen::Index k = 0; k < tresca.contact.friction.size(); ++k) {
     const double bound = 2.5 * model.pairs.weight(model.law.pair[static_cast<std::size_t>(k)]);
     CHECK(std::abs(tresca.contact.friction(k)) <= bound * (1 + 1e-14));
-    if (tresca.contact.motion[static_cast<std::size_t>(k)] == Motion::Backward ||
-        tresca.contact.motion[static_cast<std::size_t>(k)] == Motion::Forward)
+    if (tresca.contact.motion[static_cast<std::size_t>(k)] == ContactStatus::SlipBackward ||
+        tresca.contact.motion[static_cast<std::size_t>(k)] == ContactStatus::SlipForward)
       ++at_bound;
   }
   CHECK(at_bound > 0);

@@ -54,7 +54,7 @@ TEST_CASE("pairs that stick do not slip, however slender the body", "[friction][
           const double most = solution.displacements[0].cwiseAbs().maxCoeff();
           const ContactState& state = solution.contact;
           for (std::size_t k = 0; k < state.motion.size(); ++k)
-            if (state.motion[k] == Motion::Stick) {
+            if (state.motion[k] == ContactStatus::Stick) {
               REQUIRE(std::abs(state.slip(static_cast<Index>(k))) <= 1e-15 * most);
               REQUIRE(std::abs(state.gap(state.rubbing[k])) <= 1e-15 * most);
             }
@@ -70,7 +70,7 @@ TEST_CASE("the certificate sees a slip that nothing resists, and a force beyond 
   Index sticks = -1;
   Index slides = -1;
   for (Index pair = 0; pair < pairs; ++pair) {
-    if (state.motion[static_cast<std::size_t>(pair)] == Motion::Stick) sticks = pair;
+    if (state.motion[static_cast<std::size_t>(pair)] == ContactStatus::Stick) sticks = pair;
     if (friction_sign(state.motion[static_cast<std::size_t>(pair)]) != 0) slides = pair;
   }
   REQUIRE((sticks >= 0 && slides >= 0));

@@ -179,7 +179,8 @@ TEST_CASE("the check of random scenes sees a millionth of any number, and false 
     if (double* const most = largest_of(s.contact.gap)) *most *= 1 + 1e-6;
   };
   const auto status = [](Solution& s) {
-    for (Motion& now : s.contact.motion) now = friction_sign(now) != 0 ? Motion::Stick : now;
+    for (ContactStatus& now : s.contact.motion)
+      now = friction_sign(now) != 0 ? ContactStatus::Stick : now;
   };
   for (const RandomScenes kind :
        {RandomScenes::Frictionless, RandomScenes::Frictional, RandomScenes::Paths}) {

@@ -27,8 +27,9 @@ double half_ellipse(double x, double width) {
 /// Half the width of all pairs with a status.
 double half_width(const ContactState& state, bool stick_only) {
   double width = 0;
-  for (const Motion motion : state.motion)
-    if (motion == Motion::Stick || (!stick_only && motion != Motion::Open)) width += h / 2;
+  for (const ContactStatus motion : state.motion)
+    if (motion == ContactStatus::Stick || (!stick_only && motion != ContactStatus::Open))
+      width += h / 2;
   return width;
 }
 

@@ -135,7 +135,7 @@ TEST_CASE("without the friction of the pair that is named, beyond its share, the
     ContactProblem problem = random_friction(random, 2 + sample % 4, 8);
     const ContactState solution = friction_solvers().front().solve(problem, {});
     if (solution.report.status != Status::Solved || solution.doubt.pair < 0) continue;
-    const std::vector<Motion> motions = all_motions(solution);
+    const std::vector<ContactStatus> motions = all_motions(solution);
     if (!close(equilibrate(problem), motions).reversed) continue;
     ++named;
     double& mu = problem.law.coefficient(solution.doubt.pair);
@@ -154,15 +154,15 @@ TEST_CASE("a solution on the turned branch warns of the others", "[friction][har
   F << 1, 2, 2, 9;
   const ContactProblem problem = one_pair(F, 0.1, 3, 0.6);
   const ScaledProblem scaled = equilibrate(problem);
-  const auto reversed = [&](Motion motion) {
-    const std::vector<Motion> motions = {motion};
+  const auto reversed = [&](ContactStatus motion) {
+    const std::vector<ContactStatus> motions = {motion};
     const Closure end = close(scaled, motions);
     CHECK(solves(scaled, motions, end));
     return end.reversed;
   };
-  CHECK_FALSE(reversed(Motion::Open));
-  CHECK_FALSE(reversed(Motion::Stick));
-  CHECK(reversed(Motion::Forward));  // 1 - 2 mu < 0
+  CHECK_FALSE(reversed(ContactStatus::Open));
+  CHECK_FALSE(reversed(ContactStatus::Stick));
+  CHECK(reversed(ContactStatus::SlipForward));  // 1 - 2 mu < 0
 }
 
 TEST_CASE("others are said to exist where they do", "[friction][hard]") {

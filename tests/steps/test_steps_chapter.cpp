@@ -96,22 +96,24 @@ TEST_CASE("one node with three answers: each has its certificate, and a step kee
     if (step.state.time == 6) past = step.state;
     const double time = step.state.time, push = scene.path->histories[1].at(time);
     CAPTURE(time, push);
-    const Motion motion = step.state.motion[0];
+    const ContactStatus motion = step.state.motion[0];
     const std::string& note = step.solution.notes.back();
-    if (motion == Motion::Stick && answers(mu_strong, push).size() > 1)
+    if (motion == ContactStatus::Stick && answers(mu_strong, push).size() > 1)
       CHECK_THAT(note,
                  ContainsSubstring("there are other solutions of the same loads") &&
                      ContainsSubstring("the determinant of pair 0 of node 1 of body 'wedge'") &&
                      ContainsSubstring("is -0.8, and several solutions begin below 0, from a "
                                        "friction coefficient of 1.66667 on; there it is 3"));
-    if (motion == Motion::Stick && answers(mu_strong, push).size() == 1)
+    if (motion == ContactStatus::Stick && answers(mu_strong, push).size() == 1)
       CHECK(step.solution.notes.size() == 1);
-    if (time <= 11) CHECK(motion == (push < 0.6 ? Motion::Stick : Motion::Open));
-    if (time > 11) CHECK(motion == (push > 1. / 3 ? Motion::Open : Motion::Backward));
+    if (time <= 11) CHECK(motion == (push < 0.6 ? ContactStatus::Stick : ContactStatus::Open));
+    if (time > 11)
+      CHECK(motion == (push > 1. / 3 ? ContactStatus::Open : ContactStatus::SlipBackward));
   });
   REQUIRE(past.slip(0) == 0);
   CondensedPath condensed = condense_path(model, ledger);
-  for (const Motion motion : {Motion::Open, Motion::Stick, Motion::Forward}) {
+  for (const ContactStatus motion :
+       {ContactStatus::Open, ContactStatus::Stick, ContactStatus::SlipForward}) {
     CAPTURE(to_string(motion));
     past.motion[0] = motion;  // the same slip, and another answer
     CHECK(step(past, 7.25, model, condensed, {}).state.motion[0] == motion);
@@ -133,8 +135,8 @@ TEST_CASE("an elastic block slides at its corner first, and nearly everywhere be
   const auto sliding = [&](double share) {
     const Solution held = solve(incline(share * slip_angle_exact(law), law));
     REQUIRE(held.contact.report.status == Status::Solved);
-    const std::vector<Motion>& motion = held.contact.motion;
-    return std::count(motion.begin(), motion.end(), Motion::Forward);
+    const std::vector<ContactStatus>& motion = held.contact.motion;
+    return std::count(motion.begin(), motion.end(), ContactStatus::SlipForward);
   };
   CHECK(sliding(0.3) == 0);
   CHECK(sliding(0.5) == 1);

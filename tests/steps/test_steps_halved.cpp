@@ -65,7 +65,8 @@ TEST_CASE("a step without a solution may have one in two halves: the observer se
   const double pressed[] = {2, 9, 0.3};
   const double rubs[] = {0, -1, -0.5};
   const double slip[] = {0, 4.5, 4.5};
-  const Motion motion[] = {Motion::Stick, Motion::Forward, Motion::Stick};
+  const ContactStatus motion[] = {ContactStatus::Stick, ContactStatus::SlipForward,
+                                  ContactStatus::Stick};
   for (std::size_t n = 0; n < 3; ++n) {
     CAPTURE(n);
     CHECK(steps[n].state.time == time[n]);

@@ -161,17 +161,18 @@ void Checked::look_at_friction(Index k) {
   const Index pair = model_.law.pair[at(k)];
   const Index row = given_.A.rows() - static_cast<Index>(model_.law.pair.size()) + k;
   const ContactState& told = solution_.contact;
-  const Motion status = told.motion[at(k)];
+  const ContactStatus status = told.motion[at(k)];
   const Wide slip = movement(row);
   const Wide normal = std::max<Wide>(solution_.refined.force(pair), 0);
-  const Wide bound = norm_[at(row)] * (status == Motion::Open ? Wide(0)
-                                                              : model_.law.coefficient(k) * normal +
-                                                                    Wide(model_.law.cohesion(k)));
+  const Wide bound =
+      norm_[at(row)] * (status == ContactStatus::Open
+                            ? Wide(0)
+                            : model_.law.coefficient(k) * normal + Wide(model_.law.cohesion(k)));
   const double slides = over(size(slip), length_);
   grow(errors_.cone, over(std::max<Wide>(size(force(row)) - bound, 0), force_));
-  if (status != Motion::Open && model_.law.cohesion(k) > 0)
+  if (status != ContactStatus::Open && model_.law.cohesion(k) > 0)
     grow(errors_.cone, over(size(movement(pair)), length_));
-  if (status == Motion::Stick) grow(errors_.stick, slides);
+  if (status == ContactStatus::Stick) grow(errors_.stick, slides);
   const Wide lacks = slip > 0 ? force(row) + bound : force(row) - bound;
   grow(errors_.sliding, std::min(slides, over(size(lacks), force_)));
   read(row, told.slip(k));
@@ -182,7 +183,8 @@ void Checked::look_at_rigid_motions() {
   const Index gaps = static_cast<Index>(model_.pairs.weight.size());
   std::vector<Wides> basis;
   for (Index row = 0; row < given_.A.rows(); ++row) {
-    const bool sticks = row >= gaps && solution_.contact.motion[at(row - gaps)] == Motion::Stick;
+    const bool sticks =
+        row >= gaps && solution_.contact.motion[at(row - gaps)] == ContactStatus::Stick;
     if (row < gaps ? !carries(row) : !sticks) continue;
     Wides moved;
     for (const FreeMotion& mode : model_.modes) {

@@ -64,7 +64,7 @@ void fold(const Eigen::VectorXd& values, std::uint64_t& bits) {
 }
 
 void remember(const Solution& solution, Trial& trial) {
-  for (const Motion motion : all_motions(solution.contact))
+  for (const ContactStatus motion : all_motions(solution.contact))
     trial.motions += "osfb"[static_cast<std::size_t>(motion)];
   trial.motions += '.';
   fold(solution.refined.force, trial.bits);

@@ -31,7 +31,7 @@ inline Refined refined(const signorini::QuadraticProgramme& programme,
     condensed.rigid = signorini::rigid_gaps(programme.A, modes);
     condensed.resultant = Eigen::VectorXd::Zero(modes.cols());
   }
-  const std::vector<signorini::Motion> motions = signorini::motions_of(closed, pairs);
+  const std::vector<signorini::ContactStatus> motions = signorini::motions_of(closed, pairs);
   const signorini::ScaledProblem scaled = signorini::equilibrate(condensed);
   const signorini::RefinementData data{programme, solve, condensed, scaled, modes};
   const Eigen::VectorXd force = std::exchange(start.force, Eigen::VectorXd::Zero(pairs));

@@ -17,7 +17,7 @@ VectorXd movement_rounding(const QuadraticProgramme& programme, const PrimalDual
 }
 
 Carried carried(const QuadraticProgramme& programme, const PrimalDual& solution,
-                const FrictionLaw& law, std::vector<Motion> motions) {
+                const FrictionLaw& law, std::vector<ContactStatus> motions) {
   const auto roundings =
       2 * static_cast<double>(closed_pairs(motions).size() + 1);  // as in judge()
   return {programme.A.transpose(),

@@ -85,7 +85,7 @@ bool Estimate::idle(const VectorXd& force) const {
 }  // namespace
 
 ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
-                       const PrimalDual& solution, std::vector<Motion> motions) {
+                       const PrimalDual& solution, std::vector<ContactStatus> motions) {
   const double most = largest(solution.force);
   if (!refined.closing || most == 0) return {};
   const VectorXd rounding = movement_rounding(data.programme, solution);
@@ -95,8 +95,9 @@ ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
       2 * static_cast<double>(closed_pairs(motions).size() + 1);  // as in judge()
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const Index pair = static_cast<Index>(i);
-    if (motions[i] != Motion::Open || refined.movement(pair) > roundings * rounding(pair)) continue;
-    motions[i] = Motion::Stick;
+    if (motions[i] != ContactStatus::Open || refined.movement(pair) > roundings * rounding(pair))
+      continue;
+    motions[i] = ContactStatus::Stick;
     as_refined = false;
   }
   KnownSet set = known_set(motions, data.scaled.law);

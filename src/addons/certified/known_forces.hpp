@@ -33,6 +33,7 @@ struct ForceDoubt {
 /// \param motions   `n_c` that refine() was given
 /// \return pair and share
 [[nodiscard]] ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
-                                     const PrimalDual& solution, std::vector<Motion> motions);
+                                     const PrimalDual& solution,
+                                     std::vector<ContactStatus> motions);
 
 }  // namespace signorini

@@ -84,26 +84,26 @@ void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd
   if (k > 0) now.movement += problem.rigid * now.amplitude;
   for (Index i = 0; i < pairs; ++i)
     attempt.motions[static_cast<std::size_t>(i)] =
-        z(i) > now.movement(i) ? Motion::Stick : Motion::Open;
+        z(i) > now.movement(i) ? ContactStatus::Stick : ContactStatus::Open;
   for (Index j = 0; j < slips; ++j) {
-    Motion& motion =
+    ContactStatus& motion =
         attempt.motions[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])];
     const double slip = now.movement(pairs + j);
     const double forward = z(pairs + j);
-    if (motion == Motion::Open) continue;
+    if (motion == ContactStatus::Open) continue;
     if (slip > std::max(forward, 0.0))
-      motion = Motion::Forward;
+      motion = ContactStatus::SlipForward;
     else if (-slip > std::max(2 * bound(j) - forward, 0.0))
-      motion = Motion::Backward;
+      motion = ContactStatus::SlipBackward;
   }
 }
 
 /// The cohesion of a set of pairs: those that came out closed.
-VectorXd carried(const ScaledProblem& problem, const std::vector<Motion>& motions) {
+VectorXd carried(const ScaledProblem& problem, const std::vector<ContactStatus>& motions) {
   VectorXd cohesion = problem.law.cohesion;
   for (Index j = 0; j < cohesion.size(); ++j)
     if (motions[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])] ==
-        Motion::Open)
+        ContactStatus::Open)
       cohesion(j) = 0;
   return cohesion;
 }

@@ -83,8 +83,8 @@ namespace signorini {
 /// \param work      operations that the search for others may take, but one pair is always tried
 /// \return the verdict
 [[nodiscard]] Uniqueness uniqueness(const ScaledProblem& problem,
-                                    const std::vector<Motion>& motions, const Closure& solution,
-                                    double work = 1e8);
+                                    const std::vector<ContactStatus>& motions,
+                                    const Closure& solution, double work = 1e8);
 
 /// Which pair a warning of uniqueness() rests on.
 ///
@@ -95,7 +95,7 @@ namespace signorini {
 /// \param motions   `n_c` of the solution
 /// \param solution  a confirmed one that is `Doubtful`
 /// \return pair and determinant
-[[nodiscard]] Doubt doubt(const ScaledProblem& problem, const std::vector<Motion>& motions,
+[[nodiscard]] Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
                           const Closure& solution);
 
 }  // namespace signorini

@@ -57,7 +57,7 @@ KnownSet felt_rows(KnownSet set, const Eigen::SparseMatrix<double, Eigen::RowMaj
 class Refining {
  public:
   Refining(const RefinementData& data, PrimalDual start, const VectorXd& force,
-           const std::vector<Motion>& motions)
+           const std::vector<ContactStatus>& motions)
       : data_(data),
         set_(felt_rows(known_set(motions, data.condensed.law), data.programme.A)),
         closing_(data.scaled, known_set(motions, data.scaled.law)) {
@@ -271,7 +271,7 @@ VectorXd resultant_left(const QuadraticProgramme& programme, const PrimalDual& s
 }
 
 Refinement refine(const RefinementData& data, PrimalDual start, const VectorXd& force,
-                  const std::vector<Motion>& motions) {
+                  const std::vector<ContactStatus>& motions) {
   return Refining(data, std::move(start), force, motions).run();
 }
 
@@ -287,7 +287,7 @@ Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,
 }
 
 Judgement judge(const RefinementData& data, const Refinement& refined,
-                const std::vector<Motion>& motions) {
+                const std::vector<ContactStatus>& motions) {
   const double rounding = epsilon * static_cast<double>(closed_pairs(motions).size() + 1);
   // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.
   const double contradicted =

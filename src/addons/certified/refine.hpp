@@ -75,7 +75,8 @@ struct Refinement {
 /// \return the refined numbers; whether all signs are right is for judge() to say
 /// \throws std::invalid_argument if the sizes of K, p, A, g, `start` and N do not fit
 [[nodiscard]] Refinement refine(const RefinementData& data, PrimalDual start,
-                                const Eigen::VectorXd& force, const std::vector<Motion>& motions);
+                                const Eigen::VectorXd& force,
+                                const std::vector<ContactStatus>& motions);
 
 /// What is out of balance along rigid modes.
 /// \param programme     K, p, A
@@ -89,9 +90,9 @@ struct Refinement {
 
 /// What refined numbers say of every pair.
 struct Judgement {
-  std::vector<Motion> motions;  ///< what the pairs would rather do
-  Eigen::Index wrong = 0;       ///< pairs that would rather do something else
-  bool confirmed = false;       ///< refined, balanced and no pair wrong: the solution
+  std::vector<ContactStatus> motions;  ///< what the pairs would rather do
+  Eigen::Index wrong = 0;              ///< pairs that would rather do something else
+  bool confirmed = false;              ///< refined, balanced and no pair wrong: the solution
 };
 
 /// Refined numbers in the units of the equilibrated problem, for predict().
@@ -111,6 +112,6 @@ struct Judgement {
 /// \param motions  `n_c` what was assumed
 /// \return the verdict
 [[nodiscard]] Judgement judge(const RefinementData& data, const Refinement& refined,
-                              const std::vector<Motion>& motions);
+                              const std::vector<ContactStatus>& motions);
 
 }  // namespace signorini

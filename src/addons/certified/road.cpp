@@ -45,9 +45,9 @@ class Road {
   bool settle(const ContactState& claim);
   /// The same for a claim without any force, whose closed pairs only touch: where closing them exactly takes forces, which
   /// are nothing but rounding, none is closed. \return as above
-  bool settle_idle(std::vector<Motion> motions);
+  bool settle_idle(std::vector<ContactStatus> motions);
   /// Refines a set, and those that it asks for. \return as above
-  bool exchange(std::vector<Motion> motions, VectorXd force);
+  bool exchange(std::vector<ContactStatus> motions, VectorXd force);
   /// Says what the pairs do by what they do: a set whose equations depend on each other, or contradict each
   /// other by as little as the certificate allows, need not be that of its numbers.
   void read_off();
@@ -63,7 +63,7 @@ class Road {
   /// Whether most of what the end lacks of equilibrium is along rigid motions.
   [[nodiscard]] bool rigid_motions_work() const;
   /// Refines one set, beginning with forces, and keeps it if no certificate was better.
-  Judgement look(const std::vector<Motion>& motions, const VectorXd& force);
+  Judgement look(const std::vector<ContactStatus>& motions, const VectorXd& force);
 
   const QuadraticProgramme& programme_;
   const MatrixXd& modes_;
@@ -75,11 +75,11 @@ class Road {
   PrimalDual now_;  // before a claim, what the free movements of the corrected problem belong to
   VectorXd amplitude_;
   Refinement refined_;
-  std::set<std::vector<Motion>> seen_;
+  std::set<std::vector<ContactStatus>> seen_;
   CertifiedEnd end_;
-  Refinement kept_;              // of end_: its movement and its system
-  std::vector<Motion> motions_;  // of end_
-  bool confirmed_ = false;       // whether all signs of end_ are right
+  Refinement kept_;                     // of end_: its movement and its system
+  std::vector<ContactStatus> motions_;  // of end_
+  bool confirmed_ = false;              // whether all signs of end_ are right
 };
 
 bool Road::usable(const ContactState& claim) const {
@@ -89,7 +89,7 @@ bool Road::usable(const ContactState& claim) const {
          claim.force.size() == problem_.free_gap.size();
 }
 
-Judgement Road::look(const std::vector<Motion>& motions, const VectorXd& force) {
+Judgement Road::look(const std::vector<ContactStatus>& motions, const VectorXd& force) {
   refined_ = refine(data_, std::move(now_), force, motions);
   ledger_.count("sets", 1);
   ledger_.count("solves", refined_.solves);
@@ -110,7 +110,7 @@ Judgement Road::look(const std::vector<Motion>& motions, const VectorXd& force) 
 }
 
 void Road::read_off() {
-  const std::vector<Motion> taken = motions_;
+  const std::vector<ContactStatus> taken = motions_;
   predict(scaled_, scaled_numbers(data_, end_.solution, kept_.movement, certificate_tolerance), 1,
           motions_);
   // With cohesion a pair that nothing presses carries shear all the same: it is closed.
@@ -118,14 +118,14 @@ void Road::read_off() {
   const VectorXd friction = end_.solution.force.tail(law.coefficient.size());
   for (Index k = 0; k < friction.size(); ++k) {
     const auto pair = static_cast<std::size_t>(law.pair[static_cast<std::size_t>(k)]);
-    if (motions_[pair] == Motion::Open && friction(k) != 0) motions_[pair] = taken[pair];
+    if (motions_[pair] == ContactStatus::Open && friction(k) != 0) motions_[pair] = taken[pair];
   }
 }
 
 bool Road::settle(const ContactState& claim) {
   const Ledger::Phase phase(ledger_, "refinement");
   if (scaled_.scale.size() == 0) scaled_ = equilibrate(problem_);
-  std::vector<Motion> motions = all_motions(claim);
+  std::vector<ContactStatus> motions = all_motions(claim);
   VectorXd force(claim.force.size() + claim.friction.size());
   force << claim.force, claim.friction;
   // A motion that the closed pairs leave open must begin where the claim has it.
@@ -139,11 +139,11 @@ bool Road::settle(const ContactState& claim) {
   return exchange(std::move(motions), std::move(force));
 }
 
-bool Road::settle_idle(std::vector<Motion> motions) {
+bool Road::settle_idle(std::vector<ContactStatus> motions) {
   const PrimalDual start = now_;
   const VectorXd amplitude = amplitude_;
   const VectorXd none = VectorXd::Zero(start.force.size());
-  const std::vector<Motion> open = motions_of({}, problem_.free_gap.size());
+  const std::vector<ContactStatus> open = motions_of({}, problem_.free_gap.size());
   const bool settled = exchange(std::move(motions), none);
   if (end_.certificate.holds() || !seen_.insert(open).second) return settled;
   now_ = start;
@@ -151,7 +151,7 @@ bool Road::settle_idle(std::vector<Motion> motions) {
   return look(open, none).confirmed || settled;
 }
 
-bool Road::exchange(std::vector<Motion> motions, VectorXd force) {
+bool Road::exchange(std::vector<ContactStatus> motions, VectorXd force) {
   for (Index last = std::numeric_limits<Index>::max();;) {
     if (!seen_.insert(motions).second) return last == std::numeric_limits<Index>::max();
     const bool first = last == std::numeric_limits<Index>::max();

@@ -43,7 +43,7 @@ class Separate {
   CertifiedEnd end(const CondensedProgramme& condensed, const Solver& solver, SolverOptions options,
                    Ledger& ledger) const {
     if (static_cast<Index>(options.start.size()) == pairs()) {
-      std::vector<Motion> start;
+      std::vector<ContactStatus> start;
       for (const Index pair : gaps_) start.push_back(options.start[at(pair)]);
       options.start = std::move(start);
     }
@@ -92,7 +92,7 @@ void Separate::put_into(CertifiedEnd& whole, CertifiedEnd part, Index unknowns) 
   put(now.amplitude, parts_.modes, modes, all.amplitude);
   put(now.escape, parts_.modes, modes, all.escape);
   for (const Index pair : now.active) all.active.push_back(gaps_[at(pair)]);
-  all.motion.resize(at(slips), Motion::Open);
+  all.motion.resize(at(slips), ContactStatus::Open);
   for (std::size_t k = 0; k < now.motion.size(); ++k) all.motion[at(slips_[k])] = now.motion[k];
   const bool first_doubt =
       now.uniqueness == Uniqueness::Doubtful && all.uniqueness != Uniqueness::Doubtful;

@@ -18,7 +18,7 @@ struct Carried {
   Eigen::VectorXd force;     ///< `n_c + n_s` [force]
   Eigen::VectorXd movement;  ///< `n_c + n_s`: gaps, then slips [length]
   Eigen::VectorXd rounding;  ///< `n_c + n_s`: a movement up to it is none [length]
-  std::vector<Motion>
+  std::vector<ContactStatus>
       motions;  ///< `n_c` what the pairs do: a closed pair has no gap, a sticking one no slip
   Eigen::Index equations = 0;  ///< so many of the first rows have forces of any sign
 };
@@ -37,7 +37,7 @@ struct Carried {
 /// \param motions    `n_c` what the pairs do
 /// \return all of it, for undetermined_forces()
 [[nodiscard]] Carried carried(const QuadraticProgramme& programme, const PrimalDual& solution,
-                              const FrictionLaw& law, std::vector<Motion> motions);
+                              const FrictionLaw& law, std::vector<ContactStatus> motions);
 
 /// A solution of a condensed problem, or any M and q: other forces must move no gap and no slip.
 /// \param problem  as it was posed

@@ -97,7 +97,7 @@ bool holds_modes(const ScaledProblem& problem, const Closure& solution) {
 }
 
 /// Whether a closure is a solution whose forces or movements are others, beyond rounding.
-bool is_another(const ScaledProblem& problem, const std::vector<Motion>& motions,
+bool is_another(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
                 const Closure& closure, const Closure& solution) {
   const double known = 1e3 * proof_rounding;  // a thousand roundings of what a proof allows
   const auto differ = [known](const VectorXd& a, const VectorXd& b) {
@@ -110,13 +110,13 @@ bool is_another(const ScaledProblem& problem, const std::vector<Motion>& motions
 /// Looks for another solution where one pair does something else: the others follow it by predict() while fewer and
 /// fewer change.
 /// \param[in,out] sets  that may still be closed
-bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<Motion> motions,
+bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<ContactStatus> motions,
                      const Closure& solution, Index& sets) {
-  const Motion kept = motions[static_cast<std::size_t>(pair)];
+  const ContactStatus kept = motions[static_cast<std::size_t>(pair)];
   for (Index last = problem.pairs() + 1; last > 0 && sets > 0; --sets) {
     const Closure now = close(problem, motions);
     if (is_another(problem, motions, now, solution)) return true;
-    const std::vector<Motion> before = motions;
+    const std::vector<ContactStatus> before = motions;
     predict(problem, now, reach(problem), motions);
     motions[static_cast<std::size_t>(pair)] = kept;
     Index changes = 0;
@@ -129,7 +129,7 @@ bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<Motio
 
 /// Whether another solution was found beside one: a pair whose own determinant is negative does something else there.
 /// The most negative one begins.
-bool found_another(const ScaledProblem& problem, const std::vector<Motion>& motions,
+bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
                    const Closure& solution, double work) {
   std::vector<std::pair<double, Index>> doubtful;
   for (Index k = 0; k < problem.law.coefficient.size(); ++k)
@@ -139,8 +139,9 @@ bool found_another(const ScaledProblem& problem, const std::vector<Motion>& moti
   const double most = work / std::pow(static_cast<double>(problem.free.size()), 3);
   Index sets = static_cast<Index>(std::clamp(most, 3.0, 1e6));
   for (const auto& [own, pair] : doubtful)
-    for (const Motion motion : {Motion::Open, Motion::Stick, Motion::Forward, Motion::Backward}) {
-      std::vector<Motion> others = motions;
+    for (const ContactStatus motion : {ContactStatus::Open, ContactStatus::Stick,
+                                       ContactStatus::SlipForward, ContactStatus::SlipBackward}) {
+      std::vector<ContactStatus> others = motions;
       if (others[static_cast<std::size_t>(pair)] == motion) continue;
       others[static_cast<std::size_t>(pair)] = motion;
       if (is_another_with(problem, pair, std::move(others), solution, sets)) return true;
@@ -150,7 +151,7 @@ bool found_another(const ScaledProblem& problem, const std::vector<Motion>& moti
 
 }  // namespace
 
-Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<Motion>& motions,
+Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
                       const Closure& solution, double work) {
   const FrictionLaw& law = problem.law;
   const bool floats = problem.rigid.cols() > 0;
@@ -163,7 +164,7 @@ Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<Motion>& m
   return only ? Uniqueness::Proved : Uniqueness::Unknown;
 }
 
-Doubt doubt(const ScaledProblem& problem, const std::vector<Motion>& motions,
+Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
             const Closure& solution) {
   if (solution.reversed) return doubt_of_set(problem, known_set(motions, problem.law));
   Doubt least;

@@ -68,11 +68,11 @@ std::optional<double> first_change(const PathState& past, const ContactProblem& 
   };
   const Index pairs = scaled.pairs();
   for (Index i = 0; i < pairs; ++i)
-    if (past.motion[static_cast<std::size_t>(i)] != Motion::Open) use_up(now(i), then(i));
+    if (past.motion[static_cast<std::size_t>(i)] != ContactStatus::Open) use_up(now(i), then(i));
   const FrictionLaw& law = problem.law;
   for (Index k = 0; k < law.coefficient.size(); ++k) {
     const Index pair = law.pair[static_cast<std::size_t>(k)];
-    if (past.motion[static_cast<std::size_t>(pair)] != Motion::Stick) continue;
+    if (past.motion[static_cast<std::size_t>(pair)] != ContactStatus::Stick) continue;
     const auto room = [&](const VectorXd& force, double sign) {
       return law.coefficient(k) * force(pair) + law.cohesion(k) - sign * force(pairs + k);
     };

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr const char* first_line = "signorini-state-1";
-constexpr std::string_view motion_letters = "osfb";  // in the order of Motion
+constexpr std::string_view motion_letters = "osfb";  // in the order of ContactStatus
 
 /// The vectors of a state, by name.
 template <typename State, typename Visit>
@@ -49,7 +49,7 @@ double next_number(TextReader& reader, const std::string& name) {
 void write_state(const PathState& state, std::ostream& out) {
   out << first_line << "\nsteps " << state.steps << "\ntime " << shortest(state.time) << "\nmotion "
       << state.motion.size() << '\n';
-  for (const Motion motion : state.motion)
+  for (const ContactStatus motion : state.motion)
     out << motion_letters[static_cast<std::size_t>(motion)] << '\n';
   visit_vectors(state, [&](const char* name, const VectorXd& values) {
     out << name << ' ' << values.size() << '\n';
@@ -71,7 +71,7 @@ PathState read_state(const std::string& content, const std::string& name) {
     const std::size_t motion =
         word.size() == 1 ? motion_letters.find(word) : std::string_view::npos;
     if (motion == std::string_view::npos) reader.fail("o, s, f or b", word);
-    state.motion.push_back(static_cast<Motion>(motion));
+    state.motion.push_back(static_cast<ContactStatus>(motion));
   }
   visit_vectors(state, [&](const char* what, VectorXd& values) {
     values.resize(next_size(reader, what));

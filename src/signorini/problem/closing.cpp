@@ -283,7 +283,7 @@ Closure close(const ScaledProblem& problem, const KnownSet& set, const Closure* 
   return now;
 }
 
-Closure close(const ScaledProblem& problem, const std::vector<Motion>& motions,
+Closure close(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
               const Closure* start) {
   return close(problem, known_set(motions, problem.law), start);
 }

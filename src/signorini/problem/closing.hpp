@@ -44,21 +44,21 @@ struct KnownSet {
 /// \param motions  `n_c`
 /// \param law      of the pairs that rub; one whose mu and c vanish slides without a force
 /// \return rows `n_c` of gaps, then `n_s` of slips; those that are closed in increasing order
-[[nodiscard]] KnownSet known_set(const std::vector<Motion>& motions, const FrictionLaw& law);
+[[nodiscard]] KnownSet known_set(const std::vector<ContactStatus>& motions, const FrictionLaw& law);
 
 /// \param active  closed pairs
 /// \param pairs   n_c
 /// \return `n_c` motions: these stick, the others are open
-[[nodiscard]] std::vector<Motion> motions_of(const std::vector<Eigen::Index>& active,
-                                             Eigen::Index pairs);
+[[nodiscard]] std::vector<ContactStatus> motions_of(const std::vector<Eigen::Index>& active,
+                                                    Eigen::Index pairs);
 
 /// \param state  what a solver says
 /// \return `n_c` motions
-[[nodiscard]] std::vector<Motion> all_motions(const ContactState& state);
+[[nodiscard]] std::vector<ContactStatus> all_motions(const ContactState& state);
 
 /// \param motions  `n_c`
 /// \return the pairs that are not open, in increasing order
-[[nodiscard]] std::vector<Eigen::Index> closed_pairs(const std::vector<Motion>& motions);
+[[nodiscard]] std::vector<Eigen::Index> closed_pairs(const std::vector<ContactStatus>& motions);
 
 /// The system of a known set, factored once:
 ///
@@ -148,7 +148,7 @@ struct Closure {
 /// \param motions  `n_c`
 /// \param start    as above
 /// \return as above
-[[nodiscard]] Closure close(const ScaledProblem& problem, const std::vector<Motion>& motions,
+[[nodiscard]] Closure close(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
                             const Closure* start = nullptr);
 
 /// What numbers say of each pair: it is closed if its force exceeds its gap, and then slides if |tau - slip|
@@ -162,7 +162,7 @@ struct Closure {
 /// \param[in,out] motions  `n_c`: what was assumed, and then what the numbers say
 /// \return how many entries of `motions` changed
 Eigen::Index predict(const ScaledProblem& problem, const Closure& closure, double reach,
-                     std::vector<Motion>& motions);
+                     std::vector<ContactStatus>& motions);
 
 /// Whether a closure is a solution: no force is tensile, no pair overlaps, friction keeps its bound and resists,
 /// all beyond rounding; and rounding is so small that certify() agrees. It does not where a system passed
@@ -171,11 +171,11 @@ Eigen::Index predict(const ScaledProblem& problem, const Closure& closure, doubl
 /// \param motions  `n_c` that were assumed
 /// \param closure  from close() of them
 /// \return whether a solver may say Solved
-[[nodiscard]] bool solves(const ScaledProblem& problem, const std::vector<Motion>& motions,
+[[nodiscard]] bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
                           const Closure& closure);
 
 /// A closure that is a solution, and the motions that it belongs to.
-using Confirmed = std::optional<std::pair<Closure, std::vector<Motion>>>;
+using Confirmed = std::optional<std::pair<Closure, std::vector<ContactStatus>>>;
 
 /// Ends a method that only guesses which pairs are closed: takes as many of them as are independent, closes
 /// these exactly, and looks whether that is a solution.
@@ -200,8 +200,9 @@ void name_slides(const FrictionLaw& law, ContactState& state);
 /// \param changes  pairs that change
 /// \return closed pairs, changes, the largest overlap of an open pair and tension of a closed one; the dual energy
 ///   of held bodies without friction
-[[nodiscard]] Iteration summary(const ScaledProblem& problem, const std::vector<Motion>& motions,
-                                const Closure& closure, Eigen::Index changes);
+[[nodiscard]] Iteration summary(const ScaledProblem& problem,
+                                const std::vector<ContactStatus>& motions, const Closure& closure,
+                                Eigen::Index changes);
 
 /// \param iteration  from 0
 /// \return whether the history of a long run keeps it: 0 to 31, then 16 per doubling
@@ -222,7 +223,8 @@ void name_slides(const FrictionLaw& law, ContactState& state);
 /// \return the state, `Breakdown` instead of `Solved` if the certificate is worse than 1e-12, and instead of
 ///   `Infeasible`, without the proof, if that does not hold by refutes()
 [[nodiscard]] ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
-                                    const Closure& closure, const std::vector<Motion>& motions,
-                                    Report report, Eigen::VectorXd proof = {});
+                                    const Closure& closure,
+                                    const std::vector<ContactStatus>& motions, Report report,
+                                    Eigen::VectorXd proof = {});
 
 }  // namespace signorini

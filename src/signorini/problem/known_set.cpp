@@ -15,25 +15,28 @@ using Eigen::VectorXd;
 
 /// What a closed pair that rubs does. \param tau, slip, bound  of the pair, in one unit
 /// \param slack  how far tau of a sticking pair may exceed the bound by rounding \param still  a slip that is rounding
-Motion rubbing(Motion last, double tau, double slip, double bound, double slack, double still) {
+ContactStatus rubbing(ContactStatus last, double tau, double slip, double bound, double slack,
+                      double still) {
   const bool slides = friction_sign(last) != 0;
   if (slides && still > 0 && (bound == 0 || friction_sign(last) * slip <= still)) return last;
   const double pulled = tau - slip;
-  const double allowed = bound + (last == Motion::Stick ? slack : 0);
-  return pulled > allowed ? Motion::Backward : pulled < -allowed ? Motion::Forward : Motion::Stick;
+  const double allowed = bound + (last == ContactStatus::Stick ? slack : 0);
+  return pulled > allowed    ? ContactStatus::SlipBackward
+         : pulled < -allowed ? ContactStatus::SlipForward
+                             : ContactStatus::Stick;
 }
 
 }  // namespace
 
-KnownSet known_set(const std::vector<Motion>& motions, const FrictionLaw& law) {
+KnownSet known_set(const std::vector<ContactStatus>& motions, const FrictionLaw& law) {
   const Index pairs = static_cast<Index>(motions.size());
   KnownSet set{closed_pairs(motions)};
   for (std::size_t k = 0; k < law.pair.size(); ++k) {
-    const Motion motion = motions[at(law.pair[k])];
+    const ContactStatus motion = motions[at(law.pair[k])];
     const Index row = static_cast<Index>(k);
     const double sign = friction_sign(motion);
     const bool rubs = law.coefficient(row) > 0 || law.cohesion(row) > 0;
-    if (motion == Motion::Stick && rubs) set.closed.push_back(pairs + row);
+    if (motion == ContactStatus::Stick && rubs) set.closed.push_back(pairs + row);
     if (sign != 0 && rubs)
       set.sliding.push_back(
           {law.pair[k], pairs + row, sign * law.coefficient(row), sign * law.cohesion(row)});
@@ -41,42 +44,42 @@ KnownSet known_set(const std::vector<Motion>& motions, const FrictionLaw& law) {
   return set;
 }
 
-std::vector<Motion> motions_of(const std::vector<Index>& active, Index pairs) {
-  std::vector<Motion> motions(at(pairs), Motion::Open);
-  for (const Index i : active) motions[at(i)] = Motion::Stick;
+std::vector<ContactStatus> motions_of(const std::vector<Index>& active, Index pairs) {
+  std::vector<ContactStatus> motions(at(pairs), ContactStatus::Open);
+  for (const Index i : active) motions[at(i)] = ContactStatus::Stick;
   return motions;
 }
 
-std::vector<Motion> all_motions(const ContactState& state) {
-  std::vector<Motion> motions = motions_of(state.active, state.force.size());
+std::vector<ContactStatus> all_motions(const ContactState& state) {
+  std::vector<ContactStatus> motions = motions_of(state.active, state.force.size());
   for (std::size_t k = 0; k < state.motion.size(); ++k)
     motions[at(state.rubbing[k])] = state.motion[k];
   return motions;
 }
 
-std::vector<Index> closed_pairs(const std::vector<Motion>& motions) {
+std::vector<Index> closed_pairs(const std::vector<ContactStatus>& motions) {
   std::vector<Index> closed;
   for (std::size_t i = 0; i < motions.size(); ++i)
-    if (motions[i] != Motion::Open) closed.push_back(static_cast<Index>(i));
+    if (motions[i] != ContactStatus::Open) closed.push_back(static_cast<Index>(i));
   return closed;
 }
 
 Index predict(const ScaledProblem& problem, const Closure& closure, double reach,
-              std::vector<Motion>& motions) {
+              std::vector<ContactStatus>& motions) {
   const Index pairs = problem.pairs();
-  const std::vector<Motion> last = motions;
+  const std::vector<ContactStatus> last = motions;
   const bool exact = closure.movement_rounding.size() == 0;
   const auto rounding = [&](Index row) { return exact ? 0 : closure.movement_rounding(row); };
   const double force_rounding = exact ? 0 : reach * closure.force_rounding;
   const auto pressed = [&](Index i) { return reach * closure.force(i) - closure.movement(i); };
   for (Index i = 0; i < pairs; ++i) {
-    const bool closed = exact || last[at(i)] == Motion::Open ? pressed(i) > rounding(i)
-                                                             : pressed(i) >= -force_rounding;
-    motions[at(i)] = closed ? Motion::Stick : Motion::Open;
+    const bool closed = exact || last[at(i)] == ContactStatus::Open ? pressed(i) > rounding(i)
+                                                                    : pressed(i) >= -force_rounding;
+    motions[at(i)] = closed ? ContactStatus::Stick : ContactStatus::Open;
   }
   for (std::size_t k = 0; k < problem.law.pair.size(); ++k) {
     const Index i = problem.law.pair[k];
-    if (motions[at(i)] == Motion::Open) continue;
+    if (motions[at(i)] == ContactStatus::Open) continue;
     const Index row = static_cast<Index>(k);
     const double mu = problem.law.coefficient(row);
     const double bound = mu * std::max(pressed(i), 0.0) + reach * problem.law.cohesion(row);
@@ -89,9 +92,9 @@ Index predict(const ScaledProblem& problem, const Closure& closure, double reach
   return changes;
 }
 
-bool solves(const ScaledProblem& problem, const std::vector<Motion>& motions,
+bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
             const Closure& closure) {
-  std::vector<Motion> next = motions;
+  std::vector<ContactStatus> next = motions;
   if (!closure.solvable || predict(problem, closure, 1, next) != 0) return false;
   for (const Index row : known_set(motions, problem.law).closed)
     if (!closure.closes(row)) return false;
@@ -108,7 +111,7 @@ bool solves(const ScaledProblem& problem, const std::vector<Motion>& motions,
 Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& candidates,
                     const Closure* start) {
   Closure closure = close(problem, KnownSet{candidates}, start);
-  std::vector<Motion> motions = motions_of(closure.rows, problem.pairs());
+  std::vector<ContactStatus> motions = motions_of(closure.rows, problem.pairs());
   if (!solves(problem, motions, closure)) return std::nullopt;
   return std::make_pair(std::move(closure), std::move(motions));
 }
@@ -120,15 +123,15 @@ void name_slides(const FrictionLaw& law, ContactState& state) {
     const double pressed = std::max(state.force(law.pair[k]), 0.0);
     const bool rubs = law.coefficient(row) * pressed + law.cohesion(row) > 0;
     if (friction_sign(state.motion[k]) != 0 && slip != 0 && !rubs)
-      state.motion[k] = slip > 0 ? Motion::Forward : Motion::Backward;
+      state.motion[k] = slip > 0 ? ContactStatus::SlipForward : ContactStatus::SlipBackward;
   }
 }
 
-Iteration summary(const ScaledProblem& problem, const std::vector<Motion>& motions,
+Iteration summary(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
                   const Closure& closure, Index changes) {
   Iteration entry{0, changes, 0, 0};
   for (Index i = 0; i < problem.pairs(); ++i)
-    if (motions[at(i)] == Motion::Open) {
+    if (motions[at(i)] == ContactStatus::Open) {
       entry.penetration = std::max(entry.penetration, -closure.movement(i) / problem.scale(i));
     } else {
       ++entry.active;
@@ -156,8 +159,8 @@ std::vector<Index> by_falling(const VectorXd& weight) {
 }
 
 ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
-                      const Closure& closure, const std::vector<Motion>& motions, Report report,
-                      VectorXd proof) {
+                      const Closure& closure, const std::vector<ContactStatus>& motions,
+                      Report report, VectorXd proof) {
   const Index pairs = scaled.pairs();
   const Index slips = scaled.free.size() - pairs;
   const VectorXd force = scaled.scale.cwiseProduct(closure.force);

@@ -8,15 +8,15 @@
 
 namespace signorini {
 
-const char* to_string(Motion motion) {
+const char* to_string(ContactStatus motion) {
   switch (motion) {
-    case Motion::Open:
+    case ContactStatus::Open:
       return "open";
-    case Motion::Stick:
+    case ContactStatus::Stick:
       return "stick";
-    case Motion::Forward:
+    case ContactStatus::SlipForward:
       return "forward";
-    case Motion::Backward:
+    case ContactStatus::SlipBackward:
       return "backward";
   }
   return "unknown";

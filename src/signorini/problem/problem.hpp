@@ -79,23 +79,23 @@ struct ContactProblem {
   Eigen::VectorXd resultant = {};  ///< r `n_r` [force*length/amplitude]
 };
 
-/// What a pair does, with the direction in which it slides: \PaperEq{LinEtAl, 13}, \PaperEq{LinEtAl, 14}
-enum class Motion : signed char {
-  Open,     ///< no force at all
-  Stick,    ///< no gap and, if the pair rubs, no slip
-  Forward,  ///< slip > 0, tau = -b
-  Backward  ///< slip < 0, tau = b
+/// The contact status of a pair, with the direction in which it slides: \PaperEq{LinEtAl, 13}, \PaperEq{LinEtAl, 14}
+enum class ContactStatus : signed char {
+  Open,         ///< no force at all
+  Stick,        ///< no gap and, if the pair rubs, no slip
+  SlipForward,  ///< slip > 0, tau = -b
+  SlipBackward  ///< slip < 0, tau = b
 };
 
-/// A motion in words.
+/// A contact status in words.
 /// \param motion  any
 /// \return "open", "stick", "forward" or "backward"
-[[nodiscard]] const char* to_string(Motion motion);
+[[nodiscard]] const char* to_string(ContactStatus motion);
 
 /// \param motion  of a pair
 /// \return the sign of tau at its bound, 0 where the pair does not slide
-[[nodiscard]] inline double friction_sign(Motion motion) {
-  return motion == Motion::Forward ? -1 : motion == Motion::Backward ? 1 : 0;
+[[nodiscard]] inline double friction_sign(ContactStatus motion) {
+  return motion == ContactStatus::SlipForward ? -1 : motion == ContactStatus::SlipBackward ? 1 : 0;
 }
 
 /// How a solver ended. Nothing but `Solved` may be called a solution.
@@ -167,7 +167,7 @@ struct ContactState {
   std::vector<Eigen::Index> rubbing = {};  ///< `n_s` pairs that the next three belong to
   Eigen::VectorXd friction = {};           ///< tau `n_s` [force], on the source along the tangent
   Eigen::VectorXd slip = {};               ///< `n_s` [length], of the source along the tangent
-  std::vector<Motion> motion = {};         ///< `n_s` what these pairs do
+  std::vector<ContactStatus> motion = {};  ///< `n_s` what these pairs do
   Eigen::VectorXd amplitude = {};          ///< a `n_r`
   Uniqueness uniqueness = Uniqueness::Unknown;  ///< of a solution with friction
   Doubt doubt = {};                             ///< what `Doubtful` rests on
@@ -187,7 +187,7 @@ struct SolverOptions {
   double tolerance = 1e-12;
   /// `n_c` what the pairs of a problem like this one do, to begin with; or empty. Methods that cannot do not look at
   /// it, and no method needs it to be near.
-  std::vector<Motion> start = {};
+  std::vector<ContactStatus> start = {};
 };
 
 /// Checks a law of friction.

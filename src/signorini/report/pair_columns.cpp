@@ -45,7 +45,8 @@ void add_friction(const Model& model, const Solution& solution,
   for (Index k = 0; k < motion.size(); ++k)
     motion(k) = static_cast<double>(contact.motion[static_cast<std::size_t>(k)]);
   std::vector<std::string> motions;
-  for (const Motion word : {Motion::Open, Motion::Stick, Motion::Forward, Motion::Backward})
+  for (const ContactStatus word : {ContactStatus::Open, ContactStatus::Stick,
+                                   ContactStatus::SlipForward, ContactStatus::SlipBackward})
     motions.emplace_back(to_string(word));
   columns.push_back({"shear_traction", "force/length^2", "contact_shear_traction",
                      shear_tractions(model, solution)});

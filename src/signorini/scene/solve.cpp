@@ -89,7 +89,7 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined) {
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
 void note_open_motions(const Model& model, const PrimalDual& refined, Solution& solution) {
   if (model.modes.empty() || solution.contact.report.status != Status::Solved) return;
-  const std::vector<Motion> motions = all_motions(solution.contact);
+  const std::vector<ContactStatus> motions = all_motions(solution.contact);
   KnownSet set = known_set(motions, model.law);
   // A pair that touches without a force holds nothing: it stops a motion one way only. Of forces as small as the
   // tension that a certificate lets pass, nobody knows whether they are any.

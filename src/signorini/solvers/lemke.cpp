@@ -35,7 +35,7 @@ Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direct
 /// Where a path ended, in scaled numbers.
 struct End {
   Closure closure;
-  std::vector<Motion> motions;
+  std::vector<ContactStatus> motions;
   Report report;
   Eigen::VectorXd proof = {};
 };

@@ -87,7 +87,7 @@ class Newton {
 
 /// What motions say is closed, the pairs whose force exceeds their gap most first.
 KnownSet clearest_first(const ScaledProblem& problem, const Attempt& attempt, double reach,
-                        const std::vector<Motion>& motions) {
+                        const std::vector<ContactStatus>& motions) {
   KnownSet set = known_set(motions, problem.law);
   if (!problem.law.pair.empty()) return set;
   const VectorXd excess = reach * attempt.closure.force - attempt.closure.movement;
@@ -110,7 +110,7 @@ void open_idle_pairs(const ScaledProblem& problem, Attempt& attempt) {
 /// The exact end from the motions of an iterate, or from those which that end asks for: of a pair that touches
 /// without force, rounding decides the side.
 bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
-  std::vector<Motion> motions = attempt.motions;
+  std::vector<ContactStatus> motions = attempt.motions;
   Closure start = attempt.closure;
   const bool rubs = !problem.law.pair.empty();
   if (!rubs) start.force.setZero();
@@ -118,7 +118,8 @@ bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
     const KnownSet set = clearest_first(problem, attempt, reach, motions);
     attempt.report.factorisations += set.closed.empty() ? 0 : 1;
     Closure end = close(problem, set, &start);
-    const std::vector<Motion> closed = rubs ? motions : motions_of(end.rows, problem.pairs());
+    const std::vector<ContactStatus> closed =
+        rubs ? motions : motions_of(end.rows, problem.pairs());
     if (solves(problem, closed, end)) {
       attempt.closure = std::move(end);
       attempt.motions = closed;

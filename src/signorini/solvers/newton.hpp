@@ -11,11 +11,11 @@ namespace signorini {
 
 /// Where a method stands: the numbers, what they say of each pair, and the report so far.
 struct Attempt {
-  Closure closure;              ///< the end if `confirmed`, else the last iterate
-  std::vector<Motion> motions;  ///< `n_c`
-  Report report;                ///< its status is set at the end
-  std::string reason = {};      ///< why the method stopped, if it did
-  bool confirmed = false;       ///< whether the closure is a solution
+  Closure closure;                     ///< the end if `confirmed`, else the last iterate
+  std::vector<ContactStatus> motions;  ///< `n_c`
+  Report report;                       ///< its status is set at the end
+  std::string reason = {};             ///< why the method stopped, if it did
+  bool confirmed = false;              ///< whether the closure is a solution
 };
 
 /// The point from which all methods start, and what it says of the pairs: no forces; with friction forces

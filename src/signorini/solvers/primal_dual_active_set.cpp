@@ -28,7 +28,7 @@ KnownSet deepest_first(const ScaledProblem& problem, const Attempt& attempt) {
 }
 
 /// Leaves the first difference between two lists alone.
-void keep_first_change(const std::vector<Motion>& last, std::vector<Motion>& next) {
+void keep_first_change(const std::vector<ContactStatus>& last, std::vector<ContactStatus>& next) {
   std::size_t i = 0;
   while (i < next.size() && next[i] == last[i]) ++i;
   for (++i; i < next.size(); ++i) next[i] = last[i];
@@ -55,16 +55,16 @@ Attempt coarse_attempt(const ScaledProblem& problem) {
   attempt.report.factorisations = found.report.factorisations;
   if (!found.confirmed) return attempt;
   const auto opens = [&](std::size_t k) {
-    return found.motions[std::min(k, half.size() - 1)] == Motion::Open;
+    return found.motions[std::min(k, half.size() - 1)] == ContactStatus::Open;
   };
   for (std::size_t k = 0; k < overlapping.size(); ++k)
     if (opens(k / 2) || opens((k + 1) / 2))
-      attempt.motions[static_cast<std::size_t>(overlapping[k])] = Motion::Open;
+      attempt.motions[static_cast<std::size_t>(overlapping[k])] = ContactStatus::Open;
   return attempt;
 }
 
 /// Where to start from if a problem like this one is solved.
-Attempt attempt_from(const ScaledProblem& problem, const std::vector<Motion>& motions) {
+Attempt attempt_from(const ScaledProblem& problem, const std::vector<ContactStatus>& motions) {
   Attempt attempt;
   attempt.closure.force.setZero(problem.free.size());
   attempt.closure.movement = problem.free;
@@ -85,7 +85,7 @@ void put_apart(const ScaledProblem& problem, Attempt& attempt) {
   if (placed.report.status != Status::Solved) return;
   Closure start;
   start.amplitude = U.transpose() * placed.force;
-  const std::vector<Motion> open = motions_of({}, pairs);
+  const std::vector<ContactStatus> open = motions_of({}, pairs);
   Closure end = close(problem, open, &start);
   if (!solves(problem, open, end)) return;
   attempt.closure = std::move(end);
@@ -99,7 +99,7 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
   const double unit = reach(problem);
   const bool rubs = !problem.law.pair.empty();
   const bool plain = !rubs && problem.rigid.cols() == 0;
-  std::set<std::vector<Motion>> seen;
+  std::set<std::vector<ContactStatus>> seen;
   bool one_at_a_time = false;
   Report& report = attempt.report;
   report.status = Status::IterationLimit;
@@ -129,7 +129,7 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
       }
       attempt.motions = motions_of(now.rows, problem.pairs());
     }
-    std::vector<Motion> next = attempt.motions;
+    std::vector<ContactStatus> next = attempt.motions;
     const Index changes = predict(problem, now, unit, next);
     report.history.push_back(summary(problem, attempt.motions, now, changes));
     if (changes == 0) attempt.confirmed = solves(problem, attempt.motions, now);

@@ -30,17 +30,18 @@ Instances friction_one_pair() {  // closed form, [LinEtAl-9] [LinEtAl-10] [LinEt
   struct Case {
     const char* name;
     double gap, slip, mu, cohesion;
-    Motion motion;
+    ContactStatus motion;
     double force, friction;
   };
   Instances made;
-  for (const Case& known : {Case{"stick", -6, -4, 0.5, 0, Motion::Stick, 3, 1},
-                            Case{"forward", -6, 8, 0.5, 0, Motion::Forward, 3, -1.5},
-                            Case{"backward", -6, -8, 0.5, 0, Motion::Backward, 3, 1.5},
-                            Case{"glued", -6, 8, 0.5, 1, Motion::Stick, 3, -2},
-                            Case{"cohesion gives way", -6, 8, 0, 1, Motion::Forward, 3, -1},
-                            Case{"smooth", -6, 8, 0, 0, Motion::Forward, 3, 0},
-                            Case{"open", 1, 8, 0.5, 0, Motion::Open, 0, 0}}) {
+  for (const Case& known :
+       {Case{"stick", -6, -4, 0.5, 0, ContactStatus::Stick, 3, 1},
+        Case{"forward", -6, 8, 0.5, 0, ContactStatus::SlipForward, 3, -1.5},
+        Case{"backward", -6, -8, 0.5, 0, ContactStatus::SlipBackward, 3, 1.5},
+        Case{"glued", -6, 8, 0.5, 1, ContactStatus::Stick, 3, -2},
+        Case{"cohesion gives way", -6, 8, 0, 1, ContactStatus::SlipForward, 3, -1},
+        Case{"smooth", -6, 8, 0, 0, ContactStatus::SlipForward, 3, 0},
+        Case{"open", 1, 8, 0.5, 0, ContactStatus::Open, 0, 0}}) {
     const Matrix2d F = Eigen::Vector2d(2, 4).asDiagonal();
     Instance pair{known.name, one_pair(F, known.gap, known.slip, known.mu, known.cohesion)};
     pair.force = one(known.force);

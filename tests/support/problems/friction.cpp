@@ -59,10 +59,10 @@ std::vector<Eigen::VectorXd> all_solutions(const signorini::ContactProblem& prob
   const Eigen::Index n = problem.free_gap.size();
   std::vector<Eigen::VectorXd> found;
   for (int choice = 0; choice < 1 << (2 * n); ++choice) {
-    std::vector<signorini::Motion> motions;
+    std::vector<signorini::ContactStatus> motions;
     bool sensible = true;  // what does not rub does not slide
     for (Eigen::Index i = 0; i < n; ++i) {
-      motions.push_back(static_cast<signorini::Motion>((choice >> (2 * i)) & 3));
+      motions.push_back(static_cast<signorini::ContactStatus>((choice >> (2 * i)) & 3));
       sensible = sensible && (signorini::friction_sign(motions.back()) == 0 ||
                               std::count(problem.law.pair.begin(), problem.law.pair.end(), i) > 0);
     }

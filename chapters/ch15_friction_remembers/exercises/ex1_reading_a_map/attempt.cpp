@@ -3,7 +3,7 @@
 namespace ex15_1 {
 
 double stuck_half_width(const Map& map, std::size_t row) {
-  const std::vector<signorini::Motion>& motion = map.rows.at(row);
+  const std::vector<signorini::ContactStatus>& motion = map.rows.at(row);
   return motion.empty() ? 0 : map.x.maxCoeff();  // your code here: only what sticks
 }
 

@@ -6,13 +6,13 @@
 namespace ex15_1 {
 
 using Eigen::Index;
-using signorini::Motion;
+using signorini::ContactStatus;
 
 double stuck_half_width(const Map& map, std::size_t row) {
-  const std::vector<Motion>& motion = map.rows.at(row);
+  const std::vector<ContactStatus>& motion = map.rows.at(row);
   double first = std::numeric_limits<double>::infinity(), last = -first;
   for (Index i = 0; i < map.x.size(); ++i) {
-    if (motion[static_cast<std::size_t>(i)] != Motion::Stick) continue;
+    if (motion[static_cast<std::size_t>(i)] != ContactStatus::Stick) continue;
     first = std::min(first, map.x(i));
     last = std::max(last, map.x(i));
   }
@@ -24,9 +24,10 @@ std::vector<std::size_t> turns(const Map& map) {
   for (std::size_t row = 1; row < map.rows.size(); ++row) {
     bool turned = false;
     for (std::size_t i = 0; i < map.rows[row].size(); ++i) {
-      const Motion before = map.rows[row - 1][i], now = map.rows[row][i];
-      const bool slid = before == Motion::Forward || before == Motion::Backward;
-      if (slid && now != before && now != Motion::Open) turned = true;
+      const ContactStatus before = map.rows[row - 1][i], now = map.rows[row][i];
+      const bool slid =
+          before == ContactStatus::SlipForward || before == ContactStatus::SlipBackward;
+      if (slid && now != before && now != ContactStatus::Open) turned = true;
     }
     if (turned) found.push_back(row);
   }
@@ -36,8 +37,8 @@ std::vector<std::size_t> turns(const Map& map) {
 std::vector<Index> always_stuck(const Map& map) {
   std::vector<Index> found;
   for (Index i = 0; i < map.x.size(); ++i) {
-    const auto sticks = [i](const std::vector<Motion>& row) {
-      return row[static_cast<std::size_t>(i)] == Motion::Stick;
+    const auto sticks = [i](const std::vector<ContactStatus>& row) {
+      return row[static_cast<std::size_t>(i)] == ContactStatus::Stick;
     };
     if (std::all_of(map.rows.begin(), map.rows.end(), sticks)) found.push_back(i);
   }

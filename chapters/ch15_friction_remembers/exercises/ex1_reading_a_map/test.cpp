@@ -5,19 +5,19 @@
 #include "exercise.hpp"
 
 using namespace ex15_1;
-using signorini::Motion;
+using signorini::ContactStatus;
 
 // o open, k sticks, f forward, b backward
 static Map map_of(const std::vector<std::string>& rows) {
   Map map;
   map.x = Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(rows[0].size()), -4, 4);
   for (const std::string& row : rows) {
-    std::vector<Motion> motion;
+    std::vector<ContactStatus> motion;
     for (const char letter : row)
-      motion.push_back(letter == 'o'   ? Motion::Open
-                       : letter == 'k' ? Motion::Stick
-                       : letter == 'f' ? Motion::Forward
-                                       : Motion::Backward);
+      motion.push_back(letter == 'o'   ? ContactStatus::Open
+                       : letter == 'k' ? ContactStatus::Stick
+                       : letter == 'f' ? ContactStatus::SlipForward
+                                       : ContactStatus::SlipBackward);
     map.rows.push_back(motion);
   }
   return map;

@@ -2,9 +2,10 @@
 #include "exercise.hpp"
 
 using namespace ex15_1;
-using signorini::Motion;
+using signorini::ContactStatus;
 
-constexpr Motion o = Motion::Open, k = Motion::Stick, f = Motion::Forward, b = Motion::Backward;
+constexpr ContactStatus o = ContactStatus::Open, k = ContactStatus::Stick,
+                        f = ContactStatus::SlipForward, b = ContactStatus::SlipBackward;
 
 TEST_CASE("ex15.1 held out: a pair that opens does not say that a push has turned", "[ex15.1]") {
   const Map map{Eigen::Vector3d(0, 1, 2), {{f, k, b}, {o, f, o}, {f, f, k}}};

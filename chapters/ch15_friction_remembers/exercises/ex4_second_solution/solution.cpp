@@ -5,17 +5,17 @@
 
 namespace ex15_4 {
 
-using signorini::Motion;
+using signorini::ContactStatus;
 
 std::vector<Answer> all_answers(const Pair& pair) {
   const Eigen::Matrix2d& F = pair.compliance;
   const double mu = pair.coefficient, c = pair.cohesion;
   std::vector<Answer> found;
-  if (pair.free_gap >= 0) found.push_back({Motion::Open, 0, 0});
+  if (pair.free_gap >= 0) found.push_back({ContactStatus::Open, 0, 0});
   const Eigen::Vector2d stuck = -F.inverse() * Eigen::Vector2d(pair.free_gap, pair.free_slip);
   if (stuck(0) >= 0 && std::abs(stuck(1)) <= mu * stuck(0) + c)
-    found.push_back({Motion::Stick, stuck(0), stuck(1)});
-  for (const Motion motion : {Motion::Forward, Motion::Backward}) {
+    found.push_back({ContactStatus::Stick, stuck(0), stuck(1)});
+  for (const ContactStatus motion : {ContactStatus::SlipForward, ContactStatus::SlipBackward}) {
     const double sign = signorini::friction_sign(motion);  // of the friction force
     const double stiffness = F(0, 0) + sign * mu * F(0, 1);
     if (stiffness == 0) continue;

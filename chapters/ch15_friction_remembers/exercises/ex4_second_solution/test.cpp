@@ -7,7 +7,7 @@
 using ex15_4::all_answers;
 using ex15_4::Answer;
 using ex15_4::Pair;
-using signorini::Motion;
+using signorini::ContactStatus;
 
 // The node of the chapter: stiffness (1, -0.6; -0.6, 1), pressed with 0.2, pushed along.
 static Pair node(double coefficient, double push) {
@@ -23,13 +23,13 @@ TEST_CASE("ex15.4 one pair has one answer without coupling", "[ex15.4]") {
     REQUIRE(found.size() == 1);
     return found[0];
   };
-  CHECK(only(1, 8).motion == Motion::Open);
-  CHECK(only(-6, -4).motion == Motion::Stick);
+  CHECK(only(1, 8).motion == ContactStatus::Open);
+  CHECK(only(-6, -4).motion == ContactStatus::Stick);
   CHECK(only(-6, -4).force == Approx(3).epsilon(1e-14));
   CHECK(only(-6, -4).friction == Approx(1).epsilon(1e-14));
-  CHECK(only(-6, 8).motion == Motion::Forward);
+  CHECK(only(-6, 8).motion == ContactStatus::SlipForward);
   CHECK(only(-6, 8).friction == Approx(-1.5).epsilon(1e-14));
-  CHECK(only(-6, -8).motion == Motion::Backward);
+  CHECK(only(-6, -8).motion == ContactStatus::SlipBackward);
   CHECK(only(-6, -8).friction == Approx(1.5).epsilon(1e-14));
 }
 
