@@ -52,7 +52,7 @@ void compare_friction(const ProgramOptions& run, Results& results) {
                            : to_string(state.report.status));
       if (counts.size() > all.size()) continue;  // the first member is enough
       const auto of = [&](ContactStatus s) {
-        return std::count(state.motion.begin(), state.motion.end(), s);
+        return std::count(state.contact_status.begin(), state.contact_status.end(), s);
       };
       counts.push_back(text(of(ContactStatus::Open), ", ", of(ContactStatus::Stick), ", ",
                             of(ContactStatus::SlipForward) + of(ContactStatus::SlipBackward)));

@@ -13,13 +13,13 @@ using namespace ch15;
 void fork(const ProgramOptions& run, Results& results) {
   Table all({"mu", "motion", "push", "slip"}), path({"mu", "time", "push", "slip"});
   for (const double coefficient : {1., 3.}) {
-    for (const ContactStatus motion :
+    for (const ContactStatus contact_status :
          {ContactStatus::Stick, ContactStatus::SlipForward, ContactStatus::Open}) {
       for (int i = 0; i <= 120; ++i)
         for (const Answer& answer : answers(coefficient, i / 150.))
-          if (answer.motion == motion)
-            all.row(
-                {number(coefficient), to_string(motion), number(i / 150.), number(answer.slip)});
+          if (answer.contact_status == contact_status)
+            all.row({number(coefficient), to_string(contact_status), number(i / 150.),
+                     number(answer.slip)});
       all.blank_line();
     }
     const Scene scene = wedge(coefficient);
@@ -29,7 +29,7 @@ void fork(const ProgramOptions& run, Results& results) {
     });
   }
   for (const Answer& answer : answers(3, 0.5))
-    results.add(text("slip_", to_string(answer.motion)), answer.slip, "um");
+    results.add(text("slip_", to_string(answer.contact_status)), answer.slip, "um");
   write_file(run.out / "fig_15_5.csv", all.csv());
   write_file(run.out / "fig_15_5_path.csv", path.csv());
 }

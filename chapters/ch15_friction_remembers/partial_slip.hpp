@@ -86,7 +86,7 @@ inline double stuck_half_width(const Pressed& known, const Model& model, const S
   const double coefficient = slip.friction_coefficient;
   double sum = 0, length = 0;
   for (Index i = 0; i < contact.friction.size(); ++i) {
-    if (contact.motion[static_cast<std::size_t>(i)] != ContactStatus::Stick) continue;
+    if (contact.contact_status[static_cast<std::size_t>(i)] != ContactStatus::Stick) continue;
     const double weight = model.pairs.weight(i), x = model.pairs.position(i, 0);
     const double left = (coefficient * contact.force(i) - std::abs(contact.friction(i))) / weight;
     sum +=

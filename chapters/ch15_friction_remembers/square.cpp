@@ -25,7 +25,7 @@ void sliding(const ProgramOptions& run, Results& results) {
       moved.push_back(1e5 * step.solution.displacements[0].col(0).head(33));
       for (Eigen::Index i = 0; steps == 5 && i < 32; ++i)
         figure.row({number(1e3 * model.pairs.position(i, 0)), number(moved.back()(i)),
-                    to_string(step.solution.contact.motion[static_cast<std::size_t>(i)])});
+                    to_string(step.solution.contact.contact_status[static_cast<std::size_t>(i)])});
     });
   const Eigen::Index node[] = {0, 1, 4, 6, 9};
   for (int i = 0; i < 5; ++i)

@@ -17,19 +17,19 @@ void stick_map(const ProgramOptions& run, Results& results) {
   Table map({"time", "x", "width", "motion"}), edge({"time", "stuck"});
   std::vector<bool> slid;
   double never_slid = 0;  // width [mm]
-  remember(by_force(cylinder(push_times(6), pressing, known.push())),
-           [&](const Model& model, const Step& step) {
-             const std::vector<ContactStatus>& motion = step.solution.contact.motion;
-             slid.resize(motion.size());
-             never_slid = 0;
-             for (std::size_t i = 0; i < motion.size(); ++i) {
-               const auto pair = static_cast<Index>(i);
-               map.row({number(step.state.time), number(model.pairs.position(pair, 0)),
-                        number(model.pairs.weight(pair)), to_string(motion[i])});
-               slid[i] = slid[i] || motion[i] != ContactStatus::Stick;
-               if (!slid[i]) never_slid += model.pairs.weight(pair);
-             }
-           });
+  remember(by_force(cylinder(push_times(6), pressing, known.push())), [&](const Model& model,
+                                                                          const Step& step) {
+    const std::vector<ContactStatus>& contact_status = step.solution.contact.contact_status;
+    slid.resize(contact_status.size());
+    never_slid = 0;
+    for (std::size_t i = 0; i < contact_status.size(); ++i) {
+      const auto pair = static_cast<Index>(i);
+      map.row({number(step.state.time), number(model.pairs.position(pair, 0)),
+               number(model.pairs.weight(pair)), to_string(contact_status[i])});
+      slid[i] = slid[i] || contact_status[i] != ContactStatus::Stick;
+      if (!slid[i]) never_slid += model.pairs.weight(pair);
+    }
+  });
   for (const double time : steps_between(1, 6, 60)) edge.row({time, known.stuck(time)});
   write_file(run.out / "fig_15_3.csv", map.csv());
   write_file(run.out / "fig_15_3_edge.csv", edge.csv());

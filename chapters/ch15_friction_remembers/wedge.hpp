@@ -9,10 +9,10 @@ namespace ch15 {
 
 /// An equilibrium of the node.
 struct Answer {
-  ContactStatus motion;  ///< what the node does
-  double slip;           ///< along the wall, from where it began [micrometre]
-  double force;          ///< of the wall, compression > 0 [N]
-  double friction;       ///< along the wall [N]
+  ContactStatus contact_status;  ///< what the node does
+  double slip;                   ///< along the wall, from where it began [micrometre]
+  double force;                  ///< of the wall, compression > 0 [N]
+  double friction;               ///< along the wall [N]
 };
 
 /// The node is pressed with 0.2 N. Opening a and slip s need forces a - 0.6 s and s - 0.6 a [N, micrometre].
@@ -24,12 +24,13 @@ inline std::vector<Answer> answers(double coefficient, double push) {
   const double opening = (coupling * push - load) / (1 - coupling * coupling);
   if (opening >= 0) found.push_back({ContactStatus::Open, push + coupling * opening, 0, 0});
   if (std::abs(push) <= bound) found.push_back({ContactStatus::Stick, 0, load, -push});
-  for (const ContactStatus motion : {ContactStatus::SlipForward, ContactStatus::SlipBackward}) {
-    const double sign = motion == ContactStatus::SlipForward ? 1 : -1;
+  for (const ContactStatus contact_status :
+       {ContactStatus::SlipForward, ContactStatus::SlipBackward}) {
+    const double sign = contact_status == ContactStatus::SlipForward ? 1 : -1;
     const double slip = (push - sign * bound) / (1 - sign * coefficient * coupling);
     const double force = load - coupling * slip;
     if (sign * slip > 0 && force > 0)
-      found.push_back({motion, slip, force, -sign * coefficient * force});
+      found.push_back({contact_status, slip, force, -sign * coefficient * force});
   }
   return found;
 }

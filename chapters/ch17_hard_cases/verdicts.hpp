@@ -17,14 +17,17 @@ namespace museum {
 inline double quantity(const std::string& name, const Answer& answer) {
   const signorini::ContactState& state = answer.contact;
   const auto count = [&](auto&& is) {
-    return static_cast<double>(std::count_if(state.motion.begin(), state.motion.end(), is));
+    return static_cast<double>(
+        std::count_if(state.contact_status.begin(), state.contact_status.end(), is));
   };
   if (name == "closed pairs") return static_cast<double>(state.active.size());
   if (name == "sticking pairs")
-    return count(
-        [](signorini::ContactStatus motion) { return motion == signorini::ContactStatus::Stick; });
+    return count([](signorini::ContactStatus contact_status) {
+      return contact_status == signorini::ContactStatus::Stick;
+    });
   if (name == "sliding pairs")
-    return count([](signorini::ContactStatus motion) { return friction_sign(motion) != 0; });
+    return count(
+        [](signorini::ContactStatus contact_status) { return friction_sign(contact_status) != 0; });
   if (name == "doubtful") return state.uniqueness == signorini::Uniqueness::Doubtful ? 1 : 0;
   if (name == "objective") return answer.objective;
   if (name == "limit") return answer.limit;

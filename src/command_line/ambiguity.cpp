@@ -69,12 +69,12 @@ std::vector<ForceRange> undetermined_multipliers(const OneSided& form,
                                                  const DenseSolution& solution) {
   const DenseProgramme& programme = form.programme;
   const VectorXd& force = solution.refined.force;
-  std::vector<ContactStatus> motions = motions_of(solution.active, force.size());
+  std::vector<ContactStatus> statuses = statuses_of(solution.active, force.size());
   for (Index row = 0; row < force.size(); ++row)
-    if (force(row) != 0) motions[static_cast<std::size_t>(row)] = ContactStatus::Stick;
+    if (force(row) != 0) statuses[static_cast<std::size_t>(row)] = ContactStatus::Stick;
   const QuadraticProgramme rows{programme.stiffness.sparseView(), programme.load,
                                 programme.A.sparseView(), programme.initial_gap};
-  Carried carrying = carried(rows, solution.refined, {}, std::move(motions));
+  Carried carrying = carried(rows, solution.refined, {}, std::move(statuses));
   carrying.equations = programme.equations;
   std::vector<ForceRange> all = ranges_of(undetermined_forces(carrying));
   for (ForceRange& range : all) {

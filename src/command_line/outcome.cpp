@@ -174,7 +174,7 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
     outcome.why = std::move(state.reason);
     outcome.friction = std::move(state.friction);
     outcome.slip = std::move(state.slip);
-    outcome.motion = std::move(state.motion);
+    outcome.contact_status = std::move(state.contact_status);
     outcome.uniqueness = state.uniqueness;
     outcome.doubt = state.doubt;
   };

@@ -22,11 +22,11 @@ struct Outcome {
   Eigen::Index iterations = 0;                              ///< as it counts them
   double seconds = 0;                                       ///< wall time [s]
   signorini::Certificate certificate = signorini::uncertified();  ///< from the data of the file
-  Eigen::VectorXd force;                         ///< z, or one multiplier for each two-sided row
-  Eigen::VectorXd gap;                           ///< w of a complementarity problem
-  Eigen::VectorXd friction;                      ///< tangential forces of a friction problem
-  Eigen::VectorXd slip;                          ///< tangential movements of a friction problem
-  std::vector<signorini::ContactStatus> motion;  ///< of its pairs
+  Eigen::VectorXd force;     ///< z, or one multiplier for each two-sided row
+  Eigen::VectorXd gap;       ///< w of a complementarity problem
+  Eigen::VectorXd friction;  ///< tangential forces of a friction problem
+  Eigen::VectorXd slip;      ///< tangential movements of a friction problem
+  std::vector<signorini::ContactStatus> contact_status;               ///< of its pairs
   signorini::Uniqueness uniqueness = signorini::Uniqueness::Unknown;  ///< of its solution
   signorini::Doubt doubt = {};                                        ///< if that is doubtful
   std::vector<Eigen::Index> rubbing = {};                ///< pairs of the friction forces

@@ -214,7 +214,7 @@ void PathFiles::keep_table(const PathState& from) {
   const std::string content = content_if_any(wanted_.csv);
   if (content.empty()) return late_.push_back(wanted_.csv);
   TableUntil kept = table_until(from.time, content);
-  const Index rows = from.steps * static_cast<Index>(from.motion.size());
+  const Index rows = from.steps * static_cast<Index>(from.contact_status.size());
   check_begun(kept.steps == from.steps && kept.rows == rows && kept.time == from.time, wanted_.csv,
               from);
   from_ = from;

@@ -89,17 +89,20 @@ void print_rubbing(std::ostream& out, const Outcome& solution) {
     for (const VectorXd* column :
          {&solution.force, &solution.gap, &solution.friction, &solution.slip})
       out << std::setw(25) << as_text((*column)(i));
-    out << "  " << signorini::to_string(solution.motion[static_cast<std::size_t>(i)]) << '\n';
+    out << "  " << signorini::to_string(solution.contact_status[static_cast<std::size_t>(i)])
+        << '\n';
   }
 }
 
 /// How many pairs do what.
-void print_motions(std::ostream& out, const std::vector<ContactStatus>& motions) {
+void print_motions(std::ostream& out, const std::vector<ContactStatus>& statuses) {
   out << '\n';
-  for (const ContactStatus motion : {ContactStatus::Open, ContactStatus::Stick,
-                                     ContactStatus::SlipForward, ContactStatus::SlipBackward})
-    out << signorini::to_string(motion) << ' ' << std::count(motions.begin(), motions.end(), motion)
-        << (motion == ContactStatus::SlipBackward ? "\n" : ", ");
+  for (const ContactStatus contact_status :
+       {ContactStatus::Open, ContactStatus::Stick, ContactStatus::SlipForward,
+        ContactStatus::SlipBackward})
+    out << signorini::to_string(contact_status) << ' '
+        << std::count(statuses.begin(), statuses.end(), contact_status)
+        << (contact_status == ContactStatus::SlipBackward ? "\n" : ", ");
 }
 
 /// What speaks for other solutions.
@@ -191,7 +194,7 @@ void print(std::ostream& out, const std::string& title, const FiledProblem& file
     return print_hint(out, outcomes, filed.rubs() ? friction_solvers() : solvers());
   if (filed.rubs()) {
     if (n <= largest_printed) print_rubbing(out, *solution);
-    print_motions(out, solution->motion);
+    print_motions(out, solution->contact_status);
     if (solution->uniqueness == Uniqueness::Doubtful) print_doubt(out, *solution);
   } else if (n <= largest_printed) {
     print_columns(out, "force z", solution->force, "gap w", solution->gap);
@@ -231,7 +234,8 @@ void write(Json& json, const FiledProblem& filed, Matrix kind, const std::vector
     if (!filed.rubs()) return;
     json.key("friction").value(outcome.friction).key("slip").value(outcome.slip);
     json.key("motion").array();
-    for (const ContactStatus motion : outcome.motion) json.value(signorini::to_string(motion));
+    for (const ContactStatus contact_status : outcome.contact_status)
+      json.value(signorini::to_string(contact_status));
     json.end();
     write_uniqueness(json, outcome);
   });

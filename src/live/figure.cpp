@@ -92,7 +92,7 @@ void Panel::points(const std::string& label, const VectorXd& x, const VectorXd& 
   }
 }
 
-void Panel::motions(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact) {
+void Panel::statuses(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact) {
   for (const bool slide : {false, true}) {
     const std::vector<Index> at = closed_pairs(contact, slide);
     if (!at.empty())
@@ -193,7 +193,8 @@ void Panel::bodies(const signorini::Model& model, const signorini::Solution& sol
 std::vector<Index> closed_pairs(const signorini::ContactState& contact, bool slide) {
   std::vector<Index> found;
   for (const Index i : contact.active)
-    if ((contact.motion[static_cast<std::size_t>(i)] != signorini::ContactStatus::Stick) == slide)
+    if ((contact.contact_status[static_cast<std::size_t>(i)] != signorini::ContactStatus::Stick) ==
+        slide)
       found.push_back(i);
   return found;
 }
@@ -219,7 +220,8 @@ void Answer::solution(const signorini::Solution& solved, bool determined) {
   count("iterations", "iterations", contact.report.iterations);
   rounding("certificate", "certificate, its worst entry", solved.certificate.worst());
   if (determined) sets.push_back({"closed", {contact.active.begin(), contact.active.end()}});
-  if (determined && contact.motion.size() == static_cast<std::size_t>(contact.force.size())) {
+  if (determined &&
+      contact.contact_status.size() == static_cast<std::size_t>(contact.force.size())) {
     sets.push_back({"stick", closed_pairs(contact, false)});
     sets.push_back({"slide", closed_pairs(contact, true)});
   }

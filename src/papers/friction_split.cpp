@@ -159,13 +159,13 @@ ContactState friction_split_literal(const ContactProblem& problem, const SolverO
   std::string reason = iterate(equations, options, x, report);
   Closure end;
   equations.read(x, end);
-  std::vector<ContactStatus> motions = motions_of({}, equations.pairs());
-  predict(raw, end, 1, motions);
+  std::vector<ContactStatus> statuses = statuses_of({}, equations.pairs());
+  predict(raw, end, 1, statuses);
   if (report.status == Status::Solved)  // the smaller of force and gap is rounding
-    for (std::size_t i = 0; i < motions.size(); ++i)
-      if (motions[i] == ContactStatus::Open) end.force(static_cast<Index>(i)) = 0;
+    for (std::size_t i = 0; i < statuses.size(); ++i)
+      if (statuses[i] == ContactStatus::Open) end.force(static_cast<Index>(i)) = 0;
   const bool solved = report.status == Status::Solved;
-  ContactState state = finished(problem, raw, end, motions, std::move(report));
+  ContactState state = finished(problem, raw, end, statuses, std::move(report));
   state.reason = solved && state.report.status != Status::Solved
                      ? "the printed equations are solved, but contact is not"
                      : std::move(reason);

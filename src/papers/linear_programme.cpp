@@ -200,7 +200,7 @@ ContactState run(const ContactProblem& problem, const ScaledProblem& scaled,
     }
   }
   if (proof.size() > 0) proof = scaled.scale.cwiseProduct(proof);
-  return finished(problem, scaled, tableau.numbers(), motions_of(tableau.closed(), n),
+  return finished(problem, scaled, tableau.numbers(), statuses_of(tableau.closed(), n),
                   std::move(report), std::move(proof));
 }
 

@@ -44,7 +44,7 @@ class Sweeps {
       Closure now;
       now.force = force_;
       now.movement = gap_;
-      return finished(posed, problem_, now, motions_of(candidates, n), std::move(report_));
+      return finished(posed, problem_, now, statuses_of(candidates, n), std::move(report_));
     }
   }
 

@@ -231,7 +231,7 @@ QuasiActiveRun LiteralMethod::run() {
   report_.iterations = static_cast<Index>(report_.history.size());
   const std::vector<Index> closed =
       report_.status == Status::Solved ? way_.state.active : pressed(now_.force);
-  way_.state = finished(problem_, scaled_, now_, motions_of(closed, now_.force.size()),
+  way_.state = finished(problem_, scaled_, now_, statuses_of(closed, now_.force.size()),
                         std::move(report_), std::move(way_.state.infeasibility));
   return std::move(way_);
 }

@@ -73,7 +73,7 @@ ContactState unfinished(const ContactProblem& problem, const ScaledProblem& scal
     if (now.force(i) > 0) active.push_back(i);
   Eigen::VectorXd proof;
   if (report.status == Status::Infeasible) proof = scaled.scale.cwiseProduct(run.infeasibility());
-  return finished(problem, scaled, now, motions_of(active, now.force.size()), std::move(report),
+  return finished(problem, scaled, now, statuses_of(active, now.force.size()), std::move(report),
                   std::move(proof));
 }
 

@@ -119,11 +119,11 @@ TEST_CASE("few entries or all of them: the same closure", "[friction][soft]") {
     int reversed = 0;
     for (int sample = 0; sample < 40; ++sample) {
       dense.law.coefficient.setConstant(sample < 20 ? 0.5 : 8);
-      std::vector<ContactStatus> motions;
+      std::vector<ContactStatus> statuses;
       for (Index i = 0; i < dense.pairs(); ++i)
-        motions.push_back(static_cast<ContactStatus>(random.uniform(0, 4)));
-      const Closure all = close(dense, motions);
-      const Closure few = close(sparse(), motions);
+        statuses.push_back(static_cast<ContactStatus>(random.uniform(0, 4)));
+      const Closure all = close(dense, statuses);
+      const Closure few = close(sparse(), statuses);
       CAPTURE(floating, sample);
       REQUIRE(all.solvable);
       REQUIRE(few.solvable);

@@ -105,14 +105,15 @@ TEST_CASE("a determinant of the wrong sign warns of other solutions", "[closing]
   const ContactProblem problem{F, Vector2d::Ones(), Vector2d::Constant(4),
                                law_of_all(Vector2d::Ones(), Vector2d::Zero())};
   const ScaledProblem scaled = equilibrate(problem);
-  for (const ContactStatus motion : {ContactStatus::Open, ContactStatus::SlipForward}) {
-    const std::vector<ContactStatus> both(2, motion);
+  for (const ContactStatus contact_status : {ContactStatus::Open, ContactStatus::SlipForward}) {
+    const std::vector<ContactStatus> both(2, contact_status);
     const Closure end = close(scaled, both);
     CHECK(solves(scaled, both, end));
-    CHECK(end.reversed == (motion == ContactStatus::SlipForward));
-    CHECK(uniqueness(scaled, both, end) ==
-          (motion == ContactStatus::SlipForward ? Uniqueness::Doubtful : Uniqueness::Unknown));
-    if (motion != ContactStatus::SlipForward) continue;
+    CHECK(end.reversed == (contact_status == ContactStatus::SlipForward));
+    CHECK(uniqueness(scaled, both, end) == (contact_status == ContactStatus::SlipForward
+                                                ? Uniqueness::Doubtful
+                                                : Uniqueness::Unknown));
+    if (contact_status != ContactStatus::SlipForward) continue;
     // det [1 -2 mu; -2 1] = 1 - 4 mu with mu the friction of the first alone: -3, and none from mu = 1/4 down.
     const Doubt found = doubt(scaled, both, end);
     CHECK(found.pair == 0);
@@ -148,11 +149,11 @@ TEST_CASE("one solution is proved only if the pairs that press leave no body fre
     problem.rigid = mode;
     problem.resultant = Eigen::VectorXd::Constant(1, load);
     const ScaledProblem scaled = equilibrate(problem);
-    const std::vector<ContactStatus> motions = {load > 0 ? ContactStatus::SlipForward
-                                                         : ContactStatus::Open};
-    const Closure closure = close(scaled, motions);
+    const std::vector<ContactStatus> statuses = {load > 0 ? ContactStatus::SlipForward
+                                                          : ContactStatus::Open};
+    const Closure closure = close(scaled, statuses);
     CHECK(closure.solvable);
-    return uniqueness(scaled, motions, closure);
+    return uniqueness(scaled, statuses, closure);
   };
   CHECK(verdict({1, 0}, 1, 1.5) == Uniqueness::Proved);
   CHECK(verdict({1, 0}, 1, 0) == Uniqueness::Unknown);  // it hovers, how high nothing says

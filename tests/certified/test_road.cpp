@@ -146,7 +146,7 @@ TEST_CASE("where a claim that is not solved has moved the body is not believed",
   const auto along = [&](Status status) {
     ContactState state = claim(status, VectorXd::Ones(1), {0});
     state.rubbing = {0};
-    state.motion = {ContactStatus::SlipForward};
+    state.contact_status = {ContactStatus::SlipForward};
     state.friction = VectorXd::Zero(1);
     state.slip = VectorXd::Constant(1, 0.25);
     state.amplitude = Eigen::Vector2d(0.25, 0);

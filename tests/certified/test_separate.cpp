@@ -104,8 +104,8 @@ TEST_CASE("a system beside one that is 1e20 times larger is solved to its own la
         const Index slips = alone.state.slip.size();
         for (Index k = 0; k < slips; ++k) {
           CHECK(both.state.rubbing[static_cast<std::size_t>(slips + k)] == 3 + k);
-          CHECK(both.state.motion[static_cast<std::size_t>(slips + k)] ==
-                alone.state.motion[static_cast<std::size_t>(k)]);
+          CHECK(both.state.contact_status[static_cast<std::size_t>(slips + k)] ==
+                alone.state.contact_status[static_cast<std::size_t>(k)]);
         }
       }
     }

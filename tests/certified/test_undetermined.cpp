@@ -38,7 +38,7 @@ Carried node(const MatrixXd& effect, const FrictionLaw& law, const VectorXd& for
 
 /// Least and largest of each force over all vertices: every choice of as many met bounds as there are exchanges.
 MatrixXd ends_of_vertices(const Carried& carried, const MatrixXd& exchanges) {
-  const Index pairs = static_cast<Index>(carried.motions.size());
+  const Index pairs = static_cast<Index>(carried.statuses.size());
   const Index k = exchanges.cols();
   MatrixXd G(3 * pairs, k);
   VectorXd h(3 * pairs);
@@ -182,7 +182,7 @@ TEST_CASE("two pairs of one node share what presses it", "[closing][closed-form]
 TEST_CASE("a gap, a slip beyond rounding or cohesion leaves no choice", "[closing][closed-form]") {
   const MatrixXd same = (MatrixXd(2, 2) << 1, 1, 0, 0).finished();
   Carried carried = node(same, {}, Vector2d(3, 0));
-  carried.motions[1] = ContactStatus::Open;
+  carried.statuses[1] = ContactStatus::Open;
   CHECK(undetermined_forces(carried).size() == 1);  // it touches
   carried.movement(1) = 1e-15;
   CHECK(undetermined_forces(carried).empty());
@@ -194,7 +194,7 @@ TEST_CASE("a gap, a slip beyond rounding or cohesion leaves no choice", "[closin
   const FrictionLaw law = law_of_all(Vector2d::Constant(0.5), Vector2d::Zero());
   carried = node(corner, law, (VectorXd(4) << 1, 1, 0.5, 0.5).finished());
   CHECK(undetermined_forces(carried).size() == 1);
-  carried.motions.assign(2, ContactStatus::SlipBackward);
+  carried.statuses.assign(2, ContactStatus::SlipBackward);
   CHECK(undetermined_forces(carried).size() == 1);  // the slips are none
   carried.movement.tail(2).setConstant(-1);
   CHECK(undetermined_forces(carried).empty());

@@ -187,7 +187,7 @@ TEST_CASE("the judge finds a wrong friction force, motion or claim to be the onl
   for (Eigen::VectorXd& forces : other.solutions) forces.array() += 1e-3;
   CHECK_THAT(judged(primal_dual_active_set, other), ContainsSubstring("none of the 3"));
   other = pair;
-  other.motion = {ContactStatus::SlipBackward};
+  other.contact_status = {ContactStatus::SlipBackward};
   CHECK_THAT(judged(primal_dual_active_set, other), ContainsSubstring("other ways"));
   other = pair;
   other.expected = Status::Breakdown;

@@ -88,7 +88,7 @@ TEST_CASE("every solver: units and scales of rows change no bit but the exponent
       CHECK(other.friction.cwiseProduct(rubbing) / force == plain.friction);
       CHECK(other.slip.cwiseQuotient(rubbing) / length == plain.slip);
       CHECK(other.amplitude / length == plain.amplitude);
-      CHECK(other.motion == plain.motion);
+      CHECK(other.contact_status == plain.contact_status);
     }
   }
 }

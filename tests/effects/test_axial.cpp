@@ -148,7 +148,8 @@ TEST_CASE("what pushes a shaft out of its hub is friction times the normal force
     scene.contacts[0].friction = Friction{mu, 0};
     const SolvedScene run = solved(scene, "the push");
     const ContactState& contact = run.solution.contact;
-    for (const ContactStatus motion : contact.motion) CHECK(friction_sign(motion) != 0);
+    for (const ContactStatus contact_status : contact.contact_status)
+      CHECK(friction_sign(contact_status) != 0);
     const double push = support_forces(run.model, run.solution, 0).col(1).sum();
     CAPTURE(mu);
     CHECK(push == Approx(mu * contact.force.sum()).epsilon(1e-11));
@@ -176,9 +177,9 @@ TEST_CASE("a disc between rough plates slips outside of a circle that sticks",
     if (friction) {
       const ContactState& contact = run.solution.contact;
       bool slips = false;
-      for (std::size_t k = 0; k < contact.motion.size(); ++k) {
+      for (std::size_t k = 0; k < contact.contact_status.size(); ++k) {
         const double x = run.model.pairs.position(contact.rubbing[k], 0);
-        if (friction_sign(contact.motion[k]) == 0) {
+        if (friction_sign(contact.contact_status[k]) == 0) {
           CHECK((!slips || x == 0));
         } else {
           slips = true;
@@ -232,7 +233,7 @@ TEST_CASE("far from the axis bodies of revolution in contact are in plane strain
         };
         CHECK(difference(stress(ring), stress(plane)) < 1e-6);
       }
-      CHECK(ring.solution.contact.motion == plane.solution.contact.motion);
+      CHECK(ring.solution.contact.contact_status == plane.solution.contact.contact_status);
     }
 }
 

@@ -108,7 +108,7 @@ TEST_CASE("the free boundary: the cubic through three ends of the contact",
   };
   const auto closed = [&](std::vector<Index> set) {
     std::sort(set.begin(), set.end());
-    const Closure closure = close(scaled, motions_of(set, pairs));
+    const Closure closure = close(scaled, statuses_of(set, pairs));
     return Closed{closure.force.cwiseProduct(scaled.scale).sum(), closure.force, closure.movement};
   };
   // The beam lies on its tip: contact ends at one place only.

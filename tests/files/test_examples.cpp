@@ -156,9 +156,12 @@ TEST_CASE("the punch of the examples sticks inside and slides at its front",
   CHECK(std::abs(sum.force.y() - 1000) < 1e-9 * 1000);  // the load, upwards on the punch
   CHECK(std::abs(sum.force.x() + 150) < 1e-9 * 1000);
   std::size_t stuck = 0, slid = 0;
-  for (const ContactStatus motion : all_motions(run.solution.contact)) {
-    stuck += motion == ContactStatus::Stick ? 1 : 0;
-    slid += motion == ContactStatus::SlipForward || motion == ContactStatus::SlipBackward ? 1 : 0;
+  for (const ContactStatus contact_status : all_statuses(run.solution.contact)) {
+    stuck += contact_status == ContactStatus::Stick ? 1 : 0;
+    slid += contact_status == ContactStatus::SlipForward ||
+                    contact_status == ContactStatus::SlipBackward
+                ? 1
+                : 0;
   }
   CHECK(stuck > 0);
   CHECK(slid > 0);

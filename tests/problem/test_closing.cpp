@@ -30,7 +30,7 @@ TEST_CASE("equilibration gives a unit diagonal and goes back", "[closing]") {
   CHECK((scaled.compliance - matrix(1, 0.3, 0.3, 1)).norm() < 1e-15);
   CHECK((scaled.free - Vector2d(-4, 2)).norm() < 1e-15);
   const ContactState state =
-      finished(problem, scaled, close(scaled, KnownSet{{0}}), motions_of({0}, 2), {});
+      finished(problem, scaled, close(scaled, KnownSet{{0}}), statuses_of({0}, 2), {});
   CHECK((state.force - Vector2d(2, 0)).norm() < 1e-15);
   CHECK((state.gap - Vector2d(0, 16)).norm() < 1e-14);
 }
@@ -117,7 +117,7 @@ TEST_CASE("a nearly singular block is solved to the last digits", "[closing]") {
 
 TEST_CASE("of rows that repeat each other the first is kept, and closes the others if it can",
           "[closing]") {
-  const std::vector<ContactStatus> both = motions_of({0, 1}, 2);
+  const std::vector<ContactStatus> both = statuses_of({0, 1}, 2);
   const ScaledProblem same = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -1)});
   for (const Eigen::Index first : {0, 1}) {
     const Closure kept = close(same, KnownSet{{first, 1 - first}});
@@ -126,7 +126,7 @@ TEST_CASE("of rows that repeat each other the first is kept, and closes the othe
     CHECK(solves(same, both, kept));
   }
   const ScaledProblem apart = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -0.5)});
-  CHECK(solves(apart, motions_of({0}, 2), close(apart, KnownSet{{0, 1}})));
+  CHECK(solves(apart, statuses_of({0}, 2), close(apart, KnownSet{{0, 1}})));
   CHECK_FALSE(solves(apart, both, close(apart, KnownSet{{0, 1}})));  // the other is open
   const ScaledProblem nothing =
       equilibrate({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Ones(1)});
@@ -154,7 +154,7 @@ TEST_CASE("a singular block that rounding lets pass gives no solution", "[closin
   G << 5, -5, -5, -5, 9, 1, -5, 1, 9;
   const ContactProblem problem{G, Eigen::Vector3d(-1, -4, 0)};
   const ScaledProblem scaled = equilibrate(problem);
-  CHECK_FALSE(solves(scaled, motions_of({0, 1, 2}, 3), close(scaled, KnownSet{{0, 1, 2}})));
+  CHECK_FALSE(solves(scaled, statuses_of({0, 1, 2}, 3), close(scaled, KnownSet{{0, 1, 2}})));
   CHECK_FALSE(confirmed(scaled, {0, 1, 2}).has_value());
   CHECK(find_solver("enumerate").solve(problem, {}).report.status == Status::Infeasible);
   CHECK(find_solver("primal_dual_active_set").solve(problem, {}).report.status != Status::Solved);

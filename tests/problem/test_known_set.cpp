@@ -10,7 +10,7 @@ using namespace signorini;
 namespace {
 
 /// What a pair of mu = 0.5, pressed by 1, does next.
-ContactStatus next(ContactStatus motion, const Vector2d& force, const Vector2d& movement,
+ContactStatus next(ContactStatus contact_status, const Vector2d& force, const Vector2d& movement,
                    double rounding) {
   const ScaledProblem problem = equilibrate(
       {Eigen::Matrix2d::Identity(), Eigen::VectorXd::Constant(1, -1), Eigen::VectorXd::Zero(1),
@@ -20,10 +20,10 @@ ContactStatus next(ContactStatus motion, const Vector2d& force, const Vector2d& 
   closure.movement = movement;
   closure.force_rounding = rounding;
   if (rounding > 0) closure.movement_rounding = Vector2d::Constant(rounding);
-  std::vector<ContactStatus> motions = {motion};
-  const Eigen::Index changes = predict(problem, closure, 1, motions);
-  CHECK(changes == (motions.front() != motion ? 1 : 0));
-  return motions.front();
+  std::vector<ContactStatus> statuses = {contact_status};
+  const Eigen::Index changes = predict(problem, closure, 1, statuses);
+  CHECK(changes == (statuses.front() != contact_status ? 1 : 0));
+  return statuses.front();
 }
 
 }  // namespace
@@ -75,16 +75,16 @@ TEST_CASE("a sliding pair is named by its friction force, and by its slip only w
   state.slip = Vector2d(1e-17, -1e-17);
   state.friction = Vector2d(0.5, -2);
   state.force = Vector2d(1, 0);
-  state.motion = {ContactStatus::SlipBackward, ContactStatus::SlipForward};
-  const std::vector<ContactStatus> named = state.motion;
+  state.contact_status = {ContactStatus::SlipBackward, ContactStatus::SlipForward};
+  const std::vector<ContactStatus> named = state.contact_status;
   name_slides(rough, state);
-  CHECK(state.motion == named);
+  CHECK(state.contact_status == named);
   state.force(0) = -1e-17;  // presses by rounding
   name_slides(rough, state);
-  CHECK(state.motion ==
+  CHECK(state.contact_status ==
         std::vector<ContactStatus>{ContactStatus::SlipForward, ContactStatus::SlipForward});
-  state.motion = {ContactStatus::SlipBackward, ContactStatus::Stick};
+  state.contact_status = {ContactStatus::SlipBackward, ContactStatus::Stick};
   name_slides(law_of_all(Vector2d(0, 0), Vector2d(0, 0)), state);
-  CHECK(state.motion ==
+  CHECK(state.contact_status ==
         std::vector<ContactStatus>{ContactStatus::SlipForward, ContactStatus::Stick});
 }

@@ -43,7 +43,7 @@ TEST_CASE("the pairs of every kind are counted", "[pressure_table][friction]") {
   const Resultants sum = resultants(three_gaps(), solution);
   CHECK(std::vector<Eigen::Index>{sum.pairs, sum.closed, sum.rubbing, sum.stick, sum.slide} ==
         std::vector<Eigen::Index>{3, 2, 3, 1, 1});
-  solution.contact.motion[0] = ContactStatus::SlipBackward;
+  solution.contact.contact_status[0] = ContactStatus::SlipBackward;
   CHECK(resultants(three_gaps(), solution).slide == 1);
   const Resultants smooth = resultants(three_gaps(), three_forces());
   CHECK(std::vector<Eigen::Index>{smooth.closed, smooth.rubbing, smooth.stick, smooth.slide} ==

@@ -38,16 +38,18 @@ TEST_CASE("a VTU file shows friction and tells contacts apart", "[vtu][friction]
   const std::vector<std::string> traction = array_of(file, "contact_traction");
   const std::vector<std::string> shear = array_of(file, "contact_shear_traction");
   const std::vector<std::string> slip = array_of(file, "contact_slip");
-  const std::vector<std::string> motion = array_of(file, "contact_motion");
+  const std::vector<std::string> contact_status = array_of(file, "contact_motion");
   const std::vector<std::string> number = array_of(file, "contact_number");
   REQUIRE(traction.size() == 3 * points);
-  for (const auto* words : {&shear, &slip, &motion, &number}) REQUIRE(words->size() == points);
+  for (const auto* words : {&shear, &slip, &contact_status, &number})
+    REQUIRE(words->size() == points);
   CHECK(array_of(file, "contact_slip_total").empty());
   // 9 nodes on the floor and 5 at the wall have one in common, where the floor bears more.
   CHECK(std::count(number.begin(), number.end(), "0") == 9);
   CHECK(std::count(number.begin(), number.end(), "1") == 4);
-  CHECK(std::count(motion.begin(), motion.end(), "-1") == static_cast<long>(points) - 9);
-  CHECK(std::count(motion.begin(), motion.end(), "2") > 0);
+  CHECK(std::count(contact_status.begin(), contact_status.end(), "-1") ==
+        static_cast<long>(points) - 9);
+  CHECK(std::count(contact_status.begin(), contact_status.end(), "2") > 0);
   for (std::size_t k = 1; k < contact.rubbing.size(); ++k) {  // without the corner
     const auto row = static_cast<Eigen::Index>(k);
     const Eigen::Index pair = contact.rubbing[k];
@@ -55,7 +57,7 @@ TEST_CASE("a VTU file shows friction and tells contacts apart", "[vtu][friction]
         static_cast<std::size_t>(run.model.pairs.node[static_cast<std::size_t>(pair)]);
     const double pressure = run.solution.pressure(pair);
     CAPTURE(node);
-    CHECK(motion[node] == std::to_string(static_cast<int>(contact.motion[k])));
+    CHECK(contact_status[node] == std::to_string(static_cast<int>(contact.contact_status[k])));
     CHECK(std::stod(shear[node]) ==
           Approx(contact.friction(row) / run.model.pairs.weight(pair)).epsilon(1e-8).margin(0));
     CHECK(std::stod(slip[node]) == Approx(increment(contact)(row)).epsilon(1e-8).margin(0));
@@ -99,7 +101,7 @@ TEST_CASE("a VTU file of a load step has the slip in total", "[vtu][steps]") {
   const Eigen::Index pair = run.solution.contact.active.front();
   const auto node = static_cast<std::size_t>(run.model.pairs.node[static_cast<std::size_t>(pair)]);
   run.solution.contact.rubbing = {pair};
-  run.solution.contact.motion = {ContactStatus::SlipBackward};
+  run.solution.contact.contact_status = {ContactStatus::SlipBackward};
   run.solution.contact.friction = Eigen::VectorXd::Constant(1, 3);
   run.solution.contact.slip = Eigen::VectorXd::Constant(1, -0.5);
   PathState state;

@@ -78,7 +78,7 @@ TEST_CASE("Tresca's law in a scene: no coefficient, and the bound is the cohesio
   REQUIRE(tresca.contact.report.status == Status::Solved);
   const Solution coulomb = solve(dragged({0, 2.5}));
   CHECK(tresca.contact.friction == coulomb.contact.friction);
-  CHECK(tresca.contact.motion == coulomb.contact.motion);
+  CHECK(tresca.contact.contact_status == coulomb.contact.contact_status);
   Eigen::Index at_bound = 0;
   const Model model = [] {
     Ledger ledger;
@@ -87,8 +87,8 @@ TEST_CASE("Tresca's law in a scene: no coefficient, and the bound is the cohesio
   for (Eigen::Index k = 0; k < tresca.contact.friction.size(); ++k) {
     const double bound = 2.5 * model.pairs.weight(model.law.pair[static_cast<std::size_t>(k)]);
     CHECK(std::abs(tresca.contact.friction(k)) <= bound * (1 + 1e-14));
-    if (tresca.contact.motion[static_cast<std::size_t>(k)] == ContactStatus::SlipBackward ||
-        tresca.contact.motion[static_cast<std::size_t>(k)] == ContactStatus::SlipForward)
+    if (tresca.contact.contact_status[static_cast<std::size_t>(k)] == ContactStatus::SlipBackward ||
+        tresca.contact.contact_status[static_cast<std::size_t>(k)] == ContactStatus::SlipForward)
       ++at_bound;
   }
   CHECK(at_bound > 0);

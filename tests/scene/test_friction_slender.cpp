@@ -53,8 +53,8 @@ TEST_CASE("pairs that stick do not slip, however slender the body", "[friction][
           CHECK(solution.certificate.worst() <= 1e-13);
           const double most = solution.displacements[0].cwiseAbs().maxCoeff();
           const ContactState& state = solution.contact;
-          for (std::size_t k = 0; k < state.motion.size(); ++k)
-            if (state.motion[k] == ContactStatus::Stick) {
+          for (std::size_t k = 0; k < state.contact_status.size(); ++k)
+            if (state.contact_status[k] == ContactStatus::Stick) {
               REQUIRE(std::abs(state.slip(static_cast<Index>(k))) <= 1e-15 * most);
               REQUIRE(std::abs(state.gap(state.rubbing[k])) <= 1e-15 * most);
             }
@@ -70,8 +70,8 @@ TEST_CASE("the certificate sees a slip that nothing resists, and a force beyond 
   Index sticks = -1;
   Index slides = -1;
   for (Index pair = 0; pair < pairs; ++pair) {
-    if (state.motion[static_cast<std::size_t>(pair)] == ContactStatus::Stick) sticks = pair;
-    if (friction_sign(state.motion[static_cast<std::size_t>(pair)]) != 0) slides = pair;
+    if (state.contact_status[static_cast<std::size_t>(pair)] == ContactStatus::Stick) sticks = pair;
+    if (friction_sign(state.contact_status[static_cast<std::size_t>(pair)]) != 0) slides = pair;
   }
   REQUIRE((sticks >= 0 && slides >= 0));
   const auto figures = [&](const PrimalDual& claim) {

@@ -102,7 +102,8 @@ TEST_CASE("a spring along the slope carries what friction and cohesion do not",
   const SolvedScene run = solved(scene, "the block");
   const ContactState& contact = run.solution.contact;
   CHECK(contact.active.size() == static_cast<std::size_t>(contact.force.size()));
-  for (const ContactStatus motion : contact.motion) CHECK(motion == ContactStatus::SlipBackward);
+  for (const ContactStatus contact_status : contact.contact_status)
+    CHECK(contact_status == ContactStatus::SlipBackward);
   const double resists = 3 * length - 0.2 * force.y();
   CHECK(contact.friction.sum() == Approx(resists).epsilon(1e-12));
   const NodeArray& u = run.solution.displacements[0];

@@ -179,7 +179,7 @@ TEST_CASE("the check of random scenes sees a millionth of any number, and false 
     if (double* const most = largest_of(s.contact.gap)) *most *= 1 + 1e-6;
   };
   const auto status = [](Solution& s) {
-    for (ContactStatus& now : s.contact.motion)
+    for (ContactStatus& now : s.contact.contact_status)
       now = friction_sign(now) != 0 ? ContactStatus::Stick : now;
   };
   for (const RandomScenes kind :

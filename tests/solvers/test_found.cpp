@@ -147,7 +147,7 @@ TEST_CASE("a claim without a proof that holds is withdrawn", "[found][proof]") {
     const ScaledProblem scaled = equilibrate(wedged);
     Report report;
     report.status = Status::Infeasible;
-    return finished(wedged, scaled, close(scaled, KnownSet{}), motions_of({}, 2), report, proof);
+    return finished(wedged, scaled, close(scaled, KnownSet{}), statuses_of({}, 2), report, proof);
   };
   CHECK(claimed({}).report.status == Status::Breakdown);
   CHECK(claimed(Vector2d(1, 0.5)).report.status == Status::Breakdown);

@@ -30,7 +30,7 @@ TEST_CASE("an open pair carries no cohesion, except in the equations as printed"
   const Matrix2d F = Eigen::Vector2d(2, 4).asDiagonal();
   const ContactProblem lifted = one_pair(F, 1, 8, 0.5, 1);
   const ContactState state = solved(lifted);
-  CHECK(state.motion[0] == ContactStatus::Open);
+  CHECK(state.contact_status[0] == ContactStatus::Open);
   CHECK(state.friction(0) == 0);
   CHECK(state.slip(0) == 8);
   const ContactState printed = find_solver("friction_split_literal").solve(lifted, {});
@@ -62,7 +62,8 @@ TEST_CASE("with endless cohesion every closed pair sticks", "[friction][identity
     problem.compliance.bottomLeftCorner(problem.free_gap.size(), problem.free_gap.size()).setZero();
     problem.law.cohesion.setConstant(1e6);
     const ContactState state = solved(problem);
-    for (const ContactStatus motion : state.motion) CHECK(friction_sign(motion) == 0);
+    for (const ContactStatus contact_status : state.contact_status)
+      CHECK(friction_sign(contact_status) == 0);
   }
 }
 

@@ -27,8 +27,9 @@ double half_ellipse(double x, double width) {
 /// Half the width of all pairs with a status.
 double half_width(const ContactState& state, bool stick_only) {
   double width = 0;
-  for (const ContactStatus motion : state.motion)
-    if (motion == ContactStatus::Stick || (!stick_only && motion != ContactStatus::Open))
+  for (const ContactStatus contact_status : state.contact_status)
+    if (contact_status == ContactStatus::Stick ||
+        (!stick_only && contact_status != ContactStatus::Open))
       width += h / 2;
   return width;
 }
@@ -78,7 +79,7 @@ TEST_CASE("every method finds the same partial slip, the split as printed does n
       continue;
     }
     REQUIRE(state.report.status == Status::Solved);
-    CHECK(state.motion == first.motion);
+    CHECK(state.contact_status == first.contact_status);
     CHECK((forces(state) - forces(first)).norm() <= 1e-12 * forces(first).norm());
     // Pivots go one by one; all others settle in few steps.
     CHECK(state.report.iterations <= (std::string(solver.name) == "lemke" ? 300 : 12));
@@ -94,7 +95,7 @@ TEST_CASE("tiny and huge coefficients of friction: the same stick zone, within 2
     CAPTURE(mu);
     REQUIRE(state.report.status == Status::Solved);
     CHECK(state.report.iterations <= 25);
-    CHECK(state.motion == plain.motion);
+    CHECK(state.contact_status == plain.contact_status);
     CHECK((state.friction / mu - plain.friction / 0.3).norm() <=
           1e-10 * plain.friction.norm() / 0.3);
   }

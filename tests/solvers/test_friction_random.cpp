@@ -135,16 +135,16 @@ TEST_CASE("without the friction of the pair that is named, beyond its share, the
     ContactProblem problem = random_friction(random, 2 + sample % 4, 8);
     const ContactState solution = friction_solvers().front().solve(problem, {});
     if (solution.report.status != Status::Solved || solution.doubt.pair < 0) continue;
-    const std::vector<ContactStatus> motions = all_motions(solution);
-    if (!close(equilibrate(problem), motions).reversed) continue;
+    const std::vector<ContactStatus> statuses = all_statuses(solution);
+    if (!close(equilibrate(problem), statuses).reversed) continue;
     ++named;
     double& mu = problem.law.coefficient(solution.doubt.pair);
     const double critical = mu / (1 - solution.doubt.determinant);
     CAPTURE(sample, mu, critical);
     mu = 1.000001 * critical;
-    CHECK(close(equilibrate(problem), motions).reversed);
+    CHECK(close(equilibrate(problem), statuses).reversed);
     mu = 0.999999 * critical;
-    CHECK_FALSE(close(equilibrate(problem), motions).reversed);
+    CHECK_FALSE(close(equilibrate(problem), statuses).reversed);
   }
   CHECK(named > 5);
 }
@@ -154,10 +154,10 @@ TEST_CASE("a solution on the turned branch warns of the others", "[friction][har
   F << 1, 2, 2, 9;
   const ContactProblem problem = one_pair(F, 0.1, 3, 0.6);
   const ScaledProblem scaled = equilibrate(problem);
-  const auto reversed = [&](ContactStatus motion) {
-    const std::vector<ContactStatus> motions = {motion};
-    const Closure end = close(scaled, motions);
-    CHECK(solves(scaled, motions, end));
+  const auto reversed = [&](ContactStatus contact_status) {
+    const std::vector<ContactStatus> statuses = {contact_status};
+    const Closure end = close(scaled, statuses);
+    CHECK(solves(scaled, statuses, end));
     return end.reversed;
   };
   CHECK_FALSE(reversed(ContactStatus::Open));

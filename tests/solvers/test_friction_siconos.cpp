@@ -108,7 +108,7 @@ TEST_CASE("a matrix that is not symmetric: the only solution, both pairs sliding
       CHECK(certify(problem, state).worst() <= 1e-14);
       CHECK(natural_map(problem, state) <= 1e-8);
       for (Eigen::Index i = 0; i < 2; ++i) {
-        CHECK(state.motion[static_cast<std::size_t>(i)] == ContactStatus::SlipBackward);
+        CHECK(state.contact_status[static_cast<std::size_t>(i)] == ContactStatus::SlipBackward);
         CHECK(state.force(i) == Approx(known.force[i]).epsilon(1e-11));
         CHECK(state.friction(i) == Approx(0.01 * known.force[i]).epsilon(1e-11));
       }

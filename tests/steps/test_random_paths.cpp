@@ -77,7 +77,7 @@ TEST_CASE("a random path in units of other powers of two has the same bits, scal
     for (std::size_t k = 0; k < first.steps.size(); ++k) {
       const PathState& a = first.steps[k];
       const PathState& b = other.steps[k];
-      CHECK(b.motion == a.motion);
+      CHECK(b.contact_status == a.contact_status);
       CHECK(b.slip == length * a.slip);
       CHECK(b.dissipation == force * length * a.dissipation);
       CHECK(b.solution.force == force * a.solution.force);
@@ -109,7 +109,7 @@ TEST_CASE(
       for (std::size_t k = 0; k < first.steps.size(); ++k) {
         const PathState& a = first.steps[k];
         const PathState& b = other.steps[k];
-        CHECK(b.motion == a.motion);
+        CHECK(b.contact_status == a.contact_status);
         const Eigen::VectorXd& force = a.solution.force;
         CHECK((b.solution.force / unit.y() - force).norm() <= 1e-11 * force.norm());
         CHECK((b.slip / unit.x() - a.slip).norm() <= 1e-11 * a.slip.norm());

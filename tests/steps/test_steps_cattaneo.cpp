@@ -85,7 +85,7 @@ double stuck_half_width(const Model& model, const Step& step, const PartialSlip&
   double sum = 0;
   double length = 0;
   for (Index k = 0; k < model.pairs.weight.size(); ++k) {
-    if (contact.motion[static_cast<std::size_t>(k)] != ContactStatus::Stick) continue;
+    if (contact.contact_status[static_cast<std::size_t>(k)] != ContactStatus::Stick) continue;
     const double weight = model.pairs.weight(k);
     const double left = (mu * contact.force(k) - std::abs(contact.friction(k))) / weight;
     const double x = model.pairs.position(k, 0);

@@ -82,7 +82,7 @@ TEST_CASE("one node with three answers: each has its certificate, and a step kee
   const std::vector<Answer> all = answers(mu_strong, 0.5);
   CHECK(all.size() == 3);
   for (const Answer& answer : all) {
-    CAPTURE(to_string(answer.motion));
+    CAPTURE(to_string(answer.contact_status));
     const QuadraticProgramme& programme = model.programme;
     const Eigen::Vector2d force(answer.force, answer.friction);
     const Eigen::Vector2d u = Eigen::Matrix2d(programme.stiffness).inverse() *
@@ -96,27 +96,28 @@ TEST_CASE("one node with three answers: each has its certificate, and a step kee
     if (step.state.time == 6) past = step.state;
     const double time = step.state.time, push = scene.path->histories[1].at(time);
     CAPTURE(time, push);
-    const ContactStatus motion = step.state.motion[0];
+    const ContactStatus contact_status = step.state.contact_status[0];
     const std::string& note = step.solution.notes.back();
-    if (motion == ContactStatus::Stick && answers(mu_strong, push).size() > 1)
+    if (contact_status == ContactStatus::Stick && answers(mu_strong, push).size() > 1)
       CHECK_THAT(note,
                  ContainsSubstring("there are other solutions of the same loads") &&
                      ContainsSubstring("the determinant of pair 0 of node 1 of body 'wedge'") &&
                      ContainsSubstring("is -0.8, and several solutions begin below 0, from a "
                                        "friction coefficient of 1.66667 on; there it is 3"));
-    if (motion == ContactStatus::Stick && answers(mu_strong, push).size() == 1)
+    if (contact_status == ContactStatus::Stick && answers(mu_strong, push).size() == 1)
       CHECK(step.solution.notes.size() == 1);
-    if (time <= 11) CHECK(motion == (push < 0.6 ? ContactStatus::Stick : ContactStatus::Open));
+    if (time <= 11)
+      CHECK(contact_status == (push < 0.6 ? ContactStatus::Stick : ContactStatus::Open));
     if (time > 11)
-      CHECK(motion == (push > 1. / 3 ? ContactStatus::Open : ContactStatus::SlipBackward));
+      CHECK(contact_status == (push > 1. / 3 ? ContactStatus::Open : ContactStatus::SlipBackward));
   });
   REQUIRE(past.slip(0) == 0);
   CondensedPath condensed = condense_path(model, ledger);
-  for (const ContactStatus motion :
+  for (const ContactStatus contact_status :
        {ContactStatus::Open, ContactStatus::Stick, ContactStatus::SlipForward}) {
-    CAPTURE(to_string(motion));
-    past.motion[0] = motion;  // the same slip, and another answer
-    CHECK(step(past, 7.25, model, condensed, {}).state.motion[0] == motion);
+    CAPTURE(to_string(contact_status));
+    past.contact_status[0] = contact_status;  // the same slip, and another answer
+    CHECK(step(past, 7.25, model, condensed, {}).state.contact_status[0] == contact_status);
   }
 }
 
@@ -135,8 +136,8 @@ TEST_CASE("an elastic block slides at its corner first, and nearly everywhere be
   const auto sliding = [&](double share) {
     const Solution held = solve(incline(share * slip_angle_exact(law), law));
     REQUIRE(held.contact.report.status == Status::Solved);
-    const std::vector<ContactStatus>& motion = held.contact.motion;
-    return std::count(motion.begin(), motion.end(), ContactStatus::SlipForward);
+    const std::vector<ContactStatus>& contact_status = held.contact.contact_status;
+    return std::count(contact_status.begin(), contact_status.end(), ContactStatus::SlipForward);
   };
   CHECK(sliding(0.3) == 0);
   CHECK(sliding(0.5) == 1);

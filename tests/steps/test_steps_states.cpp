@@ -18,7 +18,7 @@ namespace {
 bool same(const Step& one, const Step& other) {
   const PathState& a = one.state;
   const PathState& b = other.state;
-  return a.time == b.time && a.motion == b.motion && a.slip == b.slip &&
+  return a.time == b.time && a.contact_status == b.contact_status && a.slip == b.slip &&
          a.increment == b.increment && a.dissipation == b.dissipation &&
          a.solution.displacement == b.solution.displacement &&
          a.solution.displacement_low == b.solution.displacement_low &&

@@ -26,8 +26,9 @@ struct Instance {
   std::optional<signorini::DenseProgramme> programme = {};  ///< where G and d come from
   Eigen::VectorXd displacement = {};                        ///< the only u of the programme
   Eigen::VectorXd friction = {};                            ///< the only friction forces
-  std::vector<signorini::ContactStatus> motion = {};        ///< the only motions of pairs that rub
-  Eigen::VectorXd amplitude = {};                           ///< the only amplitudes of rigid modes
+  std::vector<signorini::ContactStatus> contact_status =
+      {};                          ///< the only motions of pairs that rub
+  Eigen::VectorXd amplitude = {};  ///< the only amplitudes of rigid modes
   /// The forces of all solutions, normal ones first: one of them must come out, and if there are more than one,
   /// no member may say that there is but one.
   std::vector<Eigen::VectorXd> solutions = {};

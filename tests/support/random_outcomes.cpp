@@ -64,9 +64,9 @@ void fold(const Eigen::VectorXd& values, std::uint64_t& bits) {
 }
 
 void remember(const Solution& solution, Trial& trial) {
-  for (const ContactStatus motion : all_motions(solution.contact))
-    trial.motions += "osfb"[static_cast<std::size_t>(motion)];
-  trial.motions += '.';
+  for (const ContactStatus contact_status : all_statuses(solution.contact))
+    trial.statuses += "osfb"[static_cast<std::size_t>(contact_status)];
+  trial.statuses += '.';
   fold(solution.refined.force, trial.bits);
   fold(solution.refined.displacement, trial.bits);
 }

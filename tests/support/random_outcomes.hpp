@@ -50,7 +50,7 @@ struct Trial {
   SceneErrors errors;  ///< of what is solved, of the worst step
   std::string text;    ///< the scene in words, and what the library said
   std::string
-      motions;  ///< of the pairs of every solution, a letter each: open, stick, slide forward or backward
+      statuses;  ///< of the pairs of every solution, a letter each: open, stick, slide forward or backward
   std::uint64_t bits = 0;     ///< that forces and displacements of all solutions were folded into
   double seconds = 0;         ///< of the solution
   double imbalance = 0;       ///< of the work along a path, see CheckedPath::imbalance() [-]

@@ -31,12 +31,12 @@ inline Refined refined(const signorini::QuadraticProgramme& programme,
     condensed.rigid = signorini::rigid_gaps(programme.A, modes);
     condensed.resultant = Eigen::VectorXd::Zero(modes.cols());
   }
-  const std::vector<signorini::ContactStatus> motions = signorini::motions_of(closed, pairs);
+  const std::vector<signorini::ContactStatus> statuses = signorini::statuses_of(closed, pairs);
   const signorini::ScaledProblem scaled = signorini::equilibrate(condensed);
   const signorini::RefinementData data{programme, solve, condensed, scaled, modes};
   const Eigen::VectorXd force = std::exchange(start.force, Eigen::VectorXd::Zero(pairs));
-  Refined result{signorini::refine(data, std::move(start), force, motions)};
-  result.confirmed = signorini::judge(data, result, motions).confirmed;
+  Refined result{signorini::refine(data, std::move(start), force, statuses)};
+  result.confirmed = signorini::judge(data, result, statuses).confirmed;
   return result;
 }
 

@@ -249,12 +249,12 @@ std::vector<Index> movable_forces(const Model& model, const Solution& solution) 
   double length = 0;
   for (const BodyModel& body : model.bodies)
     length = std::max(length, body.mesh.nodes.cwiseAbs().maxCoeff());
-  const std::vector<ContactStatus> motions = all_motions(state);
+  const std::vector<ContactStatus> statuses = all_statuses(state);
   std::vector<VectorXd> columns, changes;  // on unknowns; of all rows
   std::vector<VectorXd> bounds;            // gradients of those that are met
   const auto unit = [&](Index row) { return VectorXd::Unit(force.size(), row); };
   for (Index i = 0; i < pairs; ++i) {
-    if (motions[static_cast<std::size_t>(i)] == ContactStatus::Open &&
+    if (statuses[static_cast<std::size_t>(i)] == ContactStatus::Open &&
         state.gap(i) > 1e-11 * length)
       continue;
     const auto found = std::find(model.law.pair.begin(), model.law.pair.end(), i);

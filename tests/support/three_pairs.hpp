@@ -50,7 +50,8 @@ inline signorini::Solution three_forces_with_friction() {
   solution.contact.rubbing = {0, 1, 2};
   solution.contact.friction = Eigen::Vector3d(-5, 2, 0);
   solution.contact.slip = Eigen::Vector3d(0.5, 1e-20, -0.125);
-  solution.contact.motion = {ContactStatus::SlipForward, ContactStatus::Stick, ContactStatus::Open};
+  solution.contact.contact_status = {ContactStatus::SlipForward, ContactStatus::Stick,
+                                     ContactStatus::Open};
   return solution;
 }
 

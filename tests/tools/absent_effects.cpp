@@ -79,7 +79,7 @@ void by_hand(const Scene& scene) {
   const CertifiedEnd end = certified_end(programme, small, {}, scene.solver, {}, ledger);
   // Of every solution it is asked whether its forces are determined.
   static_cast<void>(
-      undetermined_forces(carried(programme, end.solution, {}, all_motions(end.state))));
+      undetermined_forces(carried(programme, end.solution, {}, all_statuses(end.state))));
   print(end.state.force, expand(unknowns, end.solution.displacement));
 }
 

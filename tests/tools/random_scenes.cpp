@@ -50,7 +50,7 @@ int main(int argc, char** argv) try {
     if (trial.outcome != Outcome::Wrong) worst = std::max(worst, trial.errors.worst());
     if (lines)
       std::cout << word << ' ' << seed << ' ' << outcome_names[outcome] << ' ' << std::hex
-                << trial.bits << std::dec << ' ' << trial.motions << '\n';
+                << trial.bits << std::dec << ' ' << trial.statuses << '\n';
     const SceneErrors& e = trial.errors;
     if (std::find(argv + 5, argv + argc, std::string(outcome_names[outcome])) != argv + argc)
       std::cout << outcome_names[outcome] << ' ' << seed << ": " << trial.text << "\n  equilibrium "

@@ -17,15 +17,15 @@ VectorXd movement_rounding(const QuadraticProgramme& programme, const PrimalDual
 }
 
 Carried carried(const QuadraticProgramme& programme, const PrimalDual& solution,
-                const FrictionLaw& law, std::vector<ContactStatus> motions) {
+                const FrictionLaw& law, std::vector<ContactStatus> statuses) {
   const auto roundings =
-      2 * static_cast<double>(closed_pairs(motions).size() + 1);  // as in judge()
+      2 * static_cast<double>(closed_pairs(statuses).size() + 1);  // as in judge()
   return {programme.A.transpose(),
           law,
           solution.force,
           gaps(programme, solution),
           roundings * movement_rounding(programme, solution),
-          std::move(motions)};
+          std::move(statuses)};
 }
 
 Carried carried(const ContactProblem& problem, const ContactState& state) {
@@ -50,7 +50,7 @@ Carried carried(const ContactProblem& problem, const ContactState& state) {
           force,
           movement,
           static_cast<double>(rows + modes + 1) * epsilon * size,
-          all_motions(state)};
+          all_statuses(state)};
 }
 
 }  // namespace signorini

@@ -32,14 +32,15 @@ void FreeForces::add(Index pair) {
   const Index slip = slip_row_[at(pair)];
   const double mu = slip < 0 ? 0 : carried_.law.coefficient(slip - pairs_);
   const double cohesion = slip < 0 ? 0 : carried_.law.cohesion(slip - pairs_);
-  const ContactStatus motion = carried_.motions[at(pair)];
-  if (pair >= carried_.equations && motion == ContactStatus::Open &&
+  const ContactStatus contact_status = carried_.statuses[at(pair)];
+  if (pair >= carried_.equations && contact_status == ContactStatus::Open &&
       (carried_.movement(pair) > carried_.rounding(pair) || cohesion > 0))
     return;
   One normal{pair, pair};
   if (mu > 0 || cohesion > 0) {
     const double way = carried_.movement(slip);
-    sticks_[at(pair)] = motion == ContactStatus::Stick || std::abs(way) <= carried_.rounding(slip);
+    sticks_[at(pair)] =
+        contact_status == ContactStatus::Stick || std::abs(way) <= carried_.rounding(slip);
     if (sticks_[at(pair)])
       free_.push_back({pair, slip});
     else

@@ -85,22 +85,22 @@ bool Estimate::idle(const VectorXd& force) const {
 }  // namespace
 
 ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
-                       const PrimalDual& solution, std::vector<ContactStatus> motions) {
+                       const PrimalDual& solution, std::vector<ContactStatus> statuses) {
   const double most = largest(solution.force);
   if (!refined.closing || most == 0) return {};
   const VectorXd rounding = movement_rounding(data.programme, solution);
   std::shared_ptr<const Closing> closing = refined.closing;
   bool as_refined = true;
   const auto roundings =
-      2 * static_cast<double>(closed_pairs(motions).size() + 1);  // as in judge()
-  for (std::size_t i = 0; i < motions.size(); ++i) {
+      2 * static_cast<double>(closed_pairs(statuses).size() + 1);  // as in judge()
+  for (std::size_t i = 0; i < statuses.size(); ++i) {
     const Index pair = static_cast<Index>(i);
-    if (motions[i] != ContactStatus::Open || refined.movement(pair) > roundings * rounding(pair))
+    if (statuses[i] != ContactStatus::Open || refined.movement(pair) > roundings * rounding(pair))
       continue;
-    motions[i] = ContactStatus::Stick;
+    statuses[i] = ContactStatus::Stick;
     as_refined = false;
   }
-  KnownSet set = known_set(motions, data.scaled.law);
+  KnownSet set = known_set(statuses, data.scaled.law);
   Rows rows = closing->rows();
   if (!as_refined) {  // those that rounding may have opened repeat the others, not the other way round
     std::sort(rows.begin(), rows.end());
@@ -130,7 +130,7 @@ ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
   }
   if (!(doubt.share > 0)) return {};
   force.cwiseAbs().maxCoeff(&doubt.pair);
-  if (const Index slip = doubt.pair - static_cast<Index>(motions.size()); slip >= 0)
+  if (const Index slip = doubt.pair - static_cast<Index>(statuses.size()); slip >= 0)
     doubt.pair = data.scaled.law.pair[static_cast<std::size_t>(slip)];
   return doubt;
 }

@@ -30,10 +30,10 @@ struct ForceDoubt {
 /// \param data      the problem
 /// \param refined   from refine(): only movement and system count
 /// \param solution  u and forces `n_c + n_s`, as refined
-/// \param motions   `n_c` that refine() was given
+/// \param statuses   `n_c` that refine() was given
 /// \return pair and share
 [[nodiscard]] ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
                                      const PrimalDual& solution,
-                                     std::vector<ContactStatus> motions);
+                                     std::vector<ContactStatus> statuses);
 
 }  // namespace signorini

@@ -83,26 +83,26 @@ void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd
   now.movement = problem.free + problem.compliance * now.force;
   if (k > 0) now.movement += problem.rigid * now.amplitude;
   for (Index i = 0; i < pairs; ++i)
-    attempt.motions[static_cast<std::size_t>(i)] =
+    attempt.statuses[static_cast<std::size_t>(i)] =
         z(i) > now.movement(i) ? ContactStatus::Stick : ContactStatus::Open;
   for (Index j = 0; j < slips; ++j) {
-    ContactStatus& motion =
-        attempt.motions[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])];
+    ContactStatus& contact_status =
+        attempt.statuses[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])];
     const double slip = now.movement(pairs + j);
     const double forward = z(pairs + j);
-    if (motion == ContactStatus::Open) continue;
+    if (contact_status == ContactStatus::Open) continue;
     if (slip > std::max(forward, 0.0))
-      motion = ContactStatus::SlipForward;
+      contact_status = ContactStatus::SlipForward;
     else if (-slip > std::max(2 * bound(j) - forward, 0.0))
-      motion = ContactStatus::SlipBackward;
+      contact_status = ContactStatus::SlipBackward;
   }
 }
 
 /// The cohesion of a set of pairs: those that came out closed.
-VectorXd carried(const ScaledProblem& problem, const std::vector<ContactStatus>& motions) {
+VectorXd carried(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses) {
   VectorXd cohesion = problem.law.cohesion;
   for (Index j = 0; j < cohesion.size(); ++j)
-    if (motions[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])] ==
+    if (statuses[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])] ==
         ContactStatus::Open)
       cohesion(j) = 0;
   return cohesion;
@@ -139,7 +139,7 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, A
     attempt.reason = reason;
     if (!state.force.allFinite()) return;
     take(problem, cohesion, state.force, attempt);
-    const VectorXd next = carried(problem, attempt.motions);
+    const VectorXd next = carried(problem, attempt.statuses);
     exchange_motions(problem, 3,
                      attempt);  // rounding may have the say over pairs that barely touch
     if (attempt.confirmed) return;

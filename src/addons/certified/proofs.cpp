@@ -222,7 +222,7 @@ std::optional<ContactState> pulled_away(const ContactProblem& problem,
   none.force = VectorXd::Zero(scaled.free.size());
   none.movement = scaled.free;
   none.amplitude = VectorXd::Zero(scaled.rigid.cols());
-  ContactState state = finished(problem, scaled, none, motions_of({}, scaled.pairs()), Report());
+  ContactState state = finished(problem, scaled, none, statuses_of({}, scaled.pairs()), Report());
   state.report.status = Status::Infeasible;
   if (!problem.law.pair.empty())
     state.reason =

@@ -72,30 +72,30 @@ namespace signorini {
 /// if C = 0, so that the normal forces do not feel the friction. It is not claimed with cohesion, whose
 /// bound jumps, nor with rigid modes, unless nothing rubs and the pairs that press hold all of them: else the
 /// forces are the only ones, but gaps of the same load may not be. *Doubtful* means: there are others for this very
-/// load. Either the system of the motions found has a determinant of the sign opposite to that without friction: the
+/// load. Either the system of the statuses found has a determinant of the sign opposite to that without friction: the
 /// signs of all solutions of a held body without cohesion sum to 1, so there are at least two more. Or one was found: a
 /// pair with \f$ \mu_i |C_{ii}| > G_{ii} \f$, which alone has several solutions for some free gaps and slips, does something
 /// else, the others follow by predict() while fewer and fewer change, and the end satisfies solves(). Others may exist
 /// that are not found so: *Unknown* promises nothing.
 /// \param problem   scaled
-/// \param motions   `n_c` of the solution
+/// \param statuses   `n_c` of the solution
 /// \param solution  a confirmed one
 /// \param work      operations that the search for others may take, but one pair is always tried
 /// \return the verdict
 [[nodiscard]] Uniqueness uniqueness(const ScaledProblem& problem,
-                                    const std::vector<ContactStatus>& motions,
+                                    const std::vector<ContactStatus>& statuses,
                                     const Closure& solution, double work = 1e8);
 
 /// Which pair a warning of uniqueness() rests on.
 ///
-/// If the determinant of the motions found has the wrong sign, it is the pair whose mu has to fall least, alone, for the
+/// If the determinant of the statuses found has the wrong sign, it is the pair whose mu has to fall least, alone, for the
 /// sign to change; -1 if none can do it alone. Otherwise it is the pair for which \f$ 1 - \mu_i |C_{ii}| / G_{ii} \f$ is
 /// smallest.
 /// \param problem   scaled
-/// \param motions   `n_c` of the solution
+/// \param statuses   `n_c` of the solution
 /// \param solution  a confirmed one that is `Doubtful`
 /// \return pair and determinant
-[[nodiscard]] Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
+[[nodiscard]] Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
                           const Closure& solution);
 
 }  // namespace signorini

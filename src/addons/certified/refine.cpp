@@ -57,10 +57,10 @@ KnownSet felt_rows(KnownSet set, const Eigen::SparseMatrix<double, Eigen::RowMaj
 class Refining {
  public:
   Refining(const RefinementData& data, PrimalDual start, const VectorXd& force,
-           const std::vector<ContactStatus>& motions)
+           const std::vector<ContactStatus>& statuses)
       : data_(data),
-        set_(felt_rows(known_set(motions, data.condensed.law), data.programme.A)),
-        closing_(data.scaled, known_set(motions, data.scaled.law)) {
+        set_(felt_rows(known_set(statuses, data.condensed.law), data.programme.A)),
+        closing_(data.scaled, known_set(statuses, data.scaled.law)) {
     PrimalDual& solution = result_.solution;
     solution = std::move(start);
     const Index n = solution.displacement.size();
@@ -139,8 +139,8 @@ bool Refining::felt(const VectorXd& pushed) const {
 VectorXd Refining::spread(const VectorXd& residual) const {
   const VectorXd inner = residual - (data_.programme.load -
                                      data_.programme.A.transpose() * (force_.high + force_.low));
-  const auto along = [&](const MatrixXd& motions) {
-    const MatrixXd Q = column_span(motions).basis;
+  const auto along = [&](const MatrixXd& statuses) {
+    const MatrixXd Q = column_span(statuses).basis;
     return VectorXd(Q * (Q.transpose() * inner));
   };
   const double nothing = along(data_.null_vectors).lpNorm<1>();
@@ -271,8 +271,8 @@ VectorXd resultant_left(const QuadraticProgramme& programme, const PrimalDual& s
 }
 
 Refinement refine(const RefinementData& data, PrimalDual start, const VectorXd& force,
-                  const std::vector<ContactStatus>& motions) {
-  return Refining(data, std::move(start), force, motions).run();
+                  const std::vector<ContactStatus>& statuses) {
+  return Refining(data, std::move(start), force, statuses).run();
 }
 
 Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,
@@ -287,19 +287,19 @@ Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,
 }
 
 Judgement judge(const RefinementData& data, const Refinement& refined,
-                const std::vector<ContactStatus>& motions) {
-  const double rounding = epsilon * static_cast<double>(closed_pairs(motions).size() + 1);
+                const std::vector<ContactStatus>& statuses) {
+  const double rounding = epsilon * static_cast<double>(closed_pairs(statuses).size() + 1);
   // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.
   const double contradicted =
       std::max(rounding, certificate_tolerance) * length_of(data, refined.solution);
   Closure numbers = scaled_numbers(data, refined.solution, refined.movement, rounding);
   bool closes = true;
-  for (const Index row : known_set(motions, data.condensed.law).closed) {
+  for (const Index row : known_set(statuses, data.condensed.law).closed) {
     if (std::abs(refined.movement(row)) > contradicted) closes = false;
     numbers.movement(row) = 0;
   }
-  Judgement result{motions, 0, false};
-  result.wrong = predict(data.scaled, numbers, 1, result.motions);
+  Judgement result{statuses, 0, false};
+  result.wrong = predict(data.scaled, numbers, 1, result.statuses);
   const PrimalDual& solution = refined.solution;
   const bool finite = solution.displacement.allFinite() && solution.force.allFinite();
   result.confirmed =

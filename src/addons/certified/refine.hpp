@@ -49,7 +49,7 @@ struct Refinement {
   bool settled = false;  ///< whether corrections have become as small as rounding
 };
 
-/// Refines \f$ K u + A^T f = p,\ A_W u = g_W \f$ for known motions: rows W that do not move, friction forces at
+/// Refines \f$ K u + A^T f = p,\ A_W u = g_W \f$ for known statuses: rows W that do not move, friction forces at
 /// their bounds, no force anywhere else.
 ///
 /// A sweep adds K^-1 times the residual of equilibrium to u, then the forces that close what W still
@@ -70,13 +70,13 @@ struct Refinement {
 /// forces out of balance took a body far away on its springs and back, becomes the motion nearest to u.
 /// \param data     the problem
 /// \param start    u, and the forces that it belongs to: none, if u is still that without contact
-/// \param force    of all rows of A, to begin with; those that the motions exclude are dropped [force]
-/// \param motions  `n_c`
+/// \param force    of all rows of A, to begin with; those that the statuses exclude are dropped [force]
+/// \param statuses  `n_c`
 /// \return the refined numbers; whether all signs are right is for judge() to say
 /// \throws std::invalid_argument if the sizes of K, p, A, g, `start` and N do not fit
 [[nodiscard]] Refinement refine(const RefinementData& data, PrimalDual start,
                                 const Eigen::VectorXd& force,
-                                const std::vector<ContactStatus>& motions);
+                                const std::vector<ContactStatus>& statuses);
 
 /// What is out of balance along rigid modes.
 /// \param programme     K, p, A
@@ -90,9 +90,9 @@ struct Refinement {
 
 /// What refined numbers say of every pair.
 struct Judgement {
-  std::vector<ContactStatus> motions;  ///< what the pairs would rather do
-  Eigen::Index wrong = 0;              ///< pairs that would rather do something else
-  bool confirmed = false;              ///< refined, balanced and no pair wrong: the solution
+  std::vector<ContactStatus> statuses;  ///< what the pairs would rather do
+  Eigen::Index wrong = 0;               ///< pairs that would rather do something else
+  bool confirmed = false;               ///< refined, balanced and no pair wrong: the solution
 };
 
 /// Refined numbers in the units of the equilibrated problem, for predict().
@@ -108,10 +108,10 @@ struct Judgement {
 /// Looks at all signs beyond rounding, by predict(): closed pairs press, open ones do not overlap, friction
 /// forces of sticking pairs keep their bound, sliding ones resist.
 /// \param data     the problem
-/// \param refined  from refine() for `motions`
-/// \param motions  `n_c` what was assumed
+/// \param refined  from refine() for `statuses`
+/// \param statuses  `n_c` what was assumed
 /// \return the verdict
 [[nodiscard]] Judgement judge(const RefinementData& data, const Refinement& refined,
-                              const std::vector<ContactStatus>& motions);
+                              const std::vector<ContactStatus>& statuses);
 
 }  // namespace signorini

@@ -45,9 +45,9 @@ class Road {
   bool settle(const ContactState& claim);
   /// The same for a claim without any force, whose closed pairs only touch: where closing them exactly takes forces, which
   /// are nothing but rounding, none is closed. \return as above
-  bool settle_idle(std::vector<ContactStatus> motions);
+  bool settle_idle(std::vector<ContactStatus> statuses);
   /// Refines a set, and those that it asks for. \return as above
-  bool exchange(std::vector<ContactStatus> motions, VectorXd force);
+  bool exchange(std::vector<ContactStatus> statuses, VectorXd force);
   /// Says what the pairs do by what they do: a set whose equations depend on each other, or contradict each
   /// other by as little as the certificate allows, need not be that of its numbers.
   void read_off();
@@ -63,7 +63,7 @@ class Road {
   /// Whether most of what the end lacks of equilibrium is along rigid motions.
   [[nodiscard]] bool rigid_motions_work() const;
   /// Refines one set, beginning with forces, and keeps it if no certificate was better.
-  Judgement look(const std::vector<ContactStatus>& motions, const VectorXd& force);
+  Judgement look(const std::vector<ContactStatus>& statuses, const VectorXd& force);
 
   const QuadraticProgramme& programme_;
   const MatrixXd& modes_;
@@ -77,9 +77,9 @@ class Road {
   Refinement refined_;
   std::set<std::vector<ContactStatus>> seen_;
   CertifiedEnd end_;
-  Refinement kept_;                     // of end_: its movement and its system
-  std::vector<ContactStatus> motions_;  // of end_
-  bool confirmed_ = false;              // whether all signs of end_ are right
+  Refinement kept_;                      // of end_: its movement and its system
+  std::vector<ContactStatus> statuses_;  // of end_
+  bool confirmed_ = false;               // whether all signs of end_ are right
 };
 
 bool Road::usable(const ContactState& claim) const {
@@ -89,12 +89,12 @@ bool Road::usable(const ContactState& claim) const {
          claim.force.size() == problem_.free_gap.size();
 }
 
-Judgement Road::look(const std::vector<ContactStatus>& motions, const VectorXd& force) {
-  refined_ = refine(data_, std::move(now_), force, motions);
+Judgement Road::look(const std::vector<ContactStatus>& statuses, const VectorXd& force) {
+  refined_ = refine(data_, std::move(now_), force, statuses);
   ledger_.count("sets", 1);
   ledger_.count("solves", refined_.solves);
   amplitude_ += refined_.amplitude;
-  Judgement verdict = judge(data_, refined_, motions);
+  Judgement verdict = judge(data_, refined_, statuses);
   now_ = std::move(refined_.solution);
   const Certificate certificate = certify(programme_, now_, problem_.law);
   if (verdict.confirmed || !(end_.certificate.worst() <= certificate.worst())) {
@@ -102,7 +102,7 @@ Judgement Road::look(const std::vector<ContactStatus>& motions, const VectorXd& 
     end_.certificate = certificate;
     end_.solution = now_;
     end_.state.amplitude = amplitude_;
-    motions_ = motions;
+    statuses_ = statuses;
     kept_.movement = refined_.movement;
     kept_.closing = refined_.closing;
   }
@@ -110,22 +110,22 @@ Judgement Road::look(const std::vector<ContactStatus>& motions, const VectorXd& 
 }
 
 void Road::read_off() {
-  const std::vector<ContactStatus> taken = motions_;
+  const std::vector<ContactStatus> taken = statuses_;
   predict(scaled_, scaled_numbers(data_, end_.solution, kept_.movement, certificate_tolerance), 1,
-          motions_);
+          statuses_);
   // With cohesion a pair that nothing presses carries shear all the same: it is closed.
   const FrictionLaw& law = problem_.law;
   const VectorXd friction = end_.solution.force.tail(law.coefficient.size());
   for (Index k = 0; k < friction.size(); ++k) {
     const auto pair = static_cast<std::size_t>(law.pair[static_cast<std::size_t>(k)]);
-    if (motions_[pair] == ContactStatus::Open && friction(k) != 0) motions_[pair] = taken[pair];
+    if (statuses_[pair] == ContactStatus::Open && friction(k) != 0) statuses_[pair] = taken[pair];
   }
 }
 
 bool Road::settle(const ContactState& claim) {
   const Ledger::Phase phase(ledger_, "refinement");
   if (scaled_.scale.size() == 0) scaled_ = equilibrate(problem_);
-  std::vector<ContactStatus> motions = all_motions(claim);
+  std::vector<ContactStatus> statuses = all_statuses(claim);
   VectorXd force(claim.force.size() + claim.friction.size());
   force << claim.force, claim.friction;
   // A motion that the closed pairs leave open must begin where the claim has it.
@@ -134,31 +134,31 @@ bool Road::settle(const ContactState& claim) {
     const VectorXd amplitude = moves ? claim.amplitude : VectorXd::Zero(amplitude_.size());
     add_rigid(now_, modes_, amplitude - amplitude_);
     amplitude_ = amplitude;
-    if (force.isZero(0)) return settle_idle(std::move(motions));
+    if (force.isZero(0)) return settle_idle(std::move(statuses));
   }
-  return exchange(std::move(motions), std::move(force));
+  return exchange(std::move(statuses), std::move(force));
 }
 
-bool Road::settle_idle(std::vector<ContactStatus> motions) {
+bool Road::settle_idle(std::vector<ContactStatus> statuses) {
   const PrimalDual start = now_;
   const VectorXd amplitude = amplitude_;
   const VectorXd none = VectorXd::Zero(start.force.size());
-  const std::vector<ContactStatus> open = motions_of({}, problem_.free_gap.size());
-  const bool settled = exchange(std::move(motions), none);
+  const std::vector<ContactStatus> open = statuses_of({}, problem_.free_gap.size());
+  const bool settled = exchange(std::move(statuses), none);
   if (end_.certificate.holds() || !seen_.insert(open).second) return settled;
   now_ = start;
   amplitude_ = amplitude;
   return look(open, none).confirmed || settled;
 }
 
-bool Road::exchange(std::vector<ContactStatus> motions, VectorXd force) {
+bool Road::exchange(std::vector<ContactStatus> statuses, VectorXd force) {
   for (Index last = std::numeric_limits<Index>::max();;) {
-    if (!seen_.insert(motions).second) return last == std::numeric_limits<Index>::max();
+    if (!seen_.insert(statuses).second) return last == std::numeric_limits<Index>::max();
     const bool first = last == std::numeric_limits<Index>::max();
     Refinement before = first ? Refinement() : std::move(refined_);
     PrimalDual start = first ? PrimalDual() : now_;
     const VectorXd amplitude = amplitude_;
-    Judgement verdict = look(motions, force);
+    Judgement verdict = look(statuses, force);
     if (verdict.confirmed || !now_.displacement.allFinite()) return true;
     if (!refined_.settled && before.settled) {  // what came before can be corrected
       refined_ = std::move(before);
@@ -168,7 +168,7 @@ bool Road::exchange(std::vector<ContactStatus> motions, VectorXd force) {
     }
     if (!refined_.settled || verdict.wrong == 0 || verdict.wrong >= last) return false;
     last = verdict.wrong;
-    motions = std::move(verdict.motions);
+    statuses = std::move(verdict.statuses);
     force = now_.force;
   }
 }
@@ -247,7 +247,7 @@ void Road::spread_imbalance() {
     return;
   data_.imbalance = Imbalance::Spread;
   now_ = end_.solution;
-  look(motions_, end_.solution.force);
+  look(statuses_, end_.solution.force);
 }
 
 bool Road::rigid_motions_work() const {
@@ -274,7 +274,7 @@ void Road::conclude() {
         end_.certificate = certificate;
       }
     }
-    end_.doubt = force_doubt(data_, kept_, end_.solution, motions_);
+    end_.doubt = force_doubt(data_, kept_, end_.solution, statuses_);
     state.report.status = Status::Solved;
     state.reason.clear();
     state.escape.resize(0);
@@ -294,17 +294,17 @@ void Road::conclude() {
   if (state.report.status == Status::Breakdown && state.reason.empty())
     state.reason =
         "the method ended without a solution, and what the pairs did last does not fit the data";
-  if (motions_.empty() && kept_.movement.size() == 0) return;
+  if (statuses_.empty() && kept_.movement.size() == 0) return;
   const Index pairs = problem_.free_gap.size();
   const Index slips = kept_.movement.size() - pairs;
   state.force = end_.solution.force.head(pairs);
   state.friction = end_.solution.force.tail(slips);
   state.gap = kept_.movement.head(pairs);
   state.slip = kept_.movement.tail(slips);
-  state.active = closed_pairs(motions_);
+  state.active = closed_pairs(statuses_);
   state.rubbing = problem_.law.pair;
   for (const Index pair : problem_.law.pair)
-    state.motion.push_back(motions_[static_cast<std::size_t>(pair)]);
+    state.contact_status.push_back(statuses_[static_cast<std::size_t>(pair)]);
   name_slides(problem_.law, state);
 }
 

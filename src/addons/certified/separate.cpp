@@ -92,8 +92,9 @@ void Separate::put_into(CertifiedEnd& whole, CertifiedEnd part, Index unknowns) 
   put(now.amplitude, parts_.modes, modes, all.amplitude);
   put(now.escape, parts_.modes, modes, all.escape);
   for (const Index pair : now.active) all.active.push_back(gaps_[at(pair)]);
-  all.motion.resize(at(slips), ContactStatus::Open);
-  for (std::size_t k = 0; k < now.motion.size(); ++k) all.motion[at(slips_[k])] = now.motion[k];
+  all.contact_status.resize(at(slips), ContactStatus::Open);
+  for (std::size_t k = 0; k < now.contact_status.size(); ++k)
+    all.contact_status[at(slips_[k])] = now.contact_status[k];
   const bool first_doubt =
       now.uniqueness == Uniqueness::Doubtful && all.uniqueness != Uniqueness::Doubtful;
   if (first_doubt) all.doubt = now.doubt;

@@ -25,7 +25,7 @@ constexpr double softer = 4;
 
 /// Exchanges from where an attempt stands. \param report  gets them added
 Attempt exchanged(const ScaledProblem& problem, const Attempt& from, Index limit, Report& report) {
-  Attempt next{from.closure, from.motions, {}};
+  Attempt next{from.closure, from.statuses, {}};
   exchange_motions(problem, limit, next);
   append(report, next.report);
   return next;
@@ -36,7 +36,7 @@ Attempt exchanged(const ScaledProblem& problem, const Attempt& from, Index limit
 void follow_soft_pairs(const ScaledProblem& problem, Attempt& attempt) {
   const Index most = attempt.report.iterations + exchange_limit + 2 * problem.free.size();
   ScaledProblem soft = problem;
-  Attempt at{attempt.closure, attempt.motions, {}};
+  Attempt at{attempt.closure, attempt.statuses, {}};
   for (double softness = 1; softness > epsilon && attempt.report.iterations < most;) {
     soft.compliance.diagonal() = problem.compliance.diagonal().array() + softness;
     for (Index i = 0; i < soft.sparse.cols(); ++i)

@@ -61,7 +61,7 @@ Polyhedron bounds_of(const Carried& carried, const FreeForces& free, const Share
   };
   const auto change = [&](Index row) { return changes.force.row(changes.place(row)); };
   const VectorXd& force = carried.force;
-  const Index pairs = static_cast<Index>(carried.motions.size());
+  const Index pairs = static_cast<Index>(carried.statuses.size());
   for (const Index pair : group.pairs) {
     if (pair >= carried.equations) bound(change(pair), force(pair), free.unit()(pair));
     if (!free.sticks(pair)) continue;
@@ -121,7 +121,7 @@ double SharedForces::width() const {
 
 std::vector<SharedForces> undetermined_forces(const Carried& carried, double work) {
   const Index rows = carried.force.size();
-  const Index pairs = static_cast<Index>(carried.motions.size());
+  const Index pairs = static_cast<Index>(carried.statuses.size());
   require(carried.effect.cols() == rows && carried.movement.size() == rows &&
               carried.rounding.size() == rows &&
               pairs + static_cast<Index>(carried.law.pair.size()) == rows,

@@ -19,7 +19,7 @@ struct Carried {
   Eigen::VectorXd movement;  ///< `n_c + n_s`: gaps, then slips [length]
   Eigen::VectorXd rounding;  ///< `n_c + n_s`: a movement up to it is none [length]
   std::vector<ContactStatus>
-      motions;  ///< `n_c` what the pairs do: a closed pair has no gap, a sticking one no slip
+      statuses;  ///< `n_c` what the pairs do: a closed pair has no gap, a sticking one no slip
   Eigen::Index equations = 0;  ///< so many of the first rows have forces of any sign
 };
 
@@ -34,10 +34,10 @@ struct Carried {
 /// \param programme  A and g, slips in the last rows of A
 /// \param solution   u and the forces of all rows
 /// \param law        of the pairs that rub
-/// \param motions    `n_c` what the pairs do
+/// \param statuses    `n_c` what the pairs do
 /// \return all of it, for undetermined_forces()
 [[nodiscard]] Carried carried(const QuadraticProgramme& programme, const PrimalDual& solution,
-                              const FrictionLaw& law, std::vector<ContactStatus> motions);
+                              const FrictionLaw& law, std::vector<ContactStatus> statuses);
 
 /// A solution of a condensed problem, or any M and q: other forces must move no gap and no slip.
 /// \param problem  as it was posed

@@ -97,30 +97,30 @@ bool holds_modes(const ScaledProblem& problem, const Closure& solution) {
 }
 
 /// Whether a closure is a solution whose forces or movements are others, beyond rounding.
-bool is_another(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
+bool is_another(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
                 const Closure& closure, const Closure& solution) {
   const double known = 1e3 * proof_rounding;  // a thousand roundings of what a proof allows
   const auto differ = [known](const VectorXd& a, const VectorXd& b) {
     return largest(a - b) > known * std::max(largest(a), largest(b));
   };
   return (differ(closure.force, solution.force) || differ(closure.movement, solution.movement)) &&
-         solves(problem, motions, closure);
+         solves(problem, statuses, closure);
 }
 
 /// Looks for another solution where one pair does something else: the others follow it by predict() while fewer and
 /// fewer change.
 /// \param[in,out] sets  that may still be closed
-bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<ContactStatus> motions,
+bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<ContactStatus> statuses,
                      const Closure& solution, Index& sets) {
-  const ContactStatus kept = motions[static_cast<std::size_t>(pair)];
+  const ContactStatus kept = statuses[static_cast<std::size_t>(pair)];
   for (Index last = problem.pairs() + 1; last > 0 && sets > 0; --sets) {
-    const Closure now = close(problem, motions);
-    if (is_another(problem, motions, now, solution)) return true;
-    const std::vector<ContactStatus> before = motions;
-    predict(problem, now, reach(problem), motions);
-    motions[static_cast<std::size_t>(pair)] = kept;
+    const Closure now = close(problem, statuses);
+    if (is_another(problem, statuses, now, solution)) return true;
+    const std::vector<ContactStatus> before = statuses;
+    predict(problem, now, reach(problem), statuses);
+    statuses[static_cast<std::size_t>(pair)] = kept;
     Index changes = 0;
-    for (std::size_t i = 0; i < motions.size(); ++i) changes += motions[i] != before[i] ? 1 : 0;
+    for (std::size_t i = 0; i < statuses.size(); ++i) changes += statuses[i] != before[i] ? 1 : 0;
     if (changes >= last) return false;
     last = changes;
   }
@@ -129,7 +129,7 @@ bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<Conta
 
 /// Whether another solution was found beside one: a pair whose own determinant is negative does something else there.
 /// The most negative one begins.
-bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
+bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
                    const Closure& solution, double work) {
   std::vector<std::pair<double, Index>> doubtful;
   for (Index k = 0; k < problem.law.coefficient.size(); ++k)
@@ -139,11 +139,12 @@ bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus
   const double most = work / std::pow(static_cast<double>(problem.free.size()), 3);
   Index sets = static_cast<Index>(std::clamp(most, 3.0, 1e6));
   for (const auto& [own, pair] : doubtful)
-    for (const ContactStatus motion : {ContactStatus::Open, ContactStatus::Stick,
-                                       ContactStatus::SlipForward, ContactStatus::SlipBackward}) {
-      std::vector<ContactStatus> others = motions;
-      if (others[static_cast<std::size_t>(pair)] == motion) continue;
-      others[static_cast<std::size_t>(pair)] = motion;
+    for (const ContactStatus contact_status :
+         {ContactStatus::Open, ContactStatus::Stick, ContactStatus::SlipForward,
+          ContactStatus::SlipBackward}) {
+      std::vector<ContactStatus> others = statuses;
+      if (others[static_cast<std::size_t>(pair)] == contact_status) continue;
+      others[static_cast<std::size_t>(pair)] = contact_status;
       if (is_another_with(problem, pair, std::move(others), solution, sets)) return true;
     }
   return false;
@@ -151,22 +152,22 @@ bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus
 
 }  // namespace
 
-Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
+Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
                       const Closure& solution, double work) {
   const FrictionLaw& law = problem.law;
   const bool floats = problem.rigid.cols() > 0;
   const bool holds_together = !law.cohesion.isZero(0);
   if (solution.reversed && !floats && !holds_together) return Uniqueness::Doubtful;
-  if (found_another(problem, motions, solution, work)) return Uniqueness::Doubtful;
+  if (found_another(problem, statuses, solution, work)) return Uniqueness::Doubtful;
   const bool rubs = !law.coefficient.isZero(0) || holds_together;
   if (rubs && (floats || holds_together)) return Uniqueness::Unknown;
   const bool only = bound_excludes_others(problem) && holds_modes(problem, solution);
   return only ? Uniqueness::Proved : Uniqueness::Unknown;
 }
 
-Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
+Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
             const Closure& solution) {
-  if (solution.reversed) return doubt_of_set(problem, known_set(motions, problem.law));
+  if (solution.reversed) return doubt_of_set(problem, known_set(statuses, problem.law));
   Doubt least;
   for (Index k = 0; k < problem.law.coefficient.size(); ++k)
     if (const double own = own_determinant(problem, k); own < least.determinant)

@@ -17,7 +17,7 @@ KnownSet set_of(const Solution& solution, const ScaledProblem& scaled) {
   const ContactState& contact = solution.contact;
   pose(contact.report.status == Status::Solved,
        "estimate: the problem is not solved: ", to_string(contact.report.status));
-  return known_set(all_motions(contact), scaled.law);
+  return known_set(all_statuses(contact), scaled.law);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ void check_sizes(const PathState& state, const Model& model) {
   const Index slips = static_cast<Index>(model.law.pair.size());
   const PrimalDual& solution = state.solution;
   if (state.steps == 0) {
-    const Index sizes = static_cast<Index>(state.motion.size()) + state.slip.size() +
+    const Index sizes = static_cast<Index>(state.contact_status.size()) + state.slip.size() +
                         state.increment.size() + state.dissipation.size() +
                         solution.displacement.size() + solution.displacement_low.size() +
                         solution.rigid.size() + solution.force.size();
@@ -70,14 +70,14 @@ void check_sizes(const PathState& state, const Model& model) {
   }
   const Index n = model.unknowns.count;
   const bool fits =
-      static_cast<Index>(state.motion.size()) == pairs && state.slip.size() == slips &&
+      static_cast<Index>(state.contact_status.size()) == pairs && state.slip.size() == slips &&
       state.increment.size() == slips && state.dissipation.size() == slips &&
       solution.displacement.size() == n &&
       (solution.displacement_low.size() == 0 || solution.displacement_low.size() == n) &&
       (solution.rigid.size() == 0 || solution.rigid.size() == n) &&
       solution.force.size() == pairs + slips;
   pose(fits, "the state at time ", state.time, " is of another scene: it has ",
-       solution.displacement.size(), " unknowns, ", state.motion.size(), " pairs and ",
+       solution.displacement.size(), " unknowns, ", state.contact_status.size(), " pairs and ",
        state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ", slips);
   pose(state.steps > 0 && std::isfinite(state.time) && state.slip.allFinite() &&
            state.increment.allFinite() && state.dissipation.allFinite(),
@@ -114,7 +114,7 @@ PathState after(const PathState& past, double time, const Model& model, const Ve
   PathState state = past;
   ++state.steps;
   state.time = time;
-  state.motion = all_motions(contact);
+  state.contact_status = all_statuses(contact);
   state.solution = solution.refined;
   state.increment = increment(contact);
   const VectorXd lost = dissipated(contact);
@@ -206,7 +206,7 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
     free += factor_of(model.path, model.parts[k], time) * path.free_displacement[k];
   move_freely(model, std::move(free), path.condensed);
   SolverOptions options;
-  options.start = past.motion;  // begin with what the pairs did last
+  options.start = past.contact_status;  // begin with what the pairs did last
   Step result{solve(model, path.condensed, model.solver, std::move(ledger), options), past};
   Solution& solution = result.solution;
   if (solution.contact.report.status == Status::Solved)

@@ -34,7 +34,7 @@ struct PathState {
   Eigen::Index steps = 0;  ///< done so far, halves of steps counted
   double time = 0;         ///< of the last one [time]
   /// `n_c` what all pairs do; empty before the first step
-  std::vector<ContactStatus> motion = {};
+  std::vector<ContactStatus> contact_status = {};
   Eigen::VectorXd slip = {};  ///< `n_s` in total, of the source along the tangent [length]
   /// `n_s` since the step before [length]; exactly 0 of a pair that sticks
   Eigen::VectorXd increment = {};

@@ -58,7 +58,7 @@ std::optional<double> balanced_until(double begin, double end, const Model& mode
 std::optional<double> first_change(const PathState& past, const ContactProblem& problem) {
   if (past.steps == 0) return std::nullopt;
   const ScaledProblem scaled = equilibrate(problem);
-  const Closure end = close(scaled, past.motion);
+  const Closure end = close(scaled, past.contact_status);
   if (!end.solvable) return std::nullopt;
   const VectorXd& now = past.solution.force;
   const VectorXd then = scaled.scale.cwiseProduct(end.force);
@@ -68,11 +68,12 @@ std::optional<double> first_change(const PathState& past, const ContactProblem& 
   };
   const Index pairs = scaled.pairs();
   for (Index i = 0; i < pairs; ++i)
-    if (past.motion[static_cast<std::size_t>(i)] != ContactStatus::Open) use_up(now(i), then(i));
+    if (past.contact_status[static_cast<std::size_t>(i)] != ContactStatus::Open)
+      use_up(now(i), then(i));
   const FrictionLaw& law = problem.law;
   for (Index k = 0; k < law.coefficient.size(); ++k) {
     const Index pair = law.pair[static_cast<std::size_t>(k)];
-    if (past.motion[static_cast<std::size_t>(pair)] != ContactStatus::Stick) continue;
+    if (past.contact_status[static_cast<std::size_t>(pair)] != ContactStatus::Stick) continue;
     const auto room = [&](const VectorXd& force, double sign) {
       return law.coefficient(k) * force(pair) + law.cohesion(k) - sign * force(pairs + k);
     };

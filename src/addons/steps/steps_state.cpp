@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr const char* first_line = "signorini-state-1";
-constexpr std::string_view motion_letters = "osfb";  // in the order of ContactStatus
+constexpr std::string_view status_letters = "osfb";  // in the order of ContactStatus
 
 /// The vectors of a state, by name.
 template <typename State, typename Visit>
@@ -48,9 +48,9 @@ double next_number(TextReader& reader, const std::string& name) {
 
 void write_state(const PathState& state, std::ostream& out) {
   out << first_line << "\nsteps " << state.steps << "\ntime " << shortest(state.time) << "\nmotion "
-      << state.motion.size() << '\n';
-  for (const ContactStatus motion : state.motion)
-    out << motion_letters[static_cast<std::size_t>(motion)] << '\n';
+      << state.contact_status.size() << '\n';
+  for (const ContactStatus contact_status : state.contact_status)
+    out << status_letters[static_cast<std::size_t>(contact_status)] << '\n';
   visit_vectors(state, [&](const char* name, const VectorXd& values) {
     out << name << ' ' << values.size() << '\n';
     for (const double value : values) out << shortest(value) << '\n';
@@ -68,10 +68,10 @@ PathState read_state(const std::string& content, const std::string& name) {
   reader.check_room(pairs, 1, "motion");
   for (Index k = 0; k < pairs; ++k) {
     const std::string_view word = reader.word_anywhere();
-    const std::size_t motion =
-        word.size() == 1 ? motion_letters.find(word) : std::string_view::npos;
-    if (motion == std::string_view::npos) reader.fail("o, s, f or b", word);
-    state.motion.push_back(static_cast<ContactStatus>(motion));
+    const std::size_t contact_status =
+        word.size() == 1 ? status_letters.find(word) : std::string_view::npos;
+    if (contact_status == std::string_view::npos) reader.fail("o, s, f or b", word);
+    state.contact_status.push_back(static_cast<ContactStatus>(contact_status));
   }
   visit_vectors(state, [&](const char* what, VectorXd& values) {
     values.resize(next_size(reader, what));

@@ -283,9 +283,9 @@ Closure close(const ScaledProblem& problem, const KnownSet& set, const Closure* 
   return now;
 }
 
-Closure close(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
+Closure close(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
               const Closure* start) {
-  return close(problem, known_set(motions, problem.law), start);
+  return close(problem, known_set(statuses, problem.law), start);
 }
 
 }  // namespace signorini

@@ -40,25 +40,26 @@ struct KnownSet {
   std::vector<SlidingPair> sliding = {};  ///< in increasing order
 };
 
-/// The set that the motions of all pairs make.
-/// \param motions  `n_c`
+/// The set that the statuses of all pairs make.
+/// \param statuses  `n_c`
 /// \param law      of the pairs that rub; one whose mu and c vanish slides without a force
 /// \return rows `n_c` of gaps, then `n_s` of slips; those that are closed in increasing order
-[[nodiscard]] KnownSet known_set(const std::vector<ContactStatus>& motions, const FrictionLaw& law);
+[[nodiscard]] KnownSet known_set(const std::vector<ContactStatus>& statuses,
+                                 const FrictionLaw& law);
 
 /// \param active  closed pairs
 /// \param pairs   n_c
-/// \return `n_c` motions: these stick, the others are open
-[[nodiscard]] std::vector<ContactStatus> motions_of(const std::vector<Eigen::Index>& active,
-                                                    Eigen::Index pairs);
+/// \return `n_c` statuses: these stick, the others are open
+[[nodiscard]] std::vector<ContactStatus> statuses_of(const std::vector<Eigen::Index>& active,
+                                                     Eigen::Index pairs);
 
 /// \param state  what a solver says
-/// \return `n_c` motions
-[[nodiscard]] std::vector<ContactStatus> all_motions(const ContactState& state);
+/// \return `n_c` statuses
+[[nodiscard]] std::vector<ContactStatus> all_statuses(const ContactState& state);
 
-/// \param motions  `n_c`
+/// \param statuses  `n_c`
 /// \return the pairs that are not open, in increasing order
-[[nodiscard]] std::vector<Eigen::Index> closed_pairs(const std::vector<ContactStatus>& motions);
+[[nodiscard]] std::vector<Eigen::Index> closed_pairs(const std::vector<ContactStatus>& statuses);
 
 /// The system of a known set, factored once:
 ///
@@ -143,12 +144,13 @@ struct Closure {
 [[nodiscard]] Closure close(const ScaledProblem& problem, const KnownSet& set,
                             const Closure* start = nullptr);
 
-/// The same for motions of pairs.
+/// The same for statuses of pairs.
 /// \param problem  scaled
-/// \param motions  `n_c`
+/// \param statuses  `n_c`
 /// \param start    as above
 /// \return as above
-[[nodiscard]] Closure close(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
+[[nodiscard]] Closure close(const ScaledProblem& problem,
+                            const std::vector<ContactStatus>& statuses,
                             const Closure* start = nullptr);
 
 /// What numbers say of each pair: it is closed if its force exceeds its gap, and then slides if |tau - slip|
@@ -159,22 +161,22 @@ struct Closure {
 /// \param problem  scaled
 /// \param closure  any numbers; without roundings these count as 0
 /// \param reach    forces count reach times against gaps and slips
-/// \param[in,out] motions  `n_c`: what was assumed, and then what the numbers say
-/// \return how many entries of `motions` changed
+/// \param[in,out] statuses  `n_c`: what was assumed, and then what the numbers say
+/// \return how many entries of `statuses` changed
 Eigen::Index predict(const ScaledProblem& problem, const Closure& closure, double reach,
-                     std::vector<ContactStatus>& motions);
+                     std::vector<ContactStatus>& statuses);
 
 /// Whether a closure is a solution: no force is tensile, no pair overlaps, friction keeps its bound and resists,
 /// all beyond rounding; and rounding is so small that certify() agrees. It does not where a system passed
 /// as regular only because of its rounding: then the forces are huge, and any gap could be rounding.
 /// \param problem  scaled
-/// \param motions  `n_c` that were assumed
+/// \param statuses  `n_c` that were assumed
 /// \param closure  from close() of them
 /// \return whether a solver may say Solved
-[[nodiscard]] bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
+[[nodiscard]] bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
                           const Closure& closure);
 
-/// A closure that is a solution, and the motions that it belongs to.
+/// A closure that is a solution, and the statuses that it belongs to.
 using Confirmed = std::optional<std::pair<Closure, std::vector<ContactStatus>>>;
 
 /// Ends a method that only guesses which pairs are closed: takes as many of them as are independent, closes
@@ -190,18 +192,18 @@ using Confirmed = std::optional<std::pair<Closure, std::vector<ContactStatus>>>;
 /// Names the direction of pairs that slide without a friction force after their slip: a method need not know it. Where
 /// there is a friction force it tells the direction, also of a slip that is nothing but rounding.
 /// \param law            of the pairs that rub
-/// \param[in,out] state  whose motions may change from forward to backward and back
+/// \param[in,out] state  whose statuses may change from forward to backward and back
 void name_slides(const FrictionLaw& law, ContactState& state);
 
 /// One entry of a history, in the units of the problem as it was posed.
 /// \param problem  scaled
-/// \param motions  `n_c`
+/// \param statuses  `n_c`
 /// \param closure  forces and movements
 /// \param changes  pairs that change
 /// \return closed pairs, changes, the largest overlap of an open pair and tension of a closed one; the dual energy
 ///   of held bodies without friction
 [[nodiscard]] Iteration summary(const ScaledProblem& problem,
-                                const std::vector<ContactStatus>& motions, const Closure& closure,
+                                const std::vector<ContactStatus>& statuses, const Closure& closure,
                                 Eigen::Index changes);
 
 /// \param iteration  from 0
@@ -217,14 +219,14 @@ void name_slides(const FrictionLaw& law, ContactState& state);
 /// \param problem  as it was posed
 /// \param scaled   the same, equilibrated
 /// \param closure  forces, movements and amplitudes; of a solution, negative ones, which may be rounding, become 0
-/// \param motions  `n_c`
+/// \param statuses  `n_c`
 /// \param report   how the solver got there
 /// \param proof    that nothing solves the problem, in its units, or empty
 /// \return the state, `Breakdown` instead of `Solved` if the certificate is worse than 1e-12, and instead of
 ///   `Infeasible`, without the proof, if that does not hold by refutes()
 [[nodiscard]] ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
                                     const Closure& closure,
-                                    const std::vector<ContactStatus>& motions, Report report,
+                                    const std::vector<ContactStatus>& statuses, Report report,
                                     Eigen::VectorXd proof = {});
 
 }  // namespace signorini

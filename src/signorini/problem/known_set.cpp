@@ -1,4 +1,4 @@
-// What the motions of pairs mean, and what numbers say of them.
+// What the statuses of pairs mean, and what numbers say of them.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -28,15 +28,15 @@ ContactStatus rubbing(ContactStatus last, double tau, double slip, double bound,
 
 }  // namespace
 
-KnownSet known_set(const std::vector<ContactStatus>& motions, const FrictionLaw& law) {
-  const Index pairs = static_cast<Index>(motions.size());
-  KnownSet set{closed_pairs(motions)};
+KnownSet known_set(const std::vector<ContactStatus>& statuses, const FrictionLaw& law) {
+  const Index pairs = static_cast<Index>(statuses.size());
+  KnownSet set{closed_pairs(statuses)};
   for (std::size_t k = 0; k < law.pair.size(); ++k) {
-    const ContactStatus motion = motions[at(law.pair[k])];
+    const ContactStatus contact_status = statuses[at(law.pair[k])];
     const Index row = static_cast<Index>(k);
-    const double sign = friction_sign(motion);
+    const double sign = friction_sign(contact_status);
     const bool rubs = law.coefficient(row) > 0 || law.cohesion(row) > 0;
-    if (motion == ContactStatus::Stick && rubs) set.closed.push_back(pairs + row);
+    if (contact_status == ContactStatus::Stick && rubs) set.closed.push_back(pairs + row);
     if (sign != 0 && rubs)
       set.sliding.push_back(
           {law.pair[k], pairs + row, sign * law.coefficient(row), sign * law.cohesion(row)});
@@ -44,30 +44,30 @@ KnownSet known_set(const std::vector<ContactStatus>& motions, const FrictionLaw&
   return set;
 }
 
-std::vector<ContactStatus> motions_of(const std::vector<Index>& active, Index pairs) {
-  std::vector<ContactStatus> motions(at(pairs), ContactStatus::Open);
-  for (const Index i : active) motions[at(i)] = ContactStatus::Stick;
-  return motions;
+std::vector<ContactStatus> statuses_of(const std::vector<Index>& active, Index pairs) {
+  std::vector<ContactStatus> statuses(at(pairs), ContactStatus::Open);
+  for (const Index i : active) statuses[at(i)] = ContactStatus::Stick;
+  return statuses;
 }
 
-std::vector<ContactStatus> all_motions(const ContactState& state) {
-  std::vector<ContactStatus> motions = motions_of(state.active, state.force.size());
-  for (std::size_t k = 0; k < state.motion.size(); ++k)
-    motions[at(state.rubbing[k])] = state.motion[k];
-  return motions;
+std::vector<ContactStatus> all_statuses(const ContactState& state) {
+  std::vector<ContactStatus> statuses = statuses_of(state.active, state.force.size());
+  for (std::size_t k = 0; k < state.contact_status.size(); ++k)
+    statuses[at(state.rubbing[k])] = state.contact_status[k];
+  return statuses;
 }
 
-std::vector<Index> closed_pairs(const std::vector<ContactStatus>& motions) {
+std::vector<Index> closed_pairs(const std::vector<ContactStatus>& statuses) {
   std::vector<Index> closed;
-  for (std::size_t i = 0; i < motions.size(); ++i)
-    if (motions[i] != ContactStatus::Open) closed.push_back(static_cast<Index>(i));
+  for (std::size_t i = 0; i < statuses.size(); ++i)
+    if (statuses[i] != ContactStatus::Open) closed.push_back(static_cast<Index>(i));
   return closed;
 }
 
 Index predict(const ScaledProblem& problem, const Closure& closure, double reach,
-              std::vector<ContactStatus>& motions) {
+              std::vector<ContactStatus>& statuses) {
   const Index pairs = problem.pairs();
-  const std::vector<ContactStatus> last = motions;
+  const std::vector<ContactStatus> last = statuses;
   const bool exact = closure.movement_rounding.size() == 0;
   const auto rounding = [&](Index row) { return exact ? 0 : closure.movement_rounding(row); };
   const double force_rounding = exact ? 0 : reach * closure.force_rounding;
@@ -75,28 +75,28 @@ Index predict(const ScaledProblem& problem, const Closure& closure, double reach
   for (Index i = 0; i < pairs; ++i) {
     const bool closed = exact || last[at(i)] == ContactStatus::Open ? pressed(i) > rounding(i)
                                                                     : pressed(i) >= -force_rounding;
-    motions[at(i)] = closed ? ContactStatus::Stick : ContactStatus::Open;
+    statuses[at(i)] = closed ? ContactStatus::Stick : ContactStatus::Open;
   }
   for (std::size_t k = 0; k < problem.law.pair.size(); ++k) {
     const Index i = problem.law.pair[k];
-    if (motions[at(i)] == ContactStatus::Open) continue;
+    if (statuses[at(i)] == ContactStatus::Open) continue;
     const Index row = static_cast<Index>(k);
     const double mu = problem.law.coefficient(row);
     const double bound = mu * std::max(pressed(i), 0.0) + reach * problem.law.cohesion(row);
-    motions[at(i)] =
+    statuses[at(i)] =
         rubbing(last[at(i)], reach * closure.force(pairs + row), closure.movement(pairs + row),
                 bound, (1 + mu) * force_rounding, rounding(pairs + row));
   }
   Index changes = 0;
-  for (std::size_t i = 0; i < motions.size(); ++i) changes += motions[i] != last[i] ? 1 : 0;
+  for (std::size_t i = 0; i < statuses.size(); ++i) changes += statuses[i] != last[i] ? 1 : 0;
   return changes;
 }
 
-bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
+bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
             const Closure& closure) {
-  std::vector<ContactStatus> next = motions;
+  std::vector<ContactStatus> next = statuses;
   if (!closure.solvable || predict(problem, closure, 1, next) != 0) return false;
-  for (const Index row : known_set(motions, problem.law).closed)
+  for (const Index row : known_set(statuses, problem.law).closed)
     if (!closure.closes(row)) return false;
   Claim claim{closure.force, closure.movement, closure.amplitude};
   const Index pairs = problem.pairs();
@@ -111,27 +111,27 @@ bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& moti
 Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& candidates,
                     const Closure* start) {
   Closure closure = close(problem, KnownSet{candidates}, start);
-  std::vector<ContactStatus> motions = motions_of(closure.rows, problem.pairs());
-  if (!solves(problem, motions, closure)) return std::nullopt;
-  return std::make_pair(std::move(closure), std::move(motions));
+  std::vector<ContactStatus> statuses = statuses_of(closure.rows, problem.pairs());
+  if (!solves(problem, statuses, closure)) return std::nullopt;
+  return std::make_pair(std::move(closure), std::move(statuses));
 }
 
 void name_slides(const FrictionLaw& law, ContactState& state) {
-  for (std::size_t k = 0; k < state.motion.size(); ++k) {
+  for (std::size_t k = 0; k < state.contact_status.size(); ++k) {
     const Index row = static_cast<Index>(k);
     const double slip = state.slip(row);
     const double pressed = std::max(state.force(law.pair[k]), 0.0);
     const bool rubs = law.coefficient(row) * pressed + law.cohesion(row) > 0;
-    if (friction_sign(state.motion[k]) != 0 && slip != 0 && !rubs)
-      state.motion[k] = slip > 0 ? ContactStatus::SlipForward : ContactStatus::SlipBackward;
+    if (friction_sign(state.contact_status[k]) != 0 && slip != 0 && !rubs)
+      state.contact_status[k] = slip > 0 ? ContactStatus::SlipForward : ContactStatus::SlipBackward;
   }
 }
 
-Iteration summary(const ScaledProblem& problem, const std::vector<ContactStatus>& motions,
+Iteration summary(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
                   const Closure& closure, Index changes) {
   Iteration entry{0, changes, 0, 0};
   for (Index i = 0; i < problem.pairs(); ++i)
-    if (motions[at(i)] == ContactStatus::Open) {
+    if (statuses[at(i)] == ContactStatus::Open) {
       entry.penetration = std::max(entry.penetration, -closure.movement(i) / problem.scale(i));
     } else {
       ++entry.active;
@@ -159,7 +159,7 @@ std::vector<Index> by_falling(const VectorXd& weight) {
 }
 
 ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
-                      const Closure& closure, const std::vector<ContactStatus>& motions,
+                      const Closure& closure, const std::vector<ContactStatus>& statuses,
                       Report report, VectorXd proof) {
   const Index pairs = scaled.pairs();
   const Index slips = scaled.free.size() - pairs;
@@ -167,7 +167,7 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   VectorXd movement = closure.movement.cwiseQuotient(scaled.scale);
   ContactState state;
   if (report.status == Status::Solved)
-    for (const Index row : known_set(motions, scaled.law).closed) movement(row) = 0;
+    for (const Index row : known_set(statuses, scaled.law).closed) movement(row) = 0;
   state.force = force.head(pairs);
   state.gap = movement.head(pairs);
   state.friction = force.tail(slips);
@@ -176,9 +176,9 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
     state.force = state.force.cwiseMax(0.0);
     state.gap = state.gap.cwiseMax(0.0);
   }
-  state.active = closed_pairs(motions);
+  state.active = closed_pairs(statuses);
   state.rubbing = scaled.law.pair;
-  for (const Index pair : scaled.law.pair) state.motion.push_back(motions[at(pair)]);
+  for (const Index pair : scaled.law.pair) state.contact_status.push_back(statuses[at(pair)]);
   name_slides(scaled.law, state);
   if (problem.resultant.size() > 0)
     state.amplitude = closure.amplitude.size() > 0 ? VectorXd(scaled.inverse * closure.amplitude)

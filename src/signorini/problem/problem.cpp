@@ -8,8 +8,8 @@
 
 namespace signorini {
 
-const char* to_string(ContactStatus motion) {
-  switch (motion) {
+const char* to_string(ContactStatus contact_status) {
+  switch (contact_status) {
     case ContactStatus::Open:
       return "open";
     case ContactStatus::Stick:

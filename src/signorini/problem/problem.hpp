@@ -88,14 +88,16 @@ enum class ContactStatus : signed char {
 };
 
 /// A contact status in words.
-/// \param motion  any
+/// \param contact_status  any
 /// \return "open", "stick", "forward" or "backward"
-[[nodiscard]] const char* to_string(ContactStatus motion);
+[[nodiscard]] const char* to_string(ContactStatus contact_status);
 
-/// \param motion  of a pair
+/// \param contact_status  of a pair
 /// \return the sign of tau at its bound, 0 where the pair does not slide
-[[nodiscard]] inline double friction_sign(ContactStatus motion) {
-  return motion == ContactStatus::SlipForward ? -1 : motion == ContactStatus::SlipBackward ? 1 : 0;
+[[nodiscard]] inline double friction_sign(ContactStatus contact_status) {
+  return contact_status == ContactStatus::SlipForward    ? -1
+         : contact_status == ContactStatus::SlipBackward ? 1
+                                                         : 0;
 }
 
 /// How a solver ended. Nothing but `Solved` may be called a solution.
@@ -167,11 +169,11 @@ struct ContactState {
   std::vector<Eigen::Index> rubbing = {};  ///< `n_s` pairs that the next three belong to
   Eigen::VectorXd friction = {};           ///< tau `n_s` [force], on the source along the tangent
   Eigen::VectorXd slip = {};               ///< `n_s` [length], of the source along the tangent
-  std::vector<ContactStatus> motion = {};  ///< `n_s` what these pairs do
-  Eigen::VectorXd amplitude = {};          ///< a `n_r`
-  Uniqueness uniqueness = Uniqueness::Unknown;  ///< of a solution with friction
-  Doubt doubt = {};                             ///< what `Doubtful` rests on
-  std::string reason = {};                      ///< what stopped the solver, in words; may be empty
+  std::vector<ContactStatus> contact_status = {};  ///< `n_s` what these pairs do
+  Eigen::VectorXd amplitude = {};                  ///< a `n_r`
+  Uniqueness uniqueness = Uniqueness::Unknown;     ///< of a solution with friction
+  Doubt doubt = {};                                ///< what `Doubtful` rests on
+  std::string reason = {};  ///< what stopped the solver, in words; may be empty
   /// Proof that nothing solves the problem, or empty: y `n_c` >= 0 with G y = 0 and d^T y < 0. For any
   /// forces, \f$ y^T(d + G\lambda) = d^T y < 0 \f$, so some gap stays negative.
   Eigen::VectorXd infeasibility = {};

@@ -41,21 +41,21 @@ void add_friction(const Model& model, const Solution& solution,
                   const std::optional<PathTotals>& totals, const VectorXd& slip,
                   std::vector<PairColumn>& columns) {
   const ContactState& contact = solution.contact;
-  VectorXd motion(contact.friction.size());
-  for (Index k = 0; k < motion.size(); ++k)
-    motion(k) = static_cast<double>(contact.motion[static_cast<std::size_t>(k)]);
-  std::vector<std::string> motions;
+  VectorXd contact_status(contact.friction.size());
+  for (Index k = 0; k < contact_status.size(); ++k)
+    contact_status(k) = static_cast<double>(contact.contact_status[static_cast<std::size_t>(k)]);
+  std::vector<std::string> statuses;
   for (const ContactStatus word : {ContactStatus::Open, ContactStatus::Stick,
                                    ContactStatus::SlipForward, ContactStatus::SlipBackward})
-    motions.emplace_back(to_string(word));
+    statuses.emplace_back(to_string(word));
   columns.push_back({"shear_traction", "force/length^2", "contact_shear_traction",
                      shear_tractions(model, solution)});
   columns.push_back({"shear_force", "force", "", of_rubbing(contact, contact.friction, 0)});
   const VectorXd unknown = VectorXd::Constant(slip.size(), none);  // where steps keep only totals
   columns.push_back({"slip", "length", "contact_slip",
                      of_rubbing(contact, increment(contact), totals ? unknown : slip)});
-  columns.push_back(
-      {"motion", "-", "contact_motion", of_rubbing(contact, motion, none), std::move(motions)});
+  columns.push_back({"motion", "-", "contact_motion", of_rubbing(contact, contact_status, none),
+                     std::move(statuses)});
   columns.push_back(
       {"dissipated", "force*length", "", of_rubbing(contact, dissipated(contact), 0)});
   if (!totals) return;
@@ -73,11 +73,12 @@ void check_solved(const Solution& solution, const std::optional<PathTotals>& tot
   require(contact.report.status == Status::Solved, function, ": the problem was not solved (",
           to_string(contact.report.status), ')');
   const std::size_t n_slips = contact.rubbing.size();
-  require(contact.motion.size() == n_slips &&
+  require(contact.contact_status.size() == n_slips &&
               contact.friction.size() == static_cast<Index>(n_slips) &&
               contact.slip.size() == static_cast<Index>(n_slips),
           function, ": expected friction, slip and motion of ", n_slips, " pairs, got ",
-          contact.friction.size(), ", ", contact.slip.size(), " and ", contact.motion.size());
+          contact.friction.size(), ", ", contact.slip.size(), " and ",
+          contact.contact_status.size());
   require(!totals || (totals->slip.size() == contact.friction.size() &&
                       totals->dissipation.size() == contact.friction.size()),
           function, ": the solution has ", contact.friction.size(),

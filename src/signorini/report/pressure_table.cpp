@@ -40,7 +40,7 @@ void add_pairs(const Model& model, const Solution& solution,
   const Eigen::VectorXd lost = dissipated(contact);
   for (Index k = 0; k < lost.size(); ++k) {
     const Index pair = contact.rubbing[static_cast<std::size_t>(k)];
-    const ContactStatus motion = contact.motion[static_cast<std::size_t>(k)];
+    const ContactStatus contact_status = contact.contact_status[static_cast<std::size_t>(k)];
     const auto normal = pairs.normal.row(pair);
     add(pair, 1, contact.friction(k), {normal.y(), -normal.x()});
     Resultants& sum = sum_of(pair);
@@ -48,8 +48,8 @@ void add_pairs(const Model& model, const Solution& solution,
     sum.dissipated += lost(k);
     sum.dissipated_total += totals ? totals->dissipation(k) : lost(k);
     ++sum.rubbing;
-    sum.stick += motion == ContactStatus::Stick ? 1 : 0;
-    sum.slide += friction_sign(motion) != 0 ? 1 : 0;
+    sum.stick += contact_status == ContactStatus::Stick ? 1 : 0;
+    sum.slide += friction_sign(contact_status) != 0 ? 1 : 0;
   }
   for (const Index pair : contact.active) {
     sum_of(pair).closed_weight += pairs.weight(pair);

@@ -37,7 +37,7 @@ void open_far(const VectorXd& opens, const VectorXd& displacement, VectorXd& gap
 
 ContactState solved(const ContactProblem& problem, const ContactState& contact) {
   SolverOptions options;
-  options.start = all_motions(contact);
+  options.start = all_statuses(contact);
   options.start.resize(static_cast<std::size_t>(problem.free_gap.size()), ContactStatus::Open);
   return solve(problem, primal_dual_active_set(), options);
 }

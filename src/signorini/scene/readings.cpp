@@ -18,7 +18,7 @@ void require_forces(const Solution& solution) {
 Eigen::VectorXd increment(const ContactState& contact) {
   Eigen::VectorXd slip = contact.slip;
   for (Eigen::Index k = 0; k < slip.size(); ++k)
-    if (contact.motion[static_cast<std::size_t>(k)] == ContactStatus::Stick) slip(k) = 0;
+    if (contact.contact_status[static_cast<std::size_t>(k)] == ContactStatus::Stick) slip(k) = 0;
   return slip;
 }
 

@@ -89,13 +89,13 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined) {
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
 void note_open_motions(const Model& model, const PrimalDual& refined, Solution& solution) {
   if (model.modes.empty() || solution.contact.report.status != Status::Solved) return;
-  const std::vector<ContactStatus> motions = all_motions(solution.contact);
-  KnownSet set = known_set(motions, model.law);
+  const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
+  KnownSet set = known_set(statuses, model.law);
   // A pair that touches without a force holds nothing: it stops a motion one way only. Of forces as small as the
   // tension that a certificate lets pass, nobody knows whether they are any.
   const VectorXd nothing = no_forces(model, refined);
   const auto idle = [&](Index row) {
-    const Index pairs = static_cast<Index>(motions.size());
+    const Index pairs = static_cast<Index>(statuses.size());
     const Index gap = row < pairs ? row : model.law.pair[static_cast<std::size_t>(row - pairs)];
     return refined.force(gap) <= nothing(gap);
   };
@@ -111,7 +111,7 @@ void note_open_motions(const Model& model, const PrimalDual& refined, Solution& 
 /// Says which forces could as well be others.
 void note_shared_forces(const Model& model, Solution& solution) {
   const PrimalDual& refined = solution.refined;
-  Carried all = carried(model.programme, refined, model.law, all_motions(solution.contact));
+  Carried all = carried(model.programme, refined, model.law, all_statuses(solution.contact));
   // Gaps and slips are rounded as the positions that they were made of.
   all.rounding.array() += gap_rounding(model.pairs);
   solution.shared = undetermined_forces(all);

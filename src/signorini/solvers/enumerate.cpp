@@ -50,7 +50,7 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
     Closure now = close(scaled, KnownSet{active});
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
-    if (now.rows.size() < active.size() || !solves(scaled, motions_of(active, n), now)) continue;
+    if (now.rows.size() < active.size() || !solves(scaled, statuses_of(active, n), now)) continue;
     best = std::move(now);
     best_active = active;
     report.status = Status::Solved;
@@ -58,7 +58,7 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
   Eigen::VectorXd y;
   if (report.status != Status::Solved) y = scaled.symmetric ? proof(scaled) : contradiction(scaled);
   if (y.size() > 0) report.status = Status::Infeasible;
-  return finished(problem, scaled, best, motions_of(best_active, n), std::move(report),
+  return finished(problem, scaled, best, statuses_of(best_active, n), std::move(report),
                   std::move(y));
 }
 

@@ -35,7 +35,7 @@ Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direct
 /// Where a path ended, in scaled numbers.
 struct End {
   Closure closure;
-  std::vector<ContactStatus> motions;
+  std::vector<ContactStatus> statuses;
   Report report;
   Eigen::VectorXd proof = {};
 };
@@ -51,15 +51,16 @@ End end_of_path(const ScaledProblem& scaled, const Dictionary& dictionary, Repor
       force(active.back()) = dictionary.value()(i);
     }
   std::sort(active.begin(), active.end());
-  End end{close(scaled, KnownSet{active}), motions_of(active, n), std::move(report)};
+  End end{close(scaled, KnownSet{active}), statuses_of(active, n), std::move(report)};
   end.report.factorisations = active.empty() ? 0 : 1;
-  end.report.status = solves(scaled, end.motions, end.closure) ? Status::Solved : Status::Breakdown;
+  end.report.status =
+      solves(scaled, end.statuses, end.closure) ? Status::Solved : Status::Breakdown;
   if (end.report.status == Status::Solved || !scaled.symmetric) return end;
   // Rounding took a pair that touches without force into the basis, or one that depends on the others.
   if (end.closure.solvable && end.closure.rows.size() == active.size()) force = end.closure.force;
   if (auto found = confirmed(scaled, by_falling(force))) {
     end.report.status = Status::Solved;
-    std::tie(end.closure, end.motions) = std::move(*found);
+    std::tie(end.closure, end.statuses) = std::move(*found);
     return end;
   }
   end.proof = proof(scaled, force);
@@ -83,7 +84,7 @@ End last_point(const ScaledProblem& scaled, const Dictionary& dictionary, Index 
     last.closure.force(force) = std::max(dictionary.value()(i), 0.0);
   }
   last.closure.movement = scaled.free + scaled.compliance * last.closure.force;
-  last.motions = motions_of(by_falling(last.closure.force), n);
+  last.statuses = statuses_of(by_falling(last.closure.force), n);
   return last;
 }
 
@@ -138,7 +139,7 @@ Eigen::VectorXd covering_of_path(Index n, Index path) {
 }
 
 ContactState state_of(const ContactProblem& problem, const ScaledProblem& scaled, End end) {
-  return finished(problem, scaled, end.closure, end.motions, std::move(end.report),
+  return finished(problem, scaled, end.closure, end.statuses, std::move(end.report),
                   std::move(end.proof));
 }
 

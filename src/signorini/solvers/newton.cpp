@@ -85,10 +85,10 @@ class Newton {
   double merit_ = 0;
 };
 
-/// What motions say is closed, the pairs whose force exceeds their gap most first.
+/// What statuses say is closed, the pairs whose force exceeds their gap most first.
 KnownSet clearest_first(const ScaledProblem& problem, const Attempt& attempt, double reach,
-                        const std::vector<ContactStatus>& motions) {
-  KnownSet set = known_set(motions, problem.law);
+                        const std::vector<ContactStatus>& statuses) {
+  KnownSet set = known_set(statuses, problem.law);
   if (!problem.law.pair.empty()) return set;
   const VectorXd excess = reach * attempt.closure.force - attempt.closure.movement;
   std::stable_sort(set.closed.begin(), set.closed.end(),
@@ -100,35 +100,35 @@ KnownSet clearest_first(const ScaledProblem& problem, const Attempt& attempt, do
 void open_idle_pairs(const ScaledProblem& problem, Attempt& attempt) {
   const Closure& end = attempt.closure;
   std::vector<Index> pressed;
-  for (const Index i : closed_pairs(attempt.motions))
+  for (const Index i : closed_pairs(attempt.statuses))
     if (end.force(i) > end.force_rounding) pressed.push_back(i);
   if (pressed.size() == end.rows.size()) return;
   if (Confirmed other = confirmed(problem, pressed, &end))
-    std::tie(attempt.closure, attempt.motions) = std::move(*other);
+    std::tie(attempt.closure, attempt.statuses) = std::move(*other);
 }
 
-/// The exact end from the motions of an iterate, or from those which that end asks for: of a pair that touches
+/// The exact end from the statuses of an iterate, or from those which that end asks for: of a pair that touches
 /// without force, rounding decides the side.
 bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
-  std::vector<ContactStatus> motions = attempt.motions;
+  std::vector<ContactStatus> statuses = attempt.statuses;
   Closure start = attempt.closure;
   const bool rubs = !problem.law.pair.empty();
   if (!rubs) start.force.setZero();
   for (int trial = 0; trial < (problem.symmetric ? 2 : 1); ++trial) {
-    const KnownSet set = clearest_first(problem, attempt, reach, motions);
+    const KnownSet set = clearest_first(problem, attempt, reach, statuses);
     attempt.report.factorisations += set.closed.empty() ? 0 : 1;
     Closure end = close(problem, set, &start);
     const std::vector<ContactStatus> closed =
-        rubs ? motions : motions_of(end.rows, problem.pairs());
+        rubs ? statuses : statuses_of(end.rows, problem.pairs());
     if (solves(problem, closed, end)) {
       attempt.closure = std::move(end);
-      attempt.motions = closed;
+      attempt.statuses = closed;
       attempt.confirmed = true;
       if (!rubs) open_idle_pairs(problem, attempt);
       return true;
     }
-    motions = closed;
-    if (!end.solvable || predict(problem, end, reach, motions) == 0) return false;
+    statuses = closed;
+    if (!end.solvable || predict(problem, end, reach, statuses) == 0) return false;
   }
   return false;
 }
@@ -160,8 +160,8 @@ Attempt first_attempt(const ScaledProblem& problem) {
   }
   // A pair that touches is open until something presses it, whatever rounding says of its gap.
   now.movement_rounding = static_cast<double>(size.size() + U.cols() + 1) * epsilon * size;
-  attempt.motions = motions_of({}, pairs);
-  predict(problem, now, unit, attempt.motions);
+  attempt.statuses = statuses_of({}, pairs);
+  predict(problem, now, unit, attempt.statuses);
   return attempt;
 }
 
@@ -174,12 +174,12 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
     report.status = Status::Breakdown;  // of another problem that was solved on the way
   }
   ContactState state =
-      finished(problem, scaled, attempt.closure, attempt.motions, std::move(report));
+      finished(problem, scaled, attempt.closure, attempt.statuses, std::move(report));
   if (state.reason.empty()) state.reason = std::move(attempt.reason);
   if (attempt.confirmed && !scaled.law.pair.empty() && scaled.symmetric)
-    state.uniqueness = uniqueness(scaled, attempt.motions, attempt.closure);
+    state.uniqueness = uniqueness(scaled, attempt.statuses, attempt.closure);
   if (state.uniqueness == Uniqueness::Doubtful)
-    state.doubt = doubt(scaled, attempt.motions, attempt.closure);
+    state.doubt = doubt(scaled, attempt.statuses, attempt.closure);
   return state;
 }
 
@@ -192,10 +192,10 @@ void follow_newton(const ScaledProblem& problem, const Formulation& form, Index 
   Report& report = attempt.report;
   const auto look = [&] {
     equations.read(x, attempt.closure);
-    return predict(problem, attempt.closure, unit, attempt.motions);
+    return predict(problem, attempt.closure, unit, attempt.statuses);
   };
   const double first = newton.residual();
-  Index last_changes = 1;  // so that the first motions are tried
+  Index last_changes = 1;  // so that the first statuses are tried
   for (Index changes = 0;;) {
     const bool limited = report.iterations >= limit;
     const bool settled = changes == 0 && last_changes > 0;
@@ -206,7 +206,7 @@ void follow_newton(const ScaledProblem& problem, const Formulation& form, Index 
       ++report.factorisations;
       last_changes = changes;
       changes = look();
-      Iteration entry = summary(problem, attempt.motions, attempt.closure, changes);
+      Iteration entry = summary(problem, attempt.statuses, attempt.closure, changes);
       entry.residual = first == 0 ? 0 : newton.residual() / first;
       report.history.push_back(entry);
       continue;

@@ -11,11 +11,11 @@ namespace signorini {
 
 /// Where a method stands: the numbers, what they say of each pair, and the report so far.
 struct Attempt {
-  Closure closure;                     ///< the end if `confirmed`, else the last iterate
-  std::vector<ContactStatus> motions;  ///< `n_c`
-  Report report;                       ///< its status is set at the end
-  std::string reason = {};             ///< why the method stopped, if it did
-  bool confirmed = false;              ///< whether the closure is a solution
+  Closure closure;                      ///< the end if `confirmed`, else the last iterate
+  std::vector<ContactStatus> statuses;  ///< `n_c`
+  Report report;                        ///< its status is set at the end
+  std::string reason = {};              ///< why the method stopped, if it did
+  bool confirmed = false;               ///< whether the closure is a solution
 };
 
 /// The point from which all methods start, and what it says of the pairs: no forces; with friction forces
@@ -38,7 +38,7 @@ struct Attempt {
 /// exists even where \f$ \Phi \f$ has kinks [\ref DeLucaFacchineiKanzow1996].
 ///
 /// Newton's method ends near a solution, not on it: as soon as two iterates agree on what the pairs do,
-/// close() solves the equations of these motions, and of those which that solution asks for, and the result is
+/// close() solves the equations of these statuses, and of those which that solution asks for, and the result is
 /// kept if it is a solution.
 /// \param problem  scaled
 /// \param form     of the law of friction
@@ -50,8 +50,8 @@ void follow_newton(const ScaledProblem& problem, const Formulation& form, Eigen:
 /// Newton steps with friction if the caller sets no limit.
 inline constexpr Eigen::Index newton_limit = 25;
 
-/// Exchanges the motions of all wrong pairs at once: takes what each pair does as known, open, sticking, or
-/// sliding one way or the other, and solves the linear equations of these motions exactly. From the result, a
+/// Exchanges the statuses of all wrong pairs at once: takes what each pair does as known, open, sticking, or
+/// sliding one way or the other, and solves the linear equations of these statuses exactly. From the result, a
 /// pair opens if its force is tensile, closes if it overlaps, starts to slide if its friction force exceeds the
 /// bound, and stops if it slides along with its friction force; and again.
 ///
@@ -68,7 +68,7 @@ inline constexpr Eigen::Index exchange_limit = 50;
 
 /// Finds out what pairs that rub do by making them soft: each gets a compliance of its own in the way of every
 /// force, which counts from the forces of the solution before [\ref Rockafellar1976b]. Soft pairs settle in a few
-/// exchanges, one that starts from their motions hardly has to change any, and with them the compliance becomes 0: it
+/// exchanges, one that starts from their statuses hardly has to change any, and with them the compliance becomes 0: it
 /// is halved where exchange_motions() settles, and four times as large where it does not. Where soft pairs no longer
 /// change, exchange_motions() may end it.
 /// \param problem  scaled

@@ -17,9 +17,9 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// What motions say is closed, the pairs that overlapped most first.
+/// What statuses say is closed, the pairs that overlapped most first.
 KnownSet deepest_first(const ScaledProblem& problem, const Attempt& attempt) {
-  KnownSet set = known_set(attempt.motions, problem.law);
+  KnownSet set = known_set(attempt.statuses, problem.law);
   if (!problem.law.pair.empty()) return set;
   const VectorXd& movement = attempt.closure.movement;
   std::stable_sort(set.closed.begin(), set.closed.end(),
@@ -44,7 +44,7 @@ constexpr std::size_t many = 64;
 /// is solved alone first, by the same rule, and those between closed ones are closed.
 Attempt coarse_attempt(const ScaledProblem& problem) {
   Attempt attempt = first_attempt(problem);
-  const std::vector<Index> overlapping = closed_pairs(attempt.motions);
+  const std::vector<Index> overlapping = closed_pairs(attempt.statuses);
   if (overlapping.size() < many) return attempt;
   std::vector<Index> half;
   for (std::size_t k = 0; k < overlapping.size(); k += 2) half.push_back(overlapping[k]);
@@ -55,21 +55,21 @@ Attempt coarse_attempt(const ScaledProblem& problem) {
   attempt.report.factorisations = found.report.factorisations;
   if (!found.confirmed) return attempt;
   const auto opens = [&](std::size_t k) {
-    return found.motions[std::min(k, half.size() - 1)] == ContactStatus::Open;
+    return found.statuses[std::min(k, half.size() - 1)] == ContactStatus::Open;
   };
   for (std::size_t k = 0; k < overlapping.size(); ++k)
     if (opens(k / 2) || opens((k + 1) / 2))
-      attempt.motions[static_cast<std::size_t>(overlapping[k])] = ContactStatus::Open;
+      attempt.statuses[static_cast<std::size_t>(overlapping[k])] = ContactStatus::Open;
   return attempt;
 }
 
 /// Where to start from if a problem like this one is solved.
-Attempt attempt_from(const ScaledProblem& problem, const std::vector<ContactStatus>& motions) {
+Attempt attempt_from(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses) {
   Attempt attempt;
   attempt.closure.force.setZero(problem.free.size());
   attempt.closure.movement = problem.free;
   attempt.closure.amplitude.setZero(problem.rigid.cols());
-  attempt.motions = motions;
+  attempt.statuses = statuses;
   return attempt;
 }
 
@@ -85,11 +85,11 @@ void put_apart(const ScaledProblem& problem, Attempt& attempt) {
   if (placed.report.status != Status::Solved) return;
   Closure start;
   start.amplitude = U.transpose() * placed.force;
-  const std::vector<ContactStatus> open = motions_of({}, pairs);
+  const std::vector<ContactStatus> open = statuses_of({}, pairs);
   Closure end = close(problem, open, &start);
   if (!solves(problem, open, end)) return;
   attempt.closure = std::move(end);
-  attempt.motions = open;
+  attempt.statuses = open;
   attempt.confirmed = true;
 }
 
@@ -106,7 +106,7 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
   attempt.reason = "the motions did not settle";
   Closure start = attempt.closure;
   for (Index step = 0; step < limit; ++step) {
-    if (!seen.insert(attempt.motions).second) {
+    if (!seen.insert(attempt.statuses).second) {
       attempt.reason = "the motions run in circles";
       one_at_a_time = true;
       if (!plain) return;
@@ -127,19 +127,19 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
         report.status = Status::Breakdown;
         return;
       }
-      attempt.motions = motions_of(now.rows, problem.pairs());
+      attempt.statuses = statuses_of(now.rows, problem.pairs());
     }
-    std::vector<ContactStatus> next = attempt.motions;
+    std::vector<ContactStatus> next = attempt.statuses;
     const Index changes = predict(problem, now, unit, next);
-    report.history.push_back(summary(problem, attempt.motions, now, changes));
-    if (changes == 0) attempt.confirmed = solves(problem, attempt.motions, now);
+    report.history.push_back(summary(problem, attempt.statuses, now, changes));
+    if (changes == 0) attempt.confirmed = solves(problem, attempt.statuses, now);
     if (attempt.confirmed) return;
     if (changes == 0) {
       report.status = Status::Breakdown;
       return;
     }
-    if (one_at_a_time) keep_first_change(attempt.motions, next);
-    if (step + 1 < limit) attempt.motions = std::move(next);
+    if (one_at_a_time) keep_first_change(attempt.statuses, next);
+    if (step + 1 < limit) attempt.statuses = std::move(next);
   }
 }
 

@@ -61,7 +61,7 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
   }
   if (report.status == Status::Infeasible)
     static_cast<void>(close_rows());  // where the method stood
-  return finished(problem, scaled, closed, motions_of(sorted_rows(method.basis()), rows.count),
+  return finished(problem, scaled, closed, statuses_of(sorted_rows(method.basis()), rows.count),
                   std::move(report), std::move(proof));
 }
 

@@ -81,7 +81,7 @@ ContactState solve_on_springs(const ContactProblem& problem, const Solver& solve
   last.movement = now.gap;
   VectorXd proof;
   if (now.infeasibility.size() > 0) proof = scaled.scale.cwiseProduct(now.infeasibility);
-  return finished(problem, scaled, last, motions_of(now.active, pairs), std::move(report),
+  return finished(problem, scaled, last, statuses_of(now.active, pairs), std::move(report),
                   std::move(proof));
 }
 

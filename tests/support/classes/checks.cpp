@@ -73,11 +73,11 @@ std::string check_effects(const Instance& instance, const ContactState& state) {
   if (state.rubbing != law.pair) return "says solved, but lists other pairs that rub";
   if (state.slip.size() != state.friction.size() ||
       state.friction.size() != static_cast<Index>(law.pair.size()) ||
-      state.motion.size() != law.pair.size())
+      state.contact_status.size() != law.pair.size())
     return "says solved, but friction, slips and motions are not those of the pairs that rub";
   if (state.amplitude.size() != instance.problem.resultant.size())
     return "says solved, but has no amplitude for each rigid mode";
-  if (!instance.motion.empty() && state.motion != instance.motion)
+  if (!instance.contact_status.empty() && state.contact_status != instance.contact_status)
     return "says solved, but pairs move in other ways";
   std::string wrong = differs("friction", state.friction, instance.friction,
                               state.force.cwiseAbs().maxCoeff(), instance.accuracy);

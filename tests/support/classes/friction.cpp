@@ -30,7 +30,7 @@ Instances friction_one_pair() {  // closed form, [LinEtAl-9] [LinEtAl-10] [LinEt
   struct Case {
     const char* name;
     double gap, slip, mu, cohesion;
-    ContactStatus motion;
+    ContactStatus contact_status;
     double force, friction;
   };
   Instances made;
@@ -47,7 +47,7 @@ Instances friction_one_pair() {  // closed form, [LinEtAl-9] [LinEtAl-10] [LinEt
     pair.force = one(known.force);
     pair.friction = one(known.friction);
     pair.gap = one(known.gap + 2 * known.force);
-    pair.motion = {known.motion};
+    pair.contact_status = {known.contact_status};
     pair.accuracy = 1e-14;
     made.push_back(pair);
   }
@@ -132,8 +132,8 @@ Instances friction_cylinder() {
   for (const double part : {0.1, 0.6, 0.95}) {
     made.push_back({text("pushed by ", part, " of mu P"), cylinder(100, 0.3, part)});
     const ContactState state = find_solver("primal_dual_active_set").solve(made.back().problem, {});
-    made.back().motion =
-        state.motion;  // those of Cattaneo and Mindlin: solvers/test_friction_cattaneo.cpp
+    made.back().contact_status =
+        state.contact_status;  // those of Cattaneo and Mindlin: solvers/test_friction_cattaneo.cpp
     made.back().force = state.force;
     made.back().friction = state.friction;
     made.back().accuracy = 1e-11;

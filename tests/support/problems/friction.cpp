@@ -59,16 +59,16 @@ std::vector<Eigen::VectorXd> all_solutions(const signorini::ContactProblem& prob
   const Eigen::Index n = problem.free_gap.size();
   std::vector<Eigen::VectorXd> found;
   for (int choice = 0; choice < 1 << (2 * n); ++choice) {
-    std::vector<signorini::ContactStatus> motions;
+    std::vector<signorini::ContactStatus> statuses;
     bool sensible = true;  // what does not rub does not slide
     for (Eigen::Index i = 0; i < n; ++i) {
-      motions.push_back(static_cast<signorini::ContactStatus>((choice >> (2 * i)) & 3));
-      sensible = sensible && (signorini::friction_sign(motions.back()) == 0 ||
+      statuses.push_back(static_cast<signorini::ContactStatus>((choice >> (2 * i)) & 3));
+      sensible = sensible && (signorini::friction_sign(statuses.back()) == 0 ||
                               std::count(problem.law.pair.begin(), problem.law.pair.end(), i) > 0);
     }
     if (!sensible) continue;
-    const signorini::Closure closure = signorini::close(scaled, motions);
-    bool known = !signorini::solves(scaled, motions, closure);
+    const signorini::Closure closure = signorini::close(scaled, statuses);
+    bool known = !signorini::solves(scaled, statuses, closure);
     for (const Eigen::VectorXd& other : found)
       known = known || (scaled.scale.cwiseInverse().cwiseProduct(other) - closure.force).norm() <=
                            1e-9 * closure.force.norm();

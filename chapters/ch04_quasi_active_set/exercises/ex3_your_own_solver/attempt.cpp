@@ -21,7 +21,7 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
     // your code here: close `active`, find the pairs on the wrong side, exchange all or one of them;
     // end as Breakdown if the set cannot be closed, as Solved if nothing is wrong and solves() agrees
   }
-  return finished(problem, scaled, now, motions_of(active, n), report);
+  return finished(problem, scaled, now, statuses_of(active, n), report);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
     std::vector<Index> wrong = wrong_pairs(closed, now);
     if (wrong.empty()) {
       report.status =
-          solves(scaled, motions_of(active, n), now) ? Status::Solved : Status::Breakdown;
+          solves(scaled, statuses_of(active, n), now) ? Status::Solved : Status::Breakdown;
       break;
     }
     if (report.iterations >= limit) {
@@ -59,7 +59,7 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
     if (left < 0) wrong.assign(1, wrong.back());  // one pair, the one with the highest number
     for (const Index i : wrong) closed[static_cast<std::size_t>(i)].flip();
   }
-  return finished(problem, scaled, now, motions_of(active, n), report);
+  return finished(problem, scaled, now, statuses_of(active, n), report);
 }
 
 }  // namespace

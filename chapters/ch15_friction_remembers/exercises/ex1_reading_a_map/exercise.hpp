@@ -11,7 +11,7 @@ namespace ex15_1 {
 /// What all pairs of a contact do along a path.
 struct Map {
   Eigen::VectorXd x;  ///< `n_c` places of the pairs [length], in any order
-  std::vector<std::vector<signorini::ContactStatus>> rows;  ///< `n_c` motions of every step
+  std::vector<std::vector<signorini::ContactStatus>> rows;  ///< `n_c` statuses of every step
 };
 
 /// How far the part that sticks reaches.

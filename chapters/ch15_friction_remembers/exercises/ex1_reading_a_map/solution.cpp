@@ -9,10 +9,10 @@ using Eigen::Index;
 using signorini::ContactStatus;
 
 double stuck_half_width(const Map& map, std::size_t row) {
-  const std::vector<ContactStatus>& motion = map.rows.at(row);
+  const std::vector<ContactStatus>& contact_status = map.rows.at(row);
   double first = std::numeric_limits<double>::infinity(), last = -first;
   for (Index i = 0; i < map.x.size(); ++i) {
-    if (motion[static_cast<std::size_t>(i)] != ContactStatus::Stick) continue;
+    if (contact_status[static_cast<std::size_t>(i)] != ContactStatus::Stick) continue;
     first = std::min(first, map.x(i));
     last = std::max(last, map.x(i));
   }

@@ -12,13 +12,13 @@ static Map map_of(const std::vector<std::string>& rows) {
   Map map;
   map.x = Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(rows[0].size()), -4, 4);
   for (const std::string& row : rows) {
-    std::vector<ContactStatus> motion;
+    std::vector<ContactStatus> contact_status;
     for (const char letter : row)
-      motion.push_back(letter == 'o'   ? ContactStatus::Open
-                       : letter == 'k' ? ContactStatus::Stick
-                       : letter == 'f' ? ContactStatus::SlipForward
-                                       : ContactStatus::SlipBackward);
-    map.rows.push_back(motion);
+      contact_status.push_back(letter == 'o'   ? ContactStatus::Open
+                               : letter == 'k' ? ContactStatus::Stick
+                               : letter == 'f' ? ContactStatus::SlipForward
+                                               : ContactStatus::SlipBackward);
+    map.rows.push_back(contact_status);
   }
   return map;
 }
@@ -49,7 +49,7 @@ TEST_CASE("ex15.1 the push on the cylinder turns twice", "[ex15.1]") {
       ch15::by_force(ch15::cylinder(ch15::steps_between(1, 6, 6), ch15::pressing, known.push())),
       [&](const signorini::Model& model, const signorini::Step& step) {
         map.x = model.pairs.position.col(0);
-        map.rows.push_back(step.solution.contact.motion);
+        map.rows.push_back(step.solution.contact.contact_status);
         times.push_back(step.state.time);
       });
   CHECK(turns(map) == std::vector<std::size_t>{6, 18});

@@ -19,9 +19,9 @@ struct Pair {
 
 /// A solution.
 struct Answer {
-  signorini::ContactStatus motion;  ///< what the pair does
-  double force;                     ///< lambda [force], compression > 0
-  double friction;                  ///< tau [force], on the source along the tangent
+  signorini::ContactStatus contact_status;  ///< what the pair does
+  double force;                             ///< lambda [force], compression > 0
+  double friction;                          ///< tau [force], on the source along the tangent
 };
 
 /// All solutions, each with a motion of its own: open with gap >= 0; stuck with |tau| <= mu lambda + c; sliding

@@ -23,13 +23,13 @@ TEST_CASE("ex15.4 one pair has one answer without coupling", "[ex15.4]") {
     REQUIRE(found.size() == 1);
     return found[0];
   };
-  CHECK(only(1, 8).motion == ContactStatus::Open);
-  CHECK(only(-6, -4).motion == ContactStatus::Stick);
+  CHECK(only(1, 8).contact_status == ContactStatus::Open);
+  CHECK(only(-6, -4).contact_status == ContactStatus::Stick);
   CHECK(only(-6, -4).force == Approx(3).epsilon(1e-14));
   CHECK(only(-6, -4).friction == Approx(1).epsilon(1e-14));
-  CHECK(only(-6, 8).motion == ContactStatus::SlipForward);
+  CHECK(only(-6, 8).contact_status == ContactStatus::SlipForward);
   CHECK(only(-6, 8).friction == Approx(-1.5).epsilon(1e-14));
-  CHECK(only(-6, -8).motion == ContactStatus::SlipBackward);
+  CHECK(only(-6, -8).contact_status == ContactStatus::SlipBackward);
   CHECK(only(-6, -8).friction == Approx(1.5).epsilon(1e-14));
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("ex15.4 the node of the chapter: one answer below mu = 5/3, three abov
       const auto known = ch15::answers(mu, push);
       REQUIRE(found.size() == known.size());
       for (std::size_t k = 0; k < found.size(); ++k) {
-        CHECK(found[k].motion == known[k].motion);
+        CHECK(found[k].contact_status == known[k].contact_status);
         CHECK(found[k].force == Approx(known[k].force).margin(1e-12));
         CHECK(found[k].friction == Approx(known[k].friction).margin(1e-12));
       }

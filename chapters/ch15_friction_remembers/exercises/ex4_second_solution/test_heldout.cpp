@@ -25,7 +25,7 @@ void check_law(const Pair& pair, const Answer& answer) {
       pair.free_gap + pair.compliance.row(0).dot(Eigen::RowVector2d(answer.force, answer.friction));
   const double slip = pair.free_slip +
                       pair.compliance.row(1).dot(Eigen::RowVector2d(answer.force, answer.friction));
-  if (answer.motion == ContactStatus::Open) {
+  if (answer.contact_status == ContactStatus::Open) {
     CHECK(gap >= 0);
     CHECK(answer.force == 0);
     CHECK(answer.friction == 0);
@@ -35,13 +35,13 @@ void check_law(const Pair& pair, const Answer& answer) {
   CHECK(answer.force >= 0);
   CHECK(gap == Approx(0).margin(1e-11 * (1 + answer.force)));
   CHECK(std::abs(answer.friction) <= bound * (1 + 1e-12) + 1e-14);
-  if (answer.motion == ContactStatus::Stick)
+  if (answer.contact_status == ContactStatus::Stick)
     CHECK(slip == Approx(0).margin(1e-11 * (1 + answer.force)));
-  if (answer.motion == ContactStatus::SlipForward) {
+  if (answer.contact_status == ContactStatus::SlipForward) {
     CHECK(slip > 0);
     CHECK(answer.friction == Approx(-bound).epsilon(1e-12));
   }
-  if (answer.motion == ContactStatus::SlipBackward) {
+  if (answer.contact_status == ContactStatus::SlipBackward) {
     CHECK(slip < 0);
     CHECK(answer.friction == Approx(bound).epsilon(1e-12));
   }
@@ -70,7 +70,7 @@ TEST_CASE("ex15.4 held out: random pairs", "[ex15.4]") {
     REQUIRE(state.report.status == signorini::Status::Solved);
     bool known = false;
     for (const Answer& answer : found)
-      known = known || (answer.motion == state.motion[0] &&
+      known = known || (answer.contact_status == state.contact_status[0] &&
                         std::abs(answer.force - state.force(0)) <= 1e-9 * (1 + answer.force));
     CHECK(known);
   }
@@ -88,11 +88,11 @@ TEST_CASE("ex15.4 held out: cohesion holds a pair that only touches, and not an 
   const Eigen::Matrix2d F = Eigen::Vector2d(2, 4).asDiagonal();
   const std::vector<Answer> glued = all_answers({F, -6, 8, 0.5, 1});
   REQUIRE(glued.size() == 1);
-  CHECK(glued[0].motion == ContactStatus::Stick);
+  CHECK(glued[0].contact_status == ContactStatus::Stick);
   CHECK(glued[0].friction == Approx(-2).epsilon(1e-14));
   const std::vector<Answer> slides = all_answers({F, -6, 8, 0, 1});
   REQUIRE(slides.size() == 1);
-  CHECK(slides[0].motion == ContactStatus::SlipForward);
+  CHECK(slides[0].contact_status == ContactStatus::SlipForward);
   CHECK(slides[0].friction == Approx(-1).epsilon(1e-14));
 }
 

@@ -24,10 +24,10 @@ static Scene square(Eigen::Index cells) {
 // As the library says it, from left to right: the pairs of the square stand in that order.
 static std::vector<State> known(const SolvedScene& run) {
   std::vector<State> states;
-  for (const ContactStatus motion : run.solution.contact.motion)
-    states.push_back(motion == ContactStatus::Open    ? State::Open
-                     : motion == ContactStatus::Stick ? State::Stick
-                                                      : State::Slide);
+  for (const ContactStatus contact_status : run.solution.contact.contact_status)
+    states.push_back(contact_status == ContactStatus::Open    ? State::Open
+                     : contact_status == ContactStatus::Stick ? State::Stick
+                                                              : State::Slide);
   return states;
 }
 

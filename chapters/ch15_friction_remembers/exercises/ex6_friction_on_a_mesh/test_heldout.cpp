@@ -36,11 +36,11 @@ Breach check(const SolvedScene& run, const std::vector<Pair>& pairs) {
         std::find_if(pairs.begin(), pairs.end(), [x](const Pair& each) { return each.x == x; });
     REQUIRE(pair != pairs.end());
     const State found = states[static_cast<std::size_t>(pair - pairs.begin())];
-    const ContactStatus motion = state.motion[k];
-    CAPTURE(x, to_string(motion));
-    CHECK(found == (motion == ContactStatus::Open    ? State::Open
-                    : motion == ContactStatus::Stick ? State::Stick
-                                                     : State::Slide));
+    const ContactStatus contact_status = state.contact_status[k];
+    CAPTURE(x, to_string(contact_status));
+    CHECK(found == (contact_status == ContactStatus::Open    ? State::Open
+                    : contact_status == ContactStatus::Stick ? State::Stick
+                                                             : State::Slide));
     CHECK(pair->friction == state.friction(static_cast<Eigen::Index>(k)));
   }
   return breach_of(pairs);
