@@ -237,7 +237,7 @@ int main(int argc, char** argv) {
         good = add(problem, targets, options.full, table) && good;
     write_table(options.out, "accuracy", table);
     std::cout << "\ntrue errors below the targets: " << (good ? "all" : "NOT ALL") << '\n';
-    return good ? Status::Solved : Status::Breakdown;
+    return good ? SolveStatus::Solved : SolveStatus::Breakdown;
   };
   return run_program("accuracy", "What accuracy costs that is asked for; --full measures",
                      SIGNORINI_BENCH_OUT, argc, argv, body);

@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
     std::cout << "\nthree elements hold on every problem without friction: "
               << (held ? "yes" : "NO")
               << "; nine of ten half-widths of each: " << (wide ? "yes" : "NO") << '\n';
-    return held ? Status::Solved : Status::Breakdown;
+    return held ? SolveStatus::Solved : SolveStatus::Breakdown;
   };
   return run_program("effectivity", "What error estimates are worth; --full measures",
                      SIGNORINI_BENCH_OUT, argc, argv, body);

@@ -135,7 +135,7 @@ bool contact(Table& table) {
     for (int round = 0; round < 5; ++round)
       seconds.push_back(mean_seconds(1, [&] { (void)solver.solve(condensed.problem, {}); }));
     const Solution solution = solve(model, condensed, solver, ledger);
-    certified = certified && solution.contact.report.status == Status::Solved;
+    certified = certified && solution.contact.report.status == SolveStatus::Solved;
     table.row({text(model.unknowns.count), text(model.programme.A.rows()),
                text(solution.contact.active.size()), number(factor, "%.3f"),
                number(median(seconds), "%.4f"), number(100 * median(seconds) / factor, "%.2f"),
@@ -186,7 +186,7 @@ int main(int argc, char** argv) {
                 << scenes.markdown();
       write_file(options.out / "contact.md", scenes.markdown());
     }
-    return certified ? Status::Solved : Status::Breakdown;
+    return certified ? SolveStatus::Solved : SolveStatus::Breakdown;
   };
   return run_program("peers", "The same programmes by others' solvers; --full measures",
                      SIGNORINI_BENCH_OUT, argc, argv, body);

@@ -133,7 +133,7 @@ bool saddle_point(const Scene& scene, double least_ratio, Index most_steps, Tabl
   table.row({text(model.unknowns.number.rows()), number(middle - start, "%.3f"),
              text(ours.contact.report.iterations), number(end - middle, "%.3f"),
              text(paper.report.iterations), number(ratio, "%.1f"), number(difference, "%.0e")});
-  return is_certified(ours) && paper.report.status == Status::Solved && difference <= 1e-11 &&
+  return is_certified(ours) && paper.report.status == SolveStatus::Solved && difference <= 1e-11 &&
          std::max(ours.contact.report.iterations, paper.report.iterations) <= most_steps &&
          ratio >= least_ratio;
 }
@@ -170,7 +170,7 @@ int main(int argc, char** argv) {
     write_table(options.out, "saddle_point", methods);
     std::cout << "\ncertified in few steps, to the same bits each time: " << (good ? "yes" : "NO")
               << "; same forces, few steps, as fast as asked: " << (equal ? "yes" : "NO") << '\n';
-    return good && equal ? Status::Solved : Status::Breakdown;
+    return good && equal ? SolveStatus::Solved : SolveStatus::Breakdown;
   };
   return run_program("price", "What contact costs over one plain linear solve; --full measures",
                      SIGNORINI_BENCH_OUT, argc, argv, body);

@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     std::cout << "\ntrue errors below the targets: " << (judged.good ? "all" : "NOT ALL")
               << "; at most " << number(judged.dearest, "%.2f")
               << " times as long as the last mesh alone\n";
-    return judged.good ? Status::Solved : Status::Breakdown;
+    return judged.good ? SolveStatus::Solved : SolveStatus::Breakdown;
   };
   return run_program("round_bodies", "Round bodies to an accuracy; --full measures",
                      SIGNORINI_BENCH_OUT, argc, argv, body);

@@ -144,7 +144,7 @@ Eigen::SparseMatrix<double> grounded_stiffness(const Model& model) {
 }  // namespace
 
 bool is_certified(const Solution& solution) {
-  return solution.contact.report.status == Status::Solved && solution.certificate.holds();
+  return solution.contact.report.status == SolveStatus::Solved && solution.certificate.holds();
 }
 
 std::string ratio(const Cost& cost, const std::string& way, const std::string& over) {

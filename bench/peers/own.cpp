@@ -14,7 +14,8 @@ Run directly(const Solver& solver, const DenseProgramme& programme, int calls) {
   DenseSolution solution = solver.solve_programme(programme, {});
   run.iterations = solution.report.iterations;
   run.solution = std::move(solution.refined);
-  if (solution.report.status != Status::Solved) run.failure = to_string(solution.report.status);
+  if (solution.report.status != SolveStatus::Solved)
+    run.failure = to_string(solution.report.status);
   return run;
 }
 
@@ -22,7 +23,7 @@ Run condensed(const Solver& solver, const DenseProgramme& programme, int calls) 
   return by_condensation(programme, calls, [&](ContactProblem problem, Run& run) {
     ContactState state = solver.solve(problem, {});
     run.iterations = state.report.iterations;
-    if (state.report.status != Status::Solved) run.failure = to_string(state.report.status);
+    if (state.report.status != SolveStatus::Solved) run.failure = to_string(state.report.status);
     return std::move(state.force);
   });
 }

@@ -32,7 +32,7 @@ void draw(const DenseProgramme& carts, double y, const Vector3d& u, const Vector
   bodies.blank_line();
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   const DenseProgramme carts = three_carts();
   const DenseCondensed small = condense(carts);
   const Eigen::VectorXd force = primal_dual_active_set(small.problem).force;
@@ -45,7 +45,7 @@ Status chapter(const ProgramOptions& run) {
        springs);
   write_file(run.out / "fig_1_4.csv", bodies.csv());
   write_file(run.out / "fig_1_4_springs.csv", springs.csv());
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 using namespace signorini;
 using Eigen::Vector2d;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch01_gap");
   const double radius = 60;  // of the obstacle [mm]
   const Obstacle curve =
@@ -33,7 +33,7 @@ Status chapter(const ProgramOptions& run) {
   write_file(run.out / "fig_1_2.csv", table.csv());
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

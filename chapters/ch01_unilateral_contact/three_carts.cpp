@@ -75,7 +75,7 @@ void show(const std::vector<Step>& steps, Table& table) {
   }
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch01_three_carts");
   const DenseProgramme carts = three_carts();
   const DenseCondensed small = condense(carts);  // G = A K^-1 A^T, u0 = K^-1 p, d = g - A u0
@@ -100,7 +100,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("carts_beyond", first_order(carts, u, Vector3d(3, 5.5, 9)), "N*mm");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -14,12 +14,12 @@ namespace {
 
 using namespace ch01;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch01_trial");
   // 1. Nine candidates: all 2^9 sets of closed pairs are tried, and one fits.
   const SolvedScene block = solved(block_on_obstacle(8), "the block");
   const ContactState tried = enumerate(block.condensed.problem);
-  if (tried.report.status != Status::Solved) throw NotSolved("no set of closed pairs fits");
+  if (tried.report.status != SolveStatus::Solved) throw NotSolved("no set of closed pairs fits");
   // 2. The right half of the base; the left one is its mirror image.
   const auto right = Eigen::seq(4, 8);
   const Table table =
@@ -33,7 +33,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("small_closed", static_cast<double>(tried.active.size()), "-");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

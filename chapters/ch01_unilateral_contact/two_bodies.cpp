@@ -69,7 +69,7 @@ void draw(const std::filesystem::path& out, const Mesh& upper, const Mesh& lower
   write_file(out / "fig_1_3_arrows.csv", arrows.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch01_two_bodies");
   const Mesh upper = turned_block(0, 2);
   const Mesh lower = turned_block(-3, 2);
@@ -77,7 +77,7 @@ Status chapter(const ProgramOptions& run) {
   draw(run.out, upper, lower);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

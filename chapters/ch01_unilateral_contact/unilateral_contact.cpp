@@ -73,7 +73,7 @@ void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Resul
   results.add("certificate", block.solution.certificate.worst(), "-", Repeats::No);
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch01");
   sketch(run);
   gap_and_pressure(run, shown(block_on_obstacle(160), "the block"), results);
@@ -85,7 +85,7 @@ Status chapter(const ProgramOptions& run) {
   results.headline("total_contact_force", reference_force, "mesh of 640 x 320 cells, --full");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ Table around_the_top(const ContactProblem& problem) {
   return grid;
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch02_landscape");
   const SolvedScene block = solved(three_candidates(), "the block");
   const ContactProblem& problem = block.condensed.problem;
@@ -66,7 +66,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("path_share_20", search.value() / trade(problem, shares(block)).energy, "-");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -28,13 +28,13 @@ double grazing_force() {
   return trade(grazing, Vector2d(1, 0)).force;
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch02_pressing");
   open_and_overlapping(run);
   results.add("grazing_force", grazing_force(), "N");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -55,14 +55,14 @@ void strong_duality(const SolvedScene& block, Results& results) {
                    "energy of the solution above that without contact");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch02");
   const SolvedScene block = solved(three_candidates(), "the block");
   try_weights(run, block);
   strong_duality(block, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

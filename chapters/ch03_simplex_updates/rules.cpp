@@ -46,7 +46,7 @@ void curve_of(const ContactProblem& problem, double best, WeightRule rule, Table
   curve.blank_line();
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch03_rules");
   const std::vector<Named> problems = three_problems();
   const ContactProblem& punch = problems.front().problem;
@@ -76,7 +76,7 @@ Status chapter(const ProgramOptions& run) {
   std::cout << half_plane.markdown();
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ double hops(const ContactProblem& problem, const ProgramOptions& run) {
   return surrogate_dual_value(problem, xi);
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch03");
   const Eigen::Matrix2d G = (Eigen::Matrix2d() << 2, 1, 1, 2).finished();
   const ContactProblem problem{G, Vector2d(-7, -5)};
@@ -63,7 +63,7 @@ Status chapter(const ProgramOptions& run) {
   results.headline("two_pairs_s", 13, "closed form of two pairs");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -10,14 +10,14 @@ namespace {
 
 using namespace ch03;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   const std::vector<Named> problems = three_problems();
   Table half_plane({"rule", "ends as", "iterations", "factorisations", "closed"});
   Table random({"problem", "rule", "ends as", "iterations", "factorisations", "closed"});
   for (const auto& [name, problem] : problems)
     for (const Rule& rule : rules) {
       const ContactState state = surrogate_dual(problem, rule.rule);
-      const bool solved = state.report.status == Status::Solved;
+      const bool solved = state.report.status == SolveStatus::Solved;
       std::vector<std::string> row = {rule.name, to_string(state.report.status),
                                       std::to_string(state.report.iterations),
                                       std::to_string(state.report.factorisations),
@@ -32,7 +32,7 @@ Status chapter(const ProgramOptions& run) {
   write_file(run.out / "solvers.md", half_plane.markdown());
   write_file(run.out / "solvers_random.md", random.markdown());
   std::cout << half_plane.markdown();
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

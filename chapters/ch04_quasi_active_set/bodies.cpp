@@ -72,7 +72,7 @@ std::array<double, 6> arrows(const QuasiActiveRun& way) {
   return {1, k, k, 1, 1 - left, left};
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Table table({"body", "pairs", "overlapping at u⁰", "closed", "k", "status", "smallest coupling",
                "k, one row at a time", "its status"});
   const ContactProblem on_obstacle = block_on_obstacle();
@@ -90,7 +90,7 @@ Status chapter(const ProgramOptions& run) {
   for (std::size_t i = 0; i < 6; ++i)
     chart.row({static_cast<double>(i + 1), walls.at(i), rows.at(i), bodies.at(i)});
   write_file(run.out / "fig_4_1.csv", chart.csv());
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

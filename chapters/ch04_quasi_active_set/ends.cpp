@@ -31,17 +31,17 @@ using Ends = std::array<double, 8>;
 using Tally = std::array<Ends, 4>;  // of the four choices
 
 void count(Ends& ends, const QuasiActiveRun& run) {
-  const Status status = run.state.report.status;
-  if (status != Status::Solved && status != Status::Feasible) {
+  const SolveStatus status = run.state.report.status;
+  if (status != SolveStatus::Solved && status != SolveStatus::Feasible) {
     ++ends[Stopped];
   } else if (went_to_limit(run)) {
     ++ends[Limit];
-    ends[LimitOptimal] += status == Status::Solved ? 1 : 0;
+    ends[LimitOptimal] += status == SolveStatus::Solved ? 1 : 0;
   } else {
     ++ends[run.outer_steps <= 1 ? One : run.outer_steps == 2 ? Two : More];
     if (run.outer_steps <= 1) return;
     ends[Optimal] += run.optimal ? 1 : 0;
-    ends[AfterLastStep] += status == Status::Solved ? 1 : 0;
+    ends[AfterLastStep] += status == SolveStatus::Solved ? 1 : 0;
   }
 }
 
@@ -66,7 +66,7 @@ void add_rows(Table& table, const std::string& problems, const Tally& tally) {
   }
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch04_ends");
   const std::uint64_t runs = run.full ? 1000 : 100;  // of a size
   Table table({"problems", "QAS", "one step", "two", "more", "of these optimal", "after (35)",
@@ -104,7 +104,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("optimal_after", 100 * after / later, "%");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

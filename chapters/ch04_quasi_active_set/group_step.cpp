@@ -22,7 +22,7 @@ Index solve_in_groups(const ContactProblem& problem, VectorXd& force) {
   }
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch04_group_step");
   VectorXd force;
   results.add("repaired_steps", static_cast<double>(solve_in_groups(condensed(four_walls), force)),
@@ -35,7 +35,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("group_error", (force - known.force).norm() / known.force.norm(), "-", Repeats::No);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

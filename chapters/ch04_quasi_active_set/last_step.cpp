@@ -15,7 +15,7 @@ using namespace signorini;
 using namespace ch04;
 
 // 1. From where the loop stops in floating point, and what its forces say of the end.
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch04_last_step");
   const exact::Programme& q = four_walls;
   const ContactProblem problem = condensed(q);
@@ -41,7 +41,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("last_step_excess", (energy(q, end) - energy(q, best.u)).value(), "-");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ std::vector<Step> outer_loop(const exact::Programme& q, int most) {
 // [outer loop]
 
 // 2. Between two half-planes it never ends; in floating point a tolerance ends it.
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch04");
   Table table({"k", "u", "violated row", "η"});
   Table path({"x", "y"});
@@ -53,7 +53,7 @@ Status chapter(const ProgramOptions& run) {
   results.headline("zigzag_steps", 78, "two steps halve the overlap, until 1e-12 of it is left");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -50,12 +50,12 @@ Size try_size(Index n, Index m, std::uint64_t runs) {
     const ContactProblem problem = condense(known.programme).problem;
     const QuasiActiveRun way = run_quasi_active_set_literal(problem);
     const ContactState repaired = find_solver("quasi_active_set").solve(problem, {});
-    const bool solved = way.state.report.status == Status::Solved;
+    const bool solved = way.state.report.status == SolveStatus::Solved;
     const auto& history = way.state.report.history;
     size.violated += static_cast<double>(history[0].changes) / static_cast<double>(runs);
     size.fresh += static_cast<double>(history[1].changes) / static_cast<double>(runs);
     size.crowded += history[0].changes > n ? 1 : 0;
-    size.repaired += repaired.report.status == Status::Solved ? 1 : 0;
+    size.repaired += repaired.report.status == SolveStatus::Solved ? 1 : 0;
     size.repaired_steps.push_back(static_cast<double>(repaired.report.iterations));
     ++(way.outer_steps <= 1 ? size.one : solved ? size.optimal : size.feasible);
     if (way.outer_steps > 1) size.steps.push_back(static_cast<double>(way.outer_steps));
@@ -65,7 +65,7 @@ Size try_size(Index n, Index m, std::uint64_t runs) {
 }
 
 // 2. All sizes.
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch04_sizes");
   const std::uint64_t runs = run.full ? 1000 : 100;
   const double percent = 100 / static_cast<double>(runs);
@@ -104,7 +104,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("repaired_solved", repaired, "-");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

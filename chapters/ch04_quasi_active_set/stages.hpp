@@ -98,7 +98,7 @@ inline Way printed_way(const ContactProblem& problem, QuasiActiveRows rows) {
   }
   go_on(way, run.tight, with_force(run.state.force), run.state.force);
   way.rounds = run.outer_steps;
-  way.optimal = run.state.report.status == Status::Solved;
+  way.optimal = run.state.report.status == SolveStatus::Solved;
   return way;
 }
 

@@ -12,7 +12,7 @@ namespace {
 using namespace signorini;
 using namespace ch04;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch04_two_steps");
   Table table({"QAS", "its rows", "u¹", "its rows", "u²", "end of (35)"});
   const ContactProblem problem = condensed(fan);
@@ -39,7 +39,7 @@ Status chapter(const ProgramOptions& run) {
   write_file(run.out / "two_steps.md", table.markdown());
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

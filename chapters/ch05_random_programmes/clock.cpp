@@ -11,7 +11,7 @@ namespace {
 using namespace signorini;
 
 // The clock of a personal computer ticked 1193182 / 65536 times a second.
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch05_clock");
   const double tick = 65536.0 / 1193182.0;  // [s]
   int times = 0;
@@ -33,7 +33,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("paper_slower", slower, "-");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

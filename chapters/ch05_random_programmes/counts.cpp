@@ -81,7 +81,7 @@ void larger(const ProgramOptions& run, Results& results) {
 }
 
 // 3. Two families: random programmes of 50 unknowns, and the punch.
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch05_counts");
   Table table(
       {"family", "Lemke: pivots", "Goldfarb-Idnani: steps", "ours: steps", "ours: factorisations"});
@@ -92,7 +92,7 @@ Status chapter(const ProgramOptions& run) {
   larger(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

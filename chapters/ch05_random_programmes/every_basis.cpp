@@ -11,7 +11,7 @@ namespace {
 using namespace ch05;
 using Eigen::Index;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch05_every_basis");
   Table table({"pairs", "bases", "Lemke: pivots", "rows scaled first", "Goldfarb-Idnani: steps",
                "ours: steps"});
@@ -37,7 +37,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("murty_10_pivots", static_cast<double>(asymmetric.report.iterations), "-");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

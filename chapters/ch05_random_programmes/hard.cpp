@@ -15,7 +15,7 @@ using namespace ch05;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch05_hard");
   const KnownProgramme base = rosen_suzuki(10, 20, 1);
   const auto& [K, p, A, g, equations] = base.programme;
@@ -51,7 +51,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("violated_10_200", static_cast<double>((free_gap.array() < 0).count()), "-");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ inline double seconds_since(std::chrono::steady_clock::time_point begin) {
 /// The counts of a run, which is right if its certificate holds.
 template <typename Found>
 Run counted(const Found& found, const Certificate& certificate, double seconds) {
-  return {found.report.status == Status::Solved && certificate.holds(1e-12),
+  return {found.report.status == SolveStatus::Solved && certificate.holds(1e-12),
           static_cast<double>(found.report.iterations),
           static_cast<double>(found.report.factorisations),
           static_cast<double>(found.active.size()), seconds};

@@ -36,7 +36,7 @@ Runs five_seeds(Eigen::Index n, Eigen::Index m) {
 }
 
 // 2. Table 1: every size, medians.
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch05");
   Table sizes({"$`n`$", "$`m`$", "closed", "Lemke: pivots", "Goldfarb-Idnani: steps", "ours: steps",
                "ours: factorisations", "paper: $`f_P/f_L - 1`$",
@@ -79,7 +79,7 @@ Status chapter(const ProgramOptions& run) {
   results.headline("right_runs", 180, "12 sizes, 5 seeds, 3 methods");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

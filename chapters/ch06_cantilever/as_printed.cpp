@@ -11,7 +11,7 @@ namespace {
 
 using namespace ch06;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch06_as_printed");
   const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 50);
   const PrintedMethod printed = printed_method(beam.condensed.problem);
@@ -35,7 +35,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("printed_deepest", -beam.condensed.problem.free_gap.minCoeff(), "cm");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ void load_history(const ProgramOptions& run, Results& results) {
 }
 
 // 2. The load of the paper.
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch06");
   load_history(run, results);
   const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 100);
@@ -48,7 +48,7 @@ Status chapter(const ProgramOptions& run) {
   results.headline("total_contact_force", total_force_2d, "limit of finer meshes");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

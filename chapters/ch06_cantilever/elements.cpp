@@ -13,7 +13,7 @@ namespace {
 
 using namespace ch06;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch06_elements");
   const std::vector<std::string> names = {"q4", "q4_bbar", "q4_incompatible", "q8"};
   Table table({"mesh", names[0], names[1], names[2], names[3]});
@@ -43,7 +43,7 @@ Status chapter(const ProgramOptions& run) {
                 Repeats::No);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

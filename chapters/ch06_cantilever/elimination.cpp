@@ -85,7 +85,7 @@ Table drawn_branches(const DrawnTree& drawn) {
   return table;
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Ledger ledger;
   Scene square = cantilever(paper, "q4", 100);
   square.bodies[0].mesh = block("block", {0, 0}, {paper.height, paper.height}, 24, 24);
@@ -96,7 +96,7 @@ Status chapter(const ProgramOptions& run) {
             << " of them on the way of a row of A\n";
   write_file(run.out / "fig_6_6.csv", drawn_nodes(tree, body).csv());
   write_file(run.out / "fig_6_6_tree.csv", drawn_branches(tree).csv());
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

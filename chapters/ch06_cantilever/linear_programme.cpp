@@ -10,7 +10,7 @@ namespace {
 
 using namespace ch06;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch06_linear_programme");
   // [increments]
   const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 100);
@@ -31,7 +31,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("lp_closed_nodes", static_cast<double>(steps.back().active.size()), "-");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 using namespace ch06;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch06_pressure");
   const SolvedScene q4 = solve_cantilever(paper, "q4", 200);
   const SolvedScene fine =
@@ -52,7 +52,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("timoshenko_tip_force", timoshenko(paper).point_force, "kN");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

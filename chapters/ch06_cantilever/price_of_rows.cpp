@@ -55,7 +55,7 @@ double price_of_compliance(const Model& model) {
   return compliance / factor;
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch06_price_of_rows");
   Ledger ledger;
   Scene square = cantilever(paper, "q4", 100);
@@ -66,7 +66,7 @@ Status chapter(const ProgramOptions& run) {
                 100 * price_of_compliance(build(cantilever(paper, "q4", cells), ledger)), "%");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

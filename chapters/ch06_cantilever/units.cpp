@@ -12,7 +12,7 @@ namespace {
 
 using namespace ch06;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch06_units");
   Table table({"units", "closed nodes", "iterations", "force [kN]", "peak pressure [kN/cm²]"});
   const SolvedScene base = solve_cantilever(paper, "q4_incompatible", 100);
@@ -34,7 +34,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("units_deviation", deviation, "-", Repeats::No);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 using namespace ch07;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch07_as_printed");
   int one_step = 0;
   for (const auto& [name, pin] : {std::pair("t", tension), std::pair("c", compression)}) {
@@ -31,7 +31,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("one_step_readings", one_step, "-");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

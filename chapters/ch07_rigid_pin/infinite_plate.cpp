@@ -81,12 +81,12 @@ void infinite_plate(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_7_5.csv", curve.csv("rel 1e-6 abs 1e-8"));
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch07_infinite_plate");
   infinite_plate(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 
 using namespace ch07;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch07_linearity");
   for (const auto& [name, pin] : {std::pair("t", tension), std::pair("c", compression)})
     for (const bool linear : {true, false}) {
@@ -24,7 +24,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("small_deviation", deviation, "-", Repeats::No);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

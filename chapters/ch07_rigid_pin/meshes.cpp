@@ -12,7 +12,7 @@ namespace {
 
 using namespace ch07;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch07_meshes");
   std::vector<Column> exact = {{"θ [deg]", VectorXd::LinSpaced(8, 0, 84), "%.0f"}};
   std::vector<Column> fine = {{"θ [deg]", VectorXd::LinSpaced(5, 0, 80), "%.0f"}};
@@ -42,7 +42,7 @@ Status chapter(const ProgramOptions& run) {
   write_file(run.out / "fig_7_2.csv", table_of(curve).csv("rel 1e-6 abs 1e-8"));
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ void draw(const std::filesystem::path& folder, const std::string& name, const So
   write("3_", "_zero.csv", deformed_zero_line_csv(body.mesh, u, at_nodes));
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch07");
   const Bearing t = on_paper_mesh(tension), c = on_paper_mesh(compression);
   pressures(run, t, c);
@@ -60,7 +60,7 @@ Status chapter(const ProgramOptions& run) {
   results.headline("resultant_t", -tension.q * plate_size, "balance: the load of the right side");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -66,14 +66,14 @@ void forty_pairs(Results& results) {
                    "by an active set");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch08");
   face(results);
   compare_functions(run);
   forty_pairs(results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

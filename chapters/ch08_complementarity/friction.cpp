@@ -45,12 +45,12 @@ void one_pair(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_8_2.csv", dots.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch08_friction");
   one_pair(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ void compare_friction(const ProgramOptions& run, Results& results) {
     std::vector<std::string> row = {name};
     for (const ContactProblem& problem : all) {
       const ContactState state = solver.solve(problem, {});
-      const bool solved = state.report.status == Status::Solved;
+      const bool solved = state.report.status == SolveStatus::Solved;
       row.push_back(solved ? std::to_string(state.report.iterations)
                            : to_string(state.report.status));
       if (counts.size() > all.size()) continue;  // the first member is enough
@@ -66,12 +66,12 @@ void compare_friction(const ProgramOptions& run, Results& results) {
   write_file(run.out / "methods.md", table.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch08_many_pairs");
   compare_friction(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

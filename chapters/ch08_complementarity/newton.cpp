@@ -60,7 +60,7 @@ void compare(const ProgramOptions& run, Results& results) {
   std::vector<std::string> row = {"the library's method"};
   for (const Named& on : problems) {
     const ContactState state = fischer_burmeister(on.problem);
-    if (state.report.status != Status::Solved) throw NotSolved(text(on.name, ": not solved"));
+    if (state.report.status != SolveStatus::Solved) throw NotSolved(text(on.name, ": not solved"));
     row.push_back(std::to_string(state.report.iterations));
   }
   table.row(row);
@@ -75,12 +75,12 @@ void compare(const ProgramOptions& run, Results& results) {
   for (std::size_t k = 1; k <= 4; ++k) results.add(text("path_", k), way.forces[k](0), "-");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch08_newton");
   compare(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

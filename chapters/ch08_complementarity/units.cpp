@@ -74,12 +74,12 @@ void units(const ProgramOptions& run, Results& results) {
   results.add("worst_error_scaled", worst(2), "-", Repeats::No);
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch08_units");
   units(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -57,12 +57,12 @@ void corners(const ProgramOptions& run, Results& results) {
   write_file(run.out / "corner.md", table.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch09_corner");
   corners(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ void compare(const ProgramOptions& run, Results& results) {
     const SaddlePointSolution three = saddle_point_newton(one.model.programme, printed);
     const Way way = condensed_newton(one.condensed.problem);
     const Eigen::VectorXd& force = one.solution.contact.force;
-    if (two.report.status != Status::Solved) throw NotSolved("uncondensed Newton");
+    if (two.report.status != SolveStatus::Solved) throw NotSolved("uncondensed Newton");
     results.add(text("time_ratio_", n), (end - middle) / (middle - begin), "-", Repeats::No);
     if (n > 40) continue;
     table.row({number(static_cast<double>(one.model.unknowns.count)),
@@ -104,12 +104,12 @@ void compare(const ProgramOptions& run, Results& results) {
   write_file(run.out / "newton.md", table.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch09_newton");
   compare(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

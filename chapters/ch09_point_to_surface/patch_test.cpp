@@ -86,12 +86,12 @@ void patch_test(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_9_2.csv", curve.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch09_patch_test");
   patch_test(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -56,12 +56,12 @@ void one_element(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_9_1.csv", sketch(X, 1.2, 0.5).csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch09");
   one_element(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -70,12 +70,12 @@ void as_printed(const ProgramOptions& run) {
   write_file(run.out / "printed.md", table.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch09_printed");
   as_printed(run);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -48,12 +48,12 @@ void units(const ProgramOptions& run, Results& results) {
   results.add("worst_error", worst, "-");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch09_units");
   units(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

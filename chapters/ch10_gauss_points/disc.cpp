@@ -67,12 +67,12 @@ void disc(const ProgramOptions& run, Results& results) {
                                                  .csv(tolerance));
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch10_disc");
   disc(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

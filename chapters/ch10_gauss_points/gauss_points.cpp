@@ -72,12 +72,12 @@ void one_point(const ProgramOptions& run, Results& results) {
   results.headline("force_1", 0.75 * (1 + 1 / std::sqrt(3)), "(35) by hand");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch10");
   one_point(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -61,12 +61,12 @@ void two_blocks(const ProgramOptions& run, Results& results) {
   write_file(run.out / "possible.md", bounds.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch10_possible");
   two_blocks(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

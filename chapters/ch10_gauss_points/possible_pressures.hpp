@@ -23,7 +23,7 @@ inline Eigen::VectorXd pulled(const ClosedPoints& closed, const Eigen::VectorXd&
   const Eigen::Index n = pull.size();
   const DenseProgramme walls{Eigen::MatrixXd::Identity(n, n), pull, -closed.free, start};
   const DenseSolution state = goldfarb_idnani(walls);
-  if (state.report.status != Status::Solved) throw NotSolved("possible pressures: not found");
+  if (state.report.status != SolveStatus::Solved) throw NotSolved("possible pressures: not found");
   return scale * state.gap.cwiseQuotient(closed.root);
 }
 

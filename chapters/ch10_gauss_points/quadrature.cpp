@@ -94,12 +94,12 @@ void quadrature(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_10_3_segments.csv", level.csv(tolerance));
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch10_quadrature");
   quadrature(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -48,12 +48,12 @@ void more_points(Results& results) {
   std::cout << table.markdown();
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch10_weighted_gap");
   more_points(results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -93,12 +93,12 @@ void draw(const ProgramOptions& run) {
   write_file(run.out / "fig_11_6.csv", exact.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch11_below");
   largest_shear(run, results);
   draw(run);
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

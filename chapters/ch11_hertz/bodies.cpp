@@ -62,12 +62,12 @@ void draw_bodies(const std::filesystem::path& folder, const SolvedScene& run) {
   write_file(folder / "fig_11_7.csv", outline.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   const SolvedScene ours = solve_hertz({}).run;
   draw_bodies(run.out, ours);
   write_file(run.out / "fig_11_5.csv", shear_near_contact(ours, 0, 2.5));
   write_file(run.out / "fig_11_5_plate.csv", shear_near_contact(ours, 1, 2.5));
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

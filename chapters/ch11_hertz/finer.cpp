@@ -50,12 +50,12 @@ void iterations(const ProgramOptions& run) {
   write_file(run.out / "solvers.md", table.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch11_finer");
   refinement(run, results);
   iterations(run);
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using namespace signorini;
 
 const double b = hertz_half_width(HertzCase{}.theory());
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch11_half_width");
   Table table({"core [mm]", "nodes on b", "last closed node", "fit", "second moment", "q0, fit"});
   double last = 0, fit = 0, moment = 0, peak = 0;  // the largest error of each [%]
@@ -37,7 +37,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("worst_moment", moment, "%");
   results.add("worst_peak", peak, "%");
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

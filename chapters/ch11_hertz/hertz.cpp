@@ -64,7 +64,7 @@ void draw(const std::filesystem::path& folder, const HertzRun& ours) {
   write_file(folder / "fig_11_2_nodes.csv", nodal_pressures(ours));
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch11");
   theory(results);
   const HertzRun ours = solve_hertz(example);
@@ -81,7 +81,7 @@ Status chapter(const ProgramOptions& run) {
   results.headline("b_m2_error", 0, "closed form, half-planes");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ HertzRun solve_with(const Operator& one, bool match) {
   return solve_hertz(now);
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Table table({"operator", "meshes", "pairs", "q0 [%]", "b [%]", "rms p [%]"});
   for (const bool match : {true, false})
     for (const Operator& one : {Operator{"mortar", 0},
@@ -43,7 +43,7 @@ Status chapter(const ProgramOptions& run) {
   HertzCase bumpy = not_matching();
   bumpy.gap_operator = "node_to_segment";
   write_file(run.out / "fig_11_2_nts.csv", nodal_pressures(solve_hertz(bumpy)));
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

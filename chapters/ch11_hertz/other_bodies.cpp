@@ -56,12 +56,12 @@ void normals(const ProgramOptions& run, Results& results) {
   write_file(run.out / "normals.md", table.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch11_other_bodies");
   plates(run, results);
   normals(run, results);
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ std::vector<std::string> condensed() {
           number(pressure_error(ours), "%.2f")};
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch11_printed");
   Table table({"pressures at", "meshes", "J", "closed", "independent", "steps", "steps, scaled",
                "largest p/q0", "rms p [%]"});
@@ -107,7 +107,7 @@ Status chapter(const ProgramOptions& run) {
   std::cout << table.markdown();
   write_file(run.out / "printed.md", table.markdown());
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

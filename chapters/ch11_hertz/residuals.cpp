@@ -39,7 +39,7 @@ std::vector<double> residuals_of(const SolvedScene& run) {
   return residuals;
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Table residuals({"step", "residual"}), chance({"step", "residual"}), pressures({"x", "p"});
   // 2. Gauss points: J as printed and mended where nodes meet, as printed where they do not.
   add_residuals(chance, run_as_printed(example_with(2, true), {}).residuals);
@@ -63,7 +63,7 @@ Status chapter(const ProgramOptions& run) {
   write_file(run.out / "fig_11_3.csv", residuals.csv("rel 0.9 abs 1e-10"));
   write_file(run.out / "fig_11_3_chance.csv", chance.csv("rel 1 abs 1e300"));
   write_file(run.out / "fig_11_4.csv", pressures.csv("rel 1e-5 abs 1e-6"));
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -43,12 +43,12 @@ void near_the_load(Results& results) {
   results.add("arc_middle", arc_loaded_disc_stress(lines, b / R, 0, 0)[0], "MPa");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch12_arcs");
   compare_arcs(run, results);
   near_the_load(results);
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

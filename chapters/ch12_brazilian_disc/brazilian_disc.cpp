@@ -32,14 +32,14 @@ void strength_test(const SolvedScene& now, Results& results) {
   results.add("middle_nodes", static_cast<double>(nodes_of(now)), "-");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch12");
   line_loads(results);
   strength_test(solve_disc(for_middle), results);
   results.headline("middle", exact_across(R), "disc between plates under the pressure of Hertz");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

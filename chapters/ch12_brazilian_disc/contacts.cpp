@@ -51,7 +51,7 @@ void contacts(const ProgramOptions& run, const SolvedScene& now, Results& result
   results.add("sinks", -now.solution.displacements[2].col(1).maxCoeff(), "mm");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch12_contacts");
   const SolvedScene now = solve_disc(for_axis);
   balance(run, now);
@@ -59,7 +59,7 @@ Status chapter(const ProgramOptions& run) {
   write_vtu(run.out / "ch12.vtu", now.model, now.solution);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

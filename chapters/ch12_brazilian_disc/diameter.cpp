@@ -73,12 +73,12 @@ void compare_references(const Diameter& axis, Results& results) {
   results.add("sign_change_estimate", std::cbrt(R * b * b / 2), "mm");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch12_diameter");
   compare_references(along_axis(run, solve_disc(for_axis), results), results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

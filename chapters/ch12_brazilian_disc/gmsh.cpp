@@ -23,12 +23,12 @@ void solve_file(const std::filesystem::path& file, Results& results) {
   results.add("gmsh_sign_change", sign_change(diameter_of(run)), "mm");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch12_gmsh");
   solve_file(std::filesystem::path(SIGNORINI_CHAPTER_DATA) / "disc.msh", results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

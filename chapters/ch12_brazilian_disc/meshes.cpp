@@ -28,9 +28,9 @@ void refine(const ProgramOptions& run) {
   write_file(run.out / "meshes.md", table.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   refine(run);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

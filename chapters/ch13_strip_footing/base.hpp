@@ -66,7 +66,7 @@ inline Base rigid_base(const EdgeBlockSpec& soil) {
   problem.resultant = VectorXd::Constant(1, -strip.force / 2);
   const ContactState state = solve(problem, scene.solver);
   // [rigid]
-  if (state.report.status != Status::Solved) throw NotSolved("the rigid footing");
+  if (state.report.status != SolveStatus::Solved) throw NotSolved("the rigid footing");
   return compared(model.pairs.position.col(0).reverse(), state.force.reverse(), state.amplitude(0));
 }
 

@@ -62,13 +62,13 @@ void edge_stress(const SolvedScene& run, Results& results) {
   }
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch13_edge");
   refine_the_edge(run, results);
   edge_stress(settle(coarse, {}), results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -72,13 +72,13 @@ void stress(Results& results) {
   results.add("axis_stress_closed_form", -rigid_strip_stress(strip, 0, depth)(1), "kPa");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch13_fields");
   stress(results);
   draw(run.out, settle(coarse, {}), settle(soil_of(10, 14, 14, 4, 15), {2, 6}));
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 using namespace ch13;
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch13_rigid");
   const Base rigid = rigid_base(coarse);
   for (int power = 0; power <= 12; power += 3) {
@@ -22,7 +22,7 @@ Status chapter(const ProgramOptions& run) {
   }
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

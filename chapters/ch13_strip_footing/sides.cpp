@@ -40,12 +40,12 @@ void sides(const ProgramOptions& run, Results& results) {
   results.add("overhang", static_cast<double>(matching.model.pairs.unpaired.size()), "-");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch13_sides");
   sides(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -37,12 +37,12 @@ void domain(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_13_4.csv", curve.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch13_soil");
   domain(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -47,14 +47,14 @@ void nodal_forces(const ProgramOptions& run, Results& results) {
   write_file(run.out / "meshes.md", meshes.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch13");
   nodal_forces(run, results);
   results.add("mean_pressure", mean_pressure, "kPa");
   results.headline("middle_9948", 1, "(46)");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

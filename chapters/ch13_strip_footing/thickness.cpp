@@ -46,12 +46,12 @@ void thickness(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_13_4_plate.csv", points.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch13_thickness");
   thickness(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

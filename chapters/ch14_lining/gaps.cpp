@@ -30,12 +30,12 @@ void other_gaps(Results& results) {
   results.add("hoop_fit_rock", ring_stress(exact.outer, on.outer, 68).hoop, "MPa");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch14_gaps");
   other_gaps(results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ void paper_mesh(const ProgramOptions& run, Results& results) {
   write_vtu(run.out / "ch14.vtu", now.model, now.solution);
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch14");
   load_history(run.out, results);
   compare_elements(run, results);
@@ -102,7 +102,7 @@ Status chapter(const ProgramOptions& run) {
                    "Lame, two rings");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

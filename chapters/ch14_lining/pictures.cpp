@@ -81,7 +81,7 @@ void meeting_rims(const std::filesystem::path& out, const SolvedScene& now) {
   write_file(out / "fig_14_5.csv", rims.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch14_pictures");
   const SolvedScene now = run_of(paper);
   sketch(run.out, now);
@@ -90,7 +90,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("u_largest", now.solution.displacements[0].rowwise().norm().maxCoeff(), "cm");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

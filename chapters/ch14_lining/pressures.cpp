@@ -41,12 +41,12 @@ void refine(const ProgramOptions& run, Results& results) {
   write_file(run.out / "refined.md", table.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch14_pressures");
   refine(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -73,12 +73,12 @@ void closed_forms(const ProgramOptions& run, Results& results) {
   results.add("u_difference_percent", percent(u_abaqus, u_paper), "%");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch14_radii");
   closed_forms(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

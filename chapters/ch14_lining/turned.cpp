@@ -56,12 +56,12 @@ void turned_meshes(const ProgramOptions& run, Results& results) {
   results.add("gap_over_chord", 68.15 * std::cos(half_cell) - 68, "cm");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch14_turned");
   turned_meshes(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

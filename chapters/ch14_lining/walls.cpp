@@ -73,12 +73,12 @@ double stresses_through_walls(const std::filesystem::path& out, const SolvedScen
   return worst;
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch14_walls");
   results.add("stress_worst", stresses_through_walls(run.out, run_of(paper)), "MPa");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -34,12 +34,12 @@ void fork(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_15_5_path.csv", path.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch15_answers");
   fork(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ inline double slip_angle(const Friction& law) {
   double holds = 0, slides = 0.5 * 3.141592653589793;
   while (slides - holds > 1e-12) {
     const double angle = 0.5 * (holds + slides);
-    const bool held = solve(incline(angle, law)).contact.report.status == Status::Solved;
+    const bool held = solve(incline(angle, law)).contact.report.status == SolveStatus::Solved;
     (held ? holds : slides) = angle;
   }
   return holds;

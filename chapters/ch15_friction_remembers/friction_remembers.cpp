@@ -42,12 +42,12 @@ void spring(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_15_1.csv", table.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch15");
   spring(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -24,12 +24,12 @@ void three_orders(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_15_4.csv", figure.csv("rel 1e-5 abs 1e-5"));
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch15_orders");
   three_orders(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -63,12 +63,12 @@ void partial_slip(const ProgramOptions& run, Results& results) {
   results.add("stick_exact", stick_half_width(known.slip, known.Q), "mm");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch15_partial_slip");
   partial_slip(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

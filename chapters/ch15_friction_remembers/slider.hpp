@@ -78,7 +78,7 @@ void forget(const Scene& scene, const Observer& observe) {
 template <class Observer>
 void remember(const Scene& scene, const Observer& observe) {
   const PathEnd end = solve_steps(scene, observe);
-  if (end.status != Status::Solved) throw NotSolved(end.reason);
+  if (end.status != SolveStatus::Solved) throw NotSolved(end.reason);
 }
 
 }  // namespace ch15

@@ -38,12 +38,12 @@ void sliding(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_15_6.csv", figure.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch15_square");
   sliding(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

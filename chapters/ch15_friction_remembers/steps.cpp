@@ -41,12 +41,12 @@ void more_steps(const ProgramOptions& run, Results& results) {
   write_file(run.out / "steps.md", table.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch15_steps");
   more_steps(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -37,12 +37,12 @@ void stick_map(const ProgramOptions& run, Results& results) {
   results.add("never_slid_exact", 2 * known.stuck(2), "mm");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch15_stick_map");
   stick_map(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ void follow(const Way& way, const ProgramOptions& run, Table& curves, Table& pri
     results.add("operations_" + key, at(0.1, &Point::operations), "-");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch16");
   Table curves({"way", "unknowns", "error", "solved", "seconds ≈"});
   Table prices({"", "unknowns for 1 %", "for 0.1 %", "operations ×", "seconds × ≈"});
@@ -56,7 +56,7 @@ Status chapter(const ProgramOptions& run) {
   results.headline("error_1", 0, "closed form, half-planes");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

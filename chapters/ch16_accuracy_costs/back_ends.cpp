@@ -44,7 +44,7 @@ std::string each(const std::vector<double>& values, const char* format) {
   return list;
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch16_back_ends");
   Table table({"unknowns", "processes", "operations of each [10⁹]", "sent by each [MB]",
                "operations for a byte", "memory of each [MB]", "largest / alone"});
@@ -68,7 +68,7 @@ Status chapter(const ProgramOptions& run) {
   std::cout << table.markdown();
   write_file(run.out / "back_ends.md", table.markdown());
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

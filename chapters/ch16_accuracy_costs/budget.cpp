@@ -68,7 +68,7 @@ Budget budget(bool full) {
 }
 // [causes]
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   if (run.full) std::cout << "--full: the reference has four times the elements, half a minute\n";
   Results results("ch16_budget");
   Table table({"cause", "$`q_0`$ [%]", "estimated", "$b$ [%]", "estimated"});
@@ -92,7 +92,7 @@ Status chapter(const ProgramOptions& run) {
   results.add("peak_error", found.without[0].second[0] - 100, "%");
   results.add("peak_error_exact_gaps", found.without[2].second[0] - 100, "%");
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Count half_widths(const std::string& element, Table& curve) {
   return count;
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   std::vector<std::string> elements = {"q4", "q4_bbar", "q4_incompatible", "q8"};
   if (run.full) elements.insert(elements.end(), {"t3", "t6"});
   Results results("ch16_effectivity");
@@ -110,7 +110,7 @@ Status chapter(const ProgramOptions& run) {
   write_file(run.out / "fig_16_1.csv", curve.csv("rel 1e-3 abs 1e-9"));
   write_file(run.out / "fig_16_1_width.csv", widths.csv("rel 1e-3 abs 1e-9"));
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

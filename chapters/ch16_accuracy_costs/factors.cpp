@@ -83,12 +83,12 @@ void three_ways(const ProgramOptions& run, Results& results) {
   results.add("compliances_differ", differ, "-", Repeats::No);
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch16_factors");
   three_ways(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

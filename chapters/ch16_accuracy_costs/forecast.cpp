@@ -71,7 +71,7 @@ void predict_and_run(const std::string& name, const Scene& small_scene, const Sc
   results.add("off_" + name, 100 * worst, "%", Repeats::No);
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch16_forecast");
   Table table({"scene", "phase", "growth ≈", "predicted low ≈", "predicted ≈", "predicted high ≈",
                "low ≈", "measured ≈", "high ≈"});
@@ -85,7 +85,7 @@ Status chapter(const ProgramOptions& run) {
   write_file(run.out / "fig_16_5.csv", table.csv());
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -90,14 +90,14 @@ void digits(const ProgramOptions& run, Results& results) {
   write_file(run.out / "fig_16_9_digits.csv", table.csv());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch16_knobs");
   points(run);
   sweeps(run, results);
   digits(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

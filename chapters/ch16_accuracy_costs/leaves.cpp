@@ -61,12 +61,13 @@ Price price(Index leaves) {
     const double start = seconds();
     const SaddlePointSolution found = saddle_point_newton(run.model.programme, options);
     paid.uncondensed = seconds() - start;
-    if (found.report.status != Status::Solved) throw NotSolved("Newton's method found no solution");
+    if (found.report.status != SolveStatus::Solved)
+      throw NotSolved("Newton's method found no solution");
   }
   return paid;
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch16_leaves");
   Table curve({"leaves", "pairs", "factor", "rows", "dense", "condensed ≈", "not condensed ≈"});
   const double plain = price(1).factor;
@@ -82,7 +83,7 @@ Status chapter(const ProgramOptions& run) {
   write_file(run.out / "fig_16_8.csv", curve.csv());
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ const std::vector<Program> programs = {{"signorini", "own"},
                                        {"CalculiX, surface to surface", "surfaces"},
                                        {"CalculiX, node to surface", "nodes"}};
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   const std::vector<std::vector<double>> rows = ch16::measured_once("peers.csv");
   Table table({"nodes", "program", "s", "MB", "larger error [%]"});
   const auto cell = [](double x, const char* format) {
@@ -44,7 +44,7 @@ Status chapter(const ProgramOptions& run) {
     results.add(programs[k].key + "_error", finest[3 + 3 * k], "%");
   }
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void over_plain(const std::string& name, const Runs& runs, Table& bars, Results&
   results.add(text(name, "_", unknowns), operations(ledger) / runs.plain_operations, "-");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch16_phases");
   Table bars({"scene", "unknowns", "plan ≈", "assembly ≈", "ordering ≈", "symbolic ≈", "numeric ≈",
               "condensation ≈", "contact ≈", "refinement ≈", "recovery ≈"});
@@ -33,7 +33,7 @@ Status chapter(const ProgramOptions& run) {
   write_file(run.out / "fig_16_4.csv", bars.csv());
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

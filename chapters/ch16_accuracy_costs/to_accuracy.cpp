@@ -39,7 +39,7 @@ double rounds(double target, double truth, Table& table) {
   return percent(found.rounds.back().value);
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch16_to_accuracy");
   const double truth = asked_for(run.full ? 1e-4 : 2e-4).rounds.back().value;
   const std::vector<std::string> columns = {"mesh",     "unknowns",   "estimate [%]",
@@ -54,7 +54,7 @@ Status chapter(const ProgramOptions& run) {
     std::cout << "--full: 0.1 %\n" << further.markdown();
   }
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -82,13 +82,13 @@ void draw_paths(const ProgramOptions& run, Results& results) {
               "-");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch16_trees");
   draw_trees(run);
   draw_paths(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ struct Point {
 inline Point point_of(const SolvedScene& run) {
   Point point;
   point.unknowns = static_cast<double>(run.model.unknowns.count);
-  point.solved = run.solution.contact.report.status == Status::Solved;
+  point.solved = run.solution.contact.report.status == SolveStatus::Solved;
   if (!point.solved) return point;
   point.operations = operations(run.solution.ledger);
   point.error = pressure_error(pressures(run), HertzProblem().theory());
@@ -79,7 +79,8 @@ inline void solve_uncondensed(SolvedScene& run) {
   SaddlePointOptions options;  // an even pressure, or nothing would hold the disc
   options.start_force = run.solution.contact.force.sum() * weight / weight.sum();
   const SaddlePointSolution found = saddle_point_newton(run.model.programme, options);
-  if (found.report.status != Status::Solved) throw NotSolved("Newton's method found no solution");
+  if (found.report.status != SolveStatus::Solved)
+    throw NotSolved("Newton's method found no solution");
   run.solution.contact.force = found.solution.force;
 }
 

@@ -95,7 +95,7 @@ void refine(const ProgramOptions& run) {
 }
 // [ends]
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch17");
   const std::vector<Case> all = all_cases();
   visit(all, run, results);
@@ -103,7 +103,7 @@ Status chapter(const ProgramOptions& run) {
   refine(run);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

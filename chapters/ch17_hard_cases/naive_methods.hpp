@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using signorini::ContactProblem;
 using signorini::ContactState;
-using signorini::Status;
+using signorini::SolveStatus;
 
 /// Gaps of given forces, as the method computes them. \param problem  condensed \param[in,out] state  forces and amplitudes
 inline void find_gaps(const ContactProblem& problem, ContactState& state) {
@@ -69,7 +69,7 @@ inline ContactState trial_and_error(const ContactProblem& problem, double spring
     std::vector<Index> next;
     for (Index i = 0; i < n; ++i)
       if (state.force(i) > 0 || (state.force(i) == 0 && state.gap(i) < -overlap)) next.push_back(i);
-    state.report.status = next == state.active ? Status::Solved : Status::IterationLimit;
+    state.report.status = next == state.active ? SolveStatus::Solved : SolveStatus::IterationLimit;
     if (next == state.active) break;
     state.active = next;
   }
@@ -86,7 +86,7 @@ inline ContactState newton_unscaled(const ContactProblem& problem, bool relative
   ContactState state;
   state.force = VectorXd::Zero(n);
   state.amplitude = VectorXd::Zero(modes);
-  state.report.status = Status::IterationLimit;
+  state.report.status = SolveStatus::IterationLimit;
   double wanted = 1e-8;
   for (int step = 0; step < 100; ++step) {
     find_gaps(problem, state);
@@ -105,7 +105,7 @@ inline ContactState newton_unscaled(const ContactProblem& problem, bool relative
     }
     if (relative && step == 0) wanted *= residual.norm();
     if (residual.norm() < wanted) {
-      state.report.status = Status::Solved;
+      state.report.status = SolveStatus::Solved;
       return state;
     }
     const VectorXd change = Eigen::PartialPivLU<MatrixXd>(system).solve(residual);
@@ -123,7 +123,7 @@ inline ContactState uncoupled(const ContactProblem& problem) {
   step.law.coefficient.setZero();
   step.law.cohesion.setZero();
   ContactState state = signorini::find_solver(solver).solve(step, {});
-  if (state.report.status != Status::Solved) return state;
+  if (state.report.status != SolveStatus::Solved) return state;
   step.law.cohesion =
       problem.law.cohesion + problem.law.coefficient.cwiseProduct(state.force(problem.law.pair));
   return signorini::find_solver(solver).solve(step, {});
@@ -137,8 +137,8 @@ inline ContactState sweeps(const ContactProblem& problem) {
   VectorXd free(n + problem.free_slip.size()), all = VectorXd::Zero(free.size());
   free << problem.free_gap, problem.free_slip;
   ContactState state;
-  state.report.status = Status::IterationLimit;
-  for (int sweep = 0; sweep < 100 && state.report.status != Status::Solved; ++sweep) {
+  state.report.status = SolveStatus::IterationLimit;
+  for (int sweep = 0; sweep < 100 && state.report.status != SolveStatus::Solved; ++sweep) {
     double change = 0;
     for (Index i = 0; i < all.size(); ++i) {
       const double moved = free(i) + problem.compliance.row(i).dot(all);
@@ -152,7 +152,7 @@ inline ContactState sweeps(const ContactProblem& problem) {
       change = std::max(change, std::abs(next - all(i)));
       all(i) = next;
     }
-    if (change < 1e-6) state.report.status = Status::Solved;
+    if (change < 1e-6) state.report.status = SolveStatus::Solved;
   }
   const VectorXd moved = free + problem.compliance * all;
   state.force = all.head(n);

@@ -63,13 +63,13 @@ void answer(const ProgramOptions& run, Results& results) {
               "%");
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch18");
   answer(run, results);
   results.headline("size_1", 100 * (std::sqrt(0.5) - 1), "theory of Hertz");
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -50,12 +50,12 @@ void climb(const ProgramOptions& run, Results& results) {
   write_file(run.out / "ladder.md", table.markdown());
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch18_ladder");
   climb(run, results);
   results.print();
   results.write(run.out);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

@@ -53,9 +53,9 @@ void show_plan(const ProgramOptions& run, const Scene& scene) {
   draw(run.out, planned);
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   show_plan(run, heated(with_friction(floating(with_plate(on_rock(0))))));
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

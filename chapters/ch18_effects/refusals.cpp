@@ -63,9 +63,9 @@ void refusals(const ProgramOptions& run) {
   write_file(run.out / "refusals.md", list);
 }
 
-Status chapter(const ProgramOptions& run) {
+SolveStatus chapter(const ProgramOptions& run) {
   refusals(run);
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 }  // namespace

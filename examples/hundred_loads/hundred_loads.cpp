@@ -23,7 +23,7 @@ int main(int argc, char** argv) try {
       std::cout << step.state.time << ',' << step.solution.contact.active.size() << ','
                 << resultants(model, step.solution).force.y() << '\n';
     });
-    if (end.status != Status::Solved) throw NotSolved(end.reason);
+    if (end.status != SolveStatus::Solved) throw NotSolved(end.reason);
   });
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

@@ -60,7 +60,8 @@ void attempt(Outcome& outcome, double tolerance, Run&& run) {
   try {
     run(outcome);
     outcome.ran = true;
-    outcome.accepted = outcome.status == Status::Solved && outcome.certificate.holds(tolerance);
+    outcome.accepted =
+        outcome.status == SolveStatus::Solved && outcome.certificate.holds(tolerance);
     outcome.word = signorini::to_string(outcome.status);
   } catch (const std::invalid_argument& error) {
     outcome.word = "refused";
@@ -75,8 +76,8 @@ void attempt(Outcome& outcome, double tolerance, Run&& run) {
 
 /// Whether a solver has come to nothing that another one might not come to.
 bool lost(const Outcome& outcome) {
-  return !outcome.accepted && (!outcome.ran || outcome.status == Status::Breakdown ||
-                               outcome.status == Status::IterationLimit);
+  return !outcome.accepted && (!outcome.ran || outcome.status == SolveStatus::Breakdown ||
+                               outcome.status == SolveStatus::IterationLimit);
 }
 
 /// Whether a solver promises to end with a solution or a proof, but for matrices that are odd and numbers that are bad.
@@ -166,7 +167,7 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
     if (state.force.size() == pairs && state.gap.size() == pairs &&
         state.friction.size() == slips && state.slip.size() == slips)
       outcome.certificate = certify(problem, state);
-    if (outcome.status == Status::Solved && outcome.certificate.holds(tolerance))
+    if (outcome.status == SolveStatus::Solved && outcome.certificate.holds(tolerance))
       outcome.undetermined = ranges_of(undetermined_forces(carried(problem, state)));
     outcome.rubbing = state.rubbing;
     outcome.force = std::move(state.force);
@@ -202,10 +203,11 @@ std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::st
     outcome.objective = objective(programme, solution.refined);
     // What a method has called a solution has a certificate, which may be good enough for the one who asks.
     const double worst = outcome.certificate.worst();
-    if (worst <= tolerance) outcome.status = Status::Solved;
-    if (outcome.status == Status::Solved && worst <= tolerance)
+    if (worst <= tolerance) outcome.status = SolveStatus::Solved;
+    if (outcome.status == SolveStatus::Solved && worst <= tolerance)
       outcome.undetermined = undetermined_multipliers(form, solution);
-    if (outcome.status == Status::Breakdown && worst < std::sqrt(epsilon))  // half of the digits
+    if (outcome.status == SolveStatus::Breakdown &&
+        worst < std::sqrt(epsilon))  // half of the digits
       outcome.why =
           text("--tolerance ", number(rounded_up(worst), "%.0e"), " accepts what ",
                outcome.solver->name, " has come to", lost_digits(form.programme, solution.refined));
@@ -214,8 +216,8 @@ std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::st
 
 bool is_solved(const std::vector<Outcome>& outcomes, bool convex) {
   const bool refuted = std::any_of(outcomes.begin(), outcomes.end(), [&](const Outcome& o) {
-    return o.ran && ((o.status == Status::Solved && !o.accepted) ||
-                     (convex && o.status == Status::Infeasible));
+    return o.ran && ((o.status == SolveStatus::Solved && !o.accepted) ||
+                     (convex && o.status == SolveStatus::Infeasible));
   });
   return best(outcomes) != nullptr && !refuted;
 }

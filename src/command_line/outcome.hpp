@@ -17,10 +17,10 @@ struct Outcome {
   bool ran = false;                           ///< whether it ended in the ordinary way
   std::string word;                           ///< its status, "not tried" or "refused"
   std::string why;                            ///< reason, if it did not run or solve; or empty
-  signorini::Status status = signorini::Status::Breakdown;  ///< what it claims
-  bool accepted = false;                                    ///< the certificate is good enough
-  Eigen::Index iterations = 0;                              ///< as it counts them
-  double seconds = 0;                                       ///< wall time [s]
+  signorini::SolveStatus status = signorini::SolveStatus::Breakdown;  ///< what it claims
+  bool accepted = false;        ///< the certificate is good enough
+  Eigen::Index iterations = 0;  ///< as it counts them
+  double seconds = 0;           ///< wall time [s]
   signorini::Certificate certificate = signorini::uncertified();  ///< from the data of the file
   Eigen::VectorXd force;     ///< z, or one multiplier for each two-sided row
   Eigen::VectorXd gap;       ///< w of a complementarity problem

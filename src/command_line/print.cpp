@@ -43,7 +43,7 @@ void print_table(std::ostream& out, const std::vector<Outcome>& outcomes, bool w
         << (std::isfinite(worst) ? number(worst, "%.1e") : "none") << std::setw(10)
         << number(outcome.seconds, "%.1e");
     if (with_objective && outcome.accepted) out << "  " << as_text(outcome.objective);
-    if (outcome.status == Status::Solved && !outcome.accepted) out << "  NOT CONFIRMED";
+    if (outcome.status == SolveStatus::Solved && !outcome.accepted) out << "  NOT CONFIRMED";
     out << '\n';
   }
 }
@@ -52,7 +52,7 @@ void print_table(std::ostream& out, const std::vector<Outcome>& outcomes, bool w
 void print_hint(std::ostream& out, const std::vector<Outcome>& outcomes,
                 const std::vector<Solver>& family) {
   const auto refuted = std::find_if(outcomes.begin(), outcomes.end(), [](const Outcome& outcome) {
-    return outcome.ran && outcome.status == Status::Infeasible;
+    return outcome.ran && outcome.status == SolveStatus::Infeasible;
   });
   if (refuted != outcomes.end()) {
     out << "\nnot solved: " << refuted->solver->name

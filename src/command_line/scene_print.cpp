@@ -24,8 +24,8 @@ void print_status(std::ostream& out, const Solution& solution) {
   const Report& report = solution.contact.report;
   const std::string why = why_unsolved(solution);
   out << '\n'
-      << (report.status == Status::Solved ? "solved" : "not solved: ")
-      << (report.status == Status::Solved ? "" : to_string(report.status)) << " after "
+      << (report.status == SolveStatus::Solved ? "solved" : "not solved: ")
+      << (report.status == SolveStatus::Solved ? "" : to_string(report.status)) << " after "
       << report.iterations << (report.iterations == 1 ? " iteration" : " iterations")
       << (why.empty() ? "" : ": " + why) << '\n';
   if (std::isfinite(solution.certificate.worst()))
@@ -177,7 +177,7 @@ void write_head(Json& json, const SceneRun& run) {
 
 void write_result(Json& json, const Model& model, const Solution& solution,
                   const PathState* state) {
-  const bool solved = solution.contact.report.status == Status::Solved;
+  const bool solved = solution.contact.report.status == SolveStatus::Solved;
   write_lines(json, "notes", solution.notes);
   json.key("solved").value(solved);
   json.key("solver").value(model.solver.name);

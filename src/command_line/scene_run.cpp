@@ -136,8 +136,8 @@ void add_notes(const std::vector<std::string>& some, std::vector<std::string>& n
 }
 
 bool SceneRun::solved() const {
-  if (end) return end->status == Status::Solved;
-  return solution && solution->contact.report.status == Status::Solved;
+  if (end) return end->status == SolveStatus::Solved;
+  return solution && solution->contact.report.status == SolveStatus::Solved;
 }
 
 const PathState* SceneRun::state() const { return end ? &end->state : nullptr; }

@@ -139,8 +139,8 @@ std::string iterate(ContactEquations& equations, const SolverOptions& options, V
     entry.residual = residual.norm() / first;
     report.history.push_back(entry);
   }
-  report.status = residual.norm() <= enough ? Status::Solved : Status::IterationLimit;
-  return report.status == Status::Solved ? "" : "Newton's method did not come to rest";
+  report.status = residual.norm() <= enough ? SolveStatus::Solved : SolveStatus::IterationLimit;
+  return report.status == SolveStatus::Solved ? "" : "Newton's method did not come to rest";
 }
 
 }  // namespace
@@ -161,12 +161,12 @@ ContactState friction_split_literal(const ContactProblem& problem, const SolverO
   equations.read(x, end);
   std::vector<ContactStatus> statuses = statuses_of({}, equations.pairs());
   predict(raw, end, 1, statuses);
-  if (report.status == Status::Solved)  // the smaller of force and gap is rounding
+  if (report.status == SolveStatus::Solved)  // the smaller of force and gap is rounding
     for (std::size_t i = 0; i < statuses.size(); ++i)
       if (statuses[i] == ContactStatus::Open) end.force(static_cast<Index>(i)) = 0;
-  const bool solved = report.status == Status::Solved;
+  const bool solved = report.status == SolveStatus::Solved;
   ContactState state = finished(problem, raw, end, statuses, std::move(report));
-  state.reason = solved && state.report.status != Status::Solved
+  state.reason = solved && state.report.status != SolveStatus::Solved
                      ? "the printed equations are solved, but contact is not"
                      : std::move(reason);
   return state;

@@ -167,10 +167,10 @@ ContactState run(const ContactProblem& problem, const ScaledProblem& scaled,
   Tableau tableau(scaled, start);
   const double first_sum = tableau.artificial_sum();
   Report report;
-  report.status = Status::IterationLimit;
+  report.status = SolveStatus::IterationLimit;
   report.factorisations = start.empty() ? 0 : 1;
   VectorXd proof;
-  for (bool pivoted = true; report.status == Status::IterationLimit;) {
+  for (bool pivoted = true; report.status == SolveStatus::IterationLimit;) {
     const Index column = tableau.feasible() ? -1 : tableau.entering();
     const Index row = column < 0 ? -1 : tableau.leaving(column);
     if (row >= 0) {
@@ -185,14 +185,14 @@ ContactState run(const ContactProblem& problem, const ScaledProblem& scaled,
     const std::vector<Index> closed = tableau.closed();
     report.factorisations += closed.empty() ? 0 : 1;
     if (auto end = confirmed(scaled, closed)) {
-      report.status = Status::Solved;
+      report.status = SolveStatus::Solved;
       return finished(problem, scaled, end->first, end->second, std::move(report));
     }
     proof = tableau.proof();
     if (proof.size() > 0) {
-      report.status = Status::Infeasible;
+      report.status = SolveStatus::Infeasible;
     } else if (!pivoted) {
-      report.status = Status::Breakdown;
+      report.status = SolveStatus::Breakdown;
     } else {  // once more from this basis, without the rounding errors of the pivots
       tableau = Tableau(scaled, closed);
       ++report.factorisations;
@@ -230,7 +230,7 @@ std::vector<ContactState> incremental_linear_programme(const ContactProblem& pro
     scaled.free = scaled.scale.cwiseProduct(gap);
     states.push_back(run({problem.compliance, gap}, scaled,
                          states.empty() ? std::vector<Index>() : states.back().active, options));
-    if (states.back().report.status != Status::Solved) break;
+    if (states.back().report.status != SolveStatus::Solved) break;
   }
   return states;
 }

@@ -38,7 +38,7 @@ bool solved_in_one_step(const ContactProblem& problem, const ContactState& solut
                                       QuasiActiveRows::IndependentByViolation};
   return std::all_of(std::begin(readings), std::end(readings), [&](QuasiActiveRows rows) {
     const QuasiActiveRun run = run_quasi_active_set_literal(problem, {}, rows);
-    return run.outer_steps == 1 && run.state.report.status == Status::Solved &&
+    return run.outer_steps == 1 && run.state.report.status == SolveStatus::Solved &&
            run.state.active == solution.active &&
            (run.state.force - solution.force).norm() <= 1e-9 * solution.force.norm();
   });

@@ -36,11 +36,11 @@ class Sweeps {
       const std::vector<Index> candidates = by_falling(force_);
       report_.factorisations += candidates.empty() ? 0 : 1;
       if (Confirmed found = confirmed(problem_, candidates)) {
-        report_.status = Status::Solved;
+        report_.status = SolveStatus::Solved;
         return finished(posed, problem_, found->first, found->second, std::move(report_));
       }
       if (!last) continue;
-      report_.status = Status::IterationLimit;
+      report_.status = SolveStatus::IterationLimit;
       Closure now;
       now.force = force_;
       now.movement = gap_;

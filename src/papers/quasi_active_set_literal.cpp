@@ -146,17 +146,17 @@ bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap, C
     const ContactProblem part{scaled_.compliance(rows, rows), gap(rows)};
     const ContactState state = surrogate_dual(part, WeightRule::FullyCorrective);
     report_.factorisations += state.report.factorisations;
-    if (state.report.status == Status::Infeasible) {
-      report_.status = Status::Infeasible;
+    if (state.report.status == SolveStatus::Infeasible) {
+      report_.status = SolveStatus::Infeasible;
       way_.state.infeasibility.setZero(scaled_.free.size());
       way_.state.infeasibility(rows) = scaled_.scale(rows).cwiseProduct(state.infeasibility);
     } else {
-      report_.status = Status::Breakdown;
+      report_.status = SolveStatus::Breakdown;
     }
     // Where a pair touches without force, rounding can keep the weights from ending at the solution.
-    const bool right =
-        state.report.status == Status::IterationLimit && certify(part, state).worst() <= tolerance_;
-    if (state.report.status != Status::Solved && !right) return false;
+    const bool right = state.report.status == SolveStatus::IterationLimit &&
+                       certify(part, state).worst() <= tolerance_;
+    if (state.report.status != SolveStatus::Solved && !right) return false;
     const double total = state.force.sum();
     if (total > 0) {
       const VectorXd weights = state.force / total;                     // (38)
@@ -172,7 +172,7 @@ bool LiteralMethod::outer_loop() {
     note(now_, static_cast<Index>(overlapping.size()));
     if (overlapping.empty()) return true;
     if (way_.outer_steps == limit_) {
-      report_.status = Status::IterationLimit;
+      report_.status = SolveStatus::IterationLimit;
       return false;
     }
     const std::vector<Index> rows = quasi_active(overlapping);
@@ -207,7 +207,7 @@ bool LiteralMethod::close_to(const Closure& best) const {
 }
 
 void LiteralMethod::judge() {
-  report_.status = Status::Feasible;
+  report_.status = SolveStatus::Feasible;
   const Report so_far = report_;
   Closure best;
   if (!solve(tight(now_), scaled_.free, best)) {
@@ -219,7 +219,7 @@ void LiteralMethod::judge() {
   place(best);
   if (!violated(best).empty() || !close_to(best)) return;
   auto found = confirmed(scaled_, pressed(best.force));
-  report_.status = found ? Status::Solved : Status::Breakdown;
+  report_.status = found ? SolveStatus::Solved : SolveStatus::Breakdown;
   if (found) {
     now_ = std::move(found->first);
     way_.state.active = closed_pairs(found->second);
@@ -230,7 +230,7 @@ QuasiActiveRun LiteralMethod::run() {
   if (outer_loop() && last_step()) judge();
   report_.iterations = static_cast<Index>(report_.history.size());
   const std::vector<Index> closed =
-      report_.status == Status::Solved ? way_.state.active : pressed(now_.force);
+      report_.status == SolveStatus::Solved ? way_.state.active : pressed(now_.force);
   way_.state = finished(problem_, scaled_, now_, statuses_of(closed, now_.force.size()),
                         std::move(report_), std::move(way_.state.infeasibility));
   return std::move(way_);

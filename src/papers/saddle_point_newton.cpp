@@ -187,7 +187,7 @@ SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
   const double first = point.size;
   std::vector<bool> closed(static_cast<std::size_t>(point.gap.size()));
   Report report;
-  report.status = Status::Breakdown;
+  report.status = SolveStatus::Breakdown;
   SparseLuFactor factor;
   const auto done = [&] {
     return as_printed ? point.size <= options.tolerance * first
@@ -195,7 +195,7 @@ SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
   };
   while (!done()) {
     if (report.iterations >= options.iteration_limit) {
-      report.status = Status::IterationLimit;
+      report.status = SolveStatus::IterationLimit;
       return {std::move(point.solution), std::move(report)};
     }
     ++report.iterations;
@@ -208,7 +208,8 @@ SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
     const std::vector<bool> last = closed;
     report.history.push_back(summary(units, point, last, closed, first));
   }
-  if (!as_printed || certify(programme, point.solution).holds()) report.status = Status::Solved;
+  if (!as_printed || certify(programme, point.solution).holds())
+    report.status = SolveStatus::Solved;
   return {std::move(point.solution), std::move(report)};
 }
 

@@ -29,7 +29,7 @@ SimplexFace::SimplexFace(const ContactProblem& problem)
     : numbers_(std::make_shared<Numbers>(problem)) {}
 
 bool SimplexFace::add(Index vertex) {
-  return numbers_->method.take_in(vertex) != Status::Infeasible;
+  return numbers_->method.take_in(vertex) != SolveStatus::Infeasible;
 }
 
 VectorXd SimplexFace::forces() const {

@@ -72,7 +72,8 @@ ContactState unfinished(const ContactProblem& problem, const ScaledProblem& scal
   for (Index i = 0; i < now.force.size(); ++i)
     if (now.force(i) > 0) active.push_back(i);
   Eigen::VectorXd proof;
-  if (report.status == Status::Infeasible) proof = scaled.scale.cwiseProduct(run.infeasibility());
+  if (report.status == SolveStatus::Infeasible)
+    proof = scaled.scale.cwiseProduct(run.infeasibility());
   return finished(problem, scaled, now, statuses_of(active, now.force.size()), std::move(report),
                   std::move(proof));
 }
@@ -131,7 +132,7 @@ ContactState surrogate_dual(const ContactProblem& problem, WeightRule rule,
   const bool ends_by_itself = rule == WeightRule::FullyCorrective;
   WeightIteration run(unit, rule);
   Report report;
-  report.status = Status::IterationLimit;
+  report.status = SolveStatus::IterationLimit;
   if (n > 0) report.history.push_back(summary(scaled, run));
   std::vector<Index> tried = {-1};
   for (bool moved = true; moved;) {
@@ -146,14 +147,15 @@ ContactState surrogate_dual(const ContactProblem& problem, WeightRule rule,
     tried = std::move(candidates);
     report.factorisations += tried.empty() ? 0 : 1;
     if (const auto found = moved ? confirmed(scaled, tried) : without_tension(scaled, tried)) {
-      report.status = Status::Solved;
+      report.status = SolveStatus::Solved;
       report.factorisations += run.factorisations();
       return finished(problem, scaled, found->first, found->second, std::move(report));
     }
   }
   report.factorisations += run.factorisations();
   if (run.end() == WeightEnd::Unbounded)
-    report.status = is_proof(unit, run.infeasibility()) ? Status::Infeasible : Status::Breakdown;
+    report.status =
+        is_proof(unit, run.infeasibility()) ? SolveStatus::Infeasible : SolveStatus::Breakdown;
   return unfinished(problem, scaled, run, std::move(report));
 }
 

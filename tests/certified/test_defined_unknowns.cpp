@@ -99,7 +99,7 @@ TEST_CASE("an unknown that an equation defines is measured by what defines it",
        {"quasi_active_set", "goldfarb_idnani", "primal_dual_active_set", "lemke", "enumerate"}) {
     CAPTURE(name);
     const DenseSolution solution = solve(programme, find_solver(name));
-    REQUIRE(solution.report.status == Status::Solved);
+    REQUIRE(solution.report.status == SolveStatus::Solved);
     CHECK(solution.certificate.worst() <= 4 * epsilon);
     CHECK(solution.refined.displacement(0) == Approx(1 / 3.0).epsilon(1e-15));
     CHECK(solution.refined.displacement(1) == Approx(0.7 / 3).epsilon(1e-15));
@@ -123,8 +123,8 @@ TEST_CASE("60 programmes with defined unknowns are those with the definitions wr
       const DenseSolution written = solve(made.written, find_solver(name));
       const DenseSolution solution =
           solve(in_units(made.unknowns, unknown, row), find_solver(name));
-      REQUIRE(written.report.status == Status::Solved);
-      CHECK(solution.report.status == Status::Solved);
+      REQUIRE(written.report.status == SolveStatus::Solved);
+      CHECK(solution.report.status == SolveStatus::Solved);
       CHECK(solution.certificate.worst() <= 1e-13);
       const VectorXd u = unknown.cwiseProduct(solution.refined.displacement);
       CHECK((u.head(n) - written.refined.displacement).norm() <=

@@ -47,7 +47,7 @@ TEST_CASE("the small programme comes to its known solution",
   for (const char* name : {"quasi_active_set", "primal_dual_active_set", "goldfarb_idnani"}) {
     const DenseSolution solution = solve(small_programme(), find_solver(name));
     CAPTURE(name);
-    REQUIRE(solution.report.status == Status::Solved);
+    REQUIRE(solution.report.status == SolveStatus::Solved);
     CHECK(solution.certificate.holds());
     const VectorXd u = LuFactor(small_programme().stiffness)
                            .solve(small_programme().load -
@@ -101,19 +101,19 @@ TEST_CASE("neither a solution nor a proof that a solver claims is believed unsee
       [](const DenseProgramme& /*programme*/, const SolverOptions& /*options*/) { return claim; });
   claim = {};
   claim.refined = {VectorXd::Zero(1), {}, Eigen::Vector2d::Zero()};
-  claim.report.status = Status::Infeasible;
+  claim.report.status = SolveStatus::Infeasible;
   claim.infeasibility = Eigen::Vector2d(1, 1);
-  CHECK(solve(impossible, recites).report.status == Status::Infeasible);
+  CHECK(solve(impossible, recites).report.status == SolveStatus::Infeasible);
   for (const Eigen::Vector2d& wrong : {Eigen::Vector2d(-1, -1), Eigen::Vector2d(0, 0)}) {
     claim.infeasibility = wrong;
-    CHECK(solve(impossible, recites).report.status == Status::Breakdown);
+    CHECK(solve(impossible, recites).report.status == SolveStatus::Breakdown);
     CHECK(solve(impossible, recites).infeasibility.size() == 0);
   }
-  claim.report.status = Status::Solved;
-  CHECK(solve(impossible, recites).report.status == Status::Breakdown);
+  claim.report.status = SolveStatus::Solved;
+  CHECK(solve(impossible, recites).report.status == SolveStatus::Breakdown);
   DenseProgramme possible = impossible;
   possible.initial_gap.setZero();
-  CHECK(solve(possible, recites).report.status == Status::Solved);  // u = 0
+  CHECK(solve(possible, recites).report.status == SolveStatus::Solved);  // u = 0
 }
 
 TEST_CASE("a chain beside one that is loaded 1e14 times more is solved", "[dense_programme]") {
@@ -129,7 +129,7 @@ TEST_CASE("a chain beside one that is loaded 1e14 times more is solved", "[dense
     both.initial_gap << 2.3, 2.3e-14, 2.9, 2.9e-14, 3.2, 3.2e-14;
     const DenseSolution solution = solve(both, find_solver("quasi_active_set"));
     CAPTURE(weak);
-    REQUIRE(solution.report.status == Status::Solved);
+    REQUIRE(solution.report.status == SolveStatus::Solved);
     CHECK(solution.refined.displacement(10) <= 3.2e-14 * (1 + 1e-12));
   }
 }

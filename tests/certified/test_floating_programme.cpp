@@ -25,7 +25,7 @@ TEST_CASE("a soft body and other units: the certificate stays, the iterations to
     const KnownFloating known = known_floating(random, 1e-8, 1);  // condition 1e8 without the modes
     const FloatingSolution solution = solve(known.programme, known.null_vectors, solver);
     CAPTURE(sample);
-    REQUIRE(solution.dense.report.status == Status::Solved);
+    REQUIRE(solution.dense.report.status == SolveStatus::Solved);
     CHECK(solution.dense.certificate.worst() <= 1e-12);
 
     ContactProblem problem = condense(known.programme, known.null_vectors).problem;
@@ -56,7 +56,7 @@ TEST_CASE("a bar of two springs pressed on a wall: force and sink in closed form
   for (const double length : {1.0, 1000.0, -0.01}) {  // the length of a null vector says nothing
     const FloatingSolution solution =
         solve(row, VectorXd::Constant(3, length), find_solver("primal_dual_active_set"));
-    REQUIRE(solution.dense.report.status == Status::Solved);
+    REQUIRE(solution.dense.report.status == SolveStatus::Solved);
     CHECK(solution.dense.refined.force(0) == Approx(3).epsilon(1e-15));
     const Eigen::Vector3d u(0.5 + 0.75 + 1.5, 0.5 + 0.75, 0.5);
     CHECK((solution.dense.refined.displacement - u).norm() <= 1e-15 * u.norm());
@@ -65,7 +65,7 @@ TEST_CASE("a bar of two springs pressed on a wall: force and sink in closed form
   row.load *= -1;
   const FloatingSolution away =
       solve(row, VectorXd::Ones(3), find_solver("primal_dual_active_set"));
-  CHECK(away.dense.report.status == Status::Infeasible);
+  CHECK(away.dense.report.status == SolveStatus::Infeasible);
   REQUIRE(away.escape.size() == 1);
   CHECK(away.escape(0) < 0);  // away from the wall
 }

@@ -72,7 +72,7 @@ TEST_CASE("a pile of discs: soft pairs spare the pivots", "[friction][soft]") {
     const ContactProblem problem = pile(10, 10, mu);
     const ContactState state = find_solver("primal_dual_active_set").solve(problem, {});
     CAPTURE(mu, state.reason, state.report.iterations);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(certify(problem, state).worst() <= 1e-13);
     // Pivots alone would be a hundred thousand.
     CHECK(state.report.iterations <= 2 * problem.free_gap.size());
@@ -84,7 +84,7 @@ TEST_CASE("a large pile of discs is closed by its few entries", "[friction][soft
   REQUIRE(equilibrate_any(problem).sparse.size() > 0);
   const ContactState state = find_solver("primal_dual_active_set").solve(problem, {});
   CAPTURE(state.reason, state.report.iterations);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(certify(problem, state).worst() <= 1e-13);
 }
 

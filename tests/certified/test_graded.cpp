@@ -150,7 +150,7 @@ TEST_CASE("a soft unknown that contact holds dwarfs no overlap", "[dense_program
   for (const char* name : {"quasi_active_set", "goldfarb_idnani", "primal_dual_active_set"}) {
     CAPTURE(name);
     const DenseSolution found = solve(exact.programme, find_solver(name));
-    REQUIRE(found.report.status == Status::Solved);
+    REQUIRE(found.report.status == SolveStatus::Solved);
     CHECK(found.active == std::vector<Index>{0, 1, 2});
     CHECK(error(exact, found) < 1e-15);
   }
@@ -179,7 +179,7 @@ TEST_CASE("no force on other unknowns hides what an unknown lacks itself",
   for (const Solver& solver : solvers()) {
     CAPTURE(solver.name);
     const DenseSolution found = solve(exact.programme, solver);
-    if (found.report.status == Status::Solved)
+    if (found.report.status == SolveStatus::Solved)
       CHECK(largest(found.refined.displacement - exact.u) < 1e-12);
   }
 }
@@ -216,7 +216,7 @@ TEST_CASE("displacements that are zero are refined until none is rounding of the
   for (const char* name : {"quasi_active_set", "goldfarb_idnani", "primal_dual_active_set"}) {
     CAPTURE(name);
     const DenseSolution found = solve(programme, find_solver(name));
-    REQUIRE(found.report.status == Status::Solved);
+    REQUIRE(found.report.status == SolveStatus::Solved);
     CHECK(largest(found.refined.displacement) < 1e-28);
     CHECK(found.refined.force == Eigen::Vector2d(128, 0));
   }
@@ -229,7 +229,7 @@ TEST_CASE("of graded programmes with an exact solution none is certified and wro
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
       const Graded exact = draw(seed);
       const DenseSolution found = solve(exact.programme, solver);
-      const bool solved = found.report.status == Status::Solved;
+      const bool solved = found.report.status == SolveStatus::Solved;
       CAPTURE(solver.name, seed, to_string(found.report.status));
       if (exact_rows) CHECK(solved);
       if (solved) CHECK(error(exact, found) < 1e-9);  // 1e-12, and what rows do to each other
@@ -251,8 +251,8 @@ TEST_CASE("of graded programmes with defined unknowns none is certified and wron
       } catch (const ProblemError&) {  // K is definite, but not to rounding
         continue;
       }
-      if (found.report.status == Status::Solved) CHECK(error(exact, found) < 1e-9);
-      solved += found.report.status == Status::Solved ? 1 : 0;
+      if (found.report.status == SolveStatus::Solved) CHECK(error(exact, found) < 1e-9);
+      solved += found.report.status == SolveStatus::Solved ? 1 : 0;
     }
     if (solver.solve_programme != nullptr) CHECK(solved == 200);
   }

@@ -36,7 +36,7 @@ TEST_CASE("the worst rounding is found where its signs are not in turns", "[road
   const double stiff = 0x1p40;
   const Vector4d place(1, 2, 3, 5);
   const CertifiedEnd end = end_of(stiff, place);
-  REQUIRE(end.state.report.status == Status::Solved);
+  REQUIRE(end.state.report.status == SolveStatus::Solved);
   CHECK(end.certificate.holds(1e-12));
   const double worst = (0.25 * stiff + 0.75) * epsilon * place.sum();
   CHECK(end.doubt.share > 0.5 * worst);
@@ -46,7 +46,7 @@ TEST_CASE("the worst rounding is found where its signs are not in turns", "[road
 
 TEST_CASE("forces of pairs that differ by no pattern are known to rounding", "[road]") {
   const CertifiedEnd end = end_of(1, Vector4d(1, 2, 3, 5));
-  REQUIRE(end.state.report.status == Status::Solved);
+  REQUIRE(end.state.report.status == SolveStatus::Solved);
   CHECK(end.doubt.share == Approx(5 * epsilon).epsilon(1e-12));
   CHECK(end.doubt.pair == 3);
 }

@@ -60,7 +60,7 @@ struct Told {
 
 Told told(const Scene& scene, double pressure) {
   const Solution solution = solve(scene);
-  REQUIRE(solution.contact.report.status == Status::Solved);
+  REQUIRE(solution.contact.report.status == SolveStatus::Solved);
   CHECK(solution.certificate.holds(1e-12));
   return {share_of(note_of(solution)), error_of(scene, pressure, solution)};
 }
@@ -128,6 +128,6 @@ TEST_CASE("repeated rows are no rounding", "[scene][hard]") {
   scene.contacts[0].gap_operator = "gauss_points";
   scene.contacts[0].points = GENERATE(2, 3, 4, 6);
   const Solution solution = solve(scene);
-  REQUIRE(solution.contact.report.status == Status::Solved);
+  REQUIRE(solution.contact.report.status == SolveStatus::Solved);
   CHECK(note_of(solution).empty());
 }

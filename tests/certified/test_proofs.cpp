@@ -54,9 +54,9 @@ TEST_CASE("gaps that no forces open are refuted for asymmetric matrices, and no 
     const ContactProblem never{M, d};
     if (is_symmetric(never)) continue;
     CHECK(refutes(never, contradiction(equilibrate_any(never))));
-    CHECK(enumerate(never).report.status == Status::Infeasible);
+    CHECK(enumerate(never).report.status == SolveStatus::Infeasible);
     const ContactState path = lemke(never);
-    CHECK(path.report.status == Status::Infeasible);
+    CHECK(path.report.status == SolveStatus::Infeasible);
     CHECK(refutes(never, path.infeasibility));
   }
 }

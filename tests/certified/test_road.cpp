@@ -28,7 +28,8 @@ ContactState recite(const ContactProblem& /*problem*/, const SolverOptions& /*op
   return recital.answers[now];
 }
 
-ContactState claim(Status status, const VectorXd& force, const std::vector<Eigen::Index>& active) {
+ContactState claim(SolveStatus status, const VectorXd& force,
+                   const std::vector<Eigen::Index>& active) {
   ContactState state;
   state.force = force;
   state.gap = VectorXd::Zero(force.size());
@@ -65,68 +66,68 @@ TEST_CASE("the road mends a claim that is wrong, but no claim that runs in circl
   const auto ends = [](const ContactState& state) {
     return end_of_road(pull, step, Eigen::Vector2d::Zero(), {state});
   };
-  const CertifiedEnd right = ends(claim(Status::Solved, Eigen::Vector2d(0, 0), {1}));
-  CHECK(right.state.report.status == Status::Solved);
+  const CertifiedEnd right = ends(claim(SolveStatus::Solved, Eigen::Vector2d(0, 0), {1}));
+  CHECK(right.state.report.status == SolveStatus::Solved);
   CHECK(right.state.force == Eigen::Vector2d(0, 1.5));
   CHECK((right.state.gap - Eigen::Vector2d(0.5, 0)).norm() < 1e-30);
-  const CertifiedEnd mended = ends(claim(Status::Solved, Eigen::Vector2d(-1, 2), {0, 1}));
-  CHECK(mended.state.report.status == Status::Solved);
+  const CertifiedEnd mended = ends(claim(SolveStatus::Solved, Eigen::Vector2d(-1, 2), {0, 1}));
+  CHECK(mended.state.report.status == SolveStatus::Solved);
   CHECK(mended.state.active == std::vector<Eigen::Index>{1});
-  const CertifiedEnd wrong = ends(claim(Status::Solved, Eigen::Vector2d(1, 0), {0}));
-  CHECK(wrong.state.report.status == Status::Breakdown);
+  const CertifiedEnd wrong = ends(claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}));
+  CHECK(wrong.state.report.status == SolveStatus::Breakdown);
   CHECK_FALSE(wrong.state.reason.empty());
 }
 
 TEST_CASE("what is proved of a corrected problem is not proved of the one that was posed",
           "[road]") {
-  ContactState proved = claim(Status::Infeasible, Eigen::Vector2d(0, 0), {});
+  ContactState proved = claim(SolveStatus::Infeasible, Eigen::Vector2d(0, 0), {});
   proved.infeasibility = Eigen::Vector2d(1, 1);
   const MatrixXd walls =
       (MatrixXd(2, 2) << 1, 0, -1, 0).finished();  // closer than the body is wide
   const CertifiedEnd first = end_of_road(pull, walls, Eigen::Vector2d(-1, -1), {proved});
-  CHECK(first.state.report.status == Status::Infeasible);
+  CHECK(first.state.report.status == SolveStatus::Infeasible);
   CHECK(first.state.infeasibility == VectorXd::Ones(2));
   const CertifiedEnd feigned = end_of_road(pull, step, Eigen::Vector2d::Zero(), {proved});
-  CHECK(feigned.state.report.status == Status::Breakdown);  // A^T y is not 0
+  CHECK(feigned.state.report.status == SolveStatus::Breakdown);  // A^T y is not 0
   CHECK(feigned.state.infeasibility.size() == 0);
   const CertifiedEnd second =
       end_of_road(pull, step, Eigen::Vector2d::Zero(),
-                  {claim(Status::Solved, Eigen::Vector2d(1, 0), {0}), proved});
-  CHECK(second.state.report.status == Status::Breakdown);
+                  {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}), proved});
+  CHECK(second.state.report.status == SolveStatus::Breakdown);
   CHECK(second.state.infeasibility.size() == 0);
-  ContactState escaped = claim(Status::Infeasible, Eigen::Vector2d(0, 0), {});
+  ContactState escaped = claim(SolveStatus::Infeasible, Eigen::Vector2d(0, 0), {});
   escaped.escape = VectorXd::Ones(1);
   const CertifiedEnd third =
       end_of_road(pull, step, Eigen::Vector2d::Zero(),
-                  {claim(Status::Solved, Eigen::Vector2d(1, 0), {0}), escaped});
-  CHECK(third.state.report.status == Status::Breakdown);
+                  {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}), escaped});
+  CHECK(third.state.report.status == SolveStatus::Breakdown);
   CHECK(third.state.escape.size() == 0);
 }
 
 TEST_CASE("where a method breaks down the first of the others that arrives has the word",
           "[road]") {
-  ContactState lost = claim(Status::Breakdown, Eigen::Vector2d::Zero(), {});
+  ContactState lost = claim(SolveStatus::Breakdown, Eigen::Vector2d::Zero(), {});
   lost.escape = VectorXd::Ones(1);  // is not refined
   const auto ends = [&](const std::vector<Solver (*)()>& others, Eigen::Index limit = 0) {
     SolverOptions options;
     options.iteration_limit = limit;
     return end_of_road(pull, step, Eigen::Vector2d::Zero(), {lost}, others, options);
   };
-  CHECK(ends({}).state.report.status == Status::Breakdown);
+  CHECK(ends({}).state.report.status == SolveStatus::Breakdown);
   const CertifiedEnd end = ends({one_by_one, lemke});
-  CHECK(end.state.report.status == Status::Solved);
+  CHECK(end.state.report.status == SolveStatus::Solved);
   CHECK(end.state.active == std::vector<Eigen::Index>{1});
   CHECK(end.certificate.holds());
   // Who limits the iterations of a method wants that method.
-  CHECK(ends({one_by_one}, 100).state.report.status == Status::Breakdown);
+  CHECK(ends({one_by_one}, 100).state.report.status == SolveStatus::Breakdown);
 }
 
 TEST_CASE("pairs whose set was never confirmed are named by their numbers", "[road]") {
   // The second pair repeats the first but is 0.5 wider: both cannot close, and it carries nothing.
   const CertifiedEnd end =
       end_of_road(VectorXd::Ones(1), MatrixXd::Ones(2, 1), Eigen::Vector2d(0, 0.5),
-                  {claim(Status::Solved, Eigen::Vector2d(1, 0), {0, 1})});
-  CHECK(end.state.report.status == Status::Solved);
+                  {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0, 1})});
+  CHECK(end.state.report.status == SolveStatus::Solved);
   CHECK(end.state.force == Eigen::Vector2d(1, 0));
   CHECK(end.state.gap == Eigen::Vector2d(0, 0.5));
   CHECK(end.state.active == std::vector<Eigen::Index>{0});
@@ -143,7 +144,7 @@ TEST_CASE("where a claim that is not solved has moved the body is not believed",
   ContactProblem problem{MatrixXd::Identity(2, 2), -VectorXd::Ones(1), VectorXd::Zero(1),
                          law_of_all(VectorXd::Zero(1), VectorXd::Zero(1))};
   add_rigid_modes(programme, modes, problem);
-  const auto along = [&](Status status) {
+  const auto along = [&](SolveStatus status) {
     ContactState state = claim(status, VectorXd::Ones(1), {0});
     state.rubbing = {0};
     state.contact_status = {ContactStatus::SlipForward};
@@ -156,24 +157,25 @@ TEST_CASE("where a claim that is not solved has moved the body is not believed",
     const CertifiedEnd end =
         certified_end(programme, {problem, load, [](const VectorXd& force) { return force; }},
                       modes, solver.with_friction(Takes::Also), {}, ledger);
-    CHECK(end.state.report.status == Status::Solved);
+    CHECK(end.state.report.status == SolveStatus::Solved);
     CHECK(end.state.force(0) == 1);
     CHECK(end.state.slip(0) == end.solution.displacement(0));
     return end.solution.displacement(0);
   };
-  CHECK(along(Status::Solved) == 0.25);
-  CHECK(std::abs(along(Status::IterationLimit)) < 1e-15);  // rounding of the load along it
+  CHECK(along(SolveStatus::Solved) == 0.25);
+  CHECK(std::abs(along(SolveStatus::IterationLimit)) < 1e-15);  // rounding of the load along it
 }
 
 TEST_CASE("a method that breaks down without a word still has a reason at the end of the road",
           "[road]") {
-  const CertifiedEnd end = end_of_road(pull, step, Eigen::Vector2d::Zero(),
-                                       {claim(Status::Breakdown, Eigen::Vector2d::Zero(), {0, 1})});
-  REQUIRE(end.state.report.status != Status::Infeasible);
-  CHECK((end.state.report.status == Status::Solved) == end.state.reason.empty());
-  ContactState nothing = claim(Status::Breakdown, Eigen::Vector2d::Zero(), {});
+  const CertifiedEnd end =
+      end_of_road(pull, step, Eigen::Vector2d::Zero(),
+                  {claim(SolveStatus::Breakdown, Eigen::Vector2d::Zero(), {0, 1})});
+  REQUIRE(end.state.report.status != SolveStatus::Infeasible);
+  CHECK((end.state.report.status == SolveStatus::Solved) == end.state.reason.empty());
+  ContactState nothing = claim(SolveStatus::Breakdown, Eigen::Vector2d::Zero(), {});
   nothing.force.resize(0);  // no numbers to go on with
   const CertifiedEnd without = end_of_road(pull, step, Eigen::Vector2d::Zero(), {nothing});
-  CHECK(without.state.report.status == Status::Breakdown);
+  CHECK(without.state.report.status == SolveStatus::Breakdown);
   CHECK_FALSE(without.state.reason.empty());
 }

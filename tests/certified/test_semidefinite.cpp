@@ -37,7 +37,7 @@ TEST_CASE("a direction that only an inequality ends is found its end", "[dense_p
     for (const double unit : {1.0, 0x1p-30, 0x1p30}) {
       CAPTURE(solver, unit);
       const DenseSolution solution = solve(half(unit), find_solver(solver));
-      REQUIRE(solution.report.status == Status::Solved);
+      REQUIRE(solution.report.status == SolveStatus::Solved);
       CHECK(solution.certificate.worst() <= 1e-15);
       const VectorXd& u = solution.refined.displacement;
       CHECK(u(0) == Approx(0.5).epsilon(1e-15));
@@ -60,7 +60,7 @@ TEST_CASE("a linear programme is one whose K is nothing", "[dense_programme]") {
   programme.initial_gap.resize(5);
   programme.initial_gap << 4, 6, 3, 0, 0;
   const DenseSolution solution = solve(programme, find_solver("primal_dual_active_set"));
-  REQUIRE(solution.report.status == Status::Solved);
+  REQUIRE(solution.report.status == SolveStatus::Solved);
   CHECK(solution.certificate.worst() <= 1e-15);
   CHECK(solution.refined.displacement(0) == Approx(3).epsilon(1e-15));
   CHECK(solution.refined.displacement(1) == Approx(1).epsilon(1e-15));
@@ -88,7 +88,7 @@ TEST_CASE("forces that are small beside stiffness times displacement keep their 
         chain.A(1, n - 1) = -1;
         chain.initial_gap = Eigen::Vector2d(1000 * a, -1000 - 16 * step);
         const DenseSolution solution = solve(chain, find_solver(name));
-        REQUIRE(solution.report.status == Status::Solved);
+        REQUIRE(solution.report.status == SolveStatus::Solved);
         CHECK(solution.certificate.worst() <= 1e-15);
         // The first end is where a times it is the gap, which is a rounded number.
         const double off = std::fma(a, 1000.0, -chain.initial_gap(0)) / a;

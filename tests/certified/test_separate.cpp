@@ -95,8 +95,8 @@ TEST_CASE("a system beside one that is 1e20 times larger is solved to its own la
       for (const double small : {0x1p-20, 0x1p-43, 0x1p-66}) {
         CAPTURE(rubs, seed, small);
         const CertifiedEnd both = end_of(beside(one, two, small));
-        REQUIRE(alone.state.report.status == Status::Solved);
-        REQUIRE(both.state.report.status == Status::Solved);
+        REQUIRE(alone.state.report.status == SolveStatus::Solved);
+        REQUIRE(both.state.report.status == SolveStatus::Solved);
         CHECK(both.certificate.worst() <= 1e-14);
         CHECK((both.state.force.tail(3) / small - alone.state.force).cwiseAbs().maxCoeff() <=
               1e-14 * alone.state.force.maxCoeff());
@@ -117,9 +117,9 @@ TEST_CASE("one system that nothing solves does not spoil the word on the other",
   two.A.row(1) = -two.A.row(0);  // a gap that must close where another must open
   two.g(1) = -two.g(0) - 1;
   const CertifiedEnd both = end_of(beside(one, two, 1));
-  CHECK(both.state.report.status == Status::Infeasible);
+  CHECK(both.state.report.status == SolveStatus::Infeasible);
   REQUIRE(both.state.infeasibility.size() == 6);
   CHECK(both.state.infeasibility.head(3).isZero(0));
   CHECK(both.state.infeasibility(3) > 0);
-  CHECK(end_of(beside(two, one, 1)).state.report.status == Status::Infeasible);
+  CHECK(end_of(beside(two, one, 1)).state.report.status == SolveStatus::Infeasible);
 }

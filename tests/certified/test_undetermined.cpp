@@ -233,7 +233,7 @@ TEST_CASE("the forces of a node in two walls go as far as the vertices", "[closi
       read_problem(SIGNORINI_TEST_DATA "/found/friction_corner_node.txt"))[0];
   for (const char* name : {"primal_dual_active_set", "lemke"}) {
     const ContactState state = find_solver(name).solve(filed.problem, {});
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     const Carried all = carried(filed.problem, state);
     const std::vector<SharedForces> groups = undetermined_forces(all);
     REQUIRE(groups.size() == 1);
@@ -283,7 +283,7 @@ TEST_CASE("forces are determined whatever the units of pairs, or are not", "[clo
       ContactProblem scaled = problem;
       scaled.compliance *= unit;
       const ContactState state = friction_solvers().front().solve(scaled, {});
-      REQUIRE(state.report.status == Status::Solved);
+      REQUIRE(state.report.status == SolveStatus::Solved);
       const bool pressed = repeats && state.force.tail(2).sum() > 0;
       CAPTURE(trial, unit);
       CHECK(undetermined_forces(carried(scaled, state)).size() == (pressed ? 1 : 0));

@@ -60,7 +60,7 @@ TEST_CASE("a doubtful scene is told, a sound one is not", "[doubts]") {
       const std::vector<std::string> before = planned();
       const Solution after = solve(doubtful.scene);
       CAPTURE(lines(before), lines(after.notes));
-      REQUIRE(after.contact.report.status == Status::Solved);
+      REQUIRE(after.contact.report.status == SolveStatus::Solved);
       CHECK(tells(before, doubtful.words) == (doubtful.said == Said::Plan));
       CHECK(tells(after.notes, doubtful.words));
       REQUIRE(after.notes.size() >= before.size());
@@ -68,7 +68,7 @@ TEST_CASE("a doubtful scene is told, a sound one is not", "[doubts]") {
     }
     const Solution sound = solve(doubtful.sound);
     CAPTURE(lines(sound.notes));
-    CHECK(sound.contact.report.status == Status::Solved);
+    CHECK(sound.contact.report.status == SolveStatus::Solved);
     for (const char* doubt : doubts) CHECK_FALSE(tells(sound.notes, {doubt}));
   }
 }
@@ -176,7 +176,7 @@ TEST_CASE("faces of a crack that may touch are meant", "[doubts]") {
   scene.contacts = {{{"right"}, Side{"left2"}}};
   scene.contacts[0].gap_operator = "node_to_segment";
   const Solution solution = solve(scene);
-  CHECK(solution.contact.report.status == Status::Solved);
+  CHECK(solution.contact.report.status == SolveStatus::Solved);
   CHECK(solution.contact.force.sum() > 0);
   CAPTURE(lines(solution.notes));
   for (const char* doubt : doubts) CHECK_FALSE(tells(solution.notes, {doubt}));
@@ -236,7 +236,7 @@ TEST_CASE("an error tells the notes as well", "[doubts]") {
   infinite.bodies[0].loads.body_force = [](const Vector2d&) { return Vector2d(0, 1 / 0.0); };
   CHECK_THAT(problem_message([&] { static_cast<void>(solve(infinite)); }), ContainsSubstring(note));
   Solution solution = solve(scene);
-  solution.contact.report.status = Status::IterationLimit;
+  solution.contact.report.status = SolveStatus::IterationLimit;
   CHECK_THAT(message_of<NotSolved>([&] { require_solved(solution, "the beam"); }),
              ContainsSubstring("was not solved") && ContainsSubstring(note));
 }

@@ -89,7 +89,7 @@ TEST_CASE("of two bodies only the one that flies off is said to", "[said]") {
   for (const char* name : {"resting", "lifted"})
     scene.contacts.push_back({{"bottom", name}, half_plane({0, 0}, {0, 1})});
   const Solution solution = solve(scene);
-  REQUIRE(solution.contact.report.status != Status::Solved);
+  REQUIRE(solution.contact.report.status != SolveStatus::Solved);
   CAPTURE(solution.escape);
   CHECK(solution.escape.find("'lifted'") != std::string::npos);
   CHECK(solution.escape.find("'resting'") == std::string::npos);

@@ -199,7 +199,7 @@ TEST_CASE("a scene without contact is one linear solve", "[conformance][effects]
   Scene scene = cantilever("q4_incompatible", 12, 2);
   scene.contacts.clear();
   const Solution solution = solve(scene);
-  REQUIRE(solution.contact.report.status == Status::Solved);
+  REQUIRE(solution.contact.report.status == SolveStatus::Solved);
   const Body& body = scene.bodies[0];
   const NodeArray expected =
       solve_body(body.mesh, find_element(body.element), body.material, body.supports, body.loads);

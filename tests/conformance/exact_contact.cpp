@@ -37,7 +37,7 @@ TEST_CASE("every element: a pressed block has the uniform pressure of the closed
       CAPTURE(element.name);
       const Scene scene = pressed_block(element, state);
       const Solution solution = solve(scene);
-      REQUIRE(solution.contact.report.status == Status::Solved);
+      REQUIRE(solution.contact.report.status == SolveStatus::Solved);
       const double modulus = state == PlaneState::Stress ? 500 : 500 / (1 - 0.09);
       const double pressure = modulus * (0.1 - 0.04) / 2;
       REQUIRE(solution.contact.active.size() ==
@@ -87,7 +87,7 @@ TEST_CASE("every element: a block on a slanted plane has the same pressure as on
     scene.bodies[0].supports = {{"top", true, true, pushed, false}};
     scene.contacts = {{{"bottom"}, half_plane(R * Vector2d(0, -0.04), R * Vector2d(0, 1))}};
     const Solution solution = solve(scene);
-    REQUIRE(solution.contact.report.status == Status::Solved);
+    REQUIRE(solution.contact.report.status == SolveStatus::Solved);
     for (Index pair = 0; pair < solution.pressure.size(); ++pair)
       CHECK(solution.pressure(pair) == Approx(15).epsilon(1e-11).margin(0));
   }

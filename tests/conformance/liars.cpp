@@ -32,7 +32,7 @@ Instance unsolvable() {
   Eigen::Matrix2d G;
   G << 1, -1, -1, 1;
   Instance made{"wedged", {G, Eigen::Vector2d(-1, 0.5)}};
-  made.expected = Status::Infeasible;
+  made.expected = SolveStatus::Infeasible;
   return made;
 }
 
@@ -40,7 +40,7 @@ std::string verdict(Solve solve, const Instance& instance, const std::vector<Tra
   return complaint({"liar", "for this test", solve, 0, excuse}, {Trait::Dependent}, instance);
 }
 
-ContactState state(const ContactProblem& problem, const VectorXd& force, Status status) {
+ContactState state(const ContactProblem& problem, const VectorXd& force, SolveStatus status) {
   const Eigen::Index pairs = force.size();
   ContactState made{
       force, problem.compliance.topLeftCorner(pairs, pairs) * force + problem.free_gap, {}, {}};
@@ -48,7 +48,7 @@ ContactState state(const ContactProblem& problem, const VectorXd& force, Status 
   return made;
 }
 
-template <Status status>
+template <SolveStatus status>
 ContactState says(const ContactProblem& problem, const SolverOptions& /*options*/) {
   return state(problem, VectorXd::Zero(problem.free_gap.size()), status);
 }
@@ -70,8 +70,8 @@ TEST_CASE("the judge accepts the truth", "[conformance][judge]") {
 }
 
 TEST_CASE("the judge finds a wrong success", "[conformance][judge]") {
-  CHECK_THAT(verdict(says<Status::Solved>, solvable()), ContainsSubstring("certificate"));
-  CHECK_THAT(verdict(says<Status::Solved>, unsolvable()), ContainsSubstring("nothing solves"));
+  CHECK_THAT(verdict(says<SolveStatus::Solved>, solvable()), ContainsSubstring("certificate"));
+  CHECK_THAT(verdict(says<SolveStatus::Solved>, unsolvable()), ContainsSubstring("nothing solves"));
   const Solve inexact = [](const ContactProblem& problem, const SolverOptions&) {
     return changed(problem, [](ContactState& made) { made.force *= 1 + 1e-11; });
   };
@@ -85,7 +85,7 @@ TEST_CASE("the judge finds a wrong success", "[conformance][judge]") {
   };
   CHECK_THAT(verdict(open, solvable()), ContainsSubstring("order"));
   const Solve empty = [](const ContactProblem&, const SolverOptions&) {
-    return state({Eigen::MatrixXd(0, 0), VectorXd(0)}, VectorXd(0), Status::Solved);
+    return state({Eigen::MatrixXd(0, 0), VectorXd(0)}, VectorXd(0), SolveStatus::Solved);
   };
   CHECK_THAT(verdict(empty, solvable()), ContainsSubstring("0 forces"));
   Instance other = solvable();  // certified, but not what is known
@@ -99,25 +99,25 @@ TEST_CASE("the judge finds a wrong success", "[conformance][judge]") {
 TEST_CASE("no trait excuses a wrong success or a wrong refusal", "[conformance][judge]") {
   const std::vector<Trait> all = {Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
                                   Trait::IllConditioned, Trait::Slow};
-  CHECK_FALSE(verdict(says<Status::Solved>, solvable(), all).empty());
-  CHECK_FALSE(verdict(says<Status::Solved>, unsolvable(), all).empty());
-  CHECK_FALSE(verdict(says<Status::Infeasible>, solvable(), all).empty());
-  CHECK_THAT(verdict(says<Status::Infeasible>, unsolvable(), all),
+  CHECK_FALSE(verdict(says<SolveStatus::Solved>, solvable(), all).empty());
+  CHECK_FALSE(verdict(says<SolveStatus::Solved>, unsolvable(), all).empty());
+  CHECK_FALSE(verdict(says<SolveStatus::Infeasible>, solvable(), all).empty());
+  CHECK_THAT(verdict(says<SolveStatus::Infeasible>, unsolvable(), all),
              ContainsSubstring("proves nothing"));
-  CHECK_FALSE(verdict(says<Status::Feasible>, solvable(), all).empty());
-  CHECK_FALSE(verdict(says<Status::Feasible>, unsolvable(), all).empty());
+  CHECK_FALSE(verdict(says<SolveStatus::Feasible>, solvable(), all).empty());
+  CHECK_FALSE(verdict(says<SolveStatus::Feasible>, unsolvable(), all).empty());
 }
 
 TEST_CASE("a trait excuses a failure, and nothing else does", "[conformance][judge]") {
   for (const Solve solve :
-       {says<Status::Breakdown>, says<Status::IterationLimit>, says<Status::Ray>})
+       {says<SolveStatus::Breakdown>, says<SolveStatus::IterationLimit>, says<SolveStatus::Ray>})
     for (const Instance& instance : {solvable(), unsolvable()}) {
       CHECK(verdict(solve, instance, {Trait::Dependent}).empty());
       CHECK_THAT(verdict(solve, instance), ContainsSubstring("instead of"));
       CHECK_THAT(verdict(solve, instance, {Trait::Slow}), ContainsSubstring("instead of"));
     }
   const Solve feasible = [](const ContactProblem& problem, const SolverOptions&) {
-    return state(problem, Eigen::Vector2d(5, 4), Status::Feasible);  // pressed too hard
+    return state(problem, Eigen::Vector2d(5, 4), SolveStatus::Feasible);  // pressed too hard
   };
   CHECK(verdict(feasible, solvable(), {Trait::Dependent}).empty());
   CHECK_THAT(verdict(feasible, solvable()), ContainsSubstring("instead of"));
@@ -125,7 +125,7 @@ TEST_CASE("a trait excuses a failure, and nothing else does", "[conformance][jud
 
 TEST_CASE("the judge checks a proof of infeasibility", "[conformance][judge]") {
   const auto proof = [](const ContactProblem& problem, const VectorXd& y) {
-    ContactState made = says<Status::Infeasible>(problem, {});
+    ContactState made = says<SolveStatus::Infeasible>(problem, {});
     made.infeasibility = y;
     return made;
   };
@@ -155,7 +155,7 @@ TEST_CASE("the judge hears exceptions and missing refusals", "[conformance][judg
   CHECK_THAT(verdict(throws, solvable()), ContainsSubstring("out of ideas"));
   Instance turned = solvable();
   turned.problem.compliance(0, 1) = 0.5;
-  CHECK_THAT(verdict(says<Status::Breakdown>, turned, {Trait::Asymmetric}),
+  CHECK_THAT(verdict(says<SolveStatus::Breakdown>, turned, {Trait::Asymmetric}),
              ContainsSubstring("does not refuse"));
   CHECK(verdict(primal_dual_active_set, turned, {Trait::Asymmetric}).empty());
 }
@@ -190,9 +190,9 @@ TEST_CASE("the judge finds a wrong friction force, motion or claim to be the onl
   other.contact_status = {ContactStatus::SlipBackward};
   CHECK_THAT(judged(primal_dual_active_set, other), ContainsSubstring("other ways"));
   other = pair;
-  other.expected = Status::Breakdown;
+  other.expected = SolveStatus::Breakdown;
   CHECK_THAT(judged(primal_dual_active_set, other), ContainsSubstring("nothing solves"));
-  CHECK(judged(says<Status::Breakdown>, other).empty());
+  CHECK(judged(says<SolveStatus::Breakdown>, other).empty());
   const Solver takes_none{"liar", "for this test", primal_dual_active_set};
   CHECK_FALSE(takes_part(takes_none, pair));
   CHECK_FALSE(takes_part(takes_none.with_friction(Takes::Only), solvable()));
@@ -201,14 +201,14 @@ TEST_CASE("the judge finds a wrong friction force, motion or claim to be the onl
 TEST_CASE("the judge finds false proofs that a body escapes", "[conformance][judge]") {
   Instance away{"bar",
                 bar(Eigen::Vector2d(0, 3), Eigen::Vector2d(1, 1), Eigen::Vector2d(1, 1), -1, 1)};
-  away.expected = Status::Infeasible;
+  away.expected = SolveStatus::Infeasible;
   const auto judged = [&](Solve solve) {
     return complaint(Solver{"liar", "for this test", solve}.with_rigid_modes(), {Trait::Dependent},
                      away);
   };
   static Eigen::Vector2d way;
   const Solve claims = [](const ContactProblem& problem, const SolverOptions&) {
-    ContactState made = state(problem, VectorXd::Zero(2), Status::Infeasible);
+    ContactState made = state(problem, VectorXd::Zero(2), SolveStatus::Infeasible);
     made.escape = way;
     return made;
   };

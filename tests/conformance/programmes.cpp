@@ -26,7 +26,7 @@ TEST_CASE("every solver: rows that only touch where others are closed are no con
     for (const Solver& solver : chosen(solvers())) {
       if (may_fail(solver, Trait::Ordinary) || may_fail(solver, Trait::Dependent)) continue;
       CAPTURE(solver.name);
-      CHECK(solve(programme, solver).report.status == Status::Solved);
+      CHECK(solve(programme, solver).report.status == SolveStatus::Solved);
     }
 }
 
@@ -38,8 +38,9 @@ TEST_CASE("every solver: rows that contradict each other are not solved, and ref
   for (const Solver& solver : chosen(solvers())) {
     const DenseSolution solution = solve(wedge, solver);
     CAPTURE(solver.name);
-    CHECK(solution.report.status != Status::Solved);
-    if (solution.report.status == Status::Infeasible) CHECK(solution.infeasibility.size() == 2);
+    CHECK(solution.report.status != SolveStatus::Solved);
+    if (solution.report.status == SolveStatus::Infeasible)
+      CHECK(solution.infeasibility.size() == 2);
   }
 }
 
@@ -55,8 +56,8 @@ TEST_CASE("every solver: floating bodies built backwards from their answer",
       // Not those that leave even plain problems unsolved; springs raise the condition of G by 1e2 or more.
       const bool promised = !may_fail(solver, Trait::Ordinary) &&
                             !may_fail(solver, Trait::Several) && !may_fail(solver, Trait::Slow);
-      if (!promised && solution.dense.report.status != Status::Solved) continue;
-      REQUIRE(solution.dense.report.status == Status::Solved);
+      if (!promised && solution.dense.report.status != SolveStatus::Solved) continue;
+      REQUIRE(solution.dense.report.status == SolveStatus::Solved);
       CHECK(solution.dense.certificate.worst() <= 1e-13);
       CHECK((solution.dense.refined.displacement - known.displacement).norm() <=
             1e-11 * known.displacement.norm());

@@ -47,18 +47,18 @@ TEST_CASE("the judge of random condensed problems finds what is wrong", "[confor
   const RandomCondensed wedged{"wedged", {G, Eigen::Vector2d(-1, 0.5)}, false};
   const RandomCondensed grazing{"grazing", {G, Eigen::Vector2d(-1, 1)}, true};
   ContactState state{Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 0), {0}, {}};
-  state.report.status = Status::Solved;
+  state.report.status = SolveStatus::Solved;
   CHECK(verdict(grazing, state) == Verdict::Solved);
   CHECK(verdict(wedged, state) == Verdict::Wrong);
   state.force(0) = 0.9;
   CHECK(verdict(grazing, state) == Verdict::Wrong);
-  state.report.status = Status::Infeasible;
+  state.report.status = SolveStatus::Infeasible;
   CHECK(verdict(wedged, state) == Verdict::Wrong);
   state.infeasibility = Eigen::Vector2d(1, 1);
   CHECK(verdict(wedged, state) == Verdict::Refuted);
   CHECK(verdict(grazing, state) == Verdict::Wrong);
   state.infeasibility = Eigen::Vector2d(1, 0.9);
   CHECK(verdict(wedged, state) == Verdict::Wrong);
-  state.report.status = Status::Breakdown;
+  state.report.status = SolveStatus::Breakdown;
   CHECK(verdict(wedged, state) == Verdict::Failed);
 }

@@ -21,14 +21,14 @@ TEST_CASE("every solver: the same forces between two bodies, of which contact ho
   const Model model = build(hertz(spec), ledger);
   const Condensed condensed = signorini::condense(model, ledger);
   const Solution first = solve(model, condensed, primal_dual_active_set(), ledger);
-  REQUIRE(first.contact.report.status == Status::Solved);
+  REQUIRE(first.contact.report.status == SolveStatus::Solved);
   CHECK(first.certificate.holds(1e-14));
   CHECK(first.contact.force.sum() == Approx(hertz_load / 2).epsilon(1e-12));
   for (const Solver& solver : members) {
     if (solver.largest > 0 && solver.largest < first.contact.force.size()) continue;
     INFO(solver.name);
     const Solution other = solve(model, condensed, solver, ledger);
-    if (other.contact.report.status != Status::Solved) {
+    if (other.contact.report.status != SolveStatus::Solved) {
       CHECK(may_fail(solver, Trait::Several));
       continue;
     }

@@ -81,7 +81,7 @@ TEST_CASE("every solver: units and scales of rows change no bit but the exponent
       CHECK(other.report.status == plain.report.status);
       CHECK(other.report.iterations == plain.report.iterations);
       CHECK(other.active == plain.active);
-      if (plain.report.status != Status::Solved) continue;
+      if (plain.report.status != SolveStatus::Solved) continue;
       CHECK(other.force.cwiseProduct(row) / force == plain.force);
       CHECK(other.gap.cwiseQuotient(row) / length == plain.gap);
       const VectorXd rubbing = row(plain.rubbing);
@@ -101,7 +101,7 @@ TEST_CASE("every solver: a pair written twice gives one total force or an honest
   for (const Solver& solver : chosen(solvers())) {
     const ContactState state = solver.solve(problem, {});
     CAPTURE(solver.name);
-    if (state.report.status == Status::Solved)
+    if (state.report.status == SolveStatus::Solved)
       CHECK(state.force(0) + state.force(1) == Approx(1).epsilon(1e-12));
     else
       CHECK(may_fail(solver, Trait::Dependent));
@@ -115,7 +115,8 @@ TEST_CASE("every solver: a limit on iterations is kept, or not needed", "[confor
     options.iteration_limit = 1;
     const ContactState state = solver.solve(problem, options);
     CAPTURE(solver.name);
-    CHECK((state.report.status == Status::Solved || state.report.status == Status::IterationLimit));
+    CHECK((state.report.status == SolveStatus::Solved ||
+           state.report.status == SolveStatus::IterationLimit));
   }
 }
 

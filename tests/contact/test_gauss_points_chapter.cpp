@@ -16,7 +16,8 @@ TEST_CASE(
   int found = 0;
   for (const char* name : {"quasi_active_set", "goldfarb_idnani", "lemke", "fischer_burmeister"}) {
     const Solution other = solve(first.model, first.condensed, find_solver(name), {});
-    if (other.contact.report.status != Status::Solved) continue;  // some give up on a singular G
+    if (other.contact.report.status != SolveStatus::Solved)
+      continue;  // some give up on a singular G
     CAPTURE(name);
     CHECK((contact_forces(first.model, other) - nodal).norm() < 1e-9 * nodal.norm());
     ++found;

@@ -71,7 +71,7 @@ TEST_CASE("an interference is an obstacle that stands so much closer", "[fit]") 
   pressed.contacts[0].interference = 0.25;
   const Solution one = solve(closer);
   const Solution two = solve(pressed);
-  REQUIRE(two.contact.report.status == Status::Solved);
+  REQUIRE(two.contact.report.status == SolveStatus::Solved);
   CHECK(two.contact.force == one.contact.force);  // 0 - 0.25 is exact
   CHECK(two.displacements[0] == one.displacements[0]);
   const Plan planned = plan(pressed);

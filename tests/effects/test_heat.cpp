@@ -149,7 +149,7 @@ TEST_CASE("a press fit by interference bears what Lame says", "[fit]") {
   Scene scene = scene_of(lining);
   scene.contacts[0].interference = 0.01;
   const Solution solution = solve(scene);
-  REQUIRE(solution.contact.report.status == Status::Solved);
+  REQUIRE(solution.contact.report.status == SolveStatus::Solved);
   lining.radii[1] += 0.01;
   const double pressure = nested_pressure(closed_form(lining)).inner.outside;
   CHECK(solution.pressure.mean() == Approx(pressure).epsilon(1e-3));

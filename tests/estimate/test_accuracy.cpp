@@ -230,7 +230,7 @@ TEST_CASE("what stands in the way is named", "[accuracy]") {
   Accuracy wanted{1e-4, {"normal_force", NormalForce{}}, 2000};
   const AccurateSolution few = solve_to_accuracy(scene, wanted);
   CHECK_FALSE(few.met);
-  CHECK(few.solution.contact.report.status == Status::Solved);
+  CHECK(few.solution.contact.report.status == SolveStatus::Solved);
   CHECK_THAT(few.verdict, ContainsSubstring("budget of unknowns") && ContainsSubstring("2000"));
   wanted = {1e-19, {"normal_force", NormalForce{}}};
   const AccurateSolution exact = solve_to_accuracy(scene, wanted);
@@ -284,7 +284,7 @@ TEST_CASE("a finer mesh that gives no answer leaves the one before, and the reas
   CHECK_FALSE(result.met);
   CHECK_THAT(result.verdict, kind == 0 ? ContainsSubstring("no force is known here")
                                        : ContainsSubstring("not solved on the next mesh"));
-  REQUIRE(result.solution.contact.report.status == Status::Solved);
+  REQUIRE(result.solution.contact.report.status == SolveStatus::Solved);
   REQUIRE(result.estimate);
   CHECK(result.rounds.size() == estimated);
   CHECK(result.rounds.back().of_mesh == value(result.model, result.solution, goal));

@@ -357,7 +357,7 @@ TEST_CASE("what no estimate is promised for is refused by name", "[estimate]") {
   CHECK_THAT(problem_message([&] { (void)estimated(stepped, {force}); }),
              ContainsSubstring("load steps"));
   SolvedScene unsolved = solved(measured_cantilever().scene("q4", 20), "cantilever");
-  unsolved.solution.contact.report.status = Status::Breakdown;
+  unsolved.solution.contact.report.status = SolveStatus::Breakdown;
   CHECK_THAT(problem_message([&] { (void)estimated(unsolved, {force}); }),
              ContainsSubstring("not solved"));
 }

@@ -185,7 +185,7 @@ TEST_CASE("a mesh that takes longer than allowed is asked about before", "[accur
   CHECK(result.too_dear > result.rounds.back().unknowns);
   CHECK_THAT(result.verdict, ContainsSubstring("price") && ContainsSubstring("forecast") &&
                                  ContainsSubstring(std::to_string(result.too_dear)));
-  CHECK(result.solution.contact.report.status == Status::Solved);
+  CHECK(result.solution.contact.report.status == SolveStatus::Solved);
   wanted.target = 0.01;
   wanted.most_seconds = 3600;
   CHECK(solve_to_accuracy(body.scene("q4", 1), wanted).too_dear == 0);

@@ -208,7 +208,7 @@ TEST_CASE("the block of the examples slides at the force of its weight times mu"
     if (step.state.steps == 11) at_first = meter.work();
     at_last = meter.work();
   });
-  REQUIRE(end.status == Status::Solved);
+  REQUIRE(end.status == SolveStatus::Solved);
   REQUIRE(drag.size() == 51);
   for (const std::size_t k : {8, 9, 10, 48, 49, 50}) {
     CHECK(drag[k] == Approx(-60).epsilon(1e-12));

@@ -125,7 +125,7 @@ TEST_CASE("the steps of a file are loaded as they say", "[scene_file][steps]") {
   const PathEnd end = solve_steps(stepped, [&](const Model&, const Step& step) {
     all.push_back(step.solution.displacements[0]);
   });
-  CHECK(end.status == Status::Solved);
+  CHECK(end.status == SolveStatus::Solved);
   REQUIRE(all.size() == 2);
   const double size = once.displacements[0].norm();
   CHECK((all[1] - once.displacements[0]).norm() <= 1e-12 * size);

@@ -75,7 +75,7 @@ TEST_CASE("collected programmes reach their published optimum with every sign ri
     const TwoSidedProgramme programme = from_file(name);
     const OneSided form = one_sided(programme);
     const DenseSolution solution = solve(form.programme, find_solver("quasi_active_set"));
-    REQUIRE(solution.report.status == Status::Solved);
+    REQUIRE(solution.report.status == SolveStatus::Solved);
     CHECK(solution.certificate.holds());
     const VectorXd x = solution.refined.displacement;
     REQUIRE(programme.published_optimum);

@@ -88,11 +88,12 @@ std::string solved_or_refused(const std::string& content) {
     const SceneFile file = parse_scene(content, "name", "/nowhere");
     if (file.scene.path) {
       const PathEnd end = solve_steps(file.scene);
-      return end.status == Status::Solved || !end.reason.empty() ? "" : "an end without a reason";
+      return end.status == SolveStatus::Solved || !end.reason.empty() ? ""
+                                                                      : "an end without a reason";
     }
     const Solution solution = solve(file.scene);
     const bool right = solution.certificate.holds();
-    return solution.contact.report.status != Status::Solved || right ? "" : "solved and wrong";
+    return solution.contact.report.status != SolveStatus::Solved || right ? "" : "solved and wrong";
   } catch (const ProblemError& error) {
     return std::string(error.what()).empty() ? "no message" : "";
   }

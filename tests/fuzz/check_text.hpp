@@ -26,7 +26,7 @@ inline std::string check_solvers(const signorini::ContactProblem& problem) {
     if (!rubs && !symmetric && may_fail(solver, Trait::Asymmetric)) continue;
     try {
       const ContactState state = solver.solve(problem, {});
-      if (state.report.status == Status::Solved && !certify(problem, state).holds())
+      if (state.report.status == SolveStatus::Solved && !certify(problem, state).holds())
         return text(solver.name, ": solved with ", certify(problem, state));
     } catch (const std::invalid_argument&) {
     } catch (const ProblemError&) {
@@ -49,7 +49,7 @@ inline std::string check_solvers(const signorini::TwoSidedProgramme& programme) 
       const DenseSolution solution = solve(form->programme, solver);
       static_cast<void>(objective(programme, solution.refined));
       static_cast<void>(multipliers(*form, solution.refined.force, programme.lower.size()));
-      if (solution.report.status == Status::Solved && !solution.certificate.holds())
+      if (solution.report.status == SolveStatus::Solved && !solution.certificate.holds())
         return text(solver.name, ": solved with ", solution.certificate);
     } catch (const std::invalid_argument&) {
     } catch (const ProblemError&) {

@@ -61,7 +61,7 @@ TEST_CASE("the round block has the same forces with all unknowns and with contac
     SaddlePointOptions options;
     options.form = form;
     const SaddlePointSolution whole = saddle_point_newton(condensed.model.programme, options);
-    REQUIRE(whole.report.status == Status::Solved);
+    REQUIRE(whole.report.status == SolveStatus::Solved);
     CHECK((whole.solution.force - force).norm() < 1e-11 * force.norm());
   }
 }

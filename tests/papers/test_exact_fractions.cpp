@@ -79,7 +79,8 @@ TEST_CASE("the first steps of the printed loop are those in fractions, whatever 
       for (stop.iteration_limit = 1; stop.iteration_limit <= 3; ++stop.iteration_limit) {
         const QuasiActiveRun run = run_quasi_active_set_literal(point.problem(), stop, choice);
         const auto step = static_cast<std::size_t>(stop.iteration_limit) - 1;
-        if (run.steps.size() <= step || run.state.report.status != Status::IterationLimit) break;
+        if (run.steps.size() <= step || run.state.report.status != SolveStatus::IterationLimit)
+          break;
         const std::vector<Index>& rows = run.steps[step].quasi_active;
         const std::vector<Index>& violated = run.steps[step].violated;
         CHECK(rows_with(q, u, -1) == exact::Set(violated.begin(), violated.end()));

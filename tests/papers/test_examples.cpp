@@ -82,7 +82,7 @@ TEST_CASE("the solution tends to Hertz's half-width and force", "[examples][clos
   for (const Index n : {51, 200}) {
     const Indentation hertz = half_plane_indentation(n);
     const ContactState state = primal_dual_active_set(hertz.problem);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     const double h = 2.0 / static_cast<double>(n);
     CAPTURE(n);
     CHECK(std::abs(state.force.sum() / hertz.total_force - 1) < h * h);
@@ -95,7 +95,7 @@ TEST_CASE("a flat punch touches everywhere and carries the force 1", "[examples]
   for (const Index n : {10, 100}) {
     const Indentation flat = half_plane_indentation(n, Punch::Flat);
     const ContactState state = primal_dual_active_set(flat.problem);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CAPTURE(n);
     CHECK(static_cast<Index>(state.active.size()) == n);
     CHECK(state.force.sum() == Approx(1).epsilon(1.0 / static_cast<double>(n)));

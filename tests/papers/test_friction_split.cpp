@@ -24,10 +24,10 @@ TEST_CASE("the split as printed: no pair may have both u+ > 0, u- > 0 and no bou
     const ContactState printed = friction_split_literal(problem);
     const ContactState repaired = friction_split(problem);
     CAPTURE(trial, repaired.reason);
-    REQUIRE(repaired.report.status == Status::Solved);
+    REQUIRE(repaired.report.status == SolveStatus::Solved);
     CHECK(repaired.report.iterations <= 12);
     singular += printed.reason.find("Jacobian is singular") != std::string::npos ? 1 : 0;
-    if (printed.report.status != Status::Solved) {
+    if (printed.report.status != SolveStatus::Solved) {
       CHECK_FALSE(printed.reason.empty());
       continue;
     }
@@ -48,7 +48,7 @@ TEST_CASE("the split as printed depends on units, the repaired one does not",
     other.compliance *= 1e-6;  // forces a million times larger
     const ContactState one = friction_split(problem);
     const ContactState two = friction_split(other);
-    REQUIRE(one.report.status == Status::Solved);
+    REQUIRE(one.report.status == SolveStatus::Solved);
     CHECK(one.report.iterations == two.report.iterations);
     CHECK((forces(two) * 1e-6 - forces(one)).norm() <= 1e-12 * forces(one).norm());
     differ += friction_split_literal(problem).report.iterations !=
@@ -66,11 +66,11 @@ TEST_CASE("Newton's method lowers its residual with every step, and says how far
   options.iteration_limit = 3;
   for (const auto& solve : {fischer_burmeister, friction_split}) {
     const ContactState short_run = solve(problem, options);
-    CHECK(short_run.report.status == Status::IterationLimit);
+    CHECK(short_run.report.status == SolveStatus::IterationLimit);
     CHECK(short_run.report.iterations == 3);
     CHECK_FALSE(short_run.reason.empty());
     const ContactState state = solve(problem, {});
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     double last = 1;
     for (const Iteration& step : state.report.history) {
       CHECK(step.residual < last);
@@ -78,7 +78,7 @@ TEST_CASE("Newton's method lowers its residual with every step, and says how far
     }
   }
   options.iteration_limit = 2;
-  CHECK(primal_dual_active_set(problem, options).report.status == Status::IterationLimit);
+  CHECK(primal_dual_active_set(problem, options).report.status == SolveStatus::IterationLimit);
 }
 
 TEST_CASE("nothing to do: no pairs, no contact, no load", "[friction][edges]") {
@@ -88,7 +88,7 @@ TEST_CASE("nothing to do: no pairs, no contact, no load", "[friction][edges]") {
   for (const auto& solve : {primal_dual_active_set, fischer_burmeister, friction_split})
     for (const ContactProblem* problem : {&none, &apart, &touching}) {
       const ContactState state = solve(*problem, {});
-      REQUIRE(state.report.status == Status::Solved);
+      REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK(state.force.isZero(0));
       CHECK(state.friction.isZero(0));
       CHECK(certify(*problem, state).worst() == 0);

@@ -43,7 +43,7 @@ TEST_CASE("the linear programme agrees with the trial of all sets on random prob
     const ContactState state = linear_programme(problem);
     const ContactState reference = enumerate(problem);
     CAPTURE(sample);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.active == reference.active);
     CHECK((state.force - reference.force).norm() <= 1e-12 * reference.force.norm());
     CHECK(certify(problem, state).worst() <= 1e-13);
@@ -55,7 +55,7 @@ TEST_CASE("one pair at a time: at least as many pivots as closed pairs, and not 
   Random random(4);
   for (const Index n : {5, 20, 80}) {
     const ContactState state = linear_programme(random_problem(random, n));
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     const Index closed = static_cast<Index>(state.active.size());
     CAPTURE(n, state.report.iterations, closed);
     CHECK(state.report.iterations >= closed);
@@ -98,7 +98,7 @@ TEST_CASE("increments of load end where one step ends", "[linear_programme]") {
     const std::vector<ContactState> steps =
         incremental_linear_programme(load.problem, load.initial_gap, increments);
     REQUIRE(steps.size() == static_cast<std::size_t>(increments));
-    for (const ContactState& step : steps) CHECK(step.report.status == Status::Solved);
+    for (const ContactState& step : steps) CHECK(step.report.status == SolveStatus::Solved);
     CHECK(steps.back().active == once.active);
     CHECK((steps.back().force - once.force).norm() <= 1e-13 * once.force.norm());
   }
@@ -136,9 +136,9 @@ TEST_CASE("restricted entry stalls on a pair written twice with two gaps, and sa
   // other variable changes the overlap that is left.
   const ContactProblem twice{Eigen::MatrixXd::Ones(2, 2), Vector2d(-1, -2)};
   const ContactState state = linear_programme(twice);
-  CHECK(state.report.status == Status::Breakdown);
+  CHECK(state.report.status == SolveStatus::Breakdown);
   CHECK(state.infeasibility.size() == 0);
-  CHECK(enumerate(twice).report.status == Status::Solved);
+  CHECK(enumerate(twice).report.status == SolveStatus::Solved);
 }
 
 TEST_CASE("prices prove that gaps contradict each other", "[linear_programme]") {
@@ -146,7 +146,7 @@ TEST_CASE("prices prove that gaps contradict each other", "[linear_programme]") 
   G << 4, -2, -2, 1;  // two walls that face each other, the second gap in half units
   const Vector2d d(-1, -0.25);
   const ContactState state = linear_programme({G, d});
-  REQUIRE(state.report.status == Status::Infeasible);
+  REQUIRE(state.report.status == SolveStatus::Infeasible);
   const VectorXd& y = state.infeasibility;
   REQUIRE(y.size() == 2);
   CHECK((y.array() >= 0).all());
@@ -156,7 +156,7 @@ TEST_CASE("prices prove that gaps contradict each other", "[linear_programme]") 
 
 TEST_CASE("a limit on the pivots is kept and said", "[linear_programme]") {
   const ContactState state = linear_programme(string_problem(40), {3});
-  CHECK(state.report.status == Status::IterationLimit);
+  CHECK(state.report.status == SolveStatus::IterationLimit);
   CHECK(state.report.iterations == 3);
 }
 

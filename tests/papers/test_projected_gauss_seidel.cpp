@@ -32,7 +32,8 @@ TEST_CASE("the error of two pairs shrinks by four in every sweep", "[gauss_seide
   // Sweep k leaves the force (2 + 1/2 4^(1-k), 1 - 1/4 4^(1-k)): by hand from (0, 0).
   for (const Index sweeps : {1, 2}) {
     const ContactState state = projected_gauss_seidel(two_pairs(), {sweeps});
-    REQUIRE(state.report.status == Status::Solved);  // the set is right from the first sweep on
+    REQUIRE(state.report.status ==
+            SolveStatus::Solved);  // the set is right from the first sweep on
     CHECK((state.force - Vector2d(2, 1)).norm() < 1e-15);
   }
   const ContactState state = projected_gauss_seidel(two_pairs());
@@ -49,7 +50,7 @@ TEST_CASE("the error of two pairs shrinks by four in every sweep", "[gauss_seide
 TEST_CASE("a set that is right from the start ends a problem on which sweeps are slow",
           "[gauss_seidel][closed-form]") {
   const ContactState state = projected_gauss_seidel(chain(50));
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.report.iterations == 2);
   for (Index i = 0; i < 50; ++i)  // the parabola (i + 1)(n - i) / 2
     CHECK(state.force(i) == Approx(0.5 * static_cast<double>((i + 1) * (50 - i))).epsilon(1e-13));
@@ -65,11 +66,11 @@ TEST_CASE("sweeps raise the dual energy, and what they say is right", "[gauss_se
     const std::vector<Iteration>& history = state.report.history;
     for (std::size_t k = 1; k < history.size(); ++k)
       CHECK(history[k].dual_energy >= history[k - 1].dual_energy * (1 - 1e-13));
-    if (state.report.status == Status::Solved) {
+    if (state.report.status == SolveStatus::Solved) {
       CHECK(agrees_with_enumeration(problem, state));
       ++solved;
     } else {
-      CHECK(state.report.status == Status::IterationLimit);
+      CHECK(state.report.status == SolveStatus::IterationLimit);
     }
   }
   CHECK(solved > 1250);  // of 2000, of which some have no solution
@@ -88,12 +89,12 @@ TEST_CASE("an asymmetric matrix with a dominant diagonal", "[gauss_seidel][enume
     const ContactState state = projected_gauss_seidel(problem);
     const ContactState sure = enumerate(problem);
     CAPTURE(sample, n);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK((state.force - sure.force).norm() <= 1e-13 * (1 + sure.force.norm()));
     CHECK(state.report.iterations <= 50);
   }
   const ContactProblem game{(Eigen::Matrix2d() << 0, 1, 1, 0).finished(), Vector2d(-1, -1)};
-  CHECK(projected_gauss_seidel(game).report.status == Status::Breakdown);
+  CHECK(projected_gauss_seidel(game).report.status == SolveStatus::Breakdown);
 }
 
 TEST_CASE("neither the scale of rows nor units change a sweep", "[gauss_seidel][units]") {
@@ -111,7 +112,7 @@ TEST_CASE("gaps that contradict each other reach the limit, with a thinned histo
           "[gauss_seidel]") {
   const ContactProblem wedged{(Eigen::Matrix2d() << 1, -1, -1, 1).finished(), Vector2d(-1, -0.5)};
   const ContactState state = projected_gauss_seidel(wedged);
-  CHECK(state.report.status == Status::IterationLimit);
+  CHECK(state.report.status == SolveStatus::IterationLimit);
   CHECK(state.report.iterations == 1020);
   CHECK(state.report.history.size() < 32 + 16 * 6);
 }

@@ -50,12 +50,12 @@ TEST_CASE("moved minima zigzag between two lines and halve their distance from t
     const ContactState state = quasi_active_set_literal(plane.problem(), options);
     const double x = std::ldexp(1, -static_cast<int>(k / 2));
     CAPTURE(k);
-    CHECK(state.report.status == Status::IterationLimit);
+    CHECK(state.report.status == SolveStatus::IterationLimit);
     CHECK((plane.displacement(state) - Vector2d(x, k % 2 == 1 ? 0 : x)).norm() < 1e-15);
     CHECK(state.report.history.size() == static_cast<std::size_t>(k + 1));
   }
   const QuasiActiveRun run = run_quasi_active_set_literal(plane.problem());
-  REQUIRE(run.state.report.status == Status::Solved);
+  REQUIRE(run.state.report.status == SolveStatus::Solved);
   CHECK(run.outer_steps >= 2 * 39);  // until 2^-k/2 is below 1e-12
   CHECK(run.tight == std::vector<Index>{0, 1});
   CHECK((run.state.force - Vector2d(3, 1)).norm() < 1e-14);
@@ -66,7 +66,7 @@ TEST_CASE("the last step of the paper ends where it is feasible and not optimal"
   const ClosestPoint space = counter_example();
   const ContactProblem problem = space.problem();
   const QuasiActiveRun run = run_quasi_active_set_literal(problem);
-  REQUIRE(run.state.report.status == Status::Feasible);
+  REQUIRE(run.state.report.status == SolveStatus::Feasible);
   CHECK(run.tight == std::vector<Index>{2, 3});
   CHECK((run.left_over == std::vector<Index>{0, 1}));
   CHECK((run.fraction > 0 && run.fraction < 0.1));
@@ -74,7 +74,7 @@ TEST_CASE("the last step of the paper ends where it is feasible and not optimal"
   CHECK((u - Vector3d(1, 1, 1)).norm() < 1e-9);  // the limit is met to 1e-12, times its condition
   CHECK(space.energy(u) == Approx(-3.5).epsilon(1e-9));
   const ContactState best = enumerate(problem);
-  REQUIRE(best.report.status == Status::Solved);
+  REQUIRE(best.report.status == SolveStatus::Solved);
   CHECK((49 * best.force - Eigen::Vector4d(1, 83, 87, 0)).norm() < 1e-12);
   CHECK((7 * space.displacement(best) - Vector3d(1, 4, 6)).norm() < 1e-13);
   CHECK(space.energy(space.displacement(best)) == Approx(-395 / 98.0).epsilon(1e-14));
@@ -90,7 +90,8 @@ TEST_CASE("the energy gap is potential minus dual energy and bounds what is lost
       const ContactProblem problem = condensed.problem;
       const ContactState state = quasi_active_set_literal(problem);
       CAPTURE(n, m, seed, to_string(state.report.status));
-      REQUIRE((state.report.status == Status::Solved || state.report.status == Status::Feasible));
+      REQUIRE((state.report.status == SolveStatus::Solved ||
+               state.report.status == SolveStatus::Feasible));
       CHECK(state.force.minCoeff() >= 0);
       const Certificate certificate = certify(problem, state);
       CHECK(certificate.penetration <= 1e-12);
@@ -102,7 +103,7 @@ TEST_CASE("the energy gap is potential minus dual energy and bounds what is lost
       CHECK(std::abs(potential_energy(problem, state.force) - dual - gap) <= 1e-12 * least);
       CHECK(excess <= gap + 1e-12 * least);
       CHECK(state.report.history.back().dual_energy == Approx(dual).epsilon(1e-12));
-      if (state.report.status == Status::Solved) {
+      if (state.report.status == SolveStatus::Solved) {
         CHECK(certificate.worst() <= 1e-12);
         CHECK(gap <= 1e-12 * least);
       } else {
@@ -124,7 +125,7 @@ TEST_CASE("a compliance without negative entries needs one step", "[literal]") {
     problem.compliance.diagonal() = sums;  // dominant, so positive definite
     const QuasiActiveRun run = run_quasi_active_set_literal(problem);
     CHECK(run.outer_steps <= 1);
-    CHECK(run.state.report.status == Status::Solved);
+    CHECK(run.state.report.status == SolveStatus::Solved);
   }
 }
 
@@ -132,12 +133,13 @@ TEST_CASE("a set of pairs that contradict each other is proved infeasible", "[li
   Eigen::Matrix2d G;
   G << 1, -1, -1, 1;
   const ContactState state = quasi_active_set_literal({G, Vector2d(-1, -0.5)});
-  REQUIRE(state.report.status == Status::Infeasible);
+  REQUIRE(state.report.status == SolveStatus::Infeasible);
   REQUIRE(state.infeasibility.size() == 2);
   CHECK((G * state.infeasibility).norm() < 1e-15);
   CHECK(state.infeasibility.dot(Vector2d(-1, -0.5)) < 0);
   // The same walls, of which only one is violated at a time: the loop never ends, and says so.
-  CHECK(quasi_active_set_literal({G, Vector2d(-1, 0.5)}).report.status == Status::IterationLimit);
+  CHECK(quasi_active_set_literal({G, Vector2d(-1, 0.5)}).report.status ==
+        SolveStatus::IterationLimit);
 }
 
 TEST_CASE("rows that become tight in the limit count, even from inside", "[literal]") {
@@ -151,6 +153,6 @@ TEST_CASE("rows that become tight in the limit count, even from inside", "[liter
   const QuasiActiveRun run = run_quasi_active_set_literal(plane.problem());
   CHECK(run.tight == std::vector<Index>{0, 1, 2});
   CHECK(run.left_over.empty());
-  CHECK(run.state.report.status == Status::Solved);
+  CHECK(run.state.report.status == SolveStatus::Solved);
   CHECK(plane.displacement(run.state).norm() < 1e-14);
 }

@@ -43,12 +43,13 @@ TEST_CASE("one step or never: with all violated rows a loop ends after one step 
   Index never = 0;
   const auto check = [&](const ContactProblem& problem) {
     const QuasiActiveRun run = run_quasi_active_set_literal(problem);
-    if (run.state.report.status == Status::Breakdown) CHECK(last_overlap(run) < 1e-9);
-    if (run.state.report.status == Status::IterationLimit ||
-        run.state.report.status == Status::Breakdown)
+    if (run.state.report.status == SolveStatus::Breakdown) CHECK(last_overlap(run) < 1e-9);
+    if (run.state.report.status == SolveStatus::IterationLimit ||
+        run.state.report.status == SolveStatus::Breakdown)
       return;
     CHECK(((run.outer_steps <= 1) != (last_overlap(run) < 1e-9)));
-    if (run.outer_steps == 1) CHECK((run.optimal && run.state.report.status == Status::Solved));
+    if (run.outer_steps == 1)
+      CHECK((run.optimal && run.state.report.status == SolveStatus::Solved));
     (run.outer_steps <= 1 ? one : never) += 1;
   };
   for (const auto& [n, m] : {std::pair<Index, Index>{10, 10}, {10, 40}, {20, 20}, {50, 25}})
@@ -77,8 +78,8 @@ TEST_CASE("a loop ends at a later step only if the last step but one left a viol
                                                                            : 3;
         subsets = subsets && step.quasi_active.size() <= most;  // three unknowns
       }
-      const bool ended =
-          run.state.report.status == Status::Solved || run.state.report.status == Status::Feasible;
+      const bool ended = run.state.report.status == SolveStatus::Solved ||
+                         run.state.report.status == SolveStatus::Feasible;
       if (!ended || run.outer_steps < 2 || last_overlap(run) < 1e-9) continue;
       const QuasiActiveStep& last_but_one = run.steps[run.steps.size() - 2];
       CHECK(last_but_one.quasi_active != last_but_one.violated);
@@ -96,7 +97,7 @@ TEST_CASE("two walls taken one at a time need two steps", "[literal][closed-form
   REQUIRE(run.outer_steps == 2);
   CHECK(run.steps[0].quasi_active == std::vector<Index>{0});
   CHECK(run.steps[1].quasi_active == std::vector<Index>{1});
-  CHECK((run.optimal && run.state.report.status == Status::Solved));
+  CHECK((run.optimal && run.state.report.status == SolveStatus::Solved));
   CHECK(run.state.force == Vector2d(2, 1));
 }
 
@@ -111,17 +112,17 @@ TEST_CASE("loops that leave violated rows out end after two steps, and not at th
     CAPTURE(static_cast<int>(choice));
     const QuasiActiveRun flat = run_quasi_active_set_literal(plane.problem(), {}, choice);
     const QuasiActiveRun deep = run_quasi_active_set_literal(space.problem(), {}, choice);
-    CHECK(flat.state.report.status == Status::Solved);
+    CHECK(flat.state.report.status == SolveStatus::Solved);
     if (choice == QuasiActiveRows::AllViolated) {
       CHECK((flat.outer_steps == 1 && deep.outer_steps == 1));
-      CHECK(deep.state.report.status == Status::Solved);
+      CHECK(deep.state.report.status == SolveStatus::Solved);
       continue;
     }
     CHECK((flat.outer_steps == 2 && deep.outer_steps == 2));
     CHECK((!flat.optimal && !deep.optimal));
     CHECK(flat.fraction == Approx(1 / 6.0).epsilon(1e-14));  // and (35) is the optimum
     CHECK(plane.displacement(flat.state).norm() < 1e-15);
-    CHECK(deep.state.report.status == Status::Feasible);
+    CHECK(deep.state.report.status == SolveStatus::Feasible);
     const bool single = choice == QuasiActiveRows::MostViolated;
     CHECK(deep.fraction == Approx(single ? 1 / 36.0 : 2 / 155.0).epsilon(1e-13));
     const Vector3d end = single ? Vector3d(2 / 3.0, -1 / 3.0, 0) : Vector3d(18, -9, 0) / 155;
@@ -148,7 +149,7 @@ TEST_CASE("independent rows leave out those that depend on the ones before", "[l
     CHECK((run.steps[0].violated == std::vector<Index>{0, 1, 2}));
     CHECK(run.steps[0].quasi_active == quasi_active);
     CHECK(run.steps[0].closed == closed);
-    CHECK(run.state.report.status == Status::Solved);
+    CHECK(run.state.report.status == SolveStatus::Solved);
     CHECK(plane.displacement(run.state) == Vector2d(0, 2));
     CHECK(run.outer_steps == steps);
     CHECK(run.optimal);

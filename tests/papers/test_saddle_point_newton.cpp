@@ -47,7 +47,7 @@ TEST_CASE("the saddle point has the forces of the condensed problem",
       const SaddlePointSolution saddle = solved(programme(scene), form);
       const VectorXd force = solve(scene).contact.force;
       CAPTURE(element, form == Form::OneUnit, saddle.report.iterations);
-      REQUIRE(saddle.report.status == Status::Solved);
+      REQUIRE(saddle.report.status == SolveStatus::Solved);
       CHECK((saddle.solution.force - force).norm() <= 1e-11 * force.norm());
       CHECK(saddle.report.iterations <= 25);
       CHECK(saddle.report.history.size() == static_cast<std::size_t>(saddle.report.iterations));
@@ -68,11 +68,11 @@ TEST_CASE("units change the path of the literal form only", "[saddle-point]") {
 TEST_CASE("a body that floats is solved where it touches, and refused where all pairs are open",
           "[saddle-point][closed-form]") {
   const SaddlePointSolution touching = solved(beam(0), Form::OneUnit);
-  REQUIRE(touching.report.status == Status::Solved);
+  REQUIRE(touching.report.status == SolveStatus::Solved);
   CHECK((touching.solution.force - Vector2d(3, 3)).norm() <= 1e-12);
   CHECK((touching.solution.displacement - Vector3d(0, -0.5, 0)).norm() <= 1e-12);
   for (const Form form : {Form::OneUnit, Form::AsPrinted})
-    CHECK(solved(beam(1), form).report.status == Status::Breakdown);
+    CHECK(solved(beam(1), form).report.status == SolveStatus::Breakdown);
 }
 
 TEST_CASE("a limit is a limit, and nothing to do is done", "[saddle-point]") {
@@ -80,11 +80,11 @@ TEST_CASE("a limit is a limit, and nothing to do is done", "[saddle-point]") {
   options.iteration_limit = 2;
   const SaddlePointSolution short_of =
       saddle_point_newton(programme(cantilever("q4", 40, 4)), options);
-  CHECK(short_of.report.status == Status::IterationLimit);
+  CHECK(short_of.report.status == SolveStatus::IterationLimit);
   CHECK(short_of.report.iterations == 2);
   QuadraticProgramme rest = beam(1);
   rest.load.setZero();
-  CHECK(solved(rest, Form::OneUnit).report.status == Status::Solved);
+  CHECK(solved(rest, Form::OneUnit).report.status == SolveStatus::Solved);
   CHECK(solved(rest, Form::OneUnit).report.iterations == 0);
 }
 
@@ -94,17 +94,19 @@ TEST_CASE("a tolerance is what the certificate then holds to", "[saddle-point]")
   SaddlePointOptions options;
   options.tolerance = 1e-1;  // so rough that fewer steps reach it
   const SaddlePointSolution rough = saddle_point_newton(cantilever_programme, options);
-  CHECK(rough.report.status == Status::Solved);
+  CHECK(rough.report.status == SolveStatus::Solved);
   CHECK(rough.report.iterations < full);
   const Certificate certificate = certify(cantilever_programme, rough.solution);
   CHECK(certificate.holds(options.tolerance));
   CHECK_FALSE(certificate.holds());
   SECTION("as printed it stops at |F|, which is no certificate") {
     options.form = Form::AsPrinted;
-    CHECK(saddle_point_newton(cantilever_programme, options).report.status == Status::Breakdown);
+    CHECK(saddle_point_newton(cantilever_programme, options).report.status ==
+          SolveStatus::Breakdown);
   }
   SECTION("what rounding cannot reach is not solved") {
     options.tolerance = 0;
-    CHECK(saddle_point_newton(cantilever_programme, options).report.status == Status::Breakdown);
+    CHECK(saddle_point_newton(cantilever_programme, options).report.status ==
+          SolveStatus::Breakdown);
   }
 }

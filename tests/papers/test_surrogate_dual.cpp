@@ -151,7 +151,8 @@ TEST_CASE("two pairs: the literal rule hops, the line search arrives at once",
   REQUIRE(search.step());
   CHECK(search.value() == Approx(9.5).epsilon(1e-14));
   CHECK(search.weights()(0) == Approx(0.6).epsilon(1e-14));
-  CHECK(surrogate_dual(problem, WeightRule::LiteralVertex).report.status == Status::IterationLimit);
+  CHECK(surrogate_dual(problem, WeightRule::LiteralVertex).report.status ==
+        SolveStatus::IterationLimit);
 }
 
 TEST_CASE("all rules but the first two never lower s, and none leaves the simplex",
@@ -175,7 +176,7 @@ TEST_CASE("all rules but the first two never lower s, and none leaves the simple
 TEST_CASE("the bound on the gap that is left holds near the end", "[surrogate_dual]") {
   const ContactProblem problem = half_plane_indentation(40).problem;
   const ContactState exact = surrogate_dual(problem, WeightRule::FullyCorrective);
-  REQUIRE(exact.report.status == Status::Solved);
+  REQUIRE(exact.report.status == SolveStatus::Solved);
   const double best = -0.5 * exact.force.dot(problem.free_gap);
   WeightIteration run(problem, WeightRule::Pairwise);
   for (int k = 0; k < 300 && run.step(); ++k) {

@@ -31,11 +31,11 @@ TEST_CASE("every rule but the literal one agrees with trial of all sets", "[surr
     for (const WeightRule rule : rules) {
       const ContactState state = surrogate_dual(problem, rule);
       CAPTURE(sample, static_cast<int>(rule));
-      if (rule != WeightRule::FullyCorrective && state.report.status != Status::Solved) {
-        CHECK(state.report.status == Status::IterationLimit);  // slow, and says so
+      if (rule != WeightRule::FullyCorrective && state.report.status != SolveStatus::Solved) {
+        CHECK(state.report.status == SolveStatus::IterationLimit);  // slow, and says so
         continue;
       }
-      REQUIRE(state.report.status == Status::Solved);
+      REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK(state.active == reference.active);
       CHECK((state.force - reference.force).norm() <= 1e-10 * reference.force.norm());
     }
@@ -47,7 +47,7 @@ TEST_CASE("the literal rule solves what one pair carries", "[surrogate_dual]") {
   G << 2, 1, 1, 1, 2, 0, 1, 0, 2;
   const ContactProblem problem{G, Vector3d(-6, -2, -1)};
   const ContactState state = surrogate_dual(problem, WeightRule::LiteralVertex);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK((state.force - Vector3d(3, 0, 0)).norm() < 1e-14);
   CHECK((state.gap - Vector3d(0, 1, 2)).norm() < 1e-14);
 }
@@ -61,7 +61,7 @@ TEST_CASE("an indented half-plane: contact zone and total force of Hertz",
     for (const WeightRule rule : rules) {
       const ContactState state = surrogate_dual(problem, rule);
       CAPTURE(n, static_cast<int>(rule));
-      REQUIRE(state.report.status == Status::Solved);
+      REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK(certify(problem, state).holds());
       CHECK(std::abs(static_cast<Index>(state.active.size()) - inside) <= 2);
       CHECK(state.force.sum() == Approx(known.total_force).epsilon(1e-3));
@@ -101,7 +101,7 @@ TEST_CASE("contradictory gaps are proven by weights that yield nowhere", "[surro
     const ContactState state = surrogate_dual(problem, WeightRule::FullyCorrective);
     CAPTURE(sample);
     REQUIRE(state.report.status == enumerate(problem).report.status);
-    if (state.report.status == Status::Solved) {
+    if (state.report.status == SolveStatus::Solved) {
       CHECK(certify(problem, state).holds());
       continue;
     }
@@ -134,11 +134,11 @@ TEST_CASE("a limit on iterations is kept and reported", "[surrogate_dual]") {
     CHECK(state.report.iterations <= 3);
     CHECK(state.force.minCoeff() >= 0);
     if (rule == WeightRule::FullyCorrective)  // four vertices of thirty
-      CHECK(state.report.status == Status::IterationLimit);
-    else if (state.report.status == Status::Solved)  // its last guess may be right
+      CHECK(state.report.status == SolveStatus::IterationLimit);
+    else if (state.report.status == SolveStatus::Solved)  // its last guess may be right
       CHECK(certify(problem, state).holds());
     else
-      CHECK(state.report.status == Status::IterationLimit);
+      CHECK(state.report.status == SolveStatus::IterationLimit);
   }
 }
 
@@ -151,7 +151,7 @@ TEST_CASE("where the weights stop, pairs that would have to pull are left out",
   SolverOptions one_step;
   one_step.iteration_limit = 1;
   const ContactState state = surrogate_dual(problem, WeightRule::LineSearch, one_step);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.active == std::vector<Eigen::Index>{0, 1});
   CHECK((state.force - Eigen::Vector3d(1, 1.2, 0)).norm() < 1e-15);
   CHECK((state.gap - Eigen::Vector3d(0, 0, 0.18)).norm() < 1e-15);

@@ -125,7 +125,7 @@ TEST_CASE("what is said to be exact is so, and the operations of a run are withi
     const Plan planned = plan(scene());
     const Prediction prediction = predict(planned);
     const Solution solution = solve(scene());
-    REQUIRE(solution.contact.report.status == Status::Solved);
+    REQUIRE(solution.contact.report.status == SolveStatus::Solved);
     int exact = 0;
     for (const ConfrontedFigure& figure : confront(prediction, {solution.ledger})) {
       CAPTURE(figure.predicted.phase, figure.predicted.what);
@@ -156,7 +156,7 @@ TEST_CASE("bodies that nothing connects cost as many solves as there are, each o
     const Scene scene = row_of_blocks(count);
     const Prediction prediction = predict(plan(scene));
     const Solution solution = solve(scene);
-    REQUIRE(solution.contact.report.status == Status::Solved);
+    REQUIRE(solution.contact.report.status == SolveStatus::Solved);
     CHECK(refinement(solution, "solves") == count * refinement(alone, "solves"));
     CHECK(prediction.amount("refinement", "solves") ==
           Approx(refinement(solution, "solves")).epsilon(0.5));
@@ -198,7 +198,7 @@ TEST_CASE("a path is predicted with all its steps, and its ledgers add up to wha
   std::vector<Ledger> ledgers;
   const PathEnd end = solve_steps(
       many, [&](const Model&, const Step& step) { ledgers.push_back(step.solution.ledger); });
-  REQUIRE(end.status == Status::Solved);
+  REQUIRE(end.status == SolveStatus::Solved);
   const double steps = static_cast<double>(many.path->times.size());
   REQUIRE(static_cast<double>(ledgers.size()) == steps);
   int exact = 0;

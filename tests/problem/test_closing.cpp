@@ -73,7 +73,7 @@ TEST_CASE("a row that no force moves has no unit of its own", "[closing][units]"
       CHECK(other.resultant == one.resultant);
       const ContactState state = solve(problem(unit, rigid), find_solver("lemke"));
       const ContactState same = solve(problem(1, rigid), find_solver("lemke"));
-      REQUIRE(state.report.status == Status::Solved);
+      REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK(state.report.iterations == same.report.iterations);
       CHECK(state.active == same.active);
       CHECK(state.force.head(2) == same.force.head(2));
@@ -156,8 +156,9 @@ TEST_CASE("a singular block that rounding lets pass gives no solution", "[closin
   const ScaledProblem scaled = equilibrate(problem);
   CHECK_FALSE(solves(scaled, statuses_of({0, 1, 2}, 3), close(scaled, KnownSet{{0, 1, 2}})));
   CHECK_FALSE(confirmed(scaled, {0, 1, 2}).has_value());
-  CHECK(find_solver("enumerate").solve(problem, {}).report.status == Status::Infeasible);
-  CHECK(find_solver("primal_dual_active_set").solve(problem, {}).report.status != Status::Solved);
+  CHECK(find_solver("enumerate").solve(problem, {}).report.status == SolveStatus::Infeasible);
+  CHECK(find_solver("primal_dual_active_set").solve(problem, {}).report.status !=
+        SolveStatus::Solved);
 }
 
 TEST_CASE("what is solved only before scaling back is not called solved", "[closing][hard]") {
@@ -172,6 +173,6 @@ TEST_CASE("what is solved only before scaling back is not called solved", "[clos
   for (const ContactProblem& problem : problems)
     for (const char* name : {"primal_dual_active_set", "enumerate", "surrogate_dual"}) {
       const ContactState state = find_solver(name).solve(problem, {});
-      if (state.report.status == Status::Solved) CHECK(certify(problem, state).holds());
+      if (state.report.status == SolveStatus::Solved) CHECK(certify(problem, state).holds());
     }
 }

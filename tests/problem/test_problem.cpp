@@ -28,16 +28,16 @@ Matrix2d matrix(double a, double b, double c, double d) {
 }  // namespace
 
 TEST_CASE("every status has its word", "[problem]") {
-  CHECK(std::string(to_string(Status::Solved)) == "solved");
-  CHECK(std::string(to_string(Status::Infeasible)) == "infeasible");
-  CHECK(std::string(to_string(Status::Ray)) == "ray");
-  CHECK(std::string(to_string(Status::Jump)) == "jump");
-  CHECK(std::string(to_string(Status::IterationLimit)) == "iteration limit");
-  CHECK(std::string(to_string(Status::Breakdown)) == "breakdown");
+  CHECK(std::string(to_string(SolveStatus::Solved)) == "solved");
+  CHECK(std::string(to_string(SolveStatus::Infeasible)) == "infeasible");
+  CHECK(std::string(to_string(SolveStatus::Ray)) == "ray");
+  CHECK(std::string(to_string(SolveStatus::Jump)) == "jump");
+  CHECK(std::string(to_string(SolveStatus::IterationLimit)) == "iteration limit");
+  CHECK(std::string(to_string(SolveStatus::Breakdown)) == "breakdown");
 }
 
 TEST_CASE("a report that nobody filled in does not say solved", "[problem]") {
-  CHECK(ContactState{}.report.status != Status::Solved);
+  CHECK(ContactState{}.report.status != SolveStatus::Solved);
 }
 
 TEST_CASE("a problem that is not one is refused", "[problem]") {

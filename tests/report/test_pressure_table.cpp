@@ -100,7 +100,7 @@ TEST_CASE("the resultants and a tolerance go in front as comments", "[pressure_t
 
 TEST_CASE("no table is made of a problem that is not solved", "[pressure_table]") {
   Solution solution = three_forces();
-  solution.contact.report.status = Status::Breakdown;
+  solution.contact.report.status = SolveStatus::Breakdown;
   CHECK_THROWS_WITH(pressure_csv(three_gaps(), solution), ContainsSubstring("breakdown"));
   CHECK_THROWS_AS(resultants(three_gaps(), solution), std::invalid_argument);
 }

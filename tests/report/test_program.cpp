@@ -41,7 +41,7 @@ struct Run {
 };
 
 Run run(const std::filesystem::path& folder, std::vector<const char*> arguments,
-        const std::function<Status(const ProgramOptions&)>& body) {
+        const std::function<SolveStatus(const ProgramOptions&)>& body) {
   arguments.insert(arguments.begin(), "ch00");
   const Caught output(std::cout);
   const Caught errors(std::cerr);
@@ -50,7 +50,7 @@ Run run(const std::filesystem::path& folder, std::vector<const char*> arguments,
   return {code, output.text(), errors.text()};
 }
 
-Status well(const ProgramOptions& /*options*/) { return Status::Solved; }
+SolveStatus well(const ProgramOptions& /*options*/) { return SolveStatus::Solved; }
 
 }  // namespace
 
@@ -69,7 +69,7 @@ TEST_CASE("options reach the program and what it writes reaches the folder", "[p
   const auto body = [&](const ProgramOptions& options) {
     full = options.full;
     std::ofstream(options.out / "data.csv") << "x\n";
-    return Status::Solved;
+    return SolveStatus::Solved;
   };
   CHECK(run(folder.path() / "out", {}, body).code == 0);
   CHECK(content_of(folder.path() / "out" / "data.csv") == "x\n");
@@ -82,7 +82,7 @@ TEST_CASE("options reach the program and what it writes reaches the folder", "[p
 TEST_CASE("a program that fails leaves the folder as it was", "[program]") {
   const Folder folder;
   std::ofstream(folder.path() / "data.csv") << "old";
-  const auto write_then = [&](const std::function<Status()>& end) {
+  const auto write_then = [&](const std::function<SolveStatus()>& end) {
     return run(folder.path(), {},
                [&](const ProgramOptions& options) {
                  std::ofstream(options.out / "data.csv") << "half";
@@ -91,19 +91,19 @@ TEST_CASE("a program that fails leaves the folder as it was", "[program]") {
                })
         .code;
   };
-  CHECK(write_then([] { return Status::Breakdown; }) == 1);
-  CHECK(write_then([]() -> Status { throw NotSolved("no"); }) == 1);
-  CHECK(write_then([]() -> Status { throw ProblemError("bad"); }) == 2);
+  CHECK(write_then([] { return SolveStatus::Breakdown; }) == 1);
+  CHECK(write_then([]() -> SolveStatus { throw NotSolved("no"); }) == 1);
+  CHECK(write_then([]() -> SolveStatus { throw ProblemError("bad"); }) == 2);
   CHECK(content_of(folder.path() / "data.csv") == "old");
   CHECK(folder.entries() == 1);
-  CHECK(write_then([] { return Status::Solved; }) == 0);
+  CHECK(write_then([] { return SolveStatus::Solved; }) == 0);
   CHECK(content_of(folder.path() / "data.csv") == "half");
   CHECK(folder.entries() == 2);
 }
 
 TEST_CASE("an error that nobody foresaw ends with 1 and its message", "[program]") {
   const Folder folder;
-  const Run odd = run(folder.path(), {}, [](const ProgramOptions&) -> Status {
+  const Run odd = run(folder.path(), {}, [](const ProgramOptions&) -> SolveStatus {
     throw std::runtime_error("out of luck");
   });
   CHECK(odd.code == 1);
@@ -114,10 +114,10 @@ TEST_CASE("a program that did not solve its problem ends with 1 and says how it 
           "[program]") {
   const Folder folder;
   const Run limit =
-      run(folder.path(), {}, [](const ProgramOptions&) { return Status::IterationLimit; });
+      run(folder.path(), {}, [](const ProgramOptions&) { return SolveStatus::IterationLimit; });
   CHECK(limit.code == 1);
   CHECK(limit.errors == "ch00: not solved: iteration limit\n");
-  const Run thrown = run(folder.path(), {}, [](const ProgramOptions&) -> Status {
+  const Run thrown = run(folder.path(), {}, [](const ProgramOptions&) -> SolveStatus {
     throw NotSolved("the beam was not solved");
   });
   CHECK(thrown.code == 1);
@@ -126,12 +126,12 @@ TEST_CASE("a program that did not solve its problem ends with 1 and says how it 
 
 TEST_CASE("bad input ends with 2 and one line that says what is wrong", "[program]") {
   const Folder folder;
-  const Run posed = run(folder.path(), {}, [](const ProgramOptions&) -> Status {
+  const Run posed = run(folder.path(), {}, [](const ProgramOptions&) -> SolveStatus {
     throw ProblemError("cell 7 is inverted");
   });
   CHECK(posed.code == 2);
   CHECK(posed.errors == "ch00: cell 7 is inverted\n");
-  const Run argument = run(folder.path(), {}, [](const ProgramOptions&) -> Status {
+  const Run argument = run(folder.path(), {}, [](const ProgramOptions&) -> SolveStatus {
     throw std::invalid_argument("need 2 rows");
   });
   CHECK(argument.code == 2);
@@ -143,7 +143,7 @@ TEST_CASE("an unknown option is named and the known ones are listed", "[program]
   bool called = false;
   const Run wrong = run(folder.path(), {"--fast"}, [&](const ProgramOptions&) {
     called = true;
-    return Status::Solved;
+    return SolveStatus::Solved;
   });
   CHECK(wrong.code == 2);
   CHECK_FALSE(called);
@@ -160,7 +160,7 @@ TEST_CASE("a folder that cannot be written to ends with 2 before anything is com
   bool called = false;
   const Run wrong = run(folder.path(), {"--out", below.c_str()}, [&](const ProgramOptions&) {
     called = true;
-    return Status::Solved;
+    return SolveStatus::Solved;
   });
   CHECK(wrong.code == 2);
   CHECK_FALSE(called);
@@ -195,7 +195,7 @@ class Full : public std::streambuf {
 
 /// How a program ends that prints 10 characters where there is room for `room`.
 Run run_printing(const std::filesystem::path& folder, int room,
-                 const std::vector<const char*>& arguments, Status status) {
+                 const std::vector<const char*>& arguments, SolveStatus status) {
   Full full(room);
   std::streambuf* const before = std::cout.rdbuf(&full);
   const Caught errors(std::cerr);
@@ -217,21 +217,21 @@ Run run_printing(const std::filesystem::path& folder, int room,
 TEST_CASE("a program whose output is lost ends with 2, says so and publishes no file",
           "[program]") {
   const Folder folder;
-  const Run lost = run_printing(folder.path(), 9, {}, Status::Solved);
+  const Run lost = run_printing(folder.path(), 9, {}, SolveStatus::Solved);
   CHECK(lost.code == 2);
   CHECK_THAT(lost.errors, ContainsSubstring("ch00: cannot write all that is to be printed"));
   CHECK(folder.entries() == 0);
-  CHECK(run_printing(folder.path(), 9, {}, Status::Ray).code == 2);
-  CHECK(run_printing(folder.path(), 9, {"--help"}, Status::Solved).code == 2);
+  CHECK(run_printing(folder.path(), 9, {}, SolveStatus::Ray).code == 2);
+  CHECK(run_printing(folder.path(), 9, {"--help"}, SolveStatus::Solved).code == 2);
   CHECK(folder.entries() == 0);
-  CHECK(run_printing(folder.path(), 10, {}, Status::Solved).code == 0);
+  CHECK(run_printing(folder.path(), 10, {}, SolveStatus::Solved).code == 0);
   CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("a file that cannot be put in its place ends with 2 and is named", "[program]") {
   const Folder folder;
   std::filesystem::create_directories(folder.path() / "data.csv" / "below");
-  const Run blocked = run_printing(folder.path(), 10, {}, Status::Solved);
+  const Run blocked = run_printing(folder.path(), 10, {}, SolveStatus::Solved);
   CHECK(blocked.code == 2);
   CHECK_THAT(blocked.errors, ContainsSubstring("ch00: cannot write") &&
                                  ContainsSubstring("data.csv") && ContainsSubstring("--out"));

@@ -207,7 +207,7 @@ TEST_CASE("nothing is written of a problem that is not solved, or where nobody c
                write_vtu(folder.path() / "missing" / "beam.vtu", run.model, run.solution);
              }),
              ContainsSubstring("beam.vtu"));
-  run.solution.contact.report.status = Status::Infeasible;
+  run.solution.contact.report.status = SolveStatus::Infeasible;
   CHECK_THROWS_AS(write_vtu(folder.path() / "beam.vtu", run.model, run.solution),
                   std::invalid_argument);
   CHECK(folder.entries() == 0);

@@ -28,7 +28,7 @@ Solved solved(const Scene& scene) {
   Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);
   Solution solution = solve(model, condensed, scene.solver, ledger);
-  REQUIRE(solution.contact.report.status == Status::Solved);
+  REQUIRE(solution.contact.report.status == SolveStatus::Solved);
   return {std::move(model), std::move(solution)};
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("every solution of the cantilever is certified", "[cantilever][certifi
     for (const double pressure : {0.1, 0.3, 1.0, 3.6, 20.0}) {
       CAPTURE(element, pressure);
       const Solution solution = solve(cantilever(element, 50, 5, pressure));
-      CHECK(solution.contact.report.status == Status::Solved);
+      CHECK(solution.contact.report.status == SolveStatus::Solved);
       CHECK(solution.certificate.worst() <= 1e-12);
       CHECK(solution.contact.force.minCoeff() >= -1e-13 * solution.contact.force.maxCoeff());
     }

@@ -44,7 +44,7 @@ End end_of(const Scene& scene) {
 /// How far the pressures of two scenes differ, over the largest. \return infinity if one is not solved
 double difference(const Solution& here, const Solution& there) {
   if (there.contact.report.status != here.contact.report.status) return HUGE_VAL;
-  if (here.contact.report.status != Status::Solved || here.pressure.size() == 0) return 0;
+  if (here.contact.report.status != SolveStatus::Solved || here.pressure.size() == 0) return 0;
   const double largest = here.pressure.cwiseAbs().maxCoeff();
   const double most = (there.pressure - here.pressure).cwiseAbs().maxCoeff();
   return most == 0 ? 0 : most / largest;

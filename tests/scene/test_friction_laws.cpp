@@ -75,7 +75,7 @@ TEST_CASE("a plan takes from every law the bound that the law has", "[friction][
 TEST_CASE("Tresca's law in a scene: no coefficient, and the bound is the cohesion",
           "[friction][laws]") {
   const Solution tresca = solve(dragged({0, 2.5, "tresca"}));
-  REQUIRE(tresca.contact.report.status == Status::Solved);
+  REQUIRE(tresca.contact.report.status == SolveStatus::Solved);
   const Solution coulomb = solve(dragged({0, 2.5}));
   CHECK(tresca.contact.friction == coulomb.contact.friction);
   CHECK(tresca.contact.contact_status == coulomb.contact.contact_status);

@@ -61,7 +61,7 @@ TEST_CASE(
   gaps_alone.initial_gap = rough.programme.initial_gap.head(pairs);
   const Solution expected = solve(smooth, without, ledger);
   const SaddlePointSolution found = saddle_point_newton(gaps_alone);
-  REQUIRE(found.report.status == Status::Solved);
+  REQUIRE(found.report.status == SolveStatus::Solved);
   CHECK((found.solution.force - expected.contact.force).norm() <=
         1e-10 * expected.contact.force.norm());
 }
@@ -125,7 +125,7 @@ TEST_CASE("a smooth contact beside a rough one has no friction forces", "[fricti
   Scene scene = rough_beam(0.3);
   scene.contacts.insert(scene.contacts.begin(), {{"top"}, half_plane({0, 6}, {0, -1})});
   const Solution both = solve(scene);
-  REQUIRE(both.contact.report.status == Status::Solved);
+  REQUIRE(both.contact.report.status == SolveStatus::Solved);
   CHECK(both.certificate.holds());
   const ContactState& state = both.contact;
   REQUIRE(state.force.size() == 40);
@@ -165,7 +165,7 @@ TEST_CASE("friction that is not solved says why", "[friction][model]") {
   Scene scene = rough_beam(0.5);
   scene.solver = find_solver("friction_split_literal");  // fails where a pair opens, see there
   const Solution solution = solve(scene);
-  REQUIRE(solution.contact.report.status != Status::Solved);
+  REQUIRE(solution.contact.report.status != SolveStatus::Solved);
   const std::string& reason = solution.contact.reason;
   REQUIRE_FALSE(reason.empty());
   CHECK_THAT(failure(scene), ContainsSubstring("the beam was not solved: breakdown after") &&

@@ -49,7 +49,7 @@ TEST_CASE("pairs that stick do not slip, however slender the body", "[friction][
           const Solution solution =
               solved_strip(strip(length, coefficient, cells, element)).solution;
           CAPTURE(length, coefficient, cells, element, solution.contact.reason);
-          REQUIRE(solution.contact.report.status == Status::Solved);
+          REQUIRE(solution.contact.report.status == SolveStatus::Solved);
           CHECK(solution.certificate.worst() <= 1e-13);
           const double most = solution.displacements[0].cwiseAbs().maxCoeff();
           const ContactState& state = solution.contact;
@@ -65,7 +65,7 @@ TEST_CASE("the certificate sees a slip that nothing resists, and a force beyond 
           "[friction][certificate]") {
   const Run run = solved_strip(strip(5, 0.2, 12, "q4_incompatible"));
   const ContactState& state = run.solution.contact;
-  REQUIRE(run.solution.contact.report.status == Status::Solved);
+  REQUIRE(run.solution.contact.report.status == SolveStatus::Solved);
   const Index pairs = state.force.size();
   Index sticks = -1;
   Index slides = -1;

@@ -47,7 +47,7 @@ TEST_CASE("pairs that just touch without force do not keep the solver busy", "[d
     model.programme.initial_gap = model.programme.A * factor.factor.solve(load);
     const Condensed condensed = condense(model, ledger);
     const Solution solution = solve(model, condensed, primal_dual_active_set(), {});
-    CHECK(solution.contact.report.status == Status::Solved);
+    CHECK(solution.contact.report.status == SolveStatus::Solved);
     CHECK(solution.certificate.holds());
   }
 }
@@ -59,7 +59,8 @@ TEST_CASE("a body too slender for double precision is never called solved", "[sl
     scene.bodies[0].loads.edges = {{"top", 1e-9, {}}};
     try {
       const Solution solution = solve(scene);
-      CHECK((solution.contact.report.status != Status::Solved || solution.certificate.holds()));
+      CHECK(
+          (solution.contact.report.status != SolveStatus::Solved || solution.certificate.holds()));
     } catch (const ProblemError& refused) {
       CHECK_THAT(refused.what(), ContainsSubstring("slender"));
     }
@@ -120,7 +121,7 @@ TEST_CASE("a slender plate pressed flat keeps its gaps closed to rounding", "[ha
                                       return Eigen::Vector2d(0, -std::exp(-50 * far * far));
                                     }}};
     const Solution solution = solve(scene);
-    REQUIRE(solution.contact.report.status == Status::Solved);
+    REQUIRE(solution.contact.report.status == SolveStatus::Solved);
     CHECK(solution.certificate.holds(1e-14));
   }
 }

@@ -86,7 +86,7 @@ TEST_CASE("where rounding of the stiffness is more than a certificate allows, th
         for (const bool upright : {false, true}) {
           const Solution solution = solve(scene_of({length, cells, element, upright}));
           CAPTURE(length, cells, element, upright, solution.contact.reason);
-          if (solution.contact.report.status == Status::Solved) continue;
+          if (solution.contact.report.status == SolveStatus::Solved) continue;
           CHECK(solution.certificate.worst() <= 1e-10);
           CHECK_THAT(solution.contact.reason,
                      ContainsSubstring("rounding of the stiffness pushes along rigid motions"));

@@ -36,7 +36,7 @@ Vector2d on_slope(double angle, double push = 0) {
           -push * std::sin(angle) - 100 * std::cos(angle)};
 }
 
-bool holds(const Scene& scene) { return solve(scene).contact.report.status == Status::Solved; }
+bool holds(const Scene& scene) { return solve(scene).contact.report.status == SolveStatus::Solved; }
 
 /// Where something that holds at `in` and not at `out` ceases to.
 double limit(double in, double out, const std::function<Scene(double)>& scene) {
@@ -161,13 +161,13 @@ TEST_CASE("a block that friction alone holds: pushed to and fro, and on until it
     CHECK(std::abs(work.put_in() - work.strain - work.dissipation - work.between) <=
           1e-10 * work.strain);
   });
-  CHECK(end.status == Status::Solved);
+  CHECK(end.status == SolveStatus::Solved);
   CHECK(end.halvings == 0);
   CHECK(meter.work().dissipation > 0);
 
   scene.path = Path{{1, 2}, {{"push", {0, 2}, {0, 1.9}}}, 20};
   const PathEnd off = solve_steps(scene);
-  CHECK(off.status != Status::Solved);
+  CHECK(off.status != SolveStatus::Solved);
   const double slides = 2 / 1.9;
   REQUIRE(off.limit.has_value());
   CHECK(*off.limit == Approx(slides).epsilon(1e-12).margin(0));

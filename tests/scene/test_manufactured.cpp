@@ -50,7 +50,7 @@ Errors errors_of(const char* element, Index n) {
   };
   scene.contacts = {{{"bottom"}, profile(ground, [](double) { return 0.0; })}};
   const Solution solution = solve(scene);
-  REQUIRE(solution.contact.report.status == Status::Solved);
+  REQUIRE(solution.contact.report.status == SolveStatus::Solved);
   CHECK(solution.certificate.holds());
 
   Errors errors{0, 0, 0};

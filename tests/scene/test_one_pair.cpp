@@ -50,7 +50,7 @@ TEST_CASE("a disc that rests on one node is solved by the family, and free to ro
       scene.solver = find_solver(solver);
       const Solution solution = solve(scene);
       CAPTURE(cells, solver);
-      REQUIRE(solution.contact.report.status == Status::Solved);
+      REQUIRE(solution.contact.report.status == SolveStatus::Solved);
       CHECK(solution.certificate.worst() <= 1e-13);
       const Eigen::VectorXd& force = solution.contact.force;  // a neighbour may touch without any
       CHECK((force.array() > 1e-12 * force.sum()).count() == 1);
@@ -67,7 +67,7 @@ TEST_CASE("a block that hovers is solved, and that its height is open is said",
     scene.solver = find_solver(solver);
     const Solution solution = solve(scene);
     CAPTURE(solver);
-    REQUIRE(solution.contact.report.status == Status::Solved);
+    REQUIRE(solution.contact.report.status == SolveStatus::Solved);
     CHECK(solution.contact.active.empty());
     REQUIRE(solution.notes.size() == 2);
     CHECK_THAT(solution.notes[0], ContainsSubstring("do not determine"));

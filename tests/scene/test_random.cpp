@@ -227,7 +227,7 @@ TEST_CASE("a ray says what is known and which friction to take less of", "[rando
   for (const std::uint64_t seed : {35, 47, 91}) {
     const Scene scene = random_scene(seed, RandomScenes::Frictional).scene;
     const Solution solution = solve(scene);
-    if (solution.contact.report.status != Status::Ray) continue;
+    if (solution.contact.report.status != SolveStatus::Ray) continue;
     ++rays;
     Ledger ledger;
     const Model model = build(scene, ledger);

@@ -49,7 +49,7 @@ TEST_CASE("the forces on a boundary are those of obstacle and supports", "[solve
 TEST_CASE("a scene that is not solved has no forces", "[solved]") {
   const Scene scene = cantilever("q4", 10, 1);
   auto run = solved(scene, "the beam");
-  run.solution.contact.report.status = Status::IterationLimit;
+  run.solution.contact.report.status = SolveStatus::IterationLimit;
   CHECK_THROWS_AS(contact_forces(run.model, run.solution), std::invalid_argument);
   CHECK_THROWS_AS(support_forces(run.model, run.solution), std::invalid_argument);
   CHECK_THROWS_AS(internal_forces(run.model.bodies[0].mesh, run.model.bodies[0].element,

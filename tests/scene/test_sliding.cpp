@@ -112,7 +112,7 @@ TEST_CASE("slips told by displacements are those of friction", "[sliding][fricti
       for (ContactSpec& contact : scene.contacts) contact.small_sliding = true;
       const Solved all = solved(scene);
       const ContactState& contact = all.solution.contact;
-      if (contact.report.status != Status::Solved) continue;
+      if (contact.report.status != SolveStatus::Solved) continue;
       const Eigen::VectorXd slip = slips(all.model, all.solution.displacements);
       double size = 0;
       for (const NodeArray& u : all.solution.displacements)
@@ -132,7 +132,7 @@ TEST_CASE("along a half plane sliding is exact however far it goes", "[sliding]"
   for (const double along : {0.01, 1.0, 24.0}) {
     CAPTURE(along);
     const Solved all = solved(ironed(along, 0.01, half_plane({0, 0}, {0, 1})));
-    REQUIRE(all.solution.contact.report.status == Status::Solved);
+    REQUIRE(all.solution.contact.report.status == SolveStatus::Solved);
     CHECK_FALSE(tells(all.solution));
     CHECK(all.model.follow == nullptr);
     // Poisson's ratio widens the block evenly about its middle, which moves as the top does.
@@ -219,7 +219,7 @@ TEST_CASE("past an edge a solution is none, unless the contact says so", "[slidi
     Scene scene = on_base(edges * edge, 0.01);
     const Solution usual = solved(scene).solution;
     CAPTURE(edges, usual.contact.reason);
-    CHECK(usual.contact.report.status == (edges > 1 ? Status::Slid : Status::Solved));
+    CHECK(usual.contact.report.status == (edges > 1 ? SolveStatus::Slid : SolveStatus::Solved));
     if (edges < 0.25) CHECK_FALSE(tells(usual));
     if (edges > 1) {
       CHECK_THAT(usual.contact.reason, ContainsSubstring("contact iron.bottom on base.top") &&
@@ -229,7 +229,7 @@ TEST_CASE("past an edge a solution is none, unless the contact says so", "[slidi
     }
     scene.contacts[0].small_sliding = true;
     const Solution kept = solved(scene).solution;
-    CHECK(kept.contact.report.status == Status::Solved);
+    CHECK(kept.contact.report.status == SolveStatus::Solved);
     CHECK(tells(kept) == (edges > 1));
     CHECK(kept.contact.force == usual.contact.force);
   }
@@ -240,7 +240,7 @@ TEST_CASE("load steps end before a pair is past its edge in total", "[sliding][s
   scene.bodies[0].supports[0].history = "drag";
   scene.path = Path{equal_steps(10), {proportional("drag")}};
   const PathEnd end = solve_steps(scene);
-  CHECK(end.status == Status::Slid);
+  CHECK(end.status == SolveStatus::Slid);
   // At 0.4 the top has moved by 0.8 edges; at 0.5 by one, and the transverse strain takes the outer pairs further.
   CHECK(end.state.time == Approx(0.4).epsilon(1e-12));
   CHECK(end.halvings == 0);
@@ -248,7 +248,7 @@ TEST_CASE("load steps end before a pair is past its edge in total", "[sliding][s
   CHECK_THAT(end.reason, ContainsSubstring("slid too far") && ContainsSubstring("small_sliding") &&
                              ContainsSubstring("the last good state"));
   scene.contacts[0].small_sliding = true;
-  CHECK(solve_steps(scene).status == Status::Solved);
+  CHECK(solve_steps(scene).status == SolveStatus::Solved);
 }
 
 TEST_CASE("pairs found where bodies moved together are those that they were", "[sliding]") {

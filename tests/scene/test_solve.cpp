@@ -148,7 +148,7 @@ TEST_CASE("a body pressed into a disc, a hole and a wave is certified", "[solve]
     Scene scene = cantilever("q4_incompatible", 60, 6);
     scene.contacts[0].target = obstacle;
     const Solution solution = solve(scene);
-    CHECK(solution.contact.report.status == Status::Solved);
+    CHECK(solution.contact.report.status == SolveStatus::Solved);
     CHECK_FALSE(solution.contact.active.empty());
     CHECK(solution.certificate.worst() <= 1e-12);
   }
@@ -173,7 +173,7 @@ TEST_CASE("a set of closed pairs that wrong condensed data suggest is corrected"
   const Solution right = solve(model, condensed, scene.solver, ledger);
   condensed.problem.free_gap.array() += 2;  // as if the foundation were 2 cm further away
   const Solution corrected = solve(model, condensed, scene.solver, ledger);
-  REQUIRE(corrected.contact.report.status == Status::Solved);
+  REQUIRE(corrected.contact.report.status == SolveStatus::Solved);
   CHECK(corrected.contact.active == right.contact.active);
   CHECK((corrected.contact.force - right.contact.force).norm() <
         1e-12 * right.contact.force.norm());
@@ -191,7 +191,7 @@ TEST_CASE("a body all of whose nodes are held is where they are held", "[solve]"
   for (const auto& [name, sides] : body.mesh.boundaries)
     body.supports.push_back({name, true, true, field});
   const Solution solution = solve(scene);
-  CHECK(solution.contact.report.status == Status::Solved);
+  CHECK(solution.contact.report.status == SolveStatus::Solved);
   CHECK(solution.certificate.holds());
   CHECK(solution.refined.displacement.size() == 0);
   REQUIRE(solution.displacements.size() == 1);
@@ -208,14 +208,14 @@ TEST_CASE("a body all of whose nodes are held is where they are held", "[solve]"
     if (++steps == 1) meter.add(model, step);
     CHECK(step.solution.displacements == solution.displacements);
   });
-  CHECK(end.status == Status::Solved);
+  CHECK(end.status == SolveStatus::Solved);
   CHECK(steps == 2);
 }
 
 TEST_CASE("a program that needs a solution stops without one and says why", "[solve]") {
   Solution solution = solve(cantilever("q4", 10, 2));
   CHECK_NOTHROW(require_solved(solution, "the beam"));
-  solution.contact.report.status = Status::IterationLimit;
+  solution.contact.report.status = SolveStatus::IterationLimit;
   solution.contact.report.iterations = 12;
   CHECK_THAT(signorini_test::message_of<NotSolved>([&] { require_solved(solution, "the beam"); }),
              ContainsSubstring("the beam was not solved: iteration limit after 12 iterations"));

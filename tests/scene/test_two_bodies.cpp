@@ -23,7 +23,7 @@ TEST_CASE("the uncondensed Newton method comes to the same forces", "[two_bodies
   SaddlePointOptions options;
   options.start_force = hertz_load / 2 * model.pairs.weight / model.pairs.weight.sum();
   const SaddlePointSolution paper = saddle_point_newton(model.programme, options);
-  CHECK(paper.report.status == Status::Solved);
+  CHECK(paper.report.status == SolveStatus::Solved);
   CHECK(paper.report.iterations <= 15);
   CHECK((paper.solution.force - ours.contact.force).norm() <= 1e-11 * ours.contact.force.norm());
   options.start_force = Eigen::VectorXd::Ones(3);

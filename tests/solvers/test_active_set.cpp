@@ -25,8 +25,8 @@ TEST_CASE("enumeration and the active set method agree on 600 random problems",
     const ContactState found = primal_dual_active_set(problem);
     const ContactState sure = enumerate(problem);
     CAPTURE(sample, problem.free_gap.size());
-    REQUIRE(sure.report.status == Status::Solved);
-    REQUIRE(found.report.status == Status::Solved);
+    REQUIRE(sure.report.status == SolveStatus::Solved);
+    REQUIRE(found.report.status == SolveStatus::Solved);
     CHECK(found.active == sure.active);
     CHECK((found.force - sure.force).norm() <= 1e-12 * sure.force.norm());
     CHECK(certify(problem, found).worst() < 1e-13);
@@ -48,7 +48,7 @@ TEST_CASE("neither the scale of rows nor units change a decision or an iteration
     const ContactState other =
         primal_dual_active_set(in_units(with_rows(problem, row), length, force));
     CAPTURE(sample);
-    REQUIRE(other.report.status == Status::Solved);
+    REQUIRE(other.report.status == SolveStatus::Solved);
     CHECK(other.active == plain.active);
     CHECK(other.report.iterations == plain.report.iterations);
     const Eigen::VectorXd back = other.force.cwiseProduct(row) / force;
@@ -89,7 +89,7 @@ TEST_CASE("three pairs that make plain group exchanges run in circles are solved
   const ContactProblem problem = cycling_problem();
   REQUIRE(group_exchange_cycles(problem));
   const ContactState state = primal_dual_active_set(problem);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.active == std::vector<Index>{1});
   CHECK((state.force - Vector3d(0, 0.4, 0)).norm() < 1e-15);
   CHECK((state.gap - Vector3d(0.6, 0, 2.2)).norm() < 1e-14);
@@ -102,7 +102,7 @@ TEST_CASE("Fathi's family, on which pivoting is exponential, takes few iteration
     CAPTURE(n);
     const ContactProblem problem = fathi(n);
     const ContactState state = primal_dual_active_set(problem);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK((state.force - Eigen::VectorXd::Unit(n, 0)).norm() < 1e-12);
     CHECK(state.report.iterations <= 10 * n + 10);
     CHECK(certify(problem, state).worst() < 1e-13);
@@ -116,7 +116,7 @@ TEST_CASE("nearly dependent pairs are still decided rightly", "[active_set][hard
   Eigen::VectorXd d(n);
   d << -1, -0.5, -2, 0.3, -1.9, -1.99;
   const ContactState state = primal_dual_active_set({G, d});
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.active == std::vector<Index>{2});
   CHECK(state.force(2) == Approx(2 / (1 + 1e-9)).epsilon(1e-15));
 }
@@ -127,7 +127,7 @@ TEST_CASE("three carts: of three that overlap the middle one pulls and is releas
   Eigen::Matrix3d G;
   G << 1, 1, 1, 1, 2, 2, 1, 2, 3;
   const ContactState state = primal_dual_active_set({G, Vector3d(-2, -1, -3)});
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.active == std::vector<Index>{0, 2});
   CHECK((state.force - Vector3d(1.5, 0, 0.5)).norm() < 1e-14);
   CHECK((state.gap - Vector3d(0, 1.5, 0)).norm() < 1e-14);
@@ -144,7 +144,7 @@ TEST_CASE("on a string over a wave the sets shrink to the answer without going b
   // that from the first set on, pairs only open, at most n times.
   const ContactProblem problem = string_problem(60);
   const ContactState state = primal_dual_active_set(problem);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.report.iterations <= 60);
   CHECK(certify(problem, state).worst() < 1e-13);
   REQUIRE(state.report.history.size() == static_cast<std::size_t>(state.report.iterations));
@@ -169,7 +169,7 @@ TEST_CASE("a clamped beam that overlaps everywhere starts from every second pair
     const ContactState found = primal_dual_active_set(beam);
     const ContactState sure = quasi_active_set(beam);
     CAPTURE(pairs, found.report.factorisations);
-    REQUIRE(found.report.status == Status::Solved);
+    REQUIRE(found.report.status == SolveStatus::Solved);
     CHECK(found.active == sure.active);
     CHECK(found.report.iterations <= 4);
     CHECK(found.report.factorisations <= 40);
@@ -179,27 +179,27 @@ TEST_CASE("a clamped beam that overlaps everywhere starts from every second pair
 
 TEST_CASE("a limit on iterations is kept and reported, not called solved", "[active_set]") {
   const ContactState state = primal_dual_active_set(cycling_problem(), {2});
-  CHECK(state.report.status == Status::IterationLimit);
+  CHECK(state.report.status == SolveStatus::IterationLimit);
   CHECK(state.report.iterations == 2);
-  CHECK(primal_dual_active_set(cycling_problem(), {1000}).report.status == Status::Solved);
+  CHECK(primal_dual_active_set(cycling_problem(), {1000}).report.status == SolveStatus::Solved);
 }
 
 TEST_CASE("pairs that depend on each other are solved, or refuted with a proof",
           "[active_set][hard]") {
   Eigen::Matrix2d G;
   G << 1, 1, 1, 1;
-  CHECK(primal_dual_active_set({G, Eigen::Vector2d(-1, -1)}).report.status == Status::Solved);
+  CHECK(primal_dual_active_set({G, Eigen::Vector2d(-1, -1)}).report.status == SolveStatus::Solved);
   G << 1, -1, -1, 1;  // pushing one pair opens the other: no forces can close both
   const ContactProblem wedged{G, Eigen::Vector2d(-1, -0.5)};
   for (const ContactState& state : {primal_dual_active_set(wedged), enumerate(wedged)}) {
-    CHECK(state.report.status == Status::Infeasible);
+    CHECK(state.report.status == SolveStatus::Infeasible);
     REQUIRE(state.infeasibility.size() == 2);
     CHECK(state.infeasibility(0) > 0);
     CHECK(state.infeasibility(0) == Approx(state.infeasibility(1)).epsilon(1e-15));
   }
   const ContactState rigid =
       primal_dual_active_set({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Constant(1, -1)});
-  CHECK(rigid.report.status == Status::Infeasible);
+  CHECK(rigid.report.status == SolveStatus::Infeasible);
   CHECK(rigid.infeasibility.size() == 1);
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("enumeration prefers the set with fewest pairs and passes over singula
   Eigen::Matrix2d G;
   G << 1, 1, 1, 1;  // one pair written twice
   const ContactState twice = enumerate({G, Eigen::Vector2d(-1, -1)});
-  REQUIRE(twice.report.status == Status::Solved);
+  REQUIRE(twice.report.status == SolveStatus::Solved);
   CHECK(twice.active.size() == 1);
   CHECK(twice.force.sum() == Approx(1).epsilon(1e-15));
   G << 2, 0, 0, 2;  // the second pair just touches
@@ -240,7 +240,7 @@ TEST_CASE("of pairs that repeat each other the deepest is closed, and opens the 
   Vector3d overlap(1, 2, 3);
   do {
     const ContactState state = primal_dual_active_set({G, -overlap});
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.report.iterations == 1);
     CHECK(state.force == (overlap.array() == 3).select(overlap, Vector3d::Zero()));
     CHECK(state.gap == Vector3d(3 - overlap.array()));

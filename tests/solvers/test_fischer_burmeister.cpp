@@ -80,7 +80,7 @@ TEST_CASE("Newton's method agrees with the trial of all sets on random problems"
     const ContactState state = fischer_burmeister(problem);
     const ContactState reference = enumerate(problem);
     CAPTURE(sample);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.active == reference.active);
     CHECK((state.force - reference.force).norm() <= 1e-12 * reference.force.norm());
     CHECK(certify(problem, state).worst() <= 1e-13);
@@ -94,7 +94,7 @@ TEST_CASE("Newton's method needs few steps, whatever the number of pairs", "[fis
   double sum = 0;
   for (int sample = 0; sample < 300; ++sample) {
     const ContactState state = fischer_burmeister(random_problem(random, random.whole(1, 40)));
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     most = std::max(most, state.report.iterations);
     sum += static_cast<double>(state.report.iterations);
   }
@@ -103,7 +103,7 @@ TEST_CASE("Newton's method needs few steps, whatever the number of pairs", "[fis
   // Strongly coupled pairs: measured 9, 15 and 16; with gap against force alone 7, 23 and 39.
   for (const Index n : {40, 160, 320}) {
     const ContactState state = fischer_burmeister(string_problem(n));
-    CHECK(state.report.status == Status::Solved);
+    CHECK(state.report.status == SolveStatus::Solved);
     CHECK(state.report.iterations <= 20);
   }
 }
@@ -120,14 +120,14 @@ TEST_CASE("pairs that touch without force do not keep Newton's method from endin
     problem.free_gap = gap - problem.compliance * force;
     const ContactState state = fischer_burmeister(problem);
     CAPTURE(sample);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK((state.force - force).norm() < 1e-11);
   }
 }
 
 TEST_CASE("the residual of Newton's method falls from step to step", "[fischer_burmeister]") {
   const ContactState state = fischer_burmeister(string_problem(80));
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   REQUIRE(state.report.history.size() == static_cast<std::size_t>(state.report.iterations));
   double last = 1;
   for (const Iteration& step : state.report.history) {
@@ -172,7 +172,7 @@ TEST_CASE("any square matrix: a complementarity problem without symmetry, built 
       (random.whole(0, 1) == 0 ? force : gap)(i) = random.uniform(0.1, 1);
     const ContactState state = fischer_burmeister({M, gap - M * force});
     CAPTURE(sample, n);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK((state.force - force).norm() <= 1e-9 * (1 + force.norm()));
     CHECK((state.gap - gap).norm() <= 1e-9 * (1 + gap.norm()));
   }
@@ -183,16 +183,16 @@ TEST_CASE("where nothing is a solution, Newton's method does not claim one",
   Eigen::Matrix2d wedge;
   wedge << 1, -1, -1, 1;
   const ContactState state = fischer_burmeister({wedge, Vector2d(-1, -0.5)});
-  CHECK(state.report.status != Status::Solved);
+  CHECK(state.report.status != SolveStatus::Solved);
   CHECK(state.report.iterations > 0);
   // A gap that forces only make smaller: any square matrix is allowed, but not every one has a solution.
   CHECK(fischer_burmeister({Eigen::MatrixXd::Constant(1, 1, -1), VectorXd::Constant(1, -1)})
-            .report.status != Status::Solved);
+            .report.status != SolveStatus::Solved);
 }
 
 TEST_CASE("a limit on the steps is kept and said", "[fischer_burmeister]") {
   const ContactState state = fischer_burmeister(string_problem(160), {2});
-  CHECK(state.report.status == Status::IterationLimit);
+  CHECK(state.report.status == SolveStatus::IterationLimit);
   CHECK(state.report.iterations == 2);
 }
 
@@ -203,7 +203,7 @@ TEST_CASE("a pair that touches without a force is not called closed",
       const Eigen::Matrix2d G = (Eigen::Matrix2d() << 1, coupling, coupling, 1).finished();
       const ContactState state = fischer_burmeister({G, -G.col(pressed)});  // forces e_pressed
       CAPTURE(coupling, pressed);
-      REQUIRE(state.report.status == Status::Solved);
+      REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK(state.active == std::vector<Index>{pressed});
     }
 }

@@ -19,11 +19,11 @@ TEST_CASE("a body far above its obstacle falls onto it in few steps", "[floating
   const ContactProblem problem =
       bar(Vector2d(0, 1), Vector2d(1e-6, 1e-6), Vector2d(1000, 1010), 1, 0.5);
   const ContactState state = solve(problem, find_solver("primal_dual_active_set"));
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK((state.force - Vector2d(0.5, 0.5)).norm() <= 1e-10);
   CHECK(state.report.iterations <= 10);
   const ContactState held = solve(problem, find_solver("enumerate"));  // by springs
-  REQUIRE(held.report.status == Status::Solved);
+  REQUIRE(held.report.status == SolveStatus::Solved);
   CHECK((held.force - state.force).norm() <= 1e-10);
   CHECK(held.report.factorisations <=
         200);  // rho doubles: about log2 of the 1e7 from spring to slope
@@ -33,7 +33,7 @@ TEST_CASE("a body far above its obstacle falls onto it in few steps", "[floating
 TEST_CASE("a load right above the last support is still carried", "[floating][closed-form]") {
   const ContactProblem problem = bar(Vector2d(0, 3), Vector2d(1, 1), Vector2d(0, 1), 1, 0);
   const ContactState state = solve(problem, find_solver("primal_dual_active_set"));
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK((state.force - Vector2d(1, 0)).norm() <= 1e-14);
   CHECK(certify(problem, state).worst() <= 1e-14);
 }
@@ -43,11 +43,11 @@ TEST_CASE("a load along a motion that no pair notices pulls the body away", "[fl
   problem.rigid = (MatrixXd(2, 3) << problem.rigid, VectorXd::Zero(2)).finished();
   problem.resultant = Vector3d(2, 2, 0.5);
   const ContactState away = solve(problem, find_solver("enumerate"));
-  REQUIRE(away.report.status == Status::Infeasible);
+  REQUIRE(away.report.status == SolveStatus::Infeasible);
   CHECK(problem.resultant.dot(away.escape) < 0);
   problem.resultant(2) = 0;  // without that load the motion is free, and stays at zero
   const ContactState state = solve(problem, find_solver("enumerate"));
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.amplitude(2) == 0);
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("without rigid modes it is the contact problem", "[floating]") {
   const ContactProblem contact = random_problem(random, 6);
   const Solver& solver = find_solver("primal_dual_active_set");
   const ContactState state = solve(contact, solver);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK((state.force - solver.solve(contact, {}).force).norm() <= 1e-14);
 }
 

@@ -35,7 +35,7 @@ std::vector<Solver> direct() {
 /// Solves, certified, without springs and in at most so many iterations.
 ContactState direct_solution(const ContactProblem& problem, const Solver& solver, Index most) {
   const ContactState state = solver.solve(problem, {});
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.report.iterations <= most);
   CHECK(certify(problem, state).worst() <= 1e-14);
   return state;
@@ -115,7 +115,7 @@ TEST_CASE("loads and gaps of any size, and none", "[floating-newton]") {
     flat.free_gap.setConstant(1e-16);
     flat.resultant(0) = 1e-16;
     CHECK(direct_solution(flat, solver, 2).force.sum() == Approx(1e-16));
-    CHECK(solve(punch(100, 0.1, 0), solver).report.status == Status::Solved);
+    CHECK(solve(punch(100, 0.1, 0), solver).report.status == SolveStatus::Solved);
   }
 }
 
@@ -141,6 +141,6 @@ TEST_CASE("where the direct way ends without a solution, springs come in", "[flo
     return nothing;
   };
   const ContactState state = solve(punch(30, 0.1), solver);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.report.iterations > 7);
 }

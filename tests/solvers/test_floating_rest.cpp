@@ -28,7 +28,7 @@ TEST_CASE("a body that nothing pushes rests without forces, however many pairs j
     problem.free_gap.tail(2).array() += 0.5;
     const ContactState state = find_solver("primal_dual_active_set").solve(problem, {});
     CAPTURE(seed, state.reason, state.report.iterations);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.force.cwiseAbs().maxCoeff() <= 1e-14);
     CHECK(state.gap.minCoeff() >= 0);
     CHECK(certify(problem, state).holds(1e-13));

@@ -40,13 +40,13 @@ ContactProblem read(const std::string& name) {
 TEST_CASE("two equal rows are one pair for the exchange of sets", "[found][active_set]") {
   const ContactProblem problem = read("found/dup.txt");
   const ContactState state = primal_dual_active_set(problem);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.report.iterations == 1);  // without a second method
   CHECK(state.active.size() == 1);
   CHECK(state.force.sum() == Approx(1).epsilon(1e-15));
   // The deeper one of two equal rows is the one that closes.
   const ContactState deeper = primal_dual_active_set({problem.compliance, Vector2d(-1, -2)});
-  REQUIRE(deeper.report.status == Status::Solved);
+  REQUIRE(deeper.report.status == SolveStatus::Solved);
   CHECK(deeper.active == std::vector<Index>{1});
   CHECK(deeper.gap(0) == Approx(1).epsilon(1e-15));
 }
@@ -54,11 +54,11 @@ TEST_CASE("two equal rows are one pair for the exchange of sets", "[found][activ
 TEST_CASE("what can be solved but for rounding is not called infeasible", "[found][enumerate]") {
   const ContactProblem problem = read("found/lcp_311.txt");
   const ContactState sure = enumerate(problem);
-  CHECK(sure.report.status != Status::Infeasible);
+  CHECK(sure.report.status != SolveStatus::Infeasible);
   CHECK(sure.infeasibility.size() == 0);
   for (const Method method : {Method(quasi_active_set), Method(primal_dual_active_set)}) {
     const ContactState state = method(problem, {});
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(certify(problem, state).worst() <= 1e-14);
   }
 }
@@ -66,7 +66,7 @@ TEST_CASE("what can be solved but for rounding is not called infeasible", "[foun
 TEST_CASE("rows that are nearly equal do not change places for ever", "[found][quasi_active_set]") {
   const ContactProblem problem = read("found/lcp_2669.txt");
   const ContactState state = quasi_active_set(problem);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.report.iterations <= problem.free_gap.size());
   const ContactState sure = enumerate(problem);
   CHECK((state.gap - sure.gap).norm() <= 1e-12 * problem.free_gap.norm());
@@ -78,12 +78,12 @@ TEST_CASE("Lemke's method leaves a path that grows too long", "[found][lemke]") 
   const Index n = problem.free_gap.size();
   const Index first = n * n + 100 * n;
   const ContactState state = lemke(problem);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(certify(problem, state).worst() <= 1e-14);
   CHECK(state.report.iterations <= first + 10 * n);
   // The covering vector of a caller is the only one: its path goes on.
   CHECK(lemke(problem, VectorXd::Ones(n), {first + 10 * n}).report.status ==
-        Status::IterationLimit);
+        SolveStatus::IterationLimit);
   // The limit of a caller holds for all paths together.
   CHECK(lemke(problem, {first + 10}).report.iterations == first + 10);
 }
@@ -95,9 +95,9 @@ TEST_CASE("a pair without a diagonal entry has one scale for every method",
   const Vector2d force(0.5, 0.75);
   const Vector2d q = -M * force;
   const ContactState plain = fischer_burmeister({M, q});
-  REQUIRE(plain.report.status == Status::Solved);
+  REQUIRE(plain.report.status == SolveStatus::Solved);
   const ContactState other = fischer_burmeister(with_rows({M, q}, Vector2d(1, 1e-6)));
-  REQUIRE(other.report.status == Status::Solved);
+  REQUIRE(other.report.status == SolveStatus::Solved);
   CHECK(other.report.iterations == plain.report.iterations);
   CHECK((other.force - Vector2d(0.5, 0.75e6)).norm() <= 1e-12 * 0.75e6);
 }
@@ -146,13 +146,13 @@ TEST_CASE("a claim without a proof that holds is withdrawn", "[found][proof]") {
   const auto claimed = [&](const VectorXd& proof) {
     const ScaledProblem scaled = equilibrate(wedged);
     Report report;
-    report.status = Status::Infeasible;
+    report.status = SolveStatus::Infeasible;
     return finished(wedged, scaled, close(scaled, KnownSet{}), statuses_of({}, 2), report, proof);
   };
-  CHECK(claimed({}).report.status == Status::Breakdown);
-  CHECK(claimed(Vector2d(1, 0.5)).report.status == Status::Breakdown);
+  CHECK(claimed({}).report.status == SolveStatus::Breakdown);
+  CHECK(claimed(Vector2d(1, 0.5)).report.status == SolveStatus::Breakdown);
   CHECK(claimed(Vector2d(1, 0.5)).infeasibility.size() == 0);
-  CHECK(claimed(Vector2d(2, 2)).report.status == Status::Infeasible);
+  CHECK(claimed(Vector2d(2, 2)).report.status == SolveStatus::Infeasible);
 }
 
 namespace {
@@ -173,7 +173,7 @@ TEST_CASE("an amplitude of any size moves no pair that its mode does not move",
   for (const char* name : {"primal_dual_active_set", "fischer_burmeister"}) {
     const ContactState state = solve(problem, find_solver(name));
     CAPTURE(name);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.force(1) == Approx(1));  // pair 2 overlaps by 1 and has the compliance 1
     CHECK(state.amplitude.cwiseAbs().maxCoeff() < 10);
   }
@@ -189,7 +189,7 @@ TEST_CASE("rounding of a load that contact can balance is no proof that it canno
     const ContactState state = solve(problem, find_solver(name));
     CAPTURE(name);
     CHECK(state.escape.size() == 0);
-    REQUIRE(state.report.status == Status::Solved);  // by pair 2 alone
+    REQUIRE(state.report.status == SolveStatus::Solved);  // by pair 2 alone
     CHECK(state.force(1) == Approx(1));
   }
 }
@@ -204,7 +204,7 @@ TEST_CASE("huge forces that cancel do not make every gap small", "[found][certif
   problem.rigid << 1, 2, -2, -1;
   problem.resultant = VectorXd::Constant(1, 4);
   for (const char* name : {"primal_dual_active_set", "fischer_burmeister", "lemke"})
-    CHECK(find_solver(name).solve(problem, {}).report.status != Status::Solved);
+    CHECK(find_solver(name).solve(problem, {}).report.status != SolveStatus::Solved);
 }
 
 TEST_CASE("a mode that moves no pair is no mode to hold", "[found][floating]") {

@@ -18,7 +18,7 @@ namespace {
 ContactState solved(const ContactProblem& problem) {
   ContactState state = friction_solvers().front().solve(problem, {});
   CAPTURE(state.reason);
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(certify(problem, state).holds());
   return state;
 }
@@ -34,7 +34,7 @@ TEST_CASE("an open pair carries no cohesion, except in the equations as printed"
   CHECK(state.friction(0) == 0);
   CHECK(state.slip(0) == 8);
   const ContactState printed = find_solver("friction_split_literal").solve(lifted, {});
-  CHECK(printed.report.status == Status::Breakdown);
+  CHECK(printed.report.status == SolveStatus::Breakdown);
   CHECK(printed.friction(0) == Approx(-1));  // across a gap of 1
   CHECK(certify(lifted, printed).cone >= 0.1);
 }

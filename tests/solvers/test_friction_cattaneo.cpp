@@ -45,7 +45,7 @@ TEST_CASE("a cylinder in partial slip: stick zone and traction of Cattaneo and M
     const ContactState state =
         find_solver("primal_dual_active_set").solve(cylinder(n, mu, part), {});
     CAPTURE(part);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(certify(cylinder(n, mu, part), state).worst() <= 1e-14);
     CHECK(half_width(state, true) == Approx(c).margin(h));  // an element more or less
     CHECK(half_width(state, false) == Approx(1).margin(h));
@@ -74,11 +74,11 @@ TEST_CASE("every method finds the same partial slip, the split as printed does n
     const ContactState state = solver.solve(problem, {});
     CAPTURE(solver.name, state.reason);
     if (std::string(solver.name) == "friction_split_literal") {
-      CHECK(state.report.status == Status::Breakdown);
+      CHECK(state.report.status == SolveStatus::Breakdown);
       CHECK(state.reason.find("u+ and u- enter only by their difference") != std::string::npos);
       continue;
     }
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.contact_status == first.contact_status);
     CHECK((forces(state) - forces(first)).norm() <= 1e-12 * forces(first).norm());
     // Pivots go one by one; all others settle in few steps.
@@ -93,7 +93,7 @@ TEST_CASE("tiny and huge coefficients of friction: the same stick zone, within 2
   for (const double mu : {1e-6, 1e4}) {
     const ContactState state = friction_solvers().front().solve(cylinder(n, mu, 0.6), {});
     CAPTURE(mu);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.report.iterations <= 25);
     CHECK(state.contact_status == plain.contact_status);
     CHECK((state.friction / mu - plain.friction / 0.3).norm() <=
@@ -109,9 +109,9 @@ TEST_CASE("a push beyond mu P finds no equilibrium, and the way out is shown",
     const Solver& solver = find_solver(name);
     const ContactState state = solver.solve(problem, {});
     CAPTURE(solver.name);
-    CHECK(state.report.status != Status::Solved);
+    CHECK(state.report.status != SolveStatus::Solved);
     if (std::string(solver.name) == "friction_split_literal") continue;
-    REQUIRE(state.report.status == Status::Infeasible);
+    REQUIRE(state.report.status == SolveStatus::Infeasible);
     CHECK(state.reason.find("no contact forces") != std::string::npos);
     REQUIRE(state.escape.size() == 2);
     // The motion opens each gap by mu times its slip, and the load works along it.
@@ -120,10 +120,10 @@ TEST_CASE("a push beyond mu P finds no equilibrium, and the way out is shown",
   }
   // Just below, and with cohesion to take up the rest, it holds.
   CHECK(friction_solvers().front().solve(cylinder(60, 0.3, 1 - 1e-9), {}).report.status ==
-        Status::Solved);
+        SolveStatus::Solved);
   ContactProblem glued = problem;
   glued.law.cohesion.setConstant(1e-3);
   const ContactState state = friction_solvers().front().solve(glued, {});
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(certify(glued, state).holds());
 }

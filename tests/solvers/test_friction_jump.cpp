@@ -32,7 +32,7 @@ TEST_CASE("a pair that only its own cohesion opens is named", "[friction][cohesi
       const ContactState state = find_solver(name).solve(problem, {});
       const bool solvable = cohesion < 0.2;
       CHECK(all_solutions(problem).empty() == !solvable);
-      CHECK(state.report.status == (solvable ? Status::Solved : Status::Jump));
+      CHECK(state.report.status == (solvable ? SolveStatus::Solved : SolveStatus::Jump));
       if (!solvable)
         CHECK_THAT(
             state.reason,
@@ -53,8 +53,9 @@ TEST_CASE("among pairs that can be solved, the one that jumps is named", "[frict
                          law_of_all(VectorXd::Zero(3), VectorXd::Constant(3, 1))};
   REQUIRE(all_solutions(problem).empty());
   const ContactState state = find_solver("primal_dual_active_set").solve(problem, {});
-  CHECK(state.report.status == Status::Jump);
+  CHECK(state.report.status == SolveStatus::Jump);
   CHECK_THAT(state.reason, ContainsSubstring("pair 1 closes only without"));
   problem.law.cohesion(1) = 0.05;
-  CHECK(find_solver("primal_dual_active_set").solve(problem, {}).report.status == Status::Solved);
+  CHECK(find_solver("primal_dual_active_set").solve(problem, {}).report.status ==
+        SolveStatus::Solved);
 }

@@ -76,7 +76,7 @@ TEST_CASE("one node with several solutions: one is found, with the warning", "[f
     const ContactState unique = solver.solve(one_pair(F, 0.1, 3, 0.3), {});
     const ContactState state = solver.solve(one_pair(F, 0.1, 3, 0.6), {});
     CAPTURE(solver.name);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(certify(one_pair(F, 0.1, 3, 0.6), state).worst() <= 1e-15);
     if (std::string(solver.name) == "friction_split_literal") continue;
     CHECK(state.uniqueness == Uniqueness::Doubtful);
@@ -118,7 +118,7 @@ TEST_CASE("the warning names the pair, its determinant and the friction from whi
       const Eigen::Vector2d free = F * Eigen::Vector2d(-0.2, 0.5);
       const ContactState state =
           friction_solvers().front().solve(one_pair(F, free(0), free(1), mu), {});
-      REQUIRE(state.report.status == Status::Solved);
+      REQUIRE(state.report.status == SolveStatus::Solved);
       const bool several = mu > 2.5;
       CHECK((state.uniqueness == Uniqueness::Doubtful) == several);
       CHECK(state.doubt.pair == (several ? 0 : -1));
@@ -134,7 +134,7 @@ TEST_CASE("without the friction of the pair that is named, beyond its share, the
   for (int sample = 0; sample < 1500; ++sample) {
     ContactProblem problem = random_friction(random, 2 + sample % 4, 8);
     const ContactState solution = friction_solvers().front().solve(problem, {});
-    if (solution.report.status != Status::Solved || solution.doubt.pair < 0) continue;
+    if (solution.report.status != SolveStatus::Solved || solution.doubt.pair < 0) continue;
     const std::vector<ContactStatus> statuses = all_statuses(solution);
     if (!close(equilibrate(problem), statuses).reversed) continue;
     ++named;
@@ -172,7 +172,7 @@ TEST_CASE("others are said to exist where they do", "[friction][hard]") {
     const ContactProblem problem =
         random_friction(random, 1 + trial % 3, std::vector<double>{3, 30, 1e4}[trial / 300]);
     const ContactState state = friction_solvers().front().solve(problem, {});
-    if (state.report.status != Status::Solved) continue;
+    if (state.report.status != SolveStatus::Solved) continue;
     const bool more = all_solutions(problem).size() > 1;
     CAPTURE(trial);
     if (state.uniqueness == Uniqueness::Doubtful) CHECK(more);

@@ -67,7 +67,7 @@ TEST_CASE("plane problems of Siconos: the figures of its sweeps", "[friction][da
       const Solver& solver = find_solver(name);
       const ContactState state = solver.solve(problem, {});
       CAPTURE(known.name, solver.name, state.reason);
-      REQUIRE(state.report.status == Status::Solved);
+      REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK(certify(problem, state).worst() <= 1e-14);
       CHECK(natural_map(problem, state) <= 1e-8);
       CHECK(closed_and_sliding(state) == std::make_pair(known.closed, 0));
@@ -83,7 +83,7 @@ TEST_CASE("plane problems of Siconos: the figures of its sweeps", "[friction][da
 TEST_CASE("data that are rounding only: an answer as small", "[friction][data]") {
   const ContactProblem problem = from_file("FrictionContactProblem00394");
   const ContactState state = friction_solvers().front().solve(problem, {});
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(certify(problem, state).worst() <= 1e-14);
   CHECK(forces(state).norm() <= 1e-14);
   CHECK(forces(state).norm() > 0);
@@ -104,7 +104,7 @@ TEST_CASE("a matrix that is not symmetric: the only solution, both pairs sliding
     for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister"}) {
       const ContactState state = find_solver(name).solve(problem, {});
       CAPTURE(known.name, name, state.reason);
-      REQUIRE(state.report.status == Status::Solved);
+      REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK(certify(problem, state).worst() <= 1e-14);
       CHECK(natural_map(problem, state) <= 1e-8);
       for (Eigen::Index i = 0; i < 2; ++i) {

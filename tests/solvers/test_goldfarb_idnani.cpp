@@ -36,7 +36,7 @@ TEST_CASE("the pair that overlaps most may have to leave again", "[goldfarb_idna
   CHECK(product.report.iterations == given.report.iterations);
   {
     const ContactState& state = given;
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK((state.force - Vector3d(0, 0.703125, 0.703125)).norm() < 1e-15);
     CHECK((state.gap - Vector3d(0.125, 0, 0)).norm() < 1e-15);
     CHECK(state.active == std::vector<Index>{1, 2});
@@ -75,7 +75,7 @@ TEST_CASE("2000 problems in whole numbers, solved or proved infeasible, condense
     solved += solvable ? 1 : 0;
     const DenseSolution product = solve(whole, find_solver("goldfarb_idnani"));
     CHECK(product.report.iterations <= 3 * problem.free_gap.size());
-    CHECK(product.report.status == (solvable ? Status::Solved : Status::Infeasible));
+    CHECK(product.report.status == (solvable ? SolveStatus::Solved : SolveStatus::Infeasible));
   }
   CHECK(solved > 1000);
   CHECK(solved < 1900);
@@ -86,11 +86,11 @@ TEST_CASE("gap rows that contradict each other are proved to", "[goldfarb_idnani
   MatrixXd G(2, 2);
   G << 1, -1, -1, 1;
   const ContactState state = goldfarb_idnani(ContactProblem{G, Vector2d(-1, -0.5)});
-  CHECK(state.report.status == Status::Infeasible);
+  CHECK(state.report.status == SolveStatus::Infeasible);
   CHECK((state.infeasibility - Vector2d(0.5, 0.5)).norm() < 1e-15);
   const ContactState fixed = goldfarb_idnani(
       ContactProblem{MatrixXd::Zero(1, 1), VectorXd::Constant(1, -1)});  // nothing moves the pair
-  CHECK(fixed.report.status == Status::Infeasible);
+  CHECK(fixed.report.status == SolveStatus::Infeasible);
   CHECK(fixed.infeasibility == VectorXd::Ones(1));
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("nearly parallel pairs, with forces that are large and nearly cancel",
   A << 1, 0, -1, t;
   const DenseProgramme given = programme(A, Vector2d(-1, 1 - t));
   const ContactState state = goldfarb_idnani(whole_problem(given));
-  REQUIRE(state.report.status == Status::Solved);
+  REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK((state.force - Vector2d(513, 512)).norm() <=
         1e-7);  // rounding times condition 1e6, times 700
   CHECK(certify(whole_problem(given), state).worst() <= 1e-12);
@@ -125,6 +125,6 @@ TEST_CASE("Goldfarb and Idnani's method finds the solution of every size of Tabl
 
 TEST_CASE("a limit on steps is kept and reported", "[goldfarb_idnani]") {
   const ContactState state = goldfarb_idnani(whole_problem(fan()), {2});
-  CHECK(state.report.status == Status::IterationLimit);
+  CHECK(state.report.status == SolveStatus::IterationLimit);
   CHECK(state.report.iterations == 2);
 }

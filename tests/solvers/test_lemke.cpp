@@ -44,12 +44,12 @@ TEST_CASE("Fathi's and Murty's problems take 2^n pivots with a covering vector o
   for (Index n = 2; n <= 10; ++n) {
     CAPTURE(n);
     const ContactState spd = classic(fathi(n));
-    REQUIRE(spd.report.status == Status::Solved);
+    REQUIRE(spd.report.status == SolveStatus::Solved);
     CHECK(spd.report.iterations == Index{1} << n);
     CHECK((spd.force - VectorXd::Unit(n, 0)).norm() < 1e-14);
     const ContactProblem triangular = murty(n);
     const ContactState far = classic(triangular);
-    REQUIRE(far.report.status == Status::Solved);
+    REQUIRE(far.report.status == SolveStatus::Solved);
     CHECK(far.report.iterations == Index{1} << n);
     CHECK((far.force - std::ldexp(1, static_cast<int>(n)) * VectorXd::Unit(n, n - 1)).norm() == 0);
     CHECK(certify(triangular, far).worst() <= 1e-15);
@@ -99,10 +99,10 @@ TEST_CASE("pivots and solutions of published problems, known in exact arithmetic
       if (!scaled) CHECK(state.report.iterations == expected.pivots);
       if (expected.force.size() == 0) {
         const bool refuted = expected.name == std::string("Pang, perturbed");
-        CHECK(state.report.status == (refuted ? Status::Infeasible : Status::Ray));
+        CHECK(state.report.status == (refuted ? SolveStatus::Infeasible : SolveStatus::Ray));
         continue;
       }
-      REQUIRE(state.report.status == Status::Solved);
+      REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK((state.force - expected.force).norm() <= 1e-14 * expected.force.norm());
       CHECK(certify(expected.problem, state).worst() <= 1e-15);
     }
@@ -130,11 +130,11 @@ TEST_CASE("ties at every pivot do not make it run in circles", "[lemke][hard]") 
     const VectorXd d = VectorXd::Constant(n, -1);
     CAPTURE(n);
     const ContactState alike = lemke({ones + MatrixXd::Identity(n, n), d});
-    REQUIRE(alike.report.status == Status::Solved);
+    REQUIRE(alike.report.status == SolveStatus::Solved);
     CHECK(alike.report.iterations <= n + 1);
     CHECK((alike.force.array() - 1.0 / static_cast<double>(n + 1)).abs().maxCoeff() < 1e-15);
     const ContactState copies = lemke({ones, d});
-    REQUIRE(copies.report.status == Status::Solved);
+    REQUIRE(copies.report.status == SolveStatus::Solved);
     CHECK(copies.report.iterations == 2);
     CHECK(copies.force.sum() == Approx(1).epsilon(1e-15));
   }
@@ -153,8 +153,8 @@ TEST_CASE("asymmetric matrices with positive definite symmetric part", "[lemke][
     const ContactState found = lemke(problem);
     const ContactState sure = enumerate(problem);
     CAPTURE(sample);
-    REQUIRE(found.report.status == Status::Solved);
-    REQUIRE(sure.report.status == Status::Solved);
+    REQUIRE(found.report.status == SolveStatus::Solved);
+    REQUIRE(sure.report.status == SolveStatus::Solved);
     CHECK((found.force - sure.force).norm() <= 1e-12 * sure.force.norm());
     CHECK(certify(problem, found).worst() <= 1e-13);
   }
@@ -182,16 +182,16 @@ TEST_CASE("a pair that touches without force at the end of the path is not calle
     return find_solver("lemke").solve({G, gap - G * force}, {});
   };
   const ContactState first = end(thirds, vector({0.3, 0, 0, 0.1}), vector({0, 0.2, 0, 0}));
-  CHECK(first.report.status == Status::Solved);
+  CHECK(first.report.status == SolveStatus::Solved);
   CHECK(first.active == std::vector<Index>{0, 3});
   const ContactState second = end(whole, vector({0, 0, 0.2, 0.1}), VectorXd::Zero(4));
-  CHECK(second.report.status == Status::Solved);
+  CHECK(second.report.status == SolveStatus::Solved);
   CHECK(second.active == std::vector<Index>{2, 3});
 }
 
 TEST_CASE("a limit on pivots is kept, and a bad covering vector refused", "[lemke]") {
   const ContactState state = lemke(murty(6), {7});
-  CHECK(state.report.status == Status::IterationLimit);
+  CHECK(state.report.status == SolveStatus::IterationLimit);
   CHECK(state.report.iterations == 7);
   CHECK(state.infeasibility.size() == 0);
   CHECK_THROWS_AS(lemke(fathi(2), vector({1, 0})), std::invalid_argument);

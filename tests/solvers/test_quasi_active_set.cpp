@@ -70,7 +70,7 @@ TEST_CASE("programmes of table 1 are solved to rounding in a few steps", "[quasi
       const KnownProgramme known = rosen_suzuki(size.n, size.m, seed);
       const DenseSolution solution = solve(known.programme, method());
       CAPTURE(size.n, size.m, seed);
-      REQUIRE(solution.report.status == Status::Solved);
+      REQUIRE(solution.report.status == SolveStatus::Solved);
       CHECK(solution.certificate.worst() <= 1e-13);
       CHECK((solution.refined.displacement - known.displacement).norm() <=
             1e-13 * known.displacement.norm());
@@ -93,12 +93,12 @@ TEST_CASE("programmes with 4000 small whole numbers are solved or refuted with a
     const DenseProgramme programme = whole_programme(random);
     const DenseSolution solution = solve(programme, method());
     CAPTURE(sample, to_string(solution.report.status));
-    if (solution.report.status == Status::Solved) {  // unique u: the certificate is a proof
+    if (solution.report.status == SolveStatus::Solved) {  // unique u: the certificate is a proof
       CHECK(solution.certificate.worst() <= 1e-12);
       ++solved;
       continue;
     }
-    REQUIRE(solution.report.status == Status::Infeasible);
+    REQUIRE(solution.report.status == SolveStatus::Infeasible);
     // y >= 0 with A^T y = 0 and g.y < 0: no u has A u <= g.
     const VectorXd& y = solution.infeasibility;
     REQUIRE(y.size() == programme.A.rows());
@@ -116,7 +116,7 @@ TEST_CASE("both input forms close the same pairs", "[quasi_active_set]") {
     const KnownProgramme known = rosen_suzuki(20, 15, seed);
     const ContactProblem problem = condense(known.programme).problem;
     const ContactState state = quasi_active_set(problem);
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.active == quasi_active_set(known.programme).active);
     CHECK((state.force - known.force).norm() <= 1e-10 * known.force.norm());
   }
@@ -142,7 +142,7 @@ TEST_CASE("ill-conditioned stiffness costs steps and no accuracy of the conditio
     pose(known, gaps_of(known));
     const DenseSolution solution = solve(known.programme, method());
     CAPTURE(condition);
-    CHECK(solution.report.status == Status::Solved);
+    CHECK(solution.report.status == SolveStatus::Solved);
     CHECK(solution.certificate.worst() <= 1e-14);  // u is refined and kept in two parts
   }
 }
@@ -164,7 +164,7 @@ TEST_CASE("nearly parallel rows are told apart down to the last digits",
     pose(known, gap);
     const DenseSolution solution = solve(known.programme, method());
     CAPTURE(angle);
-    CHECK(solution.report.status == Status::Solved);
+    CHECK(solution.report.status == SolveStatus::Solved);
     CHECK(solution.certificate.worst() <= 1e-14);
     CHECK((solution.refined.displacement - known.displacement).norm() <=
           1e-14 / angle *
@@ -177,7 +177,7 @@ TEST_CASE("equations hold exactly, contradictory ones are refuted", "[quasi_acti
   DenseProgramme& programme = known.programme;
   programme.equations = 3;
   const DenseSolution solution = solve(programme, method());
-  REQUIRE(solution.report.status == Status::Solved);
+  REQUIRE(solution.report.status == SolveStatus::Solved);
   CHECK(solution.certificate.worst() <= 1e-14);
   CHECK((programme.A.topRows(3) * solution.refined.displacement - programme.initial_gap.head(3))
             .norm() <= 1e-14);
@@ -185,9 +185,10 @@ TEST_CASE("equations hold exactly, contradictory ones are refuted", "[quasi_acti
 
   programme.A.row(2) = programme.A.row(0) + programme.A.row(1);
   programme.initial_gap(2) = programme.initial_gap(0) + programme.initial_gap(1);
-  CHECK(solve(programme, method()).report.status == Status::Solved);  // follows from the others
+  CHECK(solve(programme, method()).report.status ==
+        SolveStatus::Solved);  // follows from the others
   programme.initial_gap(2) += 1;
-  CHECK(solve(programme, method()).report.status == Status::Infeasible);
+  CHECK(solve(programme, method()).report.status == SolveStatus::Infeasible);
 }
 
 TEST_CASE("the same steps in other units and with other row scales", "[quasi_active_set]") {

@@ -22,7 +22,7 @@ TEST_CASE("a stiffness without inverse is refused, or held by equations", "[quas
   CHECK_THROWS_AS(quasi_active_set(programme), ProblemError);
   programme.equations = 1;  // u1 + u2 = 1 with least (u1 - u2)^2
   const DenseSolution solution = solve(programme, method());
-  CHECK(solution.report.status == Status::Solved);
+  CHECK(solution.report.status == SolveStatus::Solved);
   CHECK((solution.refined.displacement - Eigen::Vector2d(0.5, 0.5)).norm() < 1e-15);
 }
 

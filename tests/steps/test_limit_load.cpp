@@ -54,10 +54,10 @@ TEST_CASE("a block on an incline holds until tan t = mu", "[friction][limit][clo
     const double angle = std::atan(mu);
     CAPTURE(mu);
     const Solution held = solve(resting(Friction{mu, 0}, angle - 1e-10));
-    CHECK(held.contact.report.status == Status::Solved);
+    CHECK(held.contact.report.status == SolveStatus::Solved);
     CHECK_FALSE(held.limit.has_value());
     const Solution slides = solve_to_limit(resting(Friction{mu, 0}, angle + 1e-10));
-    CHECK(slides.contact.report.status == Status::Infeasible);
+    CHECK(slides.contact.report.status == SolveStatus::Infeasible);
     REQUIRE(slides.limit.has_value());
     CHECK(*slides.limit == 0);  // so does half of its weight
     CHECK_THAT(why_unsolved(slides), ContainsSubstring("no part of this load"));
@@ -74,15 +74,15 @@ TEST_CASE("a block on an incline with cohesion holds until W sin t = c A + mu W 
     CAPTURE(friction.coefficient, most);
     const Scene scene = resting(friction, angle);
     const Solution slides = solve_to_limit(scene);
-    CHECK(slides.contact.report.status == Status::Infeasible);
+    CHECK(slides.contact.report.status == SolveStatus::Infeasible);
     REQUIRE(slides.limit.has_value());
     CHECK(*slides.limit == Approx(most).epsilon(1e-12).margin(0));
     CHECK_THAT(message_of<NotSolved>([&] { require_solved(slides, "the block"); }),
                ContainsSubstring("at most " + text(most)));
     CHECK(solve(loaded(scene, (1 - 1e-10) * *slides.limit)).contact.report.status ==
-          Status::Solved);
+          SolveStatus::Solved);
     CHECK(solve(loaded(scene, (1 + 1e-10) * *slides.limit)).contact.report.status ==
-          Status::Infeasible);
+          SolveStatus::Infeasible);
   }
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("a path ends at the load from which on friction holds nothing",
     const PathEnd end = solve_steps(
         scene, [&](const Model&, const Step& step) { solved.push_back(step.state.time); });
     CAPTURE(times.size(), times.back(), end.reason);
-    CHECK(end.status == Status::Infeasible);
+    CHECK(end.status == SolveStatus::Infeasible);
     REQUIRE(end.limit.has_value());
     CHECK(*end.limit == Approx(0.5).epsilon(1e-13).margin(0));
     CHECK(end.state.time <= *end.limit);
@@ -127,7 +127,7 @@ TEST_CASE("a limit between rows of a history, and none of loads that nothing hel
   CHECK(*end.limit == Approx(0.2).epsilon(1e-13).margin(0));
   scene.path->histories[0] = {"pull", {0}, {1}};
   end = solve_steps(scene);
-  CHECK(end.status != Status::Solved);
+  CHECK(end.status != SolveStatus::Solved);
   CHECK_FALSE(end.limit.has_value());
   CHECK(end.state.steps == 0);
 }
@@ -143,7 +143,7 @@ TEST_CASE(
   std::vector<double> times;
   const PathEnd end =
       solve_steps(scene, [&](const Model&, const Step& step) { times.push_back(step.state.time); });
-  CHECK(end.status != Status::Solved);
+  CHECK(end.status != SolveStatus::Solved);
   REQUIRE(end.limit.has_value());
   REQUIRE_FALSE(times.empty());
   CHECK(end.state.time >= *end.limit - 1e-10);
@@ -168,7 +168,7 @@ TEST_CASE("a load beyond what is held, without a proof: the limit is found by gr
   CHECK_FALSE(
       solve(full).limit.has_value());  // found by load steps, which the library does not know
   const Solution slides = solve_to_limit(full);
-  CHECK(slides.contact.report.status != Status::Solved);
+  CHECK(slides.contact.report.status != SolveStatus::Solved);
   CHECK(slides.escape.empty());
   REQUIRE(slides.limit.has_value());
   CHECK(*slides.limit < 0.99);
@@ -176,8 +176,10 @@ TEST_CASE("a load beyond what is held, without a proof: the limit is found by gr
                                        ContainsSubstring("nothing is found beyond"));
   for (const std::string& note : slides.notes)
     CHECK(note.find("load steps solve it") == std::string::npos);
-  CHECK(solve(loaded(full, (1 - 1e-9) * *slides.limit)).contact.report.status == Status::Solved);
-  CHECK(solve(loaded(full, (1 + 1e-9) * *slides.limit)).contact.report.status != Status::Solved);
+  CHECK(solve(loaded(full, (1 - 1e-9) * *slides.limit)).contact.report.status ==
+        SolveStatus::Solved);
+  CHECK(solve(loaded(full, (1 + 1e-9) * *slides.limit)).contact.report.status !=
+        SolveStatus::Solved);
 }
 
 TEST_CASE("a body that contact alone holds is followed to where it lifts off", "[limit][steps]") {
@@ -188,7 +190,7 @@ TEST_CASE("a body that contact alone holds is followed to where it lifts off", "
       {"bottom", 0, [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, 0.5); }, "lift"}};
   scene.path = Path{{0.3, 1}, {proportional("lift")}};
   const PathEnd end = solve_steps(scene);
-  CHECK(end.status == Status::Infeasible);
+  CHECK(end.status == SolveStatus::Infeasible);
   REQUIRE(end.limit.has_value());
   CHECK(*end.limit == Approx(0.5).epsilon(1e-13).margin(0));
   CHECK(end.state.time > 0.5 - 1e-9);
@@ -212,7 +214,7 @@ TEST_CASE("a block wedged between walls is pulled out when all of it slides",
   scene.path = Path{{0.01, 1}, {proportional("pull")}};
   const PathEnd end = solve_steps(scene);
   CAPTURE(end.reason);
-  CHECK(end.status != Status::Solved);
+  CHECK(end.status != SolveStatus::Solved);
   REQUIRE(end.limit.has_value());
   CHECK(end.state.time >= *end.limit - 1e-10);
   const Eigen::VectorXd& force = end.state.solution.force;

@@ -131,12 +131,12 @@ TEST_CASE("a step in which nothing changes is solved, and nothing moves",
     PathState state;
     for (const double time : scene.path->times) {
       const Step moved = step(state, time, model, path, {});
-      REQUIRE(moved.solution.contact.report.status == Status::Solved);
+      REQUIRE(moved.solution.contact.report.status == SolveStatus::Solved);
       // The same loads again: the state is as if it were of an earlier time.
       PathState past = moved.state;
       past.time = state.time;
       const Step again = step(past, time, model, path, {});
-      REQUIRE(again.solution.contact.report.status == Status::Solved);
+      REQUIRE(again.solution.contact.report.status == SolveStatus::Solved);
       const auto pushed = [&](const Step& now) {
         return Eigen::VectorXd(model.programme.A.transpose() * now.state.solution.force);
       };

@@ -102,7 +102,7 @@ PartialSlipPath run(Index cells, double depth) {
   PathEnd end = solve_steps(pushed(cells, depth, none, {1}), [&](const Model&, const Step& step) {
     P = step.solution.contact.force.sum();
   });
-  REQUIRE(end.status == Status::Solved);
+  REQUIRE(end.status == SolveStatus::Solved);
   const double plane = plane_strain_modulus(modulus, ratio);
   const LineContact contact{radius, contact_modulus(plane, plane), P};
   slip = {hertz_half_width(contact), hertz_peak_pressure(contact), mu};
@@ -133,7 +133,7 @@ PartialSlipPath run(Index cells, double depth) {
     result.nodes = double(model.bodies[0].mesh.n_nodes() + model.bodies[1].mesh.n_nodes());
   });
   INFO(end.reason);
-  REQUIRE(end.status == Status::Solved);
+  REQUIRE(end.status == SolveStatus::Solved);
   for (int k = 0; k < 3; ++k)  // slip in total: friction knows the present load only
     static_cast<void>(solve_steps(pushed(cells, depth, push, {3 + 0.5 * k}),
                                   [&](const Model& model, const Step& step) {

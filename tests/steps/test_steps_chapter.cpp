@@ -135,7 +135,7 @@ TEST_CASE("an elastic block slides at its corner first, and nearly everywhere be
   const Friction law{0.4, 0};
   const auto sliding = [&](double share) {
     const Solution held = solve(incline(share * slip_angle_exact(law), law));
-    REQUIRE(held.contact.report.status == Status::Solved);
+    REQUIRE(held.contact.report.status == SolveStatus::Solved);
     const std::vector<ContactStatus>& contact_status = held.contact.contact_status;
     return std::count(contact_status.begin(), contact_status.end(), ContactStatus::SlipForward);
   };
@@ -150,7 +150,7 @@ TEST_CASE("a block that is too heavy for its cohesion is refused with the share 
           "[friction][floating][closed-form]") {
   const double angle = 0.6;
   const Solution refused = solve(incline(angle, {0.4, 0.1}));
-  CHECK(refused.contact.report.status != Status::Solved);
+  CHECK(refused.contact.report.status != SolveStatus::Solved);
   REQUIRE(refused.limit.has_value());
   const double exact = 0.1 / (std::sin(angle) - 0.4 * std::cos(angle));
   CHECK(*refused.limit == Approx(exact).epsilon(1e-9));

@@ -19,7 +19,7 @@ TEST_CASE("a path whose body is pulled away ends where it last touches", "[steps
   std::vector<double> times;
   const PathEnd end =
       solve_steps(scene, [&](const Model&, const Step& step) { times.push_back(step.state.time); });
-  CHECK(end.status != Status::Solved);
+  CHECK(end.status != SolveStatus::Solved);
   REQUIRE(end.limit.has_value());
   CHECK(*end.limit == Approx(1.5).epsilon(1e-14));
   CHECK(times == std::vector<double>{1, end.state.time});
@@ -58,7 +58,7 @@ TEST_CASE("a step without a solution may have one in two halves: the observer se
   std::vector<Step> steps;
   const auto keep = [&](const Model&, const Step& step) { steps.push_back(step); };
   const PathEnd end = solve_steps(scene, keep);
-  REQUIRE(end.status == Status::Solved);
+  REQUIRE(end.status == SolveStatus::Solved);
   CHECK(end.halvings == 1);
   REQUIRE(steps.size() == 3);
   const double time[] = {1, 1.5, 2};
@@ -78,7 +78,7 @@ TEST_CASE("a step without a solution may have one in two halves: the observer se
   scene.path->halvings = 0;
   steps.clear();
   const PathEnd stopped = solve_steps(scene, keep);
-  CHECK(stopped.status != Status::Solved);
+  CHECK(stopped.status != SolveStatus::Solved);
   CHECK(stopped.state.time == 1);
   CHECK(steps.size() == 1);
   // The same within four neighbouring doubles: it has no more than two halves, however many are allowed.
@@ -93,7 +93,7 @@ TEST_CASE("a step without a solution may have one in two halves: the observer se
     history.values.insert(history.values.begin() + 1, history.values.front());
   }
   const PathEnd closest = solve_steps(scene);
-  CHECK(closest.status != Status::Solved);
+  CHECK(closest.status != SolveStatus::Solved);
   CHECK(closest.state.time == std::nextafter(end_time, 0));
   CHECK(closest.halvings <= 4);
 }

@@ -51,7 +51,7 @@ TEST_CASE("a spring slider goes round its loop: force, slip and dissipation by h
       area_before_loop = area;
     }
   });
-  REQUIRE(end.status == Status::Solved);
+  REQUIRE(end.status == SolveStatus::Solved);
   CHECK(end.state.steps == 40);
   const double loop = end.state.dissipation(0) - lost_before_loop;
   CHECK(loop == Approx(4 * bound * bound / k).epsilon(1e-12));
@@ -75,7 +75,7 @@ TEST_CASE("work put in = strain energy + dissipation + what steps do not resolve
           std::max(worst, std::abs(work.put_in() - work.strain - work.dissipation - work.between));
       most = std::max(most, work.put_in());
     });
-    REQUIRE(end.status == Status::Solved);
+    REQUIRE(end.status == SolveStatus::Solved);
     CHECK(worst <= 1e-12 * most);
     CHECK(meter.work().dissipation > 0.5 * most);
     CHECK(meter.work().supports > 0.1 * most);
@@ -144,7 +144,7 @@ TEST_CASE("a path without contacts puts the work of its supports into strains", 
   WorkMeter meter;
   const PathEnd end =
       solve_steps(scene, [&](const Model& at, const Step& step) { meter.add(at, step); });
-  CHECK(end.status == Status::Solved);
+  CHECK(end.status == SolveStatus::Solved);
   const Work& work = meter.work();
   CHECK(work.supports == 0);
   CHECK(work.strain == Approx(work.put_in()).epsilon(1e-12));

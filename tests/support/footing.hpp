@@ -112,7 +112,7 @@ inline RigidRest rigid_on(const signorini::EdgeBlockSpec& spec,
     problem.resultant = -2 * footing_load * footing_half * Eigen::Vector2d(1, *eccentricity);
   }
   const ContactState state = solve(problem, scene.solver);
-  if (state.report.status != Status::Solved) throw NotSolved("the rigid footing");
+  if (state.report.status != SolveStatus::Solved) throw NotSolved("the rigid footing");
   return {x.reverse(), state.force.reverse(), state.amplitude(0),
           eccentricity == nullptr ? 0 : state.amplitude(1)};
 }

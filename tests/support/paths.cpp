@@ -55,7 +55,7 @@ std::vector<Step> steps_of(const Scene& scene, const PathState& from) {
   const PathEnd end = solve_steps(
       scene, [&](const Model&, const Step& step) { steps.push_back(step); }, from);
   INFO(end.reason);
-  REQUIRE(end.status == Status::Solved);
+  REQUIRE(end.status == SolveStatus::Solved);
   REQUIRE(end.halvings == 0);
   return steps;
 }

@@ -18,7 +18,7 @@ struct Instance {
   std::string name;                   ///< sizes and seed, for messages
   signorini::ContactProblem problem;  ///< G and d, or any M and q
   /// Or Infeasible; or Breakdown, where nothing solves the problem and no proof of it is asked for
-  signorini::Status expected = signorini::Status::Solved;
+  signorini::SolveStatus expected = signorini::SolveStatus::Solved;
   Eigen::VectorXd force = {};  ///< the only forces that solve it
   Eigen::VectorXd gap = {};    ///< the only gaps
   double accuracy = 1e-10;     ///< allowed error of both, relative to the largest entry

@@ -156,18 +156,18 @@ RandomCondensed random_condensed(std::uint64_t seed) {
 
 Verdict verdict(const RandomCondensed& problem, const ContactState& state) {
   switch (state.report.status) {
-    case Status::Solved:
+    case SolveStatus::Solved:
       return problem.feasible && certify(problem.problem, state).holds() ? Verdict::Solved
                                                                          : Verdict::Wrong;
-    case Status::Infeasible:
+    case SolveStatus::Infeasible:
       return !problem.feasible && holds(problem.problem, state.infeasibility) ? Verdict::Refuted
                                                                               : Verdict::Wrong;
-    case Status::Feasible:
-    case Status::Ray:
-    case Status::Jump:
-    case Status::IterationLimit:
-    case Status::Breakdown:
-    case Status::Slid:
+    case SolveStatus::Feasible:
+    case SolveStatus::Ray:
+    case SolveStatus::Jump:
+    case SolveStatus::IterationLimit:
+    case SolveStatus::Breakdown:
+    case SolveStatus::Slid:
       break;
   }
   return Verdict::Failed;

@@ -24,19 +24,19 @@ constexpr double most_difference = 1e-9;
 Outcome ending(const Solution& solution) {
   if (!solution.escape.empty()) return Outcome::Escaped;
   switch (solution.contact.report.status) {
-    case Status::Solved:
+    case SolveStatus::Solved:
       return Outcome::Solved;
-    case Status::Infeasible:
+    case SolveStatus::Infeasible:
       return Outcome::Infeasible;
-    case Status::Ray:
+    case SolveStatus::Ray:
       return Outcome::Ray;
-    case Status::Jump:
+    case SolveStatus::Jump:
       return Outcome::Jump;
-    case Status::IterationLimit:
+    case SolveStatus::IterationLimit:
       return Outcome::Limit;
-    case Status::Feasible:
-    case Status::Breakdown:
-    case Status::Slid:
+    case SolveStatus::Feasible:
+    case SolveStatus::Breakdown:
+    case SolveStatus::Slid:
       break;
   }
   return Outcome::Breakdown;
@@ -96,7 +96,7 @@ bool differs(const Model& model, const Solution& solution, Trial& trial) {
   Ledger ledger;
   const Condensed condensed = condense(model, ledger);
   const Solution other = solve(model, condensed, other_method(model), std::move(ledger));
-  if (other.contact.report.status != Status::Solved) return false;
+  if (other.contact.report.status != SolveStatus::Solved) return false;
   const Eigen::VectorXd moved = solution.refined.displacement - other.refined.displacement;
   const double apart = moved.cwiseAbs().maxCoeff();
   const double size =
@@ -146,7 +146,7 @@ void try_path(const Scene& scene, void (*change)(Solution& solution), Trial& tri
   });
   trial.imbalance = check.imbalance();
   trial.halvings = end.halvings;
-  if (end.status == Status::Solved) {
+  if (end.status == SolveStatus::Solved) {
     if (!(check.imbalance() <= most_imbalance)) trial.outcome = Outcome::Wrong;
     return;
   }

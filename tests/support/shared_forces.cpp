@@ -316,7 +316,7 @@ void compare(std::uint64_t seed, SharedForceCounts& counts) {
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Solution solution = solve(model, condense(model, ledger), ledger);
-  if (solution.contact.report.status != Status::Solved) {
+  if (solution.contact.report.status != SolveStatus::Solved) {
     ++counts.unsolved;
     return;
   }

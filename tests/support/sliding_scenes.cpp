@@ -136,7 +136,7 @@ ContactForce contact_force(const Model& model, const Solution& solution, const S
 
 /// A scene with pairs that stay on the places that they face at first.
 struct Paired {
-  Status end = Status::Solved;
+  SolveStatus end = SolveStatus::Solved;
   std::vector<ContactForce> forces = {};  // at the times of its path
   std::string notes = {};                 // that they slide, of any step
 };
@@ -155,7 +155,7 @@ Paired as_paired(const Scene& scene) {
   if (!scene.path) {
     const Solution solution = solve(model, condense(model, ledger), ledger);
     paired.end = solution.contact.report.status;
-    if (paired.end == Status::Solved) see(model, solution, scene, paired);
+    if (paired.end == SolveStatus::Solved) see(model, solution, scene, paired);
     return paired;
   }
   CondensedPath path = condense_path(model, ledger);
@@ -229,7 +229,7 @@ std::string follow_step(const Scene& scene, const Model& model, Condensed& conde
   for (int k = 0; k < 40 && moved > still; ++k) {
     Model there = model;
     const Solution solution = solve_there(scene, there, condensed, at);
-    if (solution.contact.report.status != Status::Solved)
+    if (solution.contact.report.status != SolveStatus::Solved)
       return why_unsolved(solution) + " unsolved";
     const NodeArray u = together(solution.displacements);
     moved = (u - at.u).cwiseAbs().maxCoeff();
@@ -331,12 +331,12 @@ SlidingTrial try_sliding(std::uint64_t seed) {
   SlidingScene drawn = sliding_scene(seed);
   SlidingTrial trial;
   const Paired usual = as_paired(drawn.scene);
-  trial.refused = usual.end == Status::Slid;
+  trial.refused = usual.end == SolveStatus::Slid;
   trial.noted = !trial.refused && !usual.notes.empty();
   drawn.scene.contacts[0].small_sliding = true;
   const Paired paired = as_paired(drawn.scene);
   const auto [forces, why] = as_moved(drawn.scene);
-  trial.found = why.empty() && paired.end == Status::Solved;
+  trial.found = why.empty() && paired.end == SolveStatus::Solved;
   trial.text =
       text(drawn.text, "; ", to_string(usual.end), usual.notes, why.empty() ? "" : "\n  ", why);
   for (std::size_t k = 0; trial.found && k < forces.size(); ++k) {

@@ -35,7 +35,7 @@ inline signorini::Model three_gaps() {
 inline signorini::Solution three_forces() {
   using namespace signorini;
   Solution solution;
-  solution.contact.report.status = Status::Solved;
+  solution.contact.report.status = SolveStatus::Solved;
   solution.contact.force = Eigen::Vector3d(10, 3, 0);
   solution.contact.gap = Eigen::Vector3d(0, 0, 0.25);
   solution.contact.active = {0, 1};

@@ -139,7 +139,7 @@ PatchResult press_blocks(const GapOperator& gap_operator, const GapOptions& opti
   const FloatingSolution solution =
       solve(programme_of(target, source, result.pairs), rigid_motions(target, source, pivot),
             find_solver("quasi_active_set"));
-  if (solution.dense.report.status != Status::Solved)
+  if (solution.dense.report.status != SolveStatus::Solved)
     throw std::runtime_error(std::string("two blocks: ") + to_string(solution.dense.report.status));
   result.exact = uniform;
   result.pressure = solution.dense.refined.force.cwiseQuotient(result.pairs.weight);

@@ -50,13 +50,13 @@ inline bool agrees_with_enumeration(const signorini::ContactProblem& problem,
                                     const signorini::ContactState& state) {
   const signorini::ContactState sure = signorini::enumerate(problem);
   REQUIRE(to_string(state.report.status) == std::string(to_string(sure.report.status)));
-  if (sure.report.status == signorini::Status::Solved) {
+  if (sure.report.status == signorini::SolveStatus::Solved) {
     const Eigen::VectorXd moved = problem.compliance * (state.force - sure.force);
     CHECK(moved.norm() <= 1e-11 * (problem.free_gap.norm() + sure.gap.norm()));
     CHECK(certify(problem, state).worst() <= 1e-12);
     return true;
   }
-  if (sure.report.status == signorini::Status::Infeasible)
+  if (sure.report.status == signorini::SolveStatus::Infeasible)
     CHECK(proves_infeasible(problem, state.infeasibility));
   return false;
 }
@@ -68,7 +68,7 @@ inline void solves_table_1(const signorini::Solver& solver) {
       const signorini::KnownProgramme known = signorini::rosen_suzuki(n, n * twice / 2, 7);
       const signorini::DenseSolution solution = solve(known.programme, solver);
       CAPTURE(solver.name, n, n * twice / 2);
-      REQUIRE(solution.report.status == signorini::Status::Solved);
+      REQUIRE(solution.report.status == signorini::SolveStatus::Solved);
       CHECK(solution.certificate.worst() <= 1e-12);
       CHECK((solution.refined.displacement - known.displacement).norm() <=
             1e-9 * known.displacement.norm());
@@ -86,8 +86,8 @@ Eigen::Index changes_with_scale(Random& random, const Method& method) {
   const double force = std::pow(10.0, random.uniform(-6, 6));
   const signorini::ContactState plain = method(problem);
   const signorini::ContactState other = method(in_units(with_rows(problem, row), 1e3, force));
-  REQUIRE(plain.report.status == signorini::Status::Solved);
-  REQUIRE(other.report.status == signorini::Status::Solved);
+  REQUIRE(plain.report.status == signorini::SolveStatus::Solved);
+  REQUIRE(other.report.status == signorini::SolveStatus::Solved);
   CHECK(other.active == plain.active);
   const Eigen::VectorXd back = other.force.cwiseProduct(row) / force;
   CHECK((back - plain.force).norm() <= 1e-11 * plain.force.norm());

@@ -35,7 +35,7 @@ int main() {
   expect(backends().empty() && default_backend().name == std::string("sparse_cholesky"),
          "the back end is not the plain one");
   const Solution solution = solve(scene);
-  expect(solution.contact.report.status == Status::Solved && solution.certificate.holds(),
+  expect(solution.contact.report.status == SolveStatus::Solved && solution.certificate.holds(),
          "the cantilever is not solved");
   Scene other = scene;
   other.path = Path{{1}, {}};

@@ -34,34 +34,34 @@ DenseSolution grow_active_set(const DenseProgramme& programme, Index limit,
   const RowSource rows = rows_of(data);
   DenseSolution solution;
   GroupActiveSet method(rows, data.empty_basis(), solution.report, limit, pace);
-  Status status = rows.equations > 0 ? method.close_equations() : Status::Solved;
-  if (status != Status::Solved) {  // contradictory equations: where the others are closed
+  SolveStatus status = rows.equations > 0 ? method.close_equations() : SolveStatus::Solved;
+  if (status != SolveStatus::Solved) {  // contradictory equations: where the others are closed
     solution.refined.displacement = data.displacement();
     solution.refined.force.setZero(rows.count);
     solution.gap = programme.initial_gap - programme.A * solution.refined.displacement;
   }
-  for (Index round = 0; status == Status::Solved; ++round) {
+  for (Index round = 0; status == SolveStatus::Solved; ++round) {
     status = method.run();
     ProgrammeRows::Refined refined = data.refine(method.basis());
     solution.refined = std::move(refined.solution);
     solution.gap = std::move(refined.gap);
-    if (status != Status::Solved) break;
+    if (status != SolveStatus::Solved) break;
     const bool pulls = refined.tension.size() > 0 && refined.tension.maxCoeff() > 0;
     if (!pulls && refined.violated == 0) break;
-    if (round == rows.count + 10) status = Status::Breakdown;
+    if (round == rows.count + 10) status = SolveStatus::Breakdown;
     method.release(refined.tension);
   }
   solution.active = sorted_rows(method.basis(), rows.equations);
   solution.report.status = status;
-  if (status == Status::Infeasible) {
+  if (status == SolveStatus::Infeasible) {
     solution.infeasibility.setZero(rows.count);
     for (Index i = 0; i < rows.count; ++i)
       if (method.proof()(i) != 0) solution.infeasibility(i) = method.proof()(i) / data.norms()(i);
     if (!proves_infeasible(programme, solution.infeasibility, solution.refined.displacement)) {
-      solution.report.status = Status::Breakdown;
+      solution.report.status = SolveStatus::Breakdown;
       solution.infeasibility.resize(0);
     }
-  } else if (status == Status::Solved) {  // what is negative is of rounding size
+  } else if (status == SolveStatus::Solved) {  // what is negative is of rounding size
     for (Index i = rows.equations; i < rows.count; ++i)
       solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
   }

@@ -103,7 +103,7 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
     solution.refined.displacement =
         condensed.free_displacement -
         condensed.factor.solve_transposed_half(condensed.half * state.force);
-    if (solution.report.status != Status::Solved) {
+    if (solution.report.status != SolveStatus::Solved) {
       const ClosedBasis equations = basis_of(data, {});
       data.balance(equations, solution.refined);
       if (solution.infeasibility.size() > 0) data.balance(equations, solution.infeasibility);
@@ -140,7 +140,7 @@ std::optional<DenseSolution> separate_solution(const DenseProgramme& programme,
   if (systems.empty()) return {};
   options.start.clear();
   DenseSolution whole;
-  whole.report.status = Status::Solved;
+  whole.report.status = SolveStatus::Solved;
   whole.gap.setZero(programme.initial_gap.size());
   whole.refined.force = whole.gap;
   whole.refined.displacement.setZero(programme.load.size());
@@ -152,7 +152,7 @@ std::optional<DenseSolution> separate_solution(const DenseProgramme& programme,
                programme.A(parts.rows, parts.unknowns), programme.initial_gap(parts.rows),
                static_cast<Index>(own - parts.rows.begin())},
               solver, options);
-    if (part.report.status != Status::Solved) return {};
+    if (part.report.status != SolveStatus::Solved) return {};
     append(whole.report, part.report);
     whole.gap(parts.rows) = part.gap;
     whole.refined.force(parts.rows) = part.refined.force;
@@ -185,19 +185,19 @@ DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
     if (!other) throw;
     solution = std::move(*other);
   }
-  if (solution.report.status == Status::Infeasible &&
+  if (solution.report.status == SolveStatus::Infeasible &&
       !proves_infeasible(programme, solution.infeasibility, solution.refined.displacement)) {
-    solution.report.status = Status::Breakdown;
+    solution.report.status = SolveStatus::Breakdown;
     solution.infeasibility.resize(0);
   }
-  if (solution.report.status == Status::Feasible && !balanced(programme, solution.refined))
-    solution.report.status = Status::Breakdown;
-  if (solution.report.status != Status::Solved) return solution;
+  if (solution.report.status == SolveStatus::Feasible && !balanced(programme, solution.refined))
+    solution.report.status = SolveStatus::Breakdown;
+  if (solution.report.status != SolveStatus::Solved) return solution;
   for (Index i = programme.equations; i < solution.refined.force.size(); ++i)
     solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
   solution.certificate = certify(programme, solution.refined);
   if (solution.certificate.holds()) return solution;
-  solution.report.status = Status::Breakdown;
+  solution.report.status = SolveStatus::Breakdown;
   try {
     auto separate = separate_solution(programme, solver, options);
     if (!separate || !separate->certificate.holds()) return solution;

@@ -78,7 +78,7 @@ std::optional<DenseSolution> held_solution(const DenseProgramme& programme,
   try {
     static_cast<void>(ProgrammeRows(held));  // throws where they do not hold K
     DenseSolution solution = solve(held, solver, options);
-    if (solution.report.status != Status::Solved) return {};
+    if (solution.report.status != SolveStatus::Solved) return {};
     const VectorXd force = solution.refined.force;
     const VectorXd gap = solution.gap;
     for (std::size_t k = 0; k < order.size(); ++k) {
@@ -142,7 +142,7 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
         dense.refined.displacement -
             condensed.factor.solve(programme.load - programme.A.transpose() * dense.refined.force));
   solution.escape = std::move(end.state.escape);
-  if (dense.report.status == Status::Solved) dense.gap(dense.active).setZero();
+  if (dense.report.status == SolveStatus::Solved) dense.gap(dense.active).setZero();
   return solution;
 }
 
@@ -178,7 +178,7 @@ std::optional<DenseSolution> semidefinite_solution(const DenseProgramme& program
   } catch (const ProblemError&) {  // rounding does not tell what is free
     return {};
   }
-  if (solution.report.status != Status::Solved) return {};
+  if (solution.report.status != SolveStatus::Solved) return {};
   PrimalDual& refined = solution.refined;
   const double nothing = proof_rounding * largest(refined.force);
   std::vector<Index> pressed;

@@ -57,7 +57,7 @@ ContactState arrived(const ContactProblem& lcp, const SolverOptions& options, Re
   const Index m = lcp.free_gap.size();
   SolverOptions path = options;  // a path that arrives is about as long as the problem is large
   if (path.iteration_limit == 0) path.iteration_limit = 100 * m;
-  for (Index attempt = 0; attempt < 4 && state.report.status != Status::Solved; ++attempt) {
+  for (Index attempt = 0; attempt < 4 && state.report.status != SolveStatus::Solved; ++attempt) {
     const VectorXd covering = VectorXd::LinSpaced(m, 1, static_cast<double>(1 + attempt));
     state = attempt == 0 ? lemke(lcp, path) : lemke(lcp, covering, path);
     append(report, state.report);
@@ -145,7 +145,7 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, A
     if (attempt.confirmed) return;
     attempt.report.status = state.report.status;
     attempt.reason = std::move(reason);
-    if (state.report.status != Status::Solved) return;
+    if (state.report.status != SolveStatus::Solved) return;
     const Index change = first_change(cohesion, next, changed);
     if (change < 0) break;
     if (one_at_a_time && change == changed) {
@@ -158,7 +158,7 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, A
       cohesion = next;
     changed = one_at_a_time ? change : -1;
   }
-  attempt.report.status = circle || jumping >= 0 ? Status::Jump : Status::Breakdown;
+  attempt.report.status = circle || jumping >= 0 ? SolveStatus::Jump : SolveStatus::Breakdown;
   attempt.reason =
       jumping >= 0
           ? text("pair ", problem.law.pair[static_cast<std::size_t>(jumping)],

@@ -223,7 +223,7 @@ std::optional<ContactState> pulled_away(const ContactProblem& problem,
   none.movement = scaled.free;
   none.amplitude = VectorXd::Zero(scaled.rigid.cols());
   ContactState state = finished(problem, scaled, none, statuses_of({}, scaled.pairs()), Report());
-  state.report.status = Status::Infeasible;
+  state.report.status = SolveStatus::Infeasible;
   if (!problem.law.pair.empty())
     state.reason =
         "no contact forces within their friction bounds balance the load: the body moves away";

@@ -83,10 +83,10 @@ class Road {
 };
 
 bool Road::usable(const ContactState& claim) const {
-  const Status status = claim.report.status;
-  return status != Status::Infeasible && status != Status::Feasible && claim.escape.size() == 0 &&
-         claim.force.allFinite() && claim.friction.allFinite() && claim.amplitude.allFinite() &&
-         claim.force.size() == problem_.free_gap.size();
+  const SolveStatus status = claim.report.status;
+  return status != SolveStatus::Infeasible && status != SolveStatus::Feasible &&
+         claim.escape.size() == 0 && claim.force.allFinite() && claim.friction.allFinite() &&
+         claim.amplitude.allFinite() && claim.force.size() == problem_.free_gap.size();
 }
 
 Judgement Road::look(const std::vector<ContactStatus>& statuses, const VectorXd& force) {
@@ -129,7 +129,7 @@ bool Road::settle(const ContactState& claim) {
   VectorXd force(claim.force.size() + claim.friction.size());
   force << claim.force, claim.friction;
   // A motion that the closed pairs leave open must begin where the claim has it.
-  if (modes_.cols() > 0 && claim.report.status == Status::Solved) {
+  if (modes_.cols() > 0 && claim.report.status == SolveStatus::Solved) {
     const bool moves = largest(modes_ * claim.amplitude) >= smallest_movement;
     const VectorXd amplitude = moves ? claim.amplitude : VectorXd::Zero(amplitude_.size());
     add_rigid(now_, modes_, amplitude - amplitude_);
@@ -195,11 +195,11 @@ void Road::correct() {
 
 void Road::take_over(const ContactState& claim, bool corrected) {
   ContactState& state = end_.state;
-  const Status before = state.report.status;
+  const SolveStatus before = state.report.status;
   append(state.report, claim.report);
   // What is said of the problem that was posed is more than that a corrected one was not solved.
-  const bool named = corrected && (before == Status::Jump || before == Status::Ray);
-  if (named && claim.report.status == Status::Breakdown) {
+  const bool named = corrected && (before == SolveStatus::Jump || before == SolveStatus::Ray);
+  if (named && claim.report.status == SolveStatus::Breakdown) {
     state.report.status = before;
     return;
   }
@@ -209,8 +209,8 @@ void Road::take_over(const ContactState& claim, bool corrected) {
   state.escape = claim.escape;
   state.infeasibility = claim.infeasibility;
   // What is proved of the corrected problem is not proved of the one that was posed.
-  if (corrected && claim.report.status == Status::Infeasible) {
-    state.report.status = Status::Breakdown;
+  if (corrected && claim.report.status == SolveStatus::Infeasible) {
+    state.report.status = SolveStatus::Breakdown;
     state.escape.resize(0);
     state.infeasibility.resize(0);
   }
@@ -275,23 +275,23 @@ void Road::conclude() {
       }
     }
     end_.doubt = force_doubt(data_, kept_, end_.solution, statuses_);
-    state.report.status = Status::Solved;
+    state.report.status = SolveStatus::Solved;
     state.reason.clear();
     state.escape.resize(0);
     state.infeasibility.resize(0);
   } else if (state.infeasibility.size() > 0 &&
              !proves_infeasible(programme_, state.infeasibility, now_.displacement)) {
-    state.report.status = Status::Breakdown;
+    state.report.status = SolveStatus::Breakdown;
     state.infeasibility.resize(0);
-  } else if (state.report.status == Status::Solved) {
-    state.report.status = Status::Breakdown;
+  } else if (state.report.status == SolveStatus::Solved) {
+    state.report.status = SolveStatus::Breakdown;
     state.reason =
         rigid_motions_work()
             ? "rounding of the stiffness pushes along rigid motions, by more of the load than a "
               "certificate allows; hold the bodies by a support or a soft spring"
             : "the forces and displacements found do not fit the original data";
   }
-  if (state.report.status == Status::Breakdown && state.reason.empty())
+  if (state.report.status == SolveStatus::Breakdown && state.reason.empty())
     state.reason =
         "the method ended without a solution, and what the pairs did last does not fit the data";
   if (statuses_.empty() && kept_.movement.size() == 0) return;
@@ -319,13 +319,13 @@ CertifiedEnd certified_end(const QuadraticProgramme& programme, const CondensedP
     return separate_ends(programme, condensed, null_vectors, systems, solver, options, ledger);
   CertifiedEnd end = Road(programme, condensed, null_vectors, ledger).run(solver, options);
   for (Solver (*const next)() : solver.others) {
-    const Status status = end.state.report.status;
-    const bool lost = status == Status::Breakdown || status == Status::IterationLimit;
+    const SolveStatus status = end.state.report.status;
+    const bool lost = status == SolveStatus::Breakdown || status == SolveStatus::IterationLimit;
     if (!lost || options.iteration_limit > 0) break;
     CertifiedEnd other = Road(programme, condensed, null_vectors, ledger).run(next(), options);
     Report both = end.state.report;
     append(both, other.state.report);
-    if (other.state.report.status == Status::Solved)
+    if (other.state.report.status == SolveStatus::Solved)
       end = std::move(other);
     else
       both.status = status;

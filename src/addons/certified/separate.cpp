@@ -102,9 +102,9 @@ void Separate::put_into(CertifiedEnd& whole, CertifiedEnd part, Index unknowns) 
   if (!parts_.rows.empty()) all.uniqueness = std::max(all.uniqueness, now.uniqueness);
   if (part.doubt.share > whole.doubt.share)
     whole.doubt = {gaps_[at(part.doubt.pair)], part.doubt.share};
-  const Status before = all.report.status;
+  const SolveStatus before = all.report.status;
   append(all.report, now.report);
-  if (before != Status::Solved)
+  if (before != SolveStatus::Solved)
     all.report.status = before;
   else
     all.reason = now.reason;
@@ -116,7 +116,7 @@ CertifiedEnd separate_ends(const QuadraticProgramme& programme, const CondensedP
                            const MatrixXd& null_vectors, const std::vector<SystemParts>& systems,
                            const Solver& solver, const SolverOptions& options, Ledger& ledger) {
   CertifiedEnd whole;
-  whole.state.report.status = Status::Solved;
+  whole.state.report.status = SolveStatus::Solved;
   if (!condensed.problem.law.pair.empty()) whole.state.uniqueness = Uniqueness::Proved;
   bool complete = true;
   for (const SystemParts& parts : systems) {

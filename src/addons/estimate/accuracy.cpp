@@ -91,7 +91,7 @@ class Loop {
     const Condensed condensed = condense(model, ledger);
     Solution solution = wanted_.solve ? wanted_.solve(scene, model, condensed, std::move(ledger))
                                       : signorini::solve(model, condensed, std::move(ledger));
-    const bool solved = solution.contact.report.status == Status::Solved;
+    const bool solved = solution.contact.report.status == SolveStatus::Solved;
     if (!solved && !run_.rounds.empty())
       return stop(text("the problem is not solved on the next mesh, of ", round.unknowns,
                        " unknowns: ", to_string(solution.contact.report.status)));
@@ -134,7 +134,7 @@ class Loop {
   /// \return whether that is to be solved
   bool go_on(Scene& next) {
     const AccuracyRound& now = run_.rounds.back();
-    if (run_.solution.contact.report.status != Status::Solved)
+    if (run_.solution.contact.report.status != SolveStatus::Solved)
       return stop("the problem is not solved on this mesh");
     if (now.error) {
       const double target = wanted_.target * std::abs(now.value);

@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 KnownSet set_of(const Solution& solution, const ScaledProblem& scaled) {
   const ContactState& contact = solution.contact;
-  pose(contact.report.status == Status::Solved,
+  pose(contact.report.status == SolveStatus::Solved,
        "estimate: the problem is not solved: ", to_string(contact.report.status));
   return known_set(all_statuses(contact), scaled.law);
 }

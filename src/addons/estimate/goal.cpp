@@ -105,7 +105,7 @@ auto readable(const Goal& goal, Read&& read) {
 }
 
 void require_numbers(const Solution& solution, const Goal& goal) {
-  pose(solution.contact.report.status == Status::Solved, "goal '", goal.name,
+  pose(solution.contact.report.status == SolveStatus::Solved, "goal '", goal.name,
        "': the problem is not solved: ", to_string(solution.contact.report.status));
 }
 

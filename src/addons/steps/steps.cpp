@@ -209,7 +209,7 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
   options.start = past.contact_status;  // begin with what the pairs did last
   Step result{solve(model, path.condensed, model.solver, std::move(ledger), options), past};
   Solution& solution = result.solution;
-  if (solution.contact.report.status == Status::Solved)
+  if (solution.contact.report.status == SolveStatus::Solved)
     result.state = after(past, time, model, given, solution);
   // [step]
   return result;
@@ -234,7 +234,7 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
   double target = 0;
   const auto goes = [&](double time) {
     const Step next = step(end.state, time, model, path, std::exchange(ledger, {}));
-    const bool solved = next.solution.contact.report.status == Status::Solved;
+    const bool solved = next.solution.contact.report.status == SolveStatus::Solved;
     if (solved) {
       end.state = next.state;
       if (observe) observe(model, next);
@@ -260,7 +260,7 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
         if (reach >= held) return ended(std::move(end));
         reach = std::min(target, held);
         halved = 0;
-      } else if (end.status == Status::Slid) {
+      } else if (end.status == SolveStatus::Slid) {
         return ended(std::move(end));  // no shorter way leads there
       } else if (end.limit && !known) {
         held = *end.limit - margin;
@@ -290,7 +290,7 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
       }
     }
     if (!end.limit) {
-      end.status = Status::Solved;
+      end.status = SolveStatus::Solved;
       end.reason.clear();
     }
   }

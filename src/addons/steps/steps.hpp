@@ -56,7 +56,7 @@ using StepObserver = std::function<void(const Model& model, const Step& step)>;
 struct PathEnd {
   PathState state;  ///< after the last step that was solved
   /// `Solved` if the last time was reached, else that of the step that failed
-  Status status = Status::Solved;
+  SolveStatus status = SolveStatus::Solved;
   /// in words, if it was not reached: where, why, and where to go on from
   std::string reason = {};
   Eigen::Index halvings = 0;  ///< how many steps failed and were tried half as long

@@ -93,12 +93,13 @@ Solution solve_to_limit(const Scene& scene) {
 Solution solve_to_limit(const Scene& scene, const Model& model, const Condensed& condensed,
                         Ledger ledger) {
   Solution solution = solve(model, condensed, std::move(ledger));
-  const Status status = solution.contact.report.status;
-  if (status == Status::Solved || status == Status::Slid || solution.limit) return solution;
+  const SolveStatus status = solution.contact.report.status;
+  if (status == SolveStatus::Solved || status == SolveStatus::Slid || solution.limit)
+    return solution;
   if (std::none_of(scene.contacts.begin(), scene.contacts.end(), rubs)) return solution;
   const PathEnd end = solve_steps(grown(scene));
   solution.limit = end.limit;
-  if (end.status == Status::Solved)
+  if (end.status == SolveStatus::Solved)
     solution.notes.emplace_back(
         "not solved at once, but load steps solve it: grown from nothing in proportion, all of the "
         "load is held");

@@ -11,7 +11,7 @@ namespace signorini {
 ///
 /// Thrown for input that a user of a finished program can get wrong (a free body, an inverted cell,
 /// a folder that cannot be written). Programs end with exit code 2. A method that does not converge
-/// is no error of this kind: it is reported by its Status.
+/// is no error of this kind: it is reported by its SolveStatus.
 class ProblemError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -166,13 +166,13 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   const VectorXd force = scaled.scale.cwiseProduct(closure.force);
   VectorXd movement = closure.movement.cwiseQuotient(scaled.scale);
   ContactState state;
-  if (report.status == Status::Solved)
+  if (report.status == SolveStatus::Solved)
     for (const Index row : known_set(statuses, scaled.law).closed) movement(row) = 0;
   state.force = force.head(pairs);
   state.gap = movement.head(pairs);
   state.friction = force.tail(slips);
   state.slip = movement.tail(slips);
-  if (report.status == Status::Solved) {  // what is negative is of rounding size
+  if (report.status == SolveStatus::Solved) {  // what is negative is of rounding size
     state.force = state.force.cwiseMax(0.0);
     state.gap = state.gap.cwiseMax(0.0);
   }
@@ -185,12 +185,12 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
                                                    : VectorXd::Zero(problem.resultant.size());
   state.report = std::move(report);
   state.infeasibility = std::move(proof);
-  if (state.report.status == Status::Solved && !certify(problem, state).holds()) {
-    state.report.status = Status::Breakdown;
+  if (state.report.status == SolveStatus::Solved && !certify(problem, state).holds()) {
+    state.report.status = SolveStatus::Breakdown;
     state.reason = "the end of the method does not hold in the units of the problem";
   }
-  if (state.report.status == Status::Infeasible && !refutes(problem, state.infeasibility)) {
-    state.report.status = Status::Breakdown;
+  if (state.report.status == SolveStatus::Infeasible && !refutes(problem, state.infeasibility)) {
+    state.report.status = SolveStatus::Breakdown;
     state.infeasibility.resize(0);
   }
   return state;

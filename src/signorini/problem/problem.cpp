@@ -22,23 +22,23 @@ const char* to_string(ContactStatus contact_status) {
   return "unknown";
 }
 
-const char* to_string(Status status) {
+const char* to_string(SolveStatus status) {
   switch (status) {
-    case Status::Solved:
+    case SolveStatus::Solved:
       return "solved";
-    case Status::Feasible:
+    case SolveStatus::Feasible:
       return "feasible, not optimal";
-    case Status::Infeasible:
+    case SolveStatus::Infeasible:
       return "infeasible";
-    case Status::Ray:
+    case SolveStatus::Ray:
       return "ray";
-    case Status::Jump:
+    case SolveStatus::Jump:
       return "jump";
-    case Status::IterationLimit:
+    case SolveStatus::IterationLimit:
       return "iteration limit";
-    case Status::Breakdown:
+    case SolveStatus::Breakdown:
       return "breakdown";
-    case Status::Slid:
+    case SolveStatus::Slid:
       return "slid too far";
   }
   return "unknown";

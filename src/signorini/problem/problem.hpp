@@ -101,7 +101,7 @@ enum class ContactStatus : signed char {
 }
 
 /// How a solver ended. Nothing but `Solved` may be called a solution.
-enum class Status {
+enum class SolveStatus {
   Solved,          ///< all conditions hold to rounding
   Feasible,        ///< nothing overlaps and forces balance, but the energy is not the least
   Infeasible,      ///< no forces satisfy the conditions
@@ -115,7 +115,7 @@ enum class Status {
 /// A status in words.
 /// \param status  any
 /// \return "solved", "feasible, not optimal", "infeasible", "ray", "iteration limit", "breakdown" or "jump"
-[[nodiscard]] const char* to_string(Status status);
+[[nodiscard]] const char* to_string(SolveStatus status);
 
 /// One iteration of a solver.
 struct Iteration {
@@ -130,10 +130,10 @@ struct Iteration {
 
 /// What a solver says about its run.
 struct Report {
-  Status status = Status::Breakdown;  ///< how it ended
-  Eigen::Index iterations = 0;        ///< steps of the method, for active sets: sets it looked at
-  Eigen::Index factorisations = 0;    ///< dense factorisations, none for an empty set
-  std::vector<Iteration> history;     ///< what a method shows of its iterations, in order; or empty
+  SolveStatus status = SolveStatus::Breakdown;  ///< how it ended
+  Eigen::Index iterations = 0;      ///< steps of the method, for active sets: sets it looked at
+  Eigen::Index factorisations = 0;  ///< dense factorisations, none for an empty set
+  std::vector<Iteration> history;   ///< what a method shows of its iterations, in order; or empty
 };
 
 /// Adds a run to those before it.

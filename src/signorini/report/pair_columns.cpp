@@ -70,7 +70,7 @@ void add_friction(const Model& model, const Solution& solution,
 void check_solved(const Solution& solution, const std::optional<PathTotals>& totals,
                   const char* function) {
   const ContactState& contact = solution.contact;
-  require(contact.report.status == Status::Solved, function, ": the problem was not solved (",
+  require(contact.report.status == SolveStatus::Solved, function, ": the problem was not solved (",
           to_string(contact.report.status), ')');
   const std::size_t n_slips = contact.rubbing.size();
   require(contact.contact_status.size() == n_slips &&

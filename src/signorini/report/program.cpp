@@ -132,7 +132,7 @@ int call(const ChapterProgram& program, const std::string& chapter, const Comman
 
 int run_program(const std::string& name, const std::string& title,
                 const std::filesystem::path& default_out, int argc, const char* const* argv,
-                const std::function<Status(const ProgramOptions&)>& body) {
+                const std::function<SolveStatus(const ProgramOptions&)>& body) {
   return exit_code(name, [&] {
     const Command command = read(argc, argv, {"--full", "--help"}, {});
     if (command.flags.count("--help") > 0) {
@@ -141,9 +141,9 @@ int run_program(const std::string& name, const std::string& title,
       return well;
     }
     const Staging staging(command.out.empty() ? default_out : command.out);
-    const Status status = body({staging.folder(), command.flags.count("--full") > 0});
+    const SolveStatus status = body({staging.folder(), command.flags.count("--full") > 0});
     finish_printing();
-    if (status != Status::Solved) {
+    if (status != SolveStatus::Solved) {
       std::cerr << name << ": not solved: " << to_string(status) << '\n';
       return not_solved;
     }

@@ -31,7 +31,7 @@ struct ProgramOptions {
 [[nodiscard]] int run_program(const std::string& name, const std::string& title,
                               const std::filesystem::path& default_out, int argc,
                               const char* const* argv,
-                              const std::function<Status(const ProgramOptions&)>& body);
+                              const std::function<SolveStatus(const ProgramOptions&)>& body);
 
 /// One of the programs of a chapter.
 struct ChapterProgram {

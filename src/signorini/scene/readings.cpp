@@ -9,7 +9,7 @@ namespace signorini {
 namespace {
 
 void require_forces(const Solution& solution) {
-  require(solution.contact.report.status == Status::Solved,
+  require(solution.contact.report.status == SolveStatus::Solved,
           "forces on the nodes: the problem was not solved");
 }
 

@@ -100,14 +100,14 @@ class Comparison {
     one.lost = there_.lost[contact];
     one.normal = before.normal.sum();
     one.force = resultant(source, nodal);
-    if (status_ == Status::Solved) {
+    if (status_ == SolveStatus::Solved) {
       const PairForces after = of_contact(now_, contact_of_, contact);
       const VectorXd new_nodal = on_nodes(rows_, after);
       one.new_force = resultant(source, new_nodal);
       compare(nodal, new_nodal, after.normal.sum(), one);
     } else {
       // Only a proof that nothing balances the loads is a change.
-      if (status_ == Status::Infeasible) one.change = std::numeric_limits<double>::infinity();
+      if (status_ == SolveStatus::Infeasible) one.change = std::numeric_limits<double>::infinity();
       one.elsewhere = 1;
     }
   }
@@ -127,7 +127,7 @@ class Comparison {
   const MovedPairs& there_;
   PairForces old_;
   PairForces now_;
-  Status status_;
+  SolveStatus status_;
   NodalRows rows_;
   std::vector<std::size_t> contact_of_;
 };

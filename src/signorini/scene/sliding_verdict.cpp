@@ -44,7 +44,7 @@ void judge_sliding(const Model& model, const Condensed& condensed,
           words, ". Take smaller movements, or move the meshes near to where they come to stand"));
       continue;
     }
-    solution.contact.report.status = Status::Slid;
+    solution.contact.report.status = SolveStatus::Slid;
     solution.contact.reason =
         text(words,
              ". Move the meshes near to where they come to stand, or, if the force may act where "

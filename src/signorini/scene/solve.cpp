@@ -88,7 +88,7 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined) {
 
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
 void note_open_motions(const Model& model, const PrimalDual& refined, Solution& solution) {
-  if (model.modes.empty() || solution.contact.report.status != Status::Solved) return;
+  if (model.modes.empty() || solution.contact.report.status != SolveStatus::Solved) return;
   const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
   KnownSet set = known_set(statuses, model.law);
   // A pair that touches without a force holds nothing: it stops a motion one way only. Of forces as small as the
@@ -126,7 +126,7 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   solution.certificate.balance = imbalance(model, solution.contact, refined.force);
   solution.displacements = displacements_of_bodies(model, refined.displacement);
   solution.refined = std::move(refined);
-  if (solution.contact.report.status != Status::Solved) return;
+  if (solution.contact.report.status != SolveStatus::Solved) return;
   for (std::string& note : doubts_of_solution(model, solution))
     solution.notes.push_back(std::move(note));
   note_shared_forces(model, solution);
@@ -220,19 +220,19 @@ Solution solve(const Model& model, const Condensed& condensed, const Solver& sol
   solution.contact = std::move(end.state);
   solution.certificate = end.certificate;
   const ContactState& contact = solution.contact;
-  if (contact.uniqueness == Uniqueness::Doubtful && contact.report.status == Status::Solved)
+  if (contact.uniqueness == Uniqueness::Doubtful && contact.report.status == SolveStatus::Solved)
     solution.notes.push_back(doubt_in_words(model, contact.doubt));
-  if (contact.report.status == Status::Solved && end.doubt.share > known_well)
+  if (contact.report.status == SolveStatus::Solved && end.doubt.share > known_well)
     solution.notes.push_back(force_doubt_in_words(model, end.doubt));
-  if (contact.report.status == Status::Ray) solution.contact.reason = ray_in_words(model);
+  if (contact.report.status == SolveStatus::Ray) solution.contact.reason = ray_in_words(model);
   solution.escape = escape_in_words(model, contact.escape);
   if (contact.escape.size() > 0 && !model.law.pair.empty() && model.parts.empty())
     solution.limit = balanced_share(condensed.problem, VectorXd::Zero(contact.escape.size()));
   // Where all is held there are no unknowns, and a solution.
-  if (contact.report.status == Status::Solved || end.solution.displacement.size() > 0) {
+  if (contact.report.status == SolveStatus::Solved || end.solution.displacement.size() > 0) {
     const Ledger::Phase phase(ledger, "recovery");
     recover(model, std::move(end.solution), solution);
-    if (contact.report.status == Status::Solved)
+    if (contact.report.status == SolveStatus::Solved)
       judge_sliding(
           model, condensed,
           [&] {
@@ -261,7 +261,7 @@ std::string why_unsolved(const Solution& solution) {
 
 void require_solved(const Solution& solution, const std::string& what) {
   const Report& report = solution.contact.report;
-  if (report.status == Status::Solved) return;
+  if (report.status == SolveStatus::Solved) return;
   const std::string reason = why_unsolved(solution);
   if (!solution.escape.empty())
     throw NotSolved(with_notes(text(what, " was not solved: ", reason), solution.notes));

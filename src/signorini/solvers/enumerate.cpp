@@ -46,18 +46,19 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
   std::vector<Index> best_active;
   for (unsigned set = 0; set < (1U << n); ++set) {
     const std::vector<Index> active = members(set, n);
-    if (report.status == Status::Solved && active.size() >= best_active.size()) continue;
+    if (report.status == SolveStatus::Solved && active.size() >= best_active.size()) continue;
     Closure now = close(scaled, KnownSet{active});
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
     if (now.rows.size() < active.size() || !solves(scaled, statuses_of(active, n), now)) continue;
     best = std::move(now);
     best_active = active;
-    report.status = Status::Solved;
+    report.status = SolveStatus::Solved;
   }
   Eigen::VectorXd y;
-  if (report.status != Status::Solved) y = scaled.symmetric ? proof(scaled) : contradiction(scaled);
-  if (y.size() > 0) report.status = Status::Infeasible;
+  if (report.status != SolveStatus::Solved)
+    y = scaled.symmetric ? proof(scaled) : contradiction(scaled);
+  if (y.size() > 0) report.status = SolveStatus::Infeasible;
   return finished(problem, scaled, best, statuses_of(best_active, n), std::move(report),
                   std::move(y));
 }

@@ -59,7 +59,7 @@ void GroupActiveSet::fetch(Index row) {
   rows_.fetch(basis_, gap_, rounding_, candidates_);
 }
 
-Status GroupActiveSet::close_equations() {
+SolveStatus GroupActiveSet::close_equations() {
   candidates_.rows.resize(at(rows_.equations));
   std::iota(candidates_.rows.begin(), candidates_.rows.end(), Index{0});
   for (const Index row : candidates_.rows) state_[at(row)] = Row::Closed;
@@ -77,9 +77,9 @@ Status GroupActiveSet::close_equations() {
     const VectorXd response = basis_.response(candidates_).yield;
     for (Index k = 0; k < response.size(); ++k) proof_(basis_.rows()[at(k)]) = -sign * response(k);
     proof_(i) = sign;
-    return Status::Infeasible;
+    return SolveStatus::Infeasible;
   }
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 /// Violated rows, the worst first, at most twice as many as may join.
@@ -106,18 +106,18 @@ void GroupActiveSet::find_most_violated() {
   violated.resize(most);
 }
 
-Status GroupActiveSet::run() {
+SolveStatus GroupActiveSet::run() {
   double highest = basis_.dual_energy();
   while (true) {
     rows_.gaps(basis_, gap_, rounding_);
     find_most_violated();
-    if (candidates_.rows.empty()) return Status::Solved;
-    if (report_.iterations >= limit_) return Status::IterationLimit;
+    if (candidates_.rows.empty()) return SolveStatus::Solved;
+    if (report_.iterations >= limit_) return SolveStatus::IterationLimit;
     if (pace_ == Pace::Groups) ++report_.iterations;
     const Index before = basis_.size();
     const std::vector<Index> closed = basis_.rows();
     const Index worst = candidates_.rows.front();
-    Status status = Status::Solved;
+    SolveStatus status = SolveStatus::Solved;
     if (pace_ == Pace::Single) {
       candidates_.rows.resize(1);
       status = press(worst);
@@ -128,7 +128,7 @@ Status GroupActiveSet::run() {
       else
         status = exchange(worst);
     }
-    if (status != Status::Solved) return status;
+    if (status != SolveStatus::Solved) return status;
     if (rises(basis_.dual_energy(), highest, basis_.size())) {
       highest = basis_.dual_energy();
       forget_fruitless();

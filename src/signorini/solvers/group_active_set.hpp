@@ -28,14 +28,14 @@ class GroupActiveSet {
 
   /// Closes the equations, leaving out those that follow from others.
   /// \return Solved, or Infeasible if they contradict each other
-  Status close_equations();
+  SolveStatus close_equations();
   /// Goes on until no row overlaps beyond rounding.
   /// \return Solved, Infeasible, IterationLimit or Breakdown
-  Status run();
+  SolveStatus run();
   /// Presses one row until it closes, as a step of Pace::Single does.
   /// \param row  that overlaps
   /// \return Solved, Infeasible, IterationLimit or Breakdown
-  Status take_in(Eigen::Index row);
+  SolveStatus take_in(Eigen::Index row);
   /// Goes on after an Infeasible whose proof does not hold: the overlap of the row that could not be closed
   /// counts as rounding until the energy rises.
   void pass_over();
@@ -64,9 +64,9 @@ class GroupActiveSet {
   void open_vanished(const std::vector<Eigen::Index>& positions);
   void settle(Eigen::Index before);
   void step_by_step();
-  Status exchange(Eigen::Index row);
-  Status press(Eigen::Index row);
-  Status cannot_close(Eigen::Index row, const Eigen::VectorXd& response);
+  SolveStatus exchange(Eigen::Index row);
+  SolveStatus press(Eigen::Index row);
+  SolveStatus cannot_close(Eigen::Index row, const Eigen::VectorXd& response);
   bool join(Eigen::Index row, double force);
   void yield(const Eigen::VectorXd& response, double step);
   [[nodiscard]] double grazing(Eigen::Index row, const Eigen::VectorXd& response) const;

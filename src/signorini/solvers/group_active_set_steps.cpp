@@ -73,10 +73,10 @@ double GroupActiveSet::grazing(Index row, const VectorXd& response) const {
 }
 
 /// No force vanishes when a row is pressed that depends on the closed ones.
-Status GroupActiveSet::cannot_close(Index row, const VectorXd& response) {
+SolveStatus GroupActiveSet::cannot_close(Index row, const VectorXd& response) {
   if (-gap_(row) <= grazing(row, response)) {  // it only touches, as far as rounding can tell
     mark_fruitless({row});
-    return Status::Solved;
+    return SolveStatus::Solved;
   }
   proof_.setZero(rows_.count);
   for (Index k = 0; k < basis_.size(); ++k) {
@@ -85,7 +85,7 @@ Status GroupActiveSet::cannot_close(Index row, const VectorXd& response) {
   }
   proof_(row) = 1;
   pressed_ = row;
-  return Status::Infeasible;
+  return SolveStatus::Infeasible;
 }
 
 /// Closes a row that carries a force already. \return false if it depends on the closed ones
@@ -107,21 +107,21 @@ void GroupActiveSet::yield(const VectorXd& response, double step) {
 }
 
 /// A violated row depends on the closed ones: presses it, while they yield, until the first one opens.
-Status GroupActiveSet::exchange(Index row) {
+SolveStatus GroupActiveSet::exchange(Index row) {
   fetch(row);
   const VectorXd response = basis_.response(candidates_).yield;
   const auto [first, step] = first_to_open(response);
   if (first < 0) return cannot_close(row, response);
   yield(response, step);
   open_vanished({first});
-  if (!join(row, step)) return Status::Breakdown;
+  if (!join(row, step)) return SolveStatus::Breakdown;
   step_by_step();
-  return Status::Solved;
+  return SolveStatus::Solved;
 }
 
 // [press]
 /// Presses a violated row until it closes; closed rows whose force vanishes on the way open.
-Status GroupActiveSet::press(Index row) {
+SolveStatus GroupActiveSet::press(Index row) {
   double pressed = 0;
   double lifted = 0;  // of the gap of the normalised row
   while (report_.iterations < limit_) {
@@ -136,19 +136,19 @@ Status GroupActiveSet::press(Index row) {
     pressed += change;
     ++report_.iterations;
     if (closes) {
-      if (!join(row, pressed)) return Status::Breakdown;
+      if (!join(row, pressed)) return SolveStatus::Breakdown;
       basis_.solve(target_);  // by a factor that is only updated
       force_.head(basis_.size()) = target_.head(basis_.size());
-      return Status::Solved;
+      return SolveStatus::Solved;
     }
     lifted += change * opening;
     open_vanished({first});
   }
-  return Status::IterationLimit;
+  return SolveStatus::IterationLimit;
 }
 // [press]
 
-Status GroupActiveSet::take_in(Index row) {
+SolveStatus GroupActiveSet::take_in(Index row) {
   rows_.gaps(basis_, gap_, rounding_);
   return press(row);
 }

@@ -54,17 +54,17 @@ End end_of_path(const ScaledProblem& scaled, const Dictionary& dictionary, Repor
   End end{close(scaled, KnownSet{active}), statuses_of(active, n), std::move(report)};
   end.report.factorisations = active.empty() ? 0 : 1;
   end.report.status =
-      solves(scaled, end.statuses, end.closure) ? Status::Solved : Status::Breakdown;
-  if (end.report.status == Status::Solved || !scaled.symmetric) return end;
+      solves(scaled, end.statuses, end.closure) ? SolveStatus::Solved : SolveStatus::Breakdown;
+  if (end.report.status == SolveStatus::Solved || !scaled.symmetric) return end;
   // Rounding took a pair that touches without force into the basis, or one that depends on the others.
   if (end.closure.solvable && end.closure.rows.size() == active.size()) force = end.closure.force;
   if (auto found = confirmed(scaled, by_falling(force))) {
-    end.report.status = Status::Solved;
+    end.report.status = SolveStatus::Solved;
     std::tie(end.closure, end.statuses) = std::move(*found);
     return end;
   }
   end.proof = proof(scaled, force);
-  if (end.proof.size() > 0) end.report.status = Status::Infeasible;
+  if (end.proof.size() > 0) end.report.status = SolveStatus::Infeasible;
   return end;
 }
 
@@ -90,11 +90,11 @@ End last_point(const ScaledProblem& scaled, const Dictionary& dictionary, Index 
 
 /// The state when nothing blocks the entering variable.
 End ray(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering, Report report) {
-  report.status = Status::Ray;
+  report.status = SolveStatus::Ray;
   Eigen::VectorXd direction;
   End end = last_point(scaled, dictionary, entering, report, direction);
   end.proof = scaled.symmetric ? proof(scaled, direction) : contradiction(scaled);
-  if (end.proof.size() > 0) end.report.status = Status::Infeasible;
+  if (end.proof.size() > 0) end.report.status = SolveStatus::Infeasible;
   return end;
 }
 
@@ -121,7 +121,7 @@ End pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index 
     if (row < 0) return ray(scaled, dictionary, entering, report);
     if (report.iterations == limit) break;
   }
-  report.status = Status::IterationLimit;
+  report.status = SolveStatus::IterationLimit;
   Eigen::VectorXd direction;
   return last_point(scaled, dictionary, entering, report, direction);
 }
@@ -174,7 +174,7 @@ ContactState lemke(const ContactProblem& problem, const SolverOptions& options) 
   for (Index path = 0;; ++path) {
     End end = pivoted(scaled, covering_of_path(n, path), std::min(length, limit - pivots));
     pivots = end.report.iterations += pivots;
-    if (end.report.status != Status::IterationLimit || pivots >= limit)
+    if (end.report.status != SolveStatus::IterationLimit || pivots >= limit)
       return state_of(problem, scaled, std::move(end));
     length *= 2;
   }

@@ -150,7 +150,7 @@ Attempt first_attempt(const ScaledProblem& problem) {
   } else if (!problem.law.pair.empty() && problem.symmetric && problem.sparse.size() == 0) {
     const ContactState normal =
         goldfarb_idnani({problem.compliance.topLeftCorner(pairs, pairs), problem.free.head(pairs)});
-    if (normal.report.status == Status::Solved) now.force.head(pairs) = normal.force;
+    if (normal.report.status == SolveStatus::Solved) now.force.head(pairs) = normal.force;
   }
   now.movement = problem.free + problem.compliance * now.force;
   VectorXd size = problem.free.cwiseAbs() + problem.compliance.cwiseAbs() * now.force.cwiseAbs();
@@ -168,10 +168,10 @@ Attempt first_attempt(const ScaledProblem& problem) {
 ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled, Attempt attempt) {
   Report& report = attempt.report;
   if (attempt.confirmed) {
-    report.status = Status::Solved;
+    report.status = SolveStatus::Solved;
     attempt.reason.clear();
-  } else if (report.status == Status::Solved) {
-    report.status = Status::Breakdown;  // of another problem that was solved on the way
+  } else if (report.status == SolveStatus::Solved) {
+    report.status = SolveStatus::Breakdown;  // of another problem that was solved on the way
   }
   ContactState state =
       finished(problem, scaled, attempt.closure, attempt.statuses, std::move(report));
@@ -213,7 +213,7 @@ void follow_newton(const ScaledProblem& problem, const Formulation& form, Index 
     }
     if (ends(problem, unit, attempt)) return;
     last_changes = 0;
-    report.status = limited ? Status::IterationLimit : Status::Breakdown;
+    report.status = limited ? SolveStatus::IterationLimit : SolveStatus::Breakdown;
     attempt.reason = limited
                          ? "Newton's method did not settle on what each pair does"
                          : "no step lowers the residual any more, at a point that is no solution";

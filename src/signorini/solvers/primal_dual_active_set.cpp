@@ -81,8 +81,8 @@ void put_apart(const ScaledProblem& problem, Attempt& attempt) {
   const Eigen::MatrixXd U = problem.rigid.topRows(pairs);
   const ContactState placed = goldfarb_idnani({U * U.transpose(), problem.free.head(pairs)});
   append(attempt.report, placed.report);
-  attempt.report.status = Status::Breakdown;
-  if (placed.report.status != Status::Solved) return;
+  attempt.report.status = SolveStatus::Breakdown;
+  if (placed.report.status != SolveStatus::Solved) return;
   Closure start;
   start.amplitude = U.transpose() * placed.force;
   const std::vector<ContactStatus> open = statuses_of({}, pairs);
@@ -102,7 +102,7 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
   std::set<std::vector<ContactStatus>> seen;
   bool one_at_a_time = false;
   Report& report = attempt.report;
-  report.status = Status::IterationLimit;
+  report.status = SolveStatus::IterationLimit;
   attempt.reason = "the motions did not settle";
   Closure start = attempt.closure;
   for (Index step = 0; step < limit; ++step) {
@@ -118,13 +118,13 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
     const Closure& now = attempt.closure;
     if (rubs) start = now;
     if (!now.force.allFinite() || !now.movement.allFinite() || (!rubs && !now.solvable)) {
-      report.status = Status::Breakdown;
+      report.status = SolveStatus::Breakdown;
       attempt.reason = "the equations of the motions are singular";
       return;
     }
     if (!rubs && now.rows.size() < set.closed.size()) {  // the others repeat those that stay closed
       if (one_at_a_time) {
-        report.status = Status::Breakdown;
+        report.status = SolveStatus::Breakdown;
         return;
       }
       attempt.statuses = statuses_of(now.rows, problem.pairs());
@@ -135,7 +135,7 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
     if (changes == 0) attempt.confirmed = solves(problem, attempt.statuses, now);
     if (attempt.confirmed) return;
     if (changes == 0) {
-      report.status = Status::Breakdown;
+      report.status = SolveStatus::Breakdown;
       return;
     }
     if (one_at_a_time) keep_first_change(attempt.statuses, next);
@@ -178,7 +178,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   }
   ContactState state = finished(problem, scaled, std::move(attempt));
   const Index left = asked - state.report.iterations;
-  if (rubs || floats || state.report.status == Status::Solved || (asked > 0 && left <= 0))
+  if (rubs || floats || state.report.status == SolveStatus::Solved || (asked > 0 && left <= 0))
     return state;
   SolverOptions rest = options;
   rest.iteration_limit = asked > 0 ? left : 0;

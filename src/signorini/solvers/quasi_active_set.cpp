@@ -39,7 +39,7 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
   };
   for (Index round = 0;; ++round) {
     report.status = method.run();
-    if (report.status == Status::Infeasible) {
+    if (report.status == SolveStatus::Infeasible) {
       proof = contradiction(scaled, method.basis().rows(), method.pressed());
       if (proof.size() == 0 && refutes(as_posed(scaled), method.proof()))
         proof = scaled.scale.cwiseProduct(method.proof());
@@ -47,8 +47,9 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
       method.pass_over();
       continue;
     }
-    if (!close_rows() && report.status == Status::Solved) report.status = Status::Breakdown;
-    if (report.status != Status::Solved) break;
+    if (!close_rows() && report.status == SolveStatus::Solved)
+      report.status = SolveStatus::Breakdown;
+    if (report.status != SolveStatus::Solved) break;
     const VectorXd force = closed.force(method.basis().rows());
     const VectorXd tension = (-force.array() - closed.force_rounding).max(0.0);
     const double trusted = std::pow(epsilon, -0.2);  // as in ClosedBasis::smallest_distance()
@@ -59,7 +60,7 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
     method.basis().set_force(force);
     method.release(tension);
   }
-  if (report.status == Status::Infeasible)
+  if (report.status == SolveStatus::Infeasible)
     static_cast<void>(close_rows());  // where the method stood
   return finished(problem, scaled, closed, statuses_of(sorted_rows(method.basis()), rows.count),
                   std::move(report), std::move(proof));

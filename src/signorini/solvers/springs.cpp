@@ -67,16 +67,17 @@ ContactState solve_on_springs(const ContactProblem& problem, const Solver& solve
     ++report.factorisations;
     if (auto end = confirmed(scaled, by_force(now), &last)) {
       Report solved = report;
-      solved.status = Status::Solved;
+      solved.status = SolveStatus::Solved;
       ContactState state = finished(problem, scaled, end->first, end->second, std::move(solved));
-      if (state.report.status == Status::Solved) return state;
+      if (state.report.status == SolveStatus::Solved) return state;
     }
-    if (report.status != Status::Solved) break;
-    report.status = Status::IterationLimit;
+    if (report.status != SolveStatus::Solved) break;
+    report.status = SolveStatus::IterationLimit;
     if (spring.norm() > 0.5 * last_spring) rho *= 2;
     last_spring = spring.norm();
   }
-  if (report.status == Status::Feasible) report.status = Status::Breakdown;  // springs carry a part
+  if (report.status == SolveStatus::Feasible)
+    report.status = SolveStatus::Breakdown;  // springs carry a part
   last.force = now.force;
   last.movement = now.gap;
   VectorXd proof;
@@ -94,8 +95,9 @@ ContactState solve(const ContactProblem& problem, const Solver& solver,
        "' takes no friction: take '", primal_dual_active_set().name, "'");
   if (!floats || solver.rigid_modes || !problem.law.pair.empty()) {
     ContactState state = solver.solve(problem, options);
-    const Status status = state.report.status;
-    if (!floats || !problem.law.pair.empty() || status == Status::Solved || state.escape.size() > 0)
+    const SolveStatus status = state.report.status;
+    if (!floats || !problem.law.pair.empty() || status == SolveStatus::Solved ||
+        state.escape.size() > 0)
       return state;
     return solve_on_springs(problem, solver, options, std::move(state.report));
   }

@@ -94,7 +94,7 @@ Instances siconos_singular() {
 
 Instances siconos_infeasible() {
   Instances made = from_file("siconos_lcp/lcp_Pang_isolated_sol_perturbed.dat");
-  made.front().expected = Status::Infeasible;
+  made.front().expected = SolveStatus::Infeasible;
   made.front().may_be_ray = true;
   return made;
 }

@@ -26,7 +26,7 @@ Instance known(std::string name, const ContactProblem& problem, const VectorXd& 
 
 Instance unsolvable(std::string name, const ContactProblem& problem) {
   Instance made{std::move(name), problem};
-  made.expected = Status::Infeasible;
+  made.expected = SolveStatus::Infeasible;
   return made;
 }
 

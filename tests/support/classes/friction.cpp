@@ -20,7 +20,7 @@ VectorXd one(double x) { return VectorXd::Constant(1, x); }
 Instance tried_out(std::string name, const ContactProblem& problem) {
   Instance made{std::move(name), problem};
   made.solutions = all_solutions(problem);
-  if (made.solutions.empty()) made.expected = Status::Breakdown;
+  if (made.solutions.empty()) made.expected = SolveStatus::Breakdown;
   return made;
 }
 
@@ -143,7 +143,7 @@ Instances friction_cylinder() {
 
 Instances friction_cylinder_away() {
   Instances made = {{"pushed by a little more than mu P", cylinder(60, 0.3, 1 + 1e-9)}};
-  made.back().expected = Status::Infeasible;
+  made.back().expected = SolveStatus::Infeasible;
   return made;
 }
 

@@ -24,23 +24,24 @@ std::string judge(const Instance& instance, const Report& report, bool must,
                   const std::function<std::string()>& solved,
                   const std::function<std::string()>& feasible) {
   switch (report.status) {
-    case Status::Solved:
-      return instance.expected != Status::Solved ? "says solved, but nothing solves this"
-                                                 : solved();
-    case Status::Infeasible:
-      if (instance.expected == Status::Solved) return "says infeasible, but there is a solution";
+    case SolveStatus::Solved:
+      return instance.expected != SolveStatus::Solved ? "says solved, but nothing solves this"
+                                                      : solved();
+    case SolveStatus::Infeasible:
+      if (instance.expected == SolveStatus::Solved)
+        return "says infeasible, but there is a solution";
       return proof();
-    case Status::Feasible:
-      if (instance.expected == Status::Infeasible) return "says feasible, but nothing is";
+    case SolveStatus::Feasible:
+      if (instance.expected == SolveStatus::Infeasible) return "says feasible, but nothing is";
       if (!must) return feasible();
       break;
-    case Status::Ray:
-    case Status::Jump:
-    case Status::IterationLimit:
-    case Status::Breakdown:
-    case Status::Slid:
-      if (!must || instance.expected == Status::Breakdown ||
-          (report.status == Status::Ray && instance.may_be_ray))
+    case SolveStatus::Ray:
+    case SolveStatus::Jump:
+    case SolveStatus::IterationLimit:
+    case SolveStatus::Breakdown:
+    case SolveStatus::Slid:
+      if (!must || instance.expected == SolveStatus::Breakdown ||
+          (report.status == SolveStatus::Ray && instance.may_be_ray))
         return {};
   }
   return text("ends with '", to_string(report.status), "' instead of '",

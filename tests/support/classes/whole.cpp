@@ -80,7 +80,7 @@ Instances whole_numbers(Kind kind) {
     const Kind found = instance.gap.size() == 0 ? Kind::Infeasible
                        : eliminate(table) != 0  ? Kind::Independent
                                                 : Kind::Dependent;
-    if (found == Kind::Infeasible) instance.expected = Status::Infeasible;
+    if (found == Kind::Infeasible) instance.expected = SolveStatus::Infeasible;
     if (found == kind) made.push_back(instance);
   }
   return made;
@@ -103,7 +103,7 @@ Instances wedged() {
                              Eigen::Vector2d(-1, 1 - width), 0};
   }
   made.push_back({"a pair that cannot move", {MatrixXd::Zero(1, 1), VectorXd::Constant(1, -1)}});
-  for (Instance& instance : made) instance.expected = Status::Infeasible;
+  for (Instance& instance : made) instance.expected = SolveStatus::Infeasible;
   return made;
 }
 
@@ -130,7 +130,7 @@ Instances simplex_turned_out() {
       }
       made.push_back(
           from_programme(text("n = ", n, ", m = ", m, ", seed ", seed), projection(A, point, g)));
-      made.back().expected = Status::Infeasible;
+      made.back().expected = SolveStatus::Infeasible;
     }
   return made;
 }

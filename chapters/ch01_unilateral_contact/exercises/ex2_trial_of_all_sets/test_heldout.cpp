@@ -55,7 +55,7 @@ VectorXd reference_displacement(const Programme& q) {
   signorini::solve_lower_columns(K.lower(), half);
   const signorini::ContactState state =
       signorini::enumerate({half.transpose() * half, q.g - q.A * K.solve(q.p)});
-  REQUIRE(state.report.status == signorini::Status::Solved);
+  REQUIRE(state.report.status == signorini::SolveStatus::Solved);
   return K.solve(q.p - q.A.transpose() * state.force);
 }
 

@@ -40,7 +40,8 @@ TEST_CASE("ex4.1 held out: three steps of random programmes are those of the lib
     const ContactState state = quasi_active_set_literal(problem, stop);
     CAPTURE(seed, k);
     CHECK((u - K.solve(q.load - q.A.transpose() * force)).norm() < 1e-11);
-    if (state.report.status != Status::IterationLimit) break;  // the library has gone on to its end
+    if (state.report.status != SolveStatus::IterationLimit)
+      break;  // the library has gone on to its end
     CHECK((state.force - force).norm() < 1e-10);
   }
 }

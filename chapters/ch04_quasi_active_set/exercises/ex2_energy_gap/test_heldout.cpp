@@ -49,7 +49,7 @@ double least_energy(const DenseProgramme& q) {
   const ContactProblem all{q.A * K.solve_columns(q.A.transpose()),
                            q.initial_gap - q.A * K.solve(q.load)};
   const ContactState best = find_solver("enumerate").solve(all, {});
-  REQUIRE(best.report.status == Status::Solved);
+  REQUIRE(best.report.status == SolveStatus::Solved);
   return energy(q, K.solve(q.load - q.A.transpose() * best.force));
 }
 

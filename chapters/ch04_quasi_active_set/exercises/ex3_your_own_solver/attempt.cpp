@@ -14,7 +14,7 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
   const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 100 * n + 100;
   std::vector<Index> active;  // pairs taken as closed
   Report report;
-  report.status = Status::IterationLimit;
+  report.status = SolveStatus::IterationLimit;
   Closure now = close(scaled, KnownSet{active});
   while (report.iterations < limit) {
     ++report.iterations;

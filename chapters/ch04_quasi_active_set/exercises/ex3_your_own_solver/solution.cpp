@@ -40,17 +40,17 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
     if (now.rows.size() < active.size()) {
-      report.status = Status::Breakdown;
+      report.status = SolveStatus::Breakdown;
       break;
     }
     std::vector<Index> wrong = wrong_pairs(closed, now);
     if (wrong.empty()) {
-      report.status =
-          solves(scaled, statuses_of(active, n), now) ? Status::Solved : Status::Breakdown;
+      report.status = solves(scaled, statuses_of(active, n), now) ? SolveStatus::Solved
+                                                                  : SolveStatus::Breakdown;
       break;
     }
     if (report.iterations >= limit) {
-      report.status = Status::IterationLimit;
+      report.status = SolveStatus::IterationLimit;
       break;
     }
     const Index count = static_cast<Index>(wrong.size());

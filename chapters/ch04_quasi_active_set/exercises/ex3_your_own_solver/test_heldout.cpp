@@ -18,7 +18,7 @@ TEST_CASE("ex4.3 held out: random problems agree with the trial of all sets", "[
     const ContactState state = solver.solve(problem, {});
     const ContactState sure = enumerate(problem);
     CAPTURE(sample, problem.free_gap.size());
-    REQUIRE(state.report.status == Status::Solved);
+    REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.active == sure.active);
     CHECK((state.force - sure.force).norm() <= 1e-12 * sure.force.norm());
   }
@@ -33,7 +33,7 @@ TEST_CASE("ex4.3 held out: units and the scale of rows change no decision", "[ex
     for (Index i = 0; i < row.size(); ++i) row(i) = std::ldexp(1, random.whole(-30, 30));
     const ContactState plain = solver.solve(problem, {});
     const ContactState other = solver.solve(in_units(with_rows(problem, row), 0x1p20, 0x1p-30), {});
-    CHECK(other.report.status == Status::Solved);
+    CHECK(other.report.status == SolveStatus::Solved);
     CHECK(other.active == plain.active);
     CHECK(other.report.iterations == plain.report.iterations);
   }
@@ -46,8 +46,8 @@ TEST_CASE("ex4.3 held out: the same bits again, a limit that is kept", "[ex4.3]"
   SolverOptions stop;
   stop.iteration_limit = 1;
   const ContactState stopped = solver.solve(string_problem(40), stop);
-  CHECK((stopped.report.status == Status::IterationLimit ||
-         (stopped.report.status == Status::Solved && stopped.report.iterations <= 1)));
+  CHECK((stopped.report.status == SolveStatus::IterationLimit ||
+         (stopped.report.status == SolveStatus::Solved && stopped.report.iterations <= 1)));
 }
 
 TEST_CASE("ex4.3 held out: a bad problem is the caller's mistake", "[ex4.3]") {

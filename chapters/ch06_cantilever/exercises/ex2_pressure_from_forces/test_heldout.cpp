@@ -92,7 +92,7 @@ TEST_CASE("ex6.2 held out: the touchdown of the cantilever", "[ex6.2]") {
                                               std::make_tuple("q8", MeshOrder::Quadratic)}));
   const signorini::Scene scene = cantilever(element, order, 50);
   const signorini::Solution solution = signorini::solve(scene);
-  REQUIRE(solution.contact.report.status == signorini::Status::Solved);
+  REQUIRE(solution.contact.report.status == signorini::SolveStatus::Solved);
   const VectorXd x = positions(scene.bodies[0].mesh, "bottom");
   VectorXd force = VectorXd::Zero(x.size());  // the clamped node at x = 0 has no pair
   force.tail(x.size() - 1) = solution.contact.force;

@@ -22,7 +22,7 @@ Bearing pole_free(const HeldPlate& plate) {
   problem.compliance += spring * problem.rigid * problem.rigid.transpose();
   problem.resultant = Eigen::VectorXd::Constant(1, plate.load);
   const ContactState state = solve(problem, find_solver("primal_dual_active_set"));
-  if (state.report.status != Status::Solved)
+  if (state.report.status != SolveStatus::Solved)
     throw NotSolved(text("pole_free: ", to_string(state.report.status)));
   return {state.force(0), state.gap(0), state.force.tail(n)};
 }

@@ -18,7 +18,7 @@ Rest come_to_rest(const Eigen::MatrixXd& compliance, const Eigen::VectorXd& posi
   problem.rigid.col(1) = -position;      // tilting those on the right
   problem.resultant = -load * Eigen::Vector2d(1, eccentricity);
   const ContactState state = solve(problem, find_solver("primal_dual_active_set"));
-  if (state.report.status != Status::Solved)
+  if (state.report.status != SolveStatus::Solved)
     throw NotSolved(text("the footing: ", to_string(state.report.status)));
   return {state.force, state.amplitude(0), state.amplitude(1)};
 }

@@ -67,7 +67,7 @@ TEST_CASE("ex15.4 held out: random pairs", "[ex15.4]") {
     problem.law = signorini::law_of_all(Eigen::VectorXd::Constant(1, pair.coefficient),
                                         Eigen::VectorXd::Zero(1));
     const signorini::ContactState state = signorini::lemke(problem);
-    REQUIRE(state.report.status == signorini::Status::Solved);
+    REQUIRE(state.report.status == signorini::SolveStatus::Solved);
     bool known = false;
     for (const Answer& answer : found)
       known = known || (answer.contact_status == state.contact_status[0] &&

@@ -10,7 +10,7 @@ using Eigen::Index;
 
 std::vector<Pair> pairs_of(const signorini::SolvedScene& run) {
   const signorini::ContactState& state = run.solution.contact;
-  signorini::require(state.report.status == signorini::Status::Solved,
+  signorini::require(state.report.status == signorini::SolveStatus::Solved,
                      "pairs_of: the scene is not solved but ", to_string(state.report.status));
   std::vector<Pair> pairs;
   for (Index i = 0; i < state.force.size(); ++i)

@@ -77,6 +77,6 @@ TEST_CASE("ex15.6 the square sticks, slides and opens", "[ex15.6]") {
 
 TEST_CASE("ex15.6 what is not solved has no pairs to read", "[ex15.6]") {
   SolvedScene run = solved(square(4), "the square");
-  run.solution.contact.report.status = Status::IterationLimit;
+  run.solution.contact.report.status = SolveStatus::IterationLimit;
   CHECK_THROWS_AS(pairs_of(run), std::invalid_argument);
 }

@@ -21,7 +21,7 @@ TEST_CASE("ex17.4 held out: the share divides what is seen from what is not", "[
   for (const Index n : {3, 8}) {
     const ContactProblem problem = string(n);
     const ContactState state = signorini::primal_dual_active_set(problem, {});
-    REQUIRE(state.report.status == signorini::Status::Solved);
+    REQUIRE(state.report.status == signorini::SolveStatus::Solved);
     for (Index pair = 0; pair < n; ++pair)
       for (const double accepted : {1e-11, 1e-6}) {
         CAPTURE(n, pair, accepted);

@@ -102,7 +102,7 @@ TEST_CASE("ex18.4 held out: a scene that never had it gives the same numbers", "
   for (Body& body : scene.bodies) body.temperature.reset();
   const Solution without_it = solve(without(all_effects(), "temperature"));
   const Solution never = solve(scene);
-  REQUIRE(never.contact.report.status == Status::Solved);
+  REQUIRE(never.contact.report.status == SolveStatus::Solved);
   REQUIRE(without_it.contact.force.size() == never.contact.force.size());
   CHECK(without_it.contact.force == never.contact.force);
 }
