@@ -7,7 +7,7 @@
 #include "papers/examples.hpp"
 #include "papers/surrogate_dual.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 namespace ch03 {
 

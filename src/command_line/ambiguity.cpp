@@ -7,7 +7,7 @@
 #include "addons/certified/undetermined.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 namespace command_line {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 namespace signorini {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "papers/surrogate_dual.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/closed_basis.hpp"
-#include "signorini/problem/closing.hpp"
 
 namespace signorini {
 namespace {

@@ -8,7 +8,7 @@
 #include "papers/weight_iteration.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 namespace signorini {
 namespace {

@@ -30,7 +30,7 @@ ContactProblem resting(const Vector2d& n, double mu, double c, const Vector2d& l
 }  // namespace
 
 TEST_CASE("a block on an incline: the weight that cohesion holds, and none without",
-          "[closing][friction][closed-form]") {
+          "[active_set][friction][closed-form]") {
   for (const double mu : {0.0, 0.2, 0.5})
     for (const double angle : {0.6, 1.0, 1.5}) {
       const double c = 3;
@@ -49,7 +49,7 @@ TEST_CASE("a block on an incline: the weight that cohesion holds, and none witho
 }
 
 TEST_CASE("a block pushed up a slope holds until F = G (tan a + mu) / (1 - mu tan a)",
-          "[closing][friction][closed-form]") {
+          "[active_set][friction][closed-form]") {
   const double slope = 0.1;
   const Vector2d n = Vector2d(-slope, 1).normalized();
   for (const double mu : {0.1001, 0.2, 0.3, 5.0}) {
@@ -65,7 +65,7 @@ TEST_CASE("a block pushed up a slope holds until F = G (tan a + mu) / (1 - mu ta
 }
 
 TEST_CASE("a block on two feet slides or tips, whichever comes first",
-          "[closing][friction][closed-form]") {
+          "[active_set][friction][closed-form]") {
   // Feet at x = -1 and 1, pushed along at the height h: tips at W / h, slides at mu W.
   const double weight = 4;
   for (const double mu : {0.1, 0.3, 0.7})
@@ -83,7 +83,7 @@ TEST_CASE("a block on two feet slides or tips, whichever comes first",
     }
 }
 
-TEST_CASE("what is balanced at most: a proof beyond it and none below", "[closing][friction]") {
+TEST_CASE("what is balanced at most: a proof beyond it and none below", "[active_set][friction]") {
   Random random(31);
   int limited = 0;
   for (int sample = 0; sample < 300; ++sample) {
@@ -118,7 +118,7 @@ TEST_CASE("what is balanced at most: a proof beyond it and none below", "[closin
   CHECK(limited > 60);
 }
 
-TEST_CASE("resultants of different sizes are refused", "[closing][input]") {
+TEST_CASE("resultants of different sizes are refused", "[active_set][input]") {
   CHECK_THAT(argument_message([] {
                static_cast<void>(balanced_share(resting({0, 1}, 1, 0, {0, -1}), Vector3d::Zero()));
              }),

@@ -5,8 +5,8 @@
 
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/closing.hpp"
 #include "support/random.hpp"
 
 using namespace signorini;

@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 using namespace signorini;
 using namespace signorini_test;
 
-TEST_CASE("overlaps that a rigid motion opens prove nothing", "[closing][floating]") {
+TEST_CASE("overlaps that a rigid motion opens prove nothing", "[active_set][floating]") {
   const Matrix2d G = (Matrix2d() << 1, -1, -1, 1).finished();  // pressing both pairs moves nothing
   const Vector2d both(1, 1);
   ContactProblem problem{G, Vector2d(-1, -1)};
@@ -31,7 +31,7 @@ TEST_CASE("overlaps that a rigid motion opens prove nothing", "[closing][floatin
 }
 
 TEST_CASE("gaps that no forces open are refuted for asymmetric matrices, and no others",
-          "[closing][proof]") {
+          "[active_set][proof]") {
   Random random(3);
   const auto whole = [&](Index rows, Index columns, int low, int high) {
     return MatrixXd(MatrixXd::NullaryExpr(
@@ -62,7 +62,7 @@ TEST_CASE("gaps that no forces open are refuted for asymmetric matrices, and no 
 }
 
 TEST_CASE("closed pairs that cannot balance the load are no solution of their equations",
-          "[closing][floating]") {
+          "[active_set][floating]") {
   // A load of 2 along the only mode presses both pairs alike.
   ContactProblem problem{Matrix2d::Identity(), Vector2d(1, 2)};
   problem.rigid = Vector2d(1, 1);
@@ -79,7 +79,7 @@ TEST_CASE("closed pairs that cannot balance the load are no solution of their eq
 }
 
 TEST_CASE("a load along two slips is held as far as the cohesion of each reaches, and no farther",
-          "[closing][friction][floating]") {
+          "[active_set][friction][floating]") {
   // Two pairs without friction coefficient; the modes are their slips.
   ContactProblem problem{MatrixXd::Identity(4, 4), Vector2d::Zero(), Vector2d::Zero(),
                          law_of_all(Vector2d::Zero(), Vector2d::Ones())};
@@ -97,7 +97,7 @@ TEST_CASE("a load along two slips is held as far as the cohesion of each reaches
     }
 }
 
-TEST_CASE("a determinant of the wrong sign warns of other solutions", "[closing][friction]") {
+TEST_CASE("a determinant of the wrong sign warns of other solutions", "[active_set][friction]") {
   // The slip of each pair moves the gap of the other; both open and both sliding forward solve it.
   MatrixXd F = MatrixXd::Identity(4, 4);
   F(0, 3) = F(3, 0) = F(1, 2) = F(2, 1) = 2;
@@ -122,7 +122,7 @@ TEST_CASE("a determinant of the wrong sign warns of other solutions", "[closing]
 }
 
 TEST_CASE("what cohesion can carry is no proof that a body moves away, whatever rounding leaves",
-          "[closing][friction][floating]") {
+          "[active_set][friction][floating]") {
   Random random(5);
   for (int sample = 0; sample < 200; ++sample) {
     ContactProblem problem{MatrixXd::Identity(6, 6), Eigen::Vector3d::Zero(),
@@ -141,7 +141,7 @@ TEST_CASE("what cohesion can carry is no proof that a body moves away, whatever 
 }
 
 TEST_CASE("one solution is proved only if the pairs that press leave no body free to move",
-          "[closing][floating]") {
+          "[active_set][floating]") {
   const auto verdict = [](const Vector2d& mode, double free_gap, double load) {
     ContactProblem problem{Matrix2d::Identity(), Eigen::VectorXd::Constant(1, free_gap)};
     problem.free_slip = Eigen::VectorXd::Zero(1);

@@ -71,7 +71,8 @@ MatrixXd ends_of_vertices(const Carried& carried, const MatrixXd& exchanges) {
 
 }  // namespace
 
-TEST_CASE("a linear function goes to the vertices of a polyhedron, or to infinity", "[closing]") {
+TEST_CASE("a linear function goes to the vertices of a polyhedron, or to infinity",
+          "[active_set]") {
   // y1 >= -1, y2 >= -2, y1 + y2 <= 3
   const MatrixXd G = (MatrixXd(3, 2) << 1, 0, 0, 1, -1, -1).finished();
   Polyhedron triangle(G, Vector3d(1, 2, 3));
@@ -95,7 +96,7 @@ TEST_CASE("a linear function goes to the vertices of a polyhedron, or to infinit
   CHECK(corner.range(Vector2d(1, 0)) == std::pair(0.0, infinite));
 }
 
-TEST_CASE("elimination finds every combination of columns that is nothing", "[closing]") {
+TEST_CASE("elimination finds every combination of columns that is nothing", "[active_set]") {
   Random random(3);
   for (int trial = 0; trial < 50; ++trial) {
     const Index rows = random.whole(1, 12), columns = random.whole(1, 14);
@@ -120,7 +121,8 @@ TEST_CASE("elimination finds every combination of columns that is nothing", "[cl
   }
 }
 
-TEST_CASE("of many full columns those that depend on others are found, and no more", "[closing]") {
+TEST_CASE("of many full columns those that depend on others are found, and no more",
+          "[active_set]") {
   Random random(4);
   const Index n = 160;
   for (const bool repeats : {false, true}) {
@@ -138,7 +140,7 @@ TEST_CASE("of many full columns those that depend on others are found, and no mo
   }
 }
 
-TEST_CASE("two pairs of one node share what presses it", "[closing][closed-form]") {
+TEST_CASE("two pairs of one node share what presses it", "[active_set][closed-form]") {
   // Both walls push along x: the sum of 3 is given. A wall on the other side takes what the first gives more.
   const MatrixXd same = (MatrixXd(2, 2) << 1, 1, 0, 0).finished();
   std::vector<SharedForces> groups = undetermined_forces(node(same, {}, Vector2d(1, 2)));
@@ -179,7 +181,8 @@ TEST_CASE("two pairs of one node share what presses it", "[closing][closed-form]
   CHECK(undetermined_forces(equation)[0].forces[1].low == 0);
 }
 
-TEST_CASE("a gap, a slip beyond rounding or cohesion leaves no choice", "[closing][closed-form]") {
+TEST_CASE("a gap, a slip beyond rounding or cohesion leaves no choice",
+          "[active_set][closed-form]") {
   const MatrixXd same = (MatrixXd(2, 2) << 1, 1, 0, 0).finished();
   Carried carried = node(same, {}, Vector2d(3, 0));
   carried.statuses[1] = ContactStatus::Open;
@@ -202,7 +205,7 @@ TEST_CASE("a gap, a slip beyond rounding or cohesion leaves no choice", "[closin
 
 // The cones of a floor and a wall that are at right angles contain opposite forces if mu_1 mu_2 > 1.
 TEST_CASE("a corner without a load holds by itself only if friction wedges it",
-          "[closing][closed-form]") {
+          "[active_set][closed-form]") {
   const MatrixXd corner = (MatrixXd(2, 4) << 0, 1, 1, 0, 1, 0, 0, 1).finished();
   for (const auto& [first, second, wedges] :
        {std::tuple(0.3, 0.3, false), {0.5, 1.99, false}, {0.5, 2.01, true}, {2.0, 2.0, true}}) {
@@ -215,7 +218,7 @@ TEST_CASE("a corner without a load holds by itself only if friction wedges it",
 }
 
 // Sticking without friction takes c at most: each wall carries what the other takes.
-TEST_CASE("cohesion wedges a corner by as much as it is", "[closing][closed-form]") {
+TEST_CASE("cohesion wedges a corner by as much as it is", "[active_set][closed-form]") {
   const MatrixXd corner = (MatrixXd(2, 4) << 0, 1, 1, 0, 1, 0, 0, 1).finished();
   const FrictionLaw law = law_of_all(Vector2d::Zero(), Vector2d(0.5, 0.25));
   const auto groups = undetermined_forces(node(corner, law, VectorXd::Zero(4)));
@@ -228,7 +231,7 @@ TEST_CASE("cohesion wedges a corner by as much as it is", "[closing][closed-form
   }
 }
 
-TEST_CASE("the forces of a node in two walls go as far as the vertices", "[closing]") {
+TEST_CASE("the forces of a node in two walls go as far as the vertices", "[active_set]") {
   const FiledProblem filed = std::get<std::vector<FiledProblem>>(
       read_problem(SIGNORINI_TEST_DATA "/found/friction_corner_node.txt"))[0];
   for (const char* name : {"primal_dual_active_set", "lemke"}) {
@@ -248,7 +251,7 @@ TEST_CASE("the forces of a node in two walls go as far as the vertices", "[closi
 }
 
 // Closed form: both slide, and their forces sum to 1 / (2 - 0.3 * 0.3).
-TEST_CASE("identical pairs that slide share one force", "[closing][closed-form]") {
+TEST_CASE("identical pairs that slide share one force", "[active_set][closed-form]") {
   const FiledProblem filed = std::get<std::vector<FiledProblem>>(
       read_problem(SIGNORINI_TEST_DATA "/found/friction_two_identical_pairs.txt"))[0];
   const ContactState state = friction_solvers().front().solve(filed.problem, {});
@@ -261,7 +264,7 @@ TEST_CASE("identical pairs that slide share one force", "[closing][closed-form]"
   }
 }
 
-TEST_CASE("forces are determined whatever the units of pairs, or are not", "[closing]") {
+TEST_CASE("forces are determined whatever the units of pairs, or are not", "[active_set]") {
   Random random(8);
   for (int trial = 0; trial < 100; ++trial) {
     const Index n = 1 + trial % 4;

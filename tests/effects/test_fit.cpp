@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "catch_compat.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/message.hpp"

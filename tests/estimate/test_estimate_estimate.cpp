@@ -8,7 +8,7 @@
 #include "addons/estimate/profile.hpp"
 #include "addons/estimate/refine.hpp"
 #include "catch_compat.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/effectivity.hpp"
 #include "support/message.hpp"

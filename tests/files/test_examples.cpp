@@ -15,7 +15,7 @@
 #include "papers/examples.hpp"
 #include "signorini/core/text_reader.hpp"
 #include "signorini/fem/stress.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
 

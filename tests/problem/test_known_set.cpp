@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "catch_compat.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 using Eigen::Vector2d;
 using namespace signorini;
@@ -29,7 +29,7 @@ ContactStatus next(ContactStatus contact_status, const Vector2d& force, const Ve
 }  // namespace
 
 TEST_CASE("a pair that sticks at its bound slides only where rounding cannot have pushed it",
-          "[closing][friction]") {
+          "[active_set][friction]") {
   const double r = 1e-10;
   for (const double way : {1.0, -1.0}) {
     const ContactStatus slides = way > 0 ? ContactStatus::SlipBackward : ContactStatus::SlipForward;
@@ -44,7 +44,7 @@ TEST_CASE("a pair that sticks at its bound slides only where rounding cannot hav
 }
 
 TEST_CASE("a pair slides on against a slip of rounding size, and sticks where it turns",
-          "[closing][friction]") {
+          "[active_set][friction]") {
   const double r = 1e-10;
   for (const double way : {1.0, -1.0}) {
     const ContactStatus slides = way > 0 ? ContactStatus::SlipForward : ContactStatus::SlipBackward;
@@ -59,7 +59,7 @@ TEST_CASE("a pair slides on against a slip of rounding size, and sticks where it
 }
 
 TEST_CASE("an open pair closes, and a closed one opens, where rounding cannot have done it",
-          "[closing]") {
+          "[active_set]") {
   const double r = 1e-10;
   CHECK(next(ContactStatus::Open, {0, 0}, {-0.9 * r, 0}, r) == ContactStatus::Open);
   CHECK(next(ContactStatus::Open, {0, 0}, {-1.1 * r, 0}, r) == ContactStatus::Stick);
@@ -69,7 +69,7 @@ TEST_CASE("an open pair closes, and a closed one opens, where rounding cannot ha
 }
 
 TEST_CASE("a sliding pair is named by its friction force, and by its slip only where it has none",
-          "[closing][friction]") {
+          "[active_set][friction]") {
   const FrictionLaw rough = law_of_all(Vector2d(0.5, 0), Vector2d(0, 2));
   ContactState state;
   state.slip = Vector2d(1e-17, -1e-17);

@@ -4,8 +4,8 @@
 
 #include "catch_compat.hpp"
 #include "papers/examples.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/closing.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"

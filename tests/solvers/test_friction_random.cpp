@@ -128,7 +128,7 @@ TEST_CASE("the warning names the pair, its determinant and the friction from whi
 }
 
 TEST_CASE("without the friction of the pair that is named, beyond its share, the sign is right",
-          "[friction][closing]") {
+          "[friction][active_set]") {
   Random random(77);
   int named = 0;
   for (int sample = 0; sample < 1500; ++sample) {

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/closing.hpp"
 #include "signorini/problem/exact_sum.hpp"
 #include "support/random.hpp"
 

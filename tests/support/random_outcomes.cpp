@@ -8,7 +8,7 @@
 
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/lemke.hpp"
 #include "support/balance.hpp"

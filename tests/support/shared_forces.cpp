@@ -10,7 +10,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/reshape.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "support/random_bodies.hpp"
 
 namespace signorini_test {

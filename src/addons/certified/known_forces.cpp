@@ -22,8 +22,9 @@ constexpr int most_solves = 4;
 /// The system of the pairs that are closed, or might be.
 class Estimate {
  public:
-  Estimate(const RefinementData& data, std::shared_ptr<const Closing> closing, VectorXd rounding)
-      : data_(data), closing_(std::move(closing)), rounding_(std::move(rounding)) {}
+  Estimate(const RefinementData& data, std::shared_ptr<const ActiveSetSystem> system,
+           VectorXd rounding)
+      : data_(data), system_(std::move(system)), rounding_(std::move(rounding)) {}
 
   /// The forces of all rows that the worst rounding found makes.
   [[nodiscard]] VectorXd worst() const;
@@ -37,19 +38,19 @@ class Estimate {
   [[nodiscard]] VectorXd answer(const VectorXd& top, const VectorXd& bottom) const;
 
   const RefinementData& data_;
-  std::shared_ptr<const Closing> closing_;
+  std::shared_ptr<const ActiveSetSystem> system_;
   VectorXd rounding_;
 };
 
 VectorXd Estimate::answer(const VectorXd& top, const VectorXd& bottom) const {
-  const Rows& rows = closing_->rows();
+  const Rows& rows = system_->rows();
   VectorXd force = VectorXd::Zero(rounding_.size());
-  force(rows) = closing_->solve(top, bottom).first;
+  force(rows) = system_->solve(top, bottom).first;
   return force.cwiseProduct(data_.scaled.scale);
 }
 
 VectorXd Estimate::worst() const {
-  const Rows& rows = closing_->rows();
+  const Rows& rows = system_->rows();
   const VectorXd size = rounding_.cwiseProduct(data_.scaled.scale)(rows);
   const VectorXd bottom = VectorXd::Zero(data_.scaled.rigid.cols());
   VectorXd sign(size.size());
@@ -72,7 +73,7 @@ VectorXd Estimate::beside(const Rows& others) const {
   VectorXd bottom = VectorXd::Zero(scaled.rigid.cols());
   if (bottom.size() > 0) bottom = scaled.rigid.transpose() * one;
   const VectorXd moved = scaled.compliance * one;
-  return one.cwiseProduct(scaled.scale) - answer(moved(closing_->rows()), bottom);
+  return one.cwiseProduct(scaled.scale) - answer(moved(system_->rows()), bottom);
 }
 
 bool Estimate::idle(const VectorXd& force) const {
@@ -87,9 +88,9 @@ bool Estimate::idle(const VectorXd& force) const {
 ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
                        const PrimalDual& solution, std::vector<ContactStatus> statuses) {
   const double most = largest(solution.force);
-  if (!refined.closing || most == 0) return {};
+  if (!refined.system || most == 0) return {};
   const VectorXd rounding = movement_rounding(data.programme, solution);
-  std::shared_ptr<const Closing> closing = refined.closing;
+  std::shared_ptr<const ActiveSetSystem> system = refined.system;
   bool as_refined = true;
   const auto roundings =
       2 * static_cast<double>(closed_pairs(statuses).size() + 1);  // as in judge()
@@ -101,18 +102,18 @@ ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
     as_refined = false;
   }
   KnownSet set = known_set(statuses, data.scaled.law);
-  Rows rows = closing->rows();
+  Rows rows = system->rows();
   if (!as_refined) {  // those that rounding may have opened repeat the others, not the other way round
     std::sort(rows.begin(), rows.end());
     std::stable_partition(set.closed.begin(), set.closed.end(), [&rows](Index row) {
       return std::binary_search(rows.begin(), rows.end(), row);
     });
-    closing = std::make_shared<const Closing>(data.scaled, set);
-    rows = closing->rows();
+    system = std::make_shared<const ActiveSetSystem>(data.scaled, set);
+    rows = system->rows();
     std::sort(set.closed.begin(), set.closed.end());
   }
   if (rows.empty()) return {};
-  const Estimate estimate(data, closing, rounding);
+  const Estimate estimate(data, system, rounding);
   std::sort(rows.begin(), rows.end());
   Rows repeated;
   std::set_difference(set.closed.begin(), set.closed.end(), rows.begin(), rows.end(),

@@ -18,7 +18,7 @@ struct ForceDoubt {
 /// Estimates how far one rounding of every term of the gaps moves the forces that close them.
 ///
 /// A gap is known to \f$ \delta = \tfrac12\epsilon\,(|g| + |A|\,|u|) \f$ at best: a solution whose closed gaps are zero
-/// to the last digit has forces that are wrong by \f$ M^{-1}\delta \f$, with M the system of Closing. Where a pattern of
+/// to the last digit has forces that are wrong by \f$ M^{-1}\delta \f$, with M the system of ActiveSetSystem. Where a pattern of
 /// forces moves hardly anything, as plus and minus in turns do on a soft side that has fewer nodes than the stiff one,
 /// this is any number of digits, and no certificate sees it. The worst signs of the entries of delta are looked for as
 /// in Hager's estimate of condition numbers [\ref Higham2002]: a few solves, each with the signs of the answer before.

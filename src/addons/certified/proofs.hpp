@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/closing.hpp"
 
 namespace signorini {
 

@@ -60,7 +60,7 @@ class Refining {
            const std::vector<ContactStatus>& statuses)
       : data_(data),
         set_(felt_rows(known_set(statuses, data.condensed.law), data.programme.A)),
-        closing_(data.scaled, known_set(statuses, data.scaled.law)) {
+        system_(data.scaled, known_set(statuses, data.scaled.law)) {
     PrimalDual& solution = result_.solution;
     solution = std::move(start);
     const Index n = solution.displacement.size();
@@ -104,7 +104,7 @@ class Refining {
 
   const RefinementData& data_;
   KnownSet set_;
-  Closing closing_;
+  ActiveSetSystem system_;
   Forces force_;
   Refinement result_;
   double unrefined_ = 0;  // of u, where it starts
@@ -119,13 +119,13 @@ VectorXd Refining::unbalanced() {
 }
 
 std::pair<VectorXd, VectorXd> Refining::closed(const VectorXd& residual) const {
-  const std::vector<Index>& rows = closing_.rows();
+  const std::vector<Index>& rows = system_.rows();
   const VectorXd scale = data_.scaled.scale(rows);
   VectorXd bottom;
   if (floats())  // of orthonormal modes; inverse takes their amplitudes to those of N
     bottom = -(data_.null_vectors * data_.scaled.inverse).transpose() * residual;
   const auto [force, amplitude] =
-      closing_.solve(-scale.cwiseProduct(VectorXd(result_.movement(rows))), bottom);
+      system_.solve(-scale.cwiseProduct(VectorXd(result_.movement(rows))), bottom);
   return {scale.cwiseProduct(force),
           floats() ? VectorXd(data_.scaled.inverse * amplitude) : VectorXd()};
 }
@@ -145,7 +145,7 @@ VectorXd Refining::spread(const VectorXd& residual) const {
   };
   const double nothing = along(data_.null_vectors).lpNorm<1>();
   std::vector<Index> holding;
-  for (const Index row : closing_.rows())
+  for (const Index row : system_.rows())
     if (std::abs(force_.high(row)) > nothing) holding.push_back(row);
   if (holding.empty()) return residual - along(data_.null_vectors);
   const MatrixXd loose = null_space(data_.condensed.rigid(holding, Eigen::all));
@@ -191,8 +191,8 @@ Refining::Change Refining::sweep() {
   const auto [closes, amplitude] = closed(residual);
   residual.resize(0);  // the next solve wants the room
   const Forces last = force_;
-  for (std::size_t k = 0; k < closing_.rows().size(); ++k) {
-    const Index row = closing_.rows()[k];
+  for (std::size_t k = 0; k < system_.rows().size(); ++k) {
+    const Index row = system_.rows()[k];
     add_to(force_.high(row), force_.low(row), closes(static_cast<Index>(k)));
   }
   impose(set_, force_);
@@ -234,7 +234,7 @@ Refinement Refining::run() {
   }
   result_.solution.force = force_.high;
   result_.movement = gaps(data_.programme, result_.solution);
-  result_.closing = std::make_shared<const Closing>(std::move(closing_));
+  result_.system = std::make_shared<const ActiveSetSystem>(std::move(system_));
   return std::move(result_);
 }
 

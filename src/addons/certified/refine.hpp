@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/closing.hpp"
 
 namespace signorini {
 
@@ -44,8 +44,8 @@ struct Refinement {
   PrimalDual solution;        ///< u in two parts, and the forces of all rows of A
   Eigen::VectorXd movement;   ///< initial_gap - A u of all rows of A: gaps, then slips [length]
   Eigen::VectorXd amplitude;  ///< how much of each rigid mode went into u `n_r`
-  std::shared_ptr<const Closing> closing = {};  ///< the system of its set
-  Eigen::Index solves = 0;                      ///< with K
+  std::shared_ptr<const ActiveSetSystem> system = {};  ///< the system of its set
+  Eigen::Index solves = 0;                             ///< with K
   bool settled = false;  ///< whether corrections have become as small as rounding
 };
 
@@ -57,7 +57,7 @@ struct Refinement {
 ///
 /// \f[ M\,\Delta f_W = A_W u - g_W,\qquad u \mathrel{+}= -K^{-1} A^T \Delta f, \f]
 ///
-/// where M is the matrix of Closing. Residuals come from the original data in twice the working
+/// where M is the matrix of ActiveSetSystem. Residuals come from the original data in twice the working
 /// precision, so the factor and the compliance may carry relative errors up to about 1/cond. u and the
 /// forces are kept as sums of two doubles: on a slender body the last digit of a force moves the far end by
 /// many digits. What forces move, unless they are rounding, gets a solve of its own, so that corrections shrink by the

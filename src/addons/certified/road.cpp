@@ -104,7 +104,7 @@ Judgement Road::look(const std::vector<ContactStatus>& statuses, const VectorXd&
     end_.state.amplitude = amplitude_;
     statuses_ = statuses;
     kept_.movement = refined_.movement;
-    kept_.closing = refined_.closing;
+    kept_.system = refined_.system;
   }
   return verdict;
 }

@@ -39,9 +39,9 @@ Dual::Dual(const Model& model, const Condensed& condensed, const Solution& solut
     transposed_ = LuFactor(closing_matrix(scaled_, set_.closed, set_).transpose());
     unique(transposed_.rcond() > std::numeric_limits<double>::epsilon());
   } else {
-    closing_.emplace(scaled_, set_);
-    unique(closing_->rows().size() == set_.closed.size());
-    set_.closed = closing_->rows();
+    system_.emplace(scaled_, set_);
+    unique(system_->rows().size() == set_.closed.size());
+    set_.closed = system_->rows();
   }
 }
 
@@ -50,8 +50,8 @@ std::pair<VectorXd, VectorXd> Dual::forces(const VectorXd& top, const VectorXd& 
   const VectorXd scaled_bottom =
       bottom.size() > 0 ? VectorXd(scaled_.inverse.transpose() * bottom) : bottom;
   VectorXd force, amplitude;
-  if (closing_) {
-    std::tie(force, amplitude) = closing_->solve(scale.cwiseProduct(top), scaled_bottom);
+  if (system_) {
+    std::tie(force, amplitude) = system_->solve(scale.cwiseProduct(top), scaled_bottom);
   } else {
     VectorXd right(top.size() + scaled_bottom.size());
     right << scale.cwiseProduct(top), scaled_bottom;

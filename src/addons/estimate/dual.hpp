@@ -8,7 +8,7 @@
 
 #include "addons/estimate/goal.hpp"
 #include "signorini/core/ledger.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 namespace signorini {
 
@@ -65,9 +65,9 @@ class Dual {
   const Condensed& condensed_;
   const Solution& solution_;
   ScaledProblem scaled_;
-  KnownSet set_;                    // with the slopes of scaled forces
-  std::optional<Closing> closing_;  // where no pair slides
-  LuFactor transposed_;             // where one does
+  KnownSet set_;                           // with the slopes of scaled forces
+  std::optional<ActiveSetSystem> system_;  // where no pair slides
+  LuFactor transposed_;                    // where one does
 };
 
 }  // namespace signorini

@@ -8,7 +8,7 @@
 #include "addons/steps/steps_limit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {

@@ -5,7 +5,7 @@
 
 #include "addons/certified/proofs.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/rigid_modes.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 namespace signorini {
 

@@ -1,7 +1,7 @@
 #include "signorini/scene/moved_forces.hpp"
 
 #include "signorini/contact/gaps.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/rigid_modes.hpp"

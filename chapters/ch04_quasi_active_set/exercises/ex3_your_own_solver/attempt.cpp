@@ -1,5 +1,5 @@
 #include "exercise.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 namespace ex4_3 {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "exercise.hpp"
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 namespace ex4_3 {
 

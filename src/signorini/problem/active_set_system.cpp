@@ -1,4 +1,4 @@
-#include "signorini/problem/closing.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -111,7 +111,8 @@ void settle(const ScaledProblem& problem, const Rows& support, Closure& now) {
 
 }  // namespace
 
-Closing::Closing(const ScaledProblem& problem, const KnownSet& set) : rows_(set.closed) {
+ActiveSetSystem::ActiveSetSystem(const ScaledProblem& problem, const KnownSet& set)
+    : rows_(set.closed) {
   const bool sparse = problem.sparse.size() > 0;
   symmetric_ = problem.symmetric && !has_slopes(set) && !sparse;
   if (sparse)
@@ -122,7 +123,7 @@ Closing::Closing(const ScaledProblem& problem, const KnownSet& set) : rows_(set.
     factor_general(problem, set);
 }
 
-void Closing::factor_symmetric(const ScaledProblem& problem) {
+void ActiveSetSystem::factor_symmetric(const ScaledProblem& problem) {
   const Index modes = problem.rigid.cols();
   const double trace = problem.compliance.trace();
   rho_ = modes > 0 ? (trace > 0 ? trace : 1) : 0;
@@ -170,7 +171,7 @@ MatrixXd closing_matrix(const ScaledProblem& problem, const Rows& rows, const Kn
   return M;
 }
 
-void Closing::factor_general(const ScaledProblem& problem, const KnownSet& set) {
+void ActiveSetSystem::factor_general(const ScaledProblem& problem, const KnownSet& set) {
   const Index m = static_cast<Index>(rows_.size());
   const Index k = problem.rigid.cols();
   if (m + k == 0) return;
@@ -184,7 +185,7 @@ void Closing::factor_general(const ScaledProblem& problem, const KnownSet& set) 
   reversed_ = regular && negative != (k % 2 == 1);
 }
 
-void Closing::factor_sparse(const ScaledProblem& problem, const KnownSet& set) {
+void ActiveSetSystem::factor_sparse(const ScaledProblem& problem, const KnownSet& set) {
   const Index m = static_cast<Index>(rows_.size());
   const Index k = problem.rigid.cols();
   if (m + k == 0) return;
@@ -218,7 +219,8 @@ void Closing::factor_sparse(const ScaledProblem& problem, const KnownSet& set) {
   factor_general(problem, set);
 }
 
-std::pair<VectorXd, VectorXd> Closing::solve(const VectorXd& top, const VectorXd& bottom) const {
+std::pair<VectorXd, VectorXd> ActiveSetSystem::solve(const VectorXd& top,
+                                                     const VectorXd& bottom) const {
   const Index m = top.size();
   if (!symmetric_) {
     if (m + bottom.size() == 0) return {top, bottom};
@@ -240,7 +242,7 @@ std::pair<VectorXd, VectorXd> Closing::solve(const VectorXd& top, const VectorXd
 }
 
 Closure close(const ScaledProblem& problem, const KnownSet& set, const Closure* start) {
-  const Closing system(problem, set);
+  const ActiveSetSystem system(problem, set);
   const Rows& rows = system.rows();
   Rows support = set.closed;
   for (const SlidingPair& pair : set.sliding) support.push_back(pair.slip);

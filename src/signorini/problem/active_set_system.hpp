@@ -72,11 +72,11 @@ struct KnownSet {
 /// changes no solution then, because U^T f is given, and makes that block positive definite. Any other
 /// singular system has its least-norm solution. Where F has few entries, \f$ \sqrt\epsilon \f$ on the diagonal makes
 /// any system regular, and refinement takes it away again from all that the system determines.
-class Closing {
+class ActiveSetSystem {
  public:
   /// \param problem  scaled
   /// \param set      W and S, with the slopes of scaled forces
-  Closing(const ScaledProblem& problem, const KnownSet& set);
+  ActiveSetSystem(const ScaledProblem& problem, const KnownSet& set);
 
   /// \return independent rows of W, all of W if it has no others
   [[nodiscard]] const std::vector<Eigen::Index>& rows() const { return rows_; }
@@ -108,7 +108,7 @@ class Closing {
   std::unique_ptr<SparseLuFactor> sparse_;  ///< of a system with few entries, made regular; or null
 };
 
-/// The matrix of Closing as it is written there.
+/// The matrix of ActiveSetSystem as it is written there.
 /// \param problem  scaled
 /// \param rows     W `m`
 /// \param set      whose sliding pairs have their gaps in W
@@ -126,7 +126,7 @@ struct Closure {
   double force_rounding = 0;       ///< what rounding may have done to each force
   Eigen::VectorXd movement_rounding;  ///< and to each movement
   bool solvable = false;              ///< whether `rows` are closed and U^T f = t, to rounding
-  bool reversed = false;              ///< as Closing::reversed()
+  bool reversed = false;              ///< as ActiveSetSystem::reversed()
 
   /// \param row  any \return whether its movement is what rounding of its terms, or of a force, can make of 0
   [[nodiscard]] bool closes(Eigen::Index row) const {

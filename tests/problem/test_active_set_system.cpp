@@ -5,8 +5,8 @@
 
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/closing.hpp"
 #include "signorini/solvers/springs.hpp"
 #include "support/problems.hpp"
 
@@ -24,7 +24,7 @@ Matrix2d matrix(double a, double b, double c, double d) {
 
 }  // namespace
 
-TEST_CASE("equilibration gives a unit diagonal and goes back", "[closing]") {
+TEST_CASE("equilibration gives a unit diagonal and goes back", "[active_set]") {
   const ContactProblem problem{matrix(4, 3, 3, 25), Vector2d(-8, 10)};
   const ScaledProblem scaled = equilibrate(problem);
   CHECK((scaled.compliance - matrix(1, 0.3, 0.3, 1)).norm() < 1e-15);
@@ -36,7 +36,7 @@ TEST_CASE("equilibration gives a unit diagonal and goes back", "[closing]") {
 }
 
 TEST_CASE("the equilibrated problem does not know units or the scale of a row",
-          "[closing][units]") {
+          "[active_set][units]") {
   signorini_test::Random random(4);
   const ContactProblem problem = signorini_test::random_problem(random, 5);
   const ScaledProblem scaled = equilibrate(problem);
@@ -47,7 +47,7 @@ TEST_CASE("the equilibrated problem does not know units or the scale of a row",
   CHECK((rows.free - scaled.free).norm() < 1e-15 * scaled.free.norm());
 }
 
-TEST_CASE("a row that no force moves has no unit of its own", "[closing][units]") {
+TEST_CASE("a row that no force moves has no unit of its own", "[active_set][units]") {
   const auto problem = [](double unit, const Eigen::MatrixXd& rigid) {
     Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
     F.topLeftCorner(2, 2) = matrix(2, 1, 1, 2);
@@ -82,7 +82,7 @@ TEST_CASE("a row that no force moves has no unit of its own", "[closing][units]"
   }
 }
 
-TEST_CASE("closing pairs leaves no gap in them and no force elsewhere", "[closing]") {
+TEST_CASE("closing pairs leaves no gap in them and no force elsewhere", "[active_set]") {
   signorini_test::Random random(6);
   const ContactProblem problem = signorini_test::random_problem(random, 7);
   const ScaledProblem scaled = equilibrate(problem);
@@ -100,7 +100,7 @@ TEST_CASE("closing pairs leaves no gap in them and no force elsewhere", "[closin
   }
 }
 
-TEST_CASE("a nearly singular block is solved to the last digits", "[closing]") {
+TEST_CASE("a nearly singular block is solved to the last digits", "[active_set]") {
   // G_ij = 1 - |i - j| 2^-22 has a condition number of 1e8; forces are whole, so d is exact.
   const Eigen::Index n = 6;
   Eigen::MatrixXd G(n, n);
@@ -116,7 +116,7 @@ TEST_CASE("a nearly singular block is solved to the last digits", "[closing]") {
 }
 
 TEST_CASE("of rows that repeat each other the first is kept, and closes the others if it can",
-          "[closing]") {
+          "[active_set]") {
   const std::vector<ContactStatus> both = statuses_of({0, 1}, 2);
   const ScaledProblem same = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -1)});
   for (const Eigen::Index first : {0, 1}) {
@@ -134,7 +134,7 @@ TEST_CASE("of rows that repeat each other the first is kept, and closes the othe
 }
 
 TEST_CASE("a dependent block is found out, whatever rounding leaves of its last pivot",
-          "[closing]") {
+          "[active_set]") {
   // Six rows of length 1 in a space of four dimensions: G is exact and singular, its factor is rounded.
   signorini_test::Random random(14);
   int found = 0;
@@ -147,7 +147,7 @@ TEST_CASE("a dependent block is found out, whatever rounding leaves of its last 
   CHECK(found == 200);
 }
 
-TEST_CASE("a singular block that rounding lets pass gives no solution", "[closing]") {
+TEST_CASE("a singular block that rounding lets pass gives no solution", "[active_set]") {
   // Rows 0, 2 and 3 satisfy a_0 + (a_2 + a_3) / 2 = 0 and contradict each other: the last pivot is 2e-15,
   // the forces are 1e15, and gaps of the size of the overlaps are rounding.
   Eigen::Matrix3d G;
@@ -161,7 +161,7 @@ TEST_CASE("a singular block that rounding lets pass gives no solution", "[closin
         SolveStatus::Solved);
 }
 
-TEST_CASE("what is solved only before scaling back is not called solved", "[closing][hard]") {
+TEST_CASE("what is solved only before scaling back is not called solved", "[active_set][hard]") {
   // Both matrices are singular but for rounding; found among random problems.
   Eigen::MatrixXd first(4, 4);
   first << 10, 0, -5, -7, 0, 9, -2, -6, -5, -2, 10, 4, -7, -6, 4, 9;
