@@ -152,12 +152,12 @@ ContactState friction_split_literal(const ContactProblem& problem, const SolverO
   VectorXd x = VectorXd::Zero(equations.size());
   if (equations.modes() > 0) {  // from no force at all no pair would hold the modes
     const ScaledProblem scaled = equilibrate(problem);
-    x.head(equations.rows()) = scaled.scale.cwiseProduct(first_attempt(scaled).closure.force);
+    x.head(equations.rows()) = scaled.scale.cwiseProduct(first_attempt(scaled).solution.force);
   }
   equations.choose_closed(x);
   Report report;
   std::string reason = iterate(equations, options, x, report);
-  Closure end;
+  ActiveSetSolution end;
   equations.read(x, end);
   std::vector<ContactStatus> statuses = statuses_of({}, equations.pairs());
   predict(raw, end, 1, statuses);

@@ -97,8 +97,8 @@ class Tableau {
   }
 
   /// Forces and gaps of the basis; an artificial number is an overlap or a tension.
-  [[nodiscard]] Closure numbers() const {
-    Closure now;
+  [[nodiscard]] ActiveSetSolution numbers() const {
+    ActiveSetSolution now;
     now.force.setZero(n_);
     now.movement.setZero(n_);
     for (Index row = 0; row < n_; ++row)
@@ -108,7 +108,7 @@ class Tableau {
   }
 
   [[nodiscard]] Iteration summary(double first_sum) const {
-    const Closure now = numbers();
+    const ActiveSetSolution now = numbers();
     Iteration entry;
     entry.active = static_cast<Index>(closed().size());
     entry.changes = static_cast<Index>(artificial_.sum());

@@ -41,7 +41,7 @@ class Sweeps {
       }
       if (!last) continue;
       report_.status = SolveStatus::IterationLimit;
-      Closure now;
+      ActiveSetSolution now;
       now.force = force_;
       now.movement = gap_;
       return finished(posed, problem_, now, statuses_of(candidates, n), std::move(report_));

@@ -31,26 +31,26 @@ class LiteralMethod {
 
  private:
   /// VIO: pairs that overlap.
-  [[nodiscard]] std::vector<Index> violated(const Closure& point) const;
+  [[nodiscard]] std::vector<Index> violated(const ActiveSetSolution& point) const;
   /// QAS, chosen among these. \PaperEq{XuanLi2002, 37}
   [[nodiscard]] std::vector<Index> quasi_active(std::vector<Index> rows) const;
   /// Puts the largest overlap first; overlaps that differ by rounding only keep their order.
   void sort_by_violation(std::vector<Index>& rows) const;
   /// Pairs without gap.
-  [[nodiscard]] std::vector<Index> tight(const Closure& point) const;
+  [[nodiscard]] std::vector<Index> tight(const ActiveSetSolution& point) const;
   /// Gaps that belong to the forces.
-  void place(Closure& point) const;
+  void place(ActiveSetSolution& point) const;
   /// One entry of the history.
-  void note(const Closure& point, Index overlapping);
+  void note(const ActiveSetSolution& point, Index overlapping);
   /// The problem with some rows alone and given gaps of them: forces that are never tensile.
   /// The paper's (28) does not converge, so the weights are found exactly.
   /// \PaperEq{XuanLi2002, 38}, \PaperEq{XuanLi2002, 39}
-  bool solve(const std::vector<Index>& rows, const VectorXd& gap, Closure& best);
+  bool solve(const std::vector<Index>& rows, const VectorXd& gap, ActiveSetSolution& best);
   /// u^0, u^1, ..., u^k: \PaperEq{XuanLi2002, 30} to \PaperEq{XuanLi2002, 32}, moved by
   /// \PaperEq{XuanLi2002, 36}.
   bool outer_loop();
   /// Whether the present point is the best one for the pairs that are tight at it.
-  [[nodiscard]] bool close_to(const Closure& best) const;
+  [[nodiscard]] bool close_to(const ActiveSetSolution& best) const;
   /// The tight pairs alone and the way there. \PaperEq{XuanLi2002, 33} to \PaperEq{XuanLi2002, 35}
   bool last_step();
   /// The end is the solution if the rows that are tight there have no better one.
@@ -62,7 +62,7 @@ class LiteralMethod {
   double tolerance_;
   double largest_overlap_;  // without contact
   Index limit_;
-  Closure now_;
+  ActiveSetSolution now_;
   QuasiActiveRun way_;
   Report report_;
 };
@@ -80,13 +80,14 @@ LiteralMethod::LiteralMethod(const ContactProblem& problem, const SolverOptions&
   place(now_);
 }
 
-void LiteralMethod::place(Closure& point) const {  // with unit diagonal no |G_ij| exceeds 1
+void LiteralMethod::place(
+    ActiveSetSolution& point) const {  // with unit diagonal no |G_ij| exceeds 1
   const double unit = static_cast<double>(point.force.size() + 1) * epsilon;
   point.movement = scaled_.free + scaled_.compliance * point.force;
   point.movement_rounding = unit * (scaled_.free.array().abs() + point.force.sum());
 }
 
-std::vector<Index> LiteralMethod::violated(const Closure& point) const {
+std::vector<Index> LiteralMethod::violated(const ActiveSetSolution& point) const {
   std::vector<Index> rows;
   for (Index i = 0; i < point.movement.size(); ++i)
     if (point.movement(i) < -std::max(point.movement_rounding(i), tolerance_ * largest_overlap_))
@@ -124,7 +125,7 @@ std::vector<Index> LiteralMethod::quasi_active(std::vector<Index> rows) const {
   return rows;
 }
 
-std::vector<Index> LiteralMethod::tight(const Closure& point) const {
+std::vector<Index> LiteralMethod::tight(const ActiveSetSolution& point) const {
   const double small = std::sqrt(tolerance_) * largest_overlap_;
   std::vector<Index> rows;
   for (Index i = 0; i < point.movement.size(); ++i)
@@ -132,7 +133,7 @@ std::vector<Index> LiteralMethod::tight(const Closure& point) const {
   return rows;
 }
 
-void LiteralMethod::note(const Closure& point, Index overlapping) {
+void LiteralMethod::note(const ActiveSetSolution& point, Index overlapping) {
   const VectorXd gap = point.movement.cwiseQuotient(scaled_.scale);
   const double dual_energy = -0.5 * point.force.dot(scaled_.free + point.movement);
   report_.history.push_back({(point.force.array() > 0).count(), overlapping,
@@ -140,7 +141,8 @@ void LiteralMethod::note(const Closure& point, Index overlapping) {
                              dual_energy});
 }
 
-bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap, Closure& best) {
+bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap,
+                          ActiveSetSolution& best) {
   best.force.setZero(scaled_.free.size());
   if (!rows.empty()) {
     const ContactProblem part{scaled_.compliance(rows, rows), gap(rows)};
@@ -167,7 +169,7 @@ bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap, C
 }
 
 bool LiteralMethod::outer_loop() {
-  for (Closure step;; ++way_.outer_steps) {
+  for (ActiveSetSolution step;; ++way_.outer_steps) {
     const std::vector<Index> overlapping = violated(now_);
     note(now_, static_cast<Index>(overlapping.size()));
     if (overlapping.empty()) return true;
@@ -186,7 +188,7 @@ bool LiteralMethod::outer_loop() {
 
 bool LiteralMethod::last_step() {
   way_.tight = tight(now_);
-  Closure next;  // (33), with the first objective
+  ActiveSetSolution next;  // (33), with the first objective
   if (!solve(way_.tight, scaled_.free, next)) return false;
   place(next);
   way_.optimal = close_to(next);
@@ -200,7 +202,7 @@ bool LiteralMethod::last_step() {
   return true;
 }
 
-bool LiteralMethod::close_to(const Closure& best) const {
+bool LiteralMethod::close_to(const ActiveSetSolution& best) const {
   const double distance = (best.force - now_.force).dot(best.movement - now_.movement);  // squared
   const double energy = -0.5 * best.force.dot(scaled_.free + best.movement);
   return distance <= tolerance_ * energy;
@@ -209,7 +211,7 @@ bool LiteralMethod::close_to(const Closure& best) const {
 void LiteralMethod::judge() {
   report_.status = SolveStatus::Feasible;
   const Report so_far = report_;
-  Closure best;
+  ActiveSetSolution best;
   if (!solve(tight(now_), scaled_.free, best)) {
     report_ = so_far;
     way_.state.infeasibility.resize(0);

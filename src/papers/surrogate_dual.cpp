@@ -39,7 +39,7 @@ std::vector<Index> guess(const WeightIteration& run) {
 Confirmed without_tension(const ScaledProblem& scaled, std::vector<Index> candidates) {
   while (true) {
     if (auto found = confirmed(scaled, candidates)) return found;
-    const Closure now = close(scaled, KnownSet{candidates});
+    const ActiveSetSolution now = solve_active_set(scaled, KnownSet{candidates});
     const auto pulls = [&now](Index i) { return now.force(i) <= 0; };
     const auto kept = std::remove_if(candidates.begin(), candidates.end(), pulls);
     if (now.rows.size() < candidates.size() || kept == candidates.end()) return std::nullopt;
@@ -64,7 +64,7 @@ bool is_proof(const ContactProblem& unit, const Eigen::VectorXd& y) {
 /// The present forces, which are no solution.
 ContactState unfinished(const ContactProblem& problem, const ScaledProblem& scaled,
                         const WeightIteration& run, Report report) {
-  Closure now;
+  ActiveSetSolution now;
   const double total = std::isfinite(run.total_force()) ? run.total_force() : 0;
   now.force = total * run.weights();
   now.movement = -run.overlap();

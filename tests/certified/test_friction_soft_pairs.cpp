@@ -102,8 +102,8 @@ TEST_CASE("few entries or all of them: the same closure", "[friction][soft]") {
   SECTION("more forces than unknowns: the gaps and slips are the same") {
     const std::vector<ContactStatus> stuck(static_cast<std::size_t>(dense.pairs()),
                                            ContactStatus::Stick);
-    const Closure all = close(dense, stuck);
-    const Closure few = close(sparse(), stuck);
+    const ActiveSetSolution all = solve_active_set(dense, stuck);
+    const ActiveSetSolution few = solve_active_set(sparse(), stuck);
     REQUIRE(all.solvable);
     REQUIRE(few.solvable);
     CHECK((dense.compliance * (few.force - all.force)).norm() <= 1e-13 * all.force.norm());
@@ -122,8 +122,8 @@ TEST_CASE("few entries or all of them: the same closure", "[friction][soft]") {
       std::vector<ContactStatus> statuses;
       for (Index i = 0; i < dense.pairs(); ++i)
         statuses.push_back(static_cast<ContactStatus>(random.uniform(0, 4)));
-      const Closure all = close(dense, statuses);
-      const Closure few = close(sparse(), statuses);
+      const ActiveSetSolution all = solve_active_set(dense, statuses);
+      const ActiveSetSolution few = solve_active_set(sparse(), statuses);
       CAPTURE(floating, sample);
       REQUIRE(all.solvable);
       REQUIRE(few.solvable);

@@ -68,12 +68,12 @@ TEST_CASE("closed pairs that cannot balance the load are no solution of their eq
   problem.rigid = Vector2d(1, 1);
   problem.resultant = Eigen::VectorXd::Constant(1, 2);
   const ScaledProblem scaled = equilibrate(problem);
-  CHECK_FALSE(close(scaled, KnownSet{}).solvable);
-  const Closure one = close(scaled, KnownSet{{0}});
+  CHECK_FALSE(solve_active_set(scaled, KnownSet{}).solvable);
+  const ActiveSetSolution one = solve_active_set(scaled, KnownSet{{0}});
   CHECK(one.solvable);
   CHECK(one.force(0) == Approx(2));
   CHECK(one.movement(1) == Approx(-1));  // 2 + a with 1 + 2 + a = 0
-  const Closure both = close(scaled, KnownSet{{0, 1}});
+  const ActiveSetSolution both = solve_active_set(scaled, KnownSet{{0, 1}});
   CHECK(both.solvable);
   CHECK((both.force - Vector2d(1.5, 0.5)).norm() < 1e-14);
 }
@@ -107,7 +107,7 @@ TEST_CASE("a determinant of the wrong sign warns of other solutions", "[active_s
   const ScaledProblem scaled = equilibrate(problem);
   for (const ContactStatus contact_status : {ContactStatus::Open, ContactStatus::SlipForward}) {
     const std::vector<ContactStatus> both(2, contact_status);
-    const Closure end = close(scaled, both);
+    const ActiveSetSolution end = solve_active_set(scaled, both);
     CHECK(solves(scaled, both, end));
     CHECK(end.reversed == (contact_status == ContactStatus::SlipForward));
     CHECK(uniqueness(scaled, both, end) == (contact_status == ContactStatus::SlipForward
@@ -151,9 +151,9 @@ TEST_CASE("one solution is proved only if the pairs that press leave no body fre
     const ScaledProblem scaled = equilibrate(problem);
     const std::vector<ContactStatus> statuses = {load > 0 ? ContactStatus::SlipForward
                                                           : ContactStatus::Open};
-    const Closure closure = close(scaled, statuses);
-    CHECK(closure.solvable);
-    return uniqueness(scaled, statuses, closure);
+    const ActiveSetSolution solution = solve_active_set(scaled, statuses);
+    CHECK(solution.solvable);
+    return uniqueness(scaled, statuses, solution);
   };
   CHECK(verdict({1, 0}, 1, 1.5) == Uniqueness::Proved);
   CHECK(verdict({1, 0}, 1, 0) == Uniqueness::Unknown);  // it hovers, how high nothing says

@@ -76,7 +76,7 @@ TEST_CASE("what pairs would do if the contact ended elsewhere is what the closed
   const ScaledProblem scaled = equilibrate(run.condensed.problem);
   const auto closed_as = [&](std::vector<Index> set) {
     std::sort(set.begin(), set.end());
-    return close(scaled, statuses_of(set, pairs));
+    return solve_active_set(scaled, statuses_of(set, pairs));
   };
   std::vector<Index> more = active, fewer = active;
   more.push_back(open);

@@ -108,8 +108,9 @@ TEST_CASE("the free boundary: the cubic through three ends of the contact",
   };
   const auto closed = [&](std::vector<Index> set) {
     std::sort(set.begin(), set.end());
-    const Closure closure = close(scaled, statuses_of(set, pairs));
-    return Closed{closure.force.cwiseProduct(scaled.scale).sum(), closure.force, closure.movement};
+    const ActiveSetSolution solution = solve_active_set(scaled, statuses_of(set, pairs));
+    return Closed{solution.force.cwiseProduct(scaled.scale).sum(), solution.force,
+                  solution.movement};
   };
   // The beam lies on its tip: contact ends at one place only.
   std::vector<Index> more = active, fewer = active;

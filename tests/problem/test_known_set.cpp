@@ -15,13 +15,13 @@ ContactStatus next(ContactStatus contact_status, const Vector2d& force, const Ve
   const ScaledProblem problem = equilibrate(
       {Eigen::Matrix2d::Identity(), Eigen::VectorXd::Constant(1, -1), Eigen::VectorXd::Zero(1),
        law_of_all(Eigen::VectorXd::Constant(1, 0.5), Eigen::VectorXd::Zero(1))});
-  Closure closure;
-  closure.force = force;
-  closure.movement = movement;
-  closure.force_rounding = rounding;
-  if (rounding > 0) closure.movement_rounding = Vector2d::Constant(rounding);
+  ActiveSetSolution solution;
+  solution.force = force;
+  solution.movement = movement;
+  solution.force_rounding = rounding;
+  if (rounding > 0) solution.movement_rounding = Vector2d::Constant(rounding);
   std::vector<ContactStatus> statuses = {contact_status};
-  const Eigen::Index changes = predict(problem, closure, 1, statuses);
+  const Eigen::Index changes = predict(problem, solution, 1, statuses);
   CHECK(changes == (statuses.front() != contact_status ? 1 : 0));
   return statuses.front();
 }

@@ -147,7 +147,8 @@ TEST_CASE("a claim without a proof that holds is withdrawn", "[found][proof]") {
     const ScaledProblem scaled = equilibrate(wedged);
     Report report;
     report.status = SolveStatus::Infeasible;
-    return finished(wedged, scaled, close(scaled, KnownSet{}), statuses_of({}, 2), report, proof);
+    return finished(wedged, scaled, solve_active_set(scaled, KnownSet{}), statuses_of({}, 2),
+                    report, proof);
   };
   CHECK(claimed({}).report.status == SolveStatus::Breakdown);
   CHECK(claimed(Vector2d(1, 0.5)).report.status == SolveStatus::Breakdown);

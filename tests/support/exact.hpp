@@ -81,7 +81,7 @@ struct Rest {
 };
 
 /// Closes some rows of a body that would rest at `start` without them; forces of any sign.
-inline Rest close(const Programme& q, const Set& rows, const Vector& start) {
+inline Rest solve_active_set(const Programme& q, const Set& rows, const Vector& start) {
   Rows G(rows.size(), Vector(rows.size()));
   Vector overlap;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -103,7 +103,7 @@ inline Rest closest(const Programme& q, const Set& rows, const Vector& start) {
     Set closed;
     for (std::size_t k = 0; k < rows.size(); ++k)
       if ((code >> k & 1U) != 0) closed.push_back(rows[k]);
-    Rest rest = close(q, closed, start);
+    Rest rest = solve_active_set(q, closed, start);
     bool right = !rest.u.empty();
     for (const std::size_t i : rows)
       right = right && !(rest.force[i] < 0) && !(gap(q, i, rest.u) < 0);

@@ -72,7 +72,7 @@ void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd
   const Index pairs = problem.pairs();
   const Index slips = rows - pairs;
   const Index k = problem.rigid.cols();
-  Closure& now = attempt.closure;
+  ActiveSetSolution& now = attempt.solution;
   now.force = z.head(rows);
   now.amplitude = z.segment(rows + slips, k) - z.tail(k);
   const auto bound = [&](Index j) {

@@ -84,7 +84,7 @@ namespace signorini {
 /// \return the verdict
 [[nodiscard]] Uniqueness uniqueness(const ScaledProblem& problem,
                                     const std::vector<ContactStatus>& statuses,
-                                    const Closure& solution, double work = 1e8);
+                                    const ActiveSetSolution& solution, double work = 1e8);
 
 /// Which pair a warning of uniqueness() rests on.
 ///
@@ -96,6 +96,6 @@ namespace signorini {
 /// \param solution  a confirmed one that is `Doubtful`
 /// \return pair and determinant
 [[nodiscard]] Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-                          const Closure& solution);
+                          const ActiveSetSolution& solution);
 
 }  // namespace signorini

@@ -275,10 +275,10 @@ Refinement refine(const RefinementData& data, PrimalDual start, const VectorXd& 
   return Refining(data, std::move(start), force, statuses).run();
 }
 
-Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,
-                       const VectorXd& movement, double part) {
+ActiveSetSolution scaled_numbers(const RefinementData& data, const PrimalDual& solution,
+                                 const VectorXd& movement, double part) {
   const VectorXd& scale = data.scaled.scale;
-  Closure numbers;
+  ActiveSetSolution numbers;
   numbers.force = solution.force.cwiseQuotient(scale);
   numbers.movement = movement.cwiseProduct(scale);
   numbers.force_rounding = part * largest(numbers.force);
@@ -292,7 +292,7 @@ Judgement judge(const RefinementData& data, const Refinement& refined,
   // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.
   const double contradicted =
       std::max(rounding, certificate_tolerance) * length_of(data, refined.solution);
-  Closure numbers = scaled_numbers(data, refined.solution, refined.movement, rounding);
+  ActiveSetSolution numbers = scaled_numbers(data, refined.solution, refined.movement, rounding);
   bool closes = true;
   for (const Index row : known_set(statuses, data.condensed.law).closed) {
     if (std::abs(refined.movement(row)) > contradicted) closes = false;

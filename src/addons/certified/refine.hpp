@@ -102,8 +102,9 @@ struct Judgement {
 /// \param part      of the largest force, and of the largest displacement and initial gap, that counts as
 ///   rounding [-]
 /// \return forces and movements of all rows with these roundings [sqrt(energy)]
-[[nodiscard]] Closure scaled_numbers(const RefinementData& data, const PrimalDual& solution,
-                                     const Eigen::VectorXd& movement, double part);
+[[nodiscard]] ActiveSetSolution scaled_numbers(const RefinementData& data,
+                                               const PrimalDual& solution,
+                                               const Eigen::VectorXd& movement, double part);
 
 /// Looks at all signs beyond rounding, by predict(): closed pairs press, open ones do not overlap, friction
 /// forces of sticking pairs keep their bound, sliding ones resist.

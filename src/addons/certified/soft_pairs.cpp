@@ -25,7 +25,7 @@ constexpr double softer = 4;
 
 /// Exchanges from where an attempt stands. \param report  gets them added
 Attempt exchanged(const ScaledProblem& problem, const Attempt& from, Index limit, Report& report) {
-  Attempt next{from.closure, from.statuses, {}};
+  Attempt next{from.solution, from.statuses, {}};
   exchange_motions(problem, limit, next);
   append(report, next.report);
   return next;
@@ -36,12 +36,12 @@ Attempt exchanged(const ScaledProblem& problem, const Attempt& from, Index limit
 void follow_soft_pairs(const ScaledProblem& problem, Attempt& attempt) {
   const Index most = attempt.report.iterations + exchange_limit + 2 * problem.free.size();
   ScaledProblem soft = problem;
-  Attempt at{attempt.closure, attempt.statuses, {}};
+  Attempt at{attempt.solution, attempt.statuses, {}};
   for (double softness = 1; softness > epsilon && attempt.report.iterations < most;) {
     soft.compliance.diagonal() = problem.compliance.diagonal().array() + softness;
     for (Index i = 0; i < soft.sparse.cols(); ++i)
       soft.sparse.coeffRef(i, i) = soft.compliance(i, i);
-    soft.free = problem.free - softness * at.closure.force;
+    soft.free = problem.free - softness * at.solution.force;
     Attempt next = exchanged(soft, at, few, attempt.report);
     softness *= next.confirmed ? harder : softer;
     if (!next.confirmed) continue;

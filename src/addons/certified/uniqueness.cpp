@@ -85,7 +85,7 @@ bool bound_excludes_others(const ScaledProblem& problem) {
 }
 
 /// Whether pairs whose forces are no rounding let no body move rigidly.
-bool holds_modes(const ScaledProblem& problem, const Closure& solution) {
+bool holds_modes(const ScaledProblem& problem, const ActiveSetSolution& solution) {
   if (problem.inverse.rows() > problem.rigid.cols()) return false;  // a motion that moves no pair
   if (problem.rigid.cols() == 0) return true;
   std::vector<Index> pressed;
@@ -96,25 +96,25 @@ bool holds_modes(const ScaledProblem& problem, const Closure& solution) {
   return column_span(held).rank == problem.rigid.cols();
 }
 
-/// Whether a closure is a solution whose forces or movements are others, beyond rounding.
+/// Whether an active-set solution is a solution whose forces or movements are others, beyond rounding.
 bool is_another(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-                const Closure& closure, const Closure& solution) {
+                const ActiveSetSolution& other, const ActiveSetSolution& solution) {
   const double known = 1e3 * proof_rounding;  // a thousand roundings of what a proof allows
   const auto differ = [known](const VectorXd& a, const VectorXd& b) {
     return largest(a - b) > known * std::max(largest(a), largest(b));
   };
-  return (differ(closure.force, solution.force) || differ(closure.movement, solution.movement)) &&
-         solves(problem, statuses, closure);
+  return (differ(other.force, solution.force) || differ(other.movement, solution.movement)) &&
+         solves(problem, statuses, other);
 }
 
 /// Looks for another solution where one pair does something else: the others follow it by predict() while fewer and
 /// fewer change.
 /// \param[in,out] sets  that may still be closed
 bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<ContactStatus> statuses,
-                     const Closure& solution, Index& sets) {
+                     const ActiveSetSolution& solution, Index& sets) {
   const ContactStatus kept = statuses[static_cast<std::size_t>(pair)];
   for (Index last = problem.pairs() + 1; last > 0 && sets > 0; --sets) {
-    const Closure now = close(problem, statuses);
+    const ActiveSetSolution now = solve_active_set(problem, statuses);
     if (is_another(problem, statuses, now, solution)) return true;
     const std::vector<ContactStatus> before = statuses;
     predict(problem, now, reach(problem), statuses);
@@ -130,7 +130,7 @@ bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<Conta
 /// Whether another solution was found beside one: a pair whose own determinant is negative does something else there.
 /// The most negative one begins.
 bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-                   const Closure& solution, double work) {
+                   const ActiveSetSolution& solution, double work) {
   std::vector<std::pair<double, Index>> doubtful;
   for (Index k = 0; k < problem.law.coefficient.size(); ++k)
     if (const double own = own_determinant(problem, k); own < 0)
@@ -153,7 +153,7 @@ bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus
 }  // namespace
 
 Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-                      const Closure& solution, double work) {
+                      const ActiveSetSolution& solution, double work) {
   const FrictionLaw& law = problem.law;
   const bool floats = problem.rigid.cols() > 0;
   const bool holds_together = !law.cohesion.isZero(0);
@@ -166,7 +166,7 @@ Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactSta
 }
 
 Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-            const Closure& solution) {
+            const ActiveSetSolution& solution) {
   if (solution.reversed) return doubt_of_set(problem, known_set(statuses, problem.law));
   Doubt least;
   for (Index k = 0; k < problem.law.coefficient.size(); ++k)

@@ -58,7 +58,7 @@ std::optional<double> balanced_until(double begin, double end, const Model& mode
 std::optional<double> first_change(const PathState& past, const ContactProblem& problem) {
   if (past.steps == 0) return std::nullopt;
   const ScaledProblem scaled = equilibrate(problem);
-  const Closure end = close(scaled, past.contact_status);
+  const ActiveSetSolution end = solve_active_set(scaled, past.contact_status);
   if (!end.solvable) return std::nullopt;
   const VectorXd& now = past.solution.force;
   const VectorXd then = scaled.scale.cwiseProduct(end.force);

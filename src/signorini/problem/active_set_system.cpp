@@ -61,7 +61,8 @@ void impose(const KnownSet& set, VectorXd& force) {
 }
 
 /// The numbers to start from: no force that the set excludes.
-void begin(const ScaledProblem& problem, const Rows& support, const Closure* start, Closure& now) {
+void begin(const ScaledProblem& problem, const Rows& support, const ActiveSetSolution* start,
+           ActiveSetSolution& now) {
   now.force.setZero(problem.free.size());
   now.amplitude.setZero(problem.rigid.cols());
   if (start == nullptr) return;
@@ -72,7 +73,7 @@ void begin(const ScaledProblem& problem, const Rows& support, const Closure* sta
 }
 
 /// All movements of the forces, what rounding may have done to them, and whether the equations hold.
-void settle(const ScaledProblem& problem, const Rows& support, Closure& now) {
+void settle(const ScaledProblem& problem, const Rows& support, ActiveSetSolution& now) {
   const Index modes = problem.rigid.cols();
   now.movement = problem.free;
   VectorXd size = problem.free.cwiseAbs();
@@ -241,12 +242,13 @@ std::pair<VectorXd, VectorXd> ActiveSetSystem::solve(const VectorXd& top,
   return {factor_.solve(load), amplitude};
 }
 
-Closure close(const ScaledProblem& problem, const KnownSet& set, const Closure* start) {
+ActiveSetSolution solve_active_set(const ScaledProblem& problem, const KnownSet& set,
+                                   const ActiveSetSolution* start) {
   const ActiveSetSystem system(problem, set);
   const Rows& rows = system.rows();
   Rows support = set.closed;
   for (const SlidingPair& pair : set.sliding) support.push_back(pair.slip);
-  Closure now;
+  ActiveSetSolution now;
   now.rows = rows;
   std::sort(now.rows.begin(), now.rows.end());
   now.reversed = system.reversed();
@@ -285,9 +287,10 @@ Closure close(const ScaledProblem& problem, const KnownSet& set, const Closure* 
   return now;
 }
 
-Closure close(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-              const Closure* start) {
-  return close(problem, known_set(statuses, problem.law), start);
+ActiveSetSolution solve_active_set(const ScaledProblem& problem,
+                                   const std::vector<ContactStatus>& statuses,
+                                   const ActiveSetSolution* start) {
+  return solve_active_set(problem, known_set(statuses, problem.law), start);
 }
 
 }  // namespace signorini

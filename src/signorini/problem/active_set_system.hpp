@@ -118,7 +118,7 @@ class ActiveSetSystem {
                                              const KnownSet& set);
 
 /// Forces and movements when what all pairs do is known; scaled numbers [sqrt(energy)].
-struct Closure {
+struct ActiveSetSolution {
   Eigen::VectorXd force;           ///< of all rows; tension < 0 is possible
   Eigen::VectorXd movement;        ///< of all rows: gaps, then slips; exactly 0 in `rows`
   Eigen::VectorXd amplitude;       ///< b `k`
@@ -141,53 +141,53 @@ struct Closure {
 /// \param start      where to start, or null: of rows that repeat others and of amplitudes that nothing holds
 ///                   this is kept, else it is zero
 /// \return forces, movements and amplitudes, of any sign
-[[nodiscard]] Closure close(const ScaledProblem& problem, const KnownSet& set,
-                            const Closure* start = nullptr);
+[[nodiscard]] ActiveSetSolution solve_active_set(const ScaledProblem& problem, const KnownSet& set,
+                                                 const ActiveSetSolution* start = nullptr);
 
 /// The same for statuses of pairs.
 /// \param problem  scaled
 /// \param statuses  `n_c`
 /// \param start    as above
 /// \return as above
-[[nodiscard]] Closure close(const ScaledProblem& problem,
-                            const std::vector<ContactStatus>& statuses,
-                            const Closure* start = nullptr);
+[[nodiscard]] ActiveSetSolution solve_active_set(const ScaledProblem& problem,
+                                                 const std::vector<ContactStatus>& statuses,
+                                                 const ActiveSetSolution* start = nullptr);
 
 /// What numbers say of each pair: it is closed if its force exceeds its gap, and then slides if |tau - slip|
 /// exceeds the bound of the force less the gap.
 ///
 /// At a solution all this is as it is said; elsewhere it is the guess of a projection
-/// [\ref AlartCurnier1991]. Of a closure, what rounding may have done decides nothing.
+/// [\ref AlartCurnier1991]. Of an active-set solution, what rounding may have done decides nothing.
 /// \param problem  scaled
-/// \param closure  any numbers; without roundings these count as 0
+/// \param solution  any numbers; without roundings these count as 0
 /// \param reach    forces count reach times against gaps and slips
 /// \param[in,out] statuses  `n_c`: what was assumed, and then what the numbers say
 /// \return how many entries of `statuses` changed
-Eigen::Index predict(const ScaledProblem& problem, const Closure& closure, double reach,
+Eigen::Index predict(const ScaledProblem& problem, const ActiveSetSolution& solution, double reach,
                      std::vector<ContactStatus>& statuses);
 
-/// Whether a closure is a solution: no force is tensile, no pair overlaps, friction keeps its bound and resists,
+/// Whether an active-set solution is a solution: no force is tensile, no pair overlaps, friction keeps its bound and resists,
 /// all beyond rounding; and rounding is so small that certify() agrees. It does not where a system passed
 /// as regular only because of its rounding: then the forces are huge, and any gap could be rounding.
 /// \param problem  scaled
 /// \param statuses  `n_c` that were assumed
-/// \param closure  from close() of them
+/// \param solution  from solve_active_set() of them
 /// \return whether a solver may say Solved
 [[nodiscard]] bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-                          const Closure& closure);
+                          const ActiveSetSolution& solution);
 
-/// A closure that is a solution, and the statuses that it belongs to.
-using Confirmed = std::optional<std::pair<Closure, std::vector<ContactStatus>>>;
+/// A solution of an active set that solves the problem, and the statuses that it belongs to.
+using Confirmed = std::optional<std::pair<ActiveSetSolution, std::vector<ContactStatus>>>;
 
 /// Ends a method that only guesses which pairs are closed: takes as many of them as are independent, closes
 /// these exactly, and looks whether that is a solution.
 /// \param problem     scaled, without friction
 /// \param candidates  pairs taken as closed, the most certain first
-/// \param start       as of close()
+/// \param start       as of solve_active_set()
 /// \return forces and movements if they are a solution, see solves(); otherwise nothing
 [[nodiscard]] Confirmed confirmed(const ScaledProblem& problem,
                                   const std::vector<Eigen::Index>& candidates,
-                                  const Closure* start = nullptr);
+                                  const ActiveSetSolution* start = nullptr);
 
 /// Names the direction of pairs that slide without a friction force after their slip: a method need not know it. Where
 /// there is a friction force it tells the direction, also of a slip that is nothing but rounding.
@@ -198,13 +198,13 @@ void name_slides(const FrictionLaw& law, ContactState& state);
 /// One entry of a history, in the units of the problem as it was posed.
 /// \param problem  scaled
 /// \param statuses  `n_c`
-/// \param closure  forces and movements
+/// \param solution  forces and movements
 /// \param changes  pairs that change
 /// \return closed pairs, changes, the largest overlap of an open pair and tension of a closed one; the dual energy
 ///   of held bodies without friction
 [[nodiscard]] Iteration summary(const ScaledProblem& problem,
-                                const std::vector<ContactStatus>& statuses, const Closure& closure,
-                                Eigen::Index changes);
+                                const std::vector<ContactStatus>& statuses,
+                                const ActiveSetSolution& solution, Eigen::Index changes);
 
 /// \param iteration  from 0
 /// \return whether the history of a long run keeps it: 0 to 31, then 16 per doubling
@@ -218,14 +218,14 @@ void name_slides(const FrictionLaw& law, ContactState& state);
 /// posed does not confirm: scaling back is rounded, which dependent pairs with large forces can notice.
 /// \param problem  as it was posed
 /// \param scaled   the same, equilibrated
-/// \param closure  forces, movements and amplitudes; of a solution, negative ones, which may be rounding, become 0
+/// \param solution  forces, movements and amplitudes; of a solution, negative ones, which may be rounding, become 0
 /// \param statuses  `n_c`
 /// \param report   how the solver got there
 /// \param proof    that nothing solves the problem, in its units, or empty
 /// \return the state, `Breakdown` instead of `Solved` if the certificate is worse than 1e-12, and instead of
 ///   `Infeasible`, without the proof, if that does not hold by refutes()
 [[nodiscard]] ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
-                                    const Closure& closure,
+                                    const ActiveSetSolution& solution,
                                     const std::vector<ContactStatus>& statuses, Report report,
                                     Eigen::VectorXd proof = {});
 

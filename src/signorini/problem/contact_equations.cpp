@@ -72,26 +72,26 @@ ContactEquations::ContactEquations(const ScaledProblem& problem, const Formulati
   free_ -= U * (U.transpose() * free_);
 }
 
-VectorXd ContactEquations::unknowns(const Closure& closure) {
+VectorXd ContactEquations::unknowns(const ActiveSetSolution& solution) {
   VectorXd x = VectorXd::Zero(size());
-  x.head(rows()) = reach_ * closure.force;
-  x.segment(rows(), modes()) = closure.amplitude;
+  x.head(rows()) = reach_ * solution.force;
+  x.segment(rows(), modes()) = solution.amplitude;
   if (in_balance_)
     x.segment(rows(), modes()) +=
-        problem_.rigid.transpose() * (problem_.free + problem_.compliance * closure.force);
+        problem_.rigid.transpose() * (problem_.free + problem_.compliance * solution.force);
   choose_closed(x);
   if (form_.start != nullptr) form_.start(*this, x);
   return x;
 }
 
-void ContactEquations::read(const VectorXd& x, Closure& closure) const {
-  closure.force = x.head(rows()) / reach_;
-  closure.movement = movement_;
-  closure.amplitude = x.segment(rows(), modes());
+void ContactEquations::read(const VectorXd& x, ActiveSetSolution& solution) const {
+  solution.force = x.head(rows()) / reach_;
+  solution.movement = movement_;
+  solution.amplitude = x.segment(rows(), modes());
   if (in_balance_)
-    closure.amplitude -=
-        problem_.rigid.transpose() * (problem_.free + problem_.compliance * closure.force);
-  closure.movement_rounding.resize(0);
+    solution.amplitude -=
+        problem_.rigid.transpose() * (problem_.free + problem_.compliance * solution.force);
+  solution.movement_rounding.resize(0);
 }
 
 void ContactEquations::move(const VectorXd& x) {

@@ -64,12 +64,12 @@ class ContactEquations {
     return problem_.law.pair[static_cast<std::size_t>(k)];
   }
   /// Decides which pairs carry cohesion, as choose_closed(), and sets what the formulation adds.
-  /// \param closure  forces and amplitudes
+  /// \param solution  forces and amplitudes
   /// \return all unknowns
-  [[nodiscard]] Eigen::VectorXd unknowns(const Closure& closure);
+  [[nodiscard]] Eigen::VectorXd unknowns(const ActiveSetSolution& solution);
   /// \param x        all unknowns
-  /// \param closure  gets the forces, movements and amplitudes that they stand for
-  void read(const Eigen::VectorXd& x, Closure& closure) const;
+  /// \param solution  gets the forces, movements and amplitudes that they stand for
+  void read(const Eigen::VectorXd& x, ActiveSetSolution& solution) const;
   /// Decides which pairs carry cohesion: those whose force exceeds their gap, or as printed all. \param x  all unknowns
   void choose_closed(const Eigen::VectorXd& x);
   /// Evaluates the equations. \PaperEq{LinEtAl, 28}, \PaperEq{LinEtAl, 30}

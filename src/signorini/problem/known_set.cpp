@@ -64,14 +64,14 @@ std::vector<Index> closed_pairs(const std::vector<ContactStatus>& statuses) {
   return closed;
 }
 
-Index predict(const ScaledProblem& problem, const Closure& closure, double reach,
+Index predict(const ScaledProblem& problem, const ActiveSetSolution& solution, double reach,
               std::vector<ContactStatus>& statuses) {
   const Index pairs = problem.pairs();
   const std::vector<ContactStatus> last = statuses;
-  const bool exact = closure.movement_rounding.size() == 0;
-  const auto rounding = [&](Index row) { return exact ? 0 : closure.movement_rounding(row); };
-  const double force_rounding = exact ? 0 : reach * closure.force_rounding;
-  const auto pressed = [&](Index i) { return reach * closure.force(i) - closure.movement(i); };
+  const bool exact = solution.movement_rounding.size() == 0;
+  const auto rounding = [&](Index row) { return exact ? 0 : solution.movement_rounding(row); };
+  const double force_rounding = exact ? 0 : reach * solution.force_rounding;
+  const auto pressed = [&](Index i) { return reach * solution.force(i) - solution.movement(i); };
   for (Index i = 0; i < pairs; ++i) {
     const bool closed = exact || last[at(i)] == ContactStatus::Open ? pressed(i) > rounding(i)
                                                                     : pressed(i) >= -force_rounding;
@@ -84,7 +84,7 @@ Index predict(const ScaledProblem& problem, const Closure& closure, double reach
     const double mu = problem.law.coefficient(row);
     const double bound = mu * std::max(pressed(i), 0.0) + reach * problem.law.cohesion(row);
     statuses[at(i)] =
-        rubbing(last[at(i)], reach * closure.force(pairs + row), closure.movement(pairs + row),
+        rubbing(last[at(i)], reach * solution.force(pairs + row), solution.movement(pairs + row),
                 bound, (1 + mu) * force_rounding, rounding(pairs + row));
   }
   Index changes = 0;
@@ -93,15 +93,15 @@ Index predict(const ScaledProblem& problem, const Closure& closure, double reach
 }
 
 bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-            const Closure& closure) {
+            const ActiveSetSolution& solution) {
   std::vector<ContactStatus> next = statuses;
-  if (!closure.solvable || predict(problem, closure, 1, next) != 0) return false;
+  if (!solution.solvable || predict(problem, solution, 1, next) != 0) return false;
   for (const Index row : known_set(statuses, problem.law).closed)
-    if (!closure.closes(row)) return false;
-  Claim claim{closure.force, closure.movement, closure.amplitude};
+    if (!solution.closes(row)) return false;
+  Claim claim{solution.force, solution.movement, solution.amplitude};
   const Index pairs = problem.pairs();
-  claim.force.head(pairs) = closure.force.head(pairs).cwiseMax(0.0);
-  claim.movement.head(pairs) = closure.movement.head(pairs).cwiseMax(0.0);
+  claim.force.head(pairs) = solution.force.head(pairs).cwiseMax(0.0);
+  claim.movement.head(pairs) = solution.movement.head(pairs).cwiseMax(0.0);
   // In the units of the problem every number is rounded once more.
   const ProblemBlocks blocks{problem.compliance, problem.free, problem.law, problem.rigid,
                              problem.resultant};
@@ -109,11 +109,11 @@ bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& stat
 }
 
 Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& candidates,
-                    const Closure* start) {
-  Closure closure = close(problem, KnownSet{candidates}, start);
-  std::vector<ContactStatus> statuses = statuses_of(closure.rows, problem.pairs());
-  if (!solves(problem, statuses, closure)) return std::nullopt;
-  return std::make_pair(std::move(closure), std::move(statuses));
+                    const ActiveSetSolution* start) {
+  ActiveSetSolution solution = solve_active_set(problem, KnownSet{candidates}, start);
+  std::vector<ContactStatus> statuses = statuses_of(solution.rows, problem.pairs());
+  if (!solves(problem, statuses, solution)) return std::nullopt;
+  return std::make_pair(std::move(solution), std::move(statuses));
 }
 
 void name_slides(const FrictionLaw& law, ContactState& state) {
@@ -128,18 +128,18 @@ void name_slides(const FrictionLaw& law, ContactState& state) {
 }
 
 Iteration summary(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-                  const Closure& closure, Index changes) {
+                  const ActiveSetSolution& solution, Index changes) {
   Iteration entry{0, changes, 0, 0};
   for (Index i = 0; i < problem.pairs(); ++i)
     if (statuses[at(i)] == ContactStatus::Open) {
-      entry.penetration = std::max(entry.penetration, -closure.movement(i) / problem.scale(i));
+      entry.penetration = std::max(entry.penetration, -solution.movement(i) / problem.scale(i));
     } else {
       ++entry.active;
-      entry.tension = std::max(entry.tension, -closure.force(i) * problem.scale(i));
+      entry.tension = std::max(entry.tension, -solution.force(i) * problem.scale(i));
     }
   // gap = d + G lambda, so -d.lambda - 1/2 lambda.G lambda = -1/2 lambda.(d + gap)
   if (problem.rigid.cols() == 0 && problem.law.pair.empty())
-    entry.dual_energy = -0.5 * closure.force.dot(problem.free + closure.movement);
+    entry.dual_energy = -0.5 * solution.force.dot(problem.free + solution.movement);
   return entry;
 }
 
@@ -159,12 +159,12 @@ std::vector<Index> by_falling(const VectorXd& weight) {
 }
 
 ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
-                      const Closure& closure, const std::vector<ContactStatus>& statuses,
+                      const ActiveSetSolution& solution, const std::vector<ContactStatus>& statuses,
                       Report report, VectorXd proof) {
   const Index pairs = scaled.pairs();
   const Index slips = scaled.free.size() - pairs;
-  const VectorXd force = scaled.scale.cwiseProduct(closure.force);
-  VectorXd movement = closure.movement.cwiseQuotient(scaled.scale);
+  const VectorXd force = scaled.scale.cwiseProduct(solution.force);
+  VectorXd movement = solution.movement.cwiseQuotient(scaled.scale);
   ContactState state;
   if (report.status == SolveStatus::Solved)
     for (const Index row : known_set(statuses, scaled.law).closed) movement(row) = 0;
@@ -181,8 +181,8 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   for (const Index pair : scaled.law.pair) state.contact_status.push_back(statuses[at(pair)]);
   name_slides(scaled.law, state);
   if (problem.resultant.size() > 0)
-    state.amplitude = closure.amplitude.size() > 0 ? VectorXd(scaled.inverse * closure.amplitude)
-                                                   : VectorXd::Zero(problem.resultant.size());
+    state.amplitude = solution.amplitude.size() > 0 ? VectorXd(scaled.inverse * solution.amplitude)
+                                                    : VectorXd::Zero(problem.resultant.size());
   state.report = std::move(report);
   state.infeasibility = std::move(proof);
   if (state.report.status == SolveStatus::Solved && !certify(problem, state).holds()) {

@@ -40,14 +40,14 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
           " pairs, got ", n);
   const ScaledProblem scaled = equilibrate_any(problem);
   Report report;
-  Closure best;
+  ActiveSetSolution best;
   best.force.setZero(n);
   best.movement = scaled.free;
   std::vector<Index> best_active;
   for (unsigned set = 0; set < (1U << n); ++set) {
     const std::vector<Index> active = members(set, n);
     if (report.status == SolveStatus::Solved && active.size() >= best_active.size()) continue;
-    Closure now = close(scaled, KnownSet{active});
+    ActiveSetSolution now = solve_active_set(scaled, KnownSet{active});
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
     if (now.rows.size() < active.size() || !solves(scaled, statuses_of(active, n), now)) continue;

@@ -34,7 +34,7 @@ Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direct
 
 /// Where a path ended, in scaled numbers.
 struct End {
-  Closure closure;
+  ActiveSetSolution solution;
   std::vector<ContactStatus> statuses;
   Report report;
   Eigen::VectorXd proof = {};
@@ -51,16 +51,17 @@ End end_of_path(const ScaledProblem& scaled, const Dictionary& dictionary, Repor
       force(active.back()) = dictionary.value()(i);
     }
   std::sort(active.begin(), active.end());
-  End end{close(scaled, KnownSet{active}), statuses_of(active, n), std::move(report)};
+  End end{solve_active_set(scaled, KnownSet{active}), statuses_of(active, n), std::move(report)};
   end.report.factorisations = active.empty() ? 0 : 1;
   end.report.status =
-      solves(scaled, end.statuses, end.closure) ? SolveStatus::Solved : SolveStatus::Breakdown;
+      solves(scaled, end.statuses, end.solution) ? SolveStatus::Solved : SolveStatus::Breakdown;
   if (end.report.status == SolveStatus::Solved || !scaled.symmetric) return end;
   // Rounding took a pair that touches without force into the basis, or one that depends on the others.
-  if (end.closure.solvable && end.closure.rows.size() == active.size()) force = end.closure.force;
+  if (end.solution.solvable && end.solution.rows.size() == active.size())
+    force = end.solution.force;
   if (auto found = confirmed(scaled, by_falling(force))) {
     end.report.status = SolveStatus::Solved;
-    std::tie(end.closure, end.statuses) = std::move(*found);
+    std::tie(end.solution, end.statuses) = std::move(*found);
     return end;
   }
   end.proof = proof(scaled, force);
@@ -74,17 +75,17 @@ End last_point(const ScaledProblem& scaled, const Dictionary& dictionary, Index 
   const Index n = scaled.free.size();
   direction.setZero(n);
   End last{{}, {}, report};
-  last.closure.force.setZero(n);
+  last.solution.force.setZero(n);
   if (entering >= n) direction(entering - n) = 1;
   const Eigen::VectorXd growth = dictionary.column(entering);
   for (Index i = 0; i < n; ++i) {
     const Index force = dictionary.basic(i) - n;
     if (force < 0 || force == n) continue;
     direction(force) = growth(i);
-    last.closure.force(force) = std::max(dictionary.value()(i), 0.0);
+    last.solution.force(force) = std::max(dictionary.value()(i), 0.0);
   }
-  last.closure.movement = scaled.free + scaled.compliance * last.closure.force;
-  last.statuses = statuses_of(by_falling(last.closure.force), n);
+  last.solution.movement = scaled.free + scaled.compliance * last.solution.force;
+  last.statuses = statuses_of(by_falling(last.solution.force), n);
   return last;
 }
 
@@ -139,7 +140,7 @@ Eigen::VectorXd covering_of_path(Index n, Index path) {
 }
 
 ContactState state_of(const ContactProblem& problem, const ScaledProblem& scaled, End end) {
-  return finished(problem, scaled, end.closure, end.statuses, std::move(end.report),
+  return finished(problem, scaled, end.solution, end.statuses, std::move(end.report),
                   std::move(end.proof));
 }
 

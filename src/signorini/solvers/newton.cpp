@@ -90,7 +90,7 @@ KnownSet clearest_first(const ScaledProblem& problem, const Attempt& attempt, do
                         const std::vector<ContactStatus>& statuses) {
   KnownSet set = known_set(statuses, problem.law);
   if (!problem.law.pair.empty()) return set;
-  const VectorXd excess = reach * attempt.closure.force - attempt.closure.movement;
+  const VectorXd excess = reach * attempt.solution.force - attempt.solution.movement;
   std::stable_sort(set.closed.begin(), set.closed.end(),
                    [&](Index i, Index j) { return excess(i) > excess(j); });
   return set;
@@ -98,30 +98,30 @@ KnownSet clearest_first(const ScaledProblem& problem, const Attempt& attempt, do
 
 /// Opens closed pairs without a force, if that is a solution as well: a pair that only touches holds nothing.
 void open_idle_pairs(const ScaledProblem& problem, Attempt& attempt) {
-  const Closure& end = attempt.closure;
+  const ActiveSetSolution& end = attempt.solution;
   std::vector<Index> pressed;
   for (const Index i : closed_pairs(attempt.statuses))
     if (end.force(i) > end.force_rounding) pressed.push_back(i);
   if (pressed.size() == end.rows.size()) return;
   if (Confirmed other = confirmed(problem, pressed, &end))
-    std::tie(attempt.closure, attempt.statuses) = std::move(*other);
+    std::tie(attempt.solution, attempt.statuses) = std::move(*other);
 }
 
 /// The exact end from the statuses of an iterate, or from those which that end asks for: of a pair that touches
 /// without force, rounding decides the side.
 bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
   std::vector<ContactStatus> statuses = attempt.statuses;
-  Closure start = attempt.closure;
+  ActiveSetSolution start = attempt.solution;
   const bool rubs = !problem.law.pair.empty();
   if (!rubs) start.force.setZero();
   for (int trial = 0; trial < (problem.symmetric ? 2 : 1); ++trial) {
     const KnownSet set = clearest_first(problem, attempt, reach, statuses);
     attempt.report.factorisations += set.closed.empty() ? 0 : 1;
-    Closure end = close(problem, set, &start);
+    ActiveSetSolution end = solve_active_set(problem, set, &start);
     const std::vector<ContactStatus> closed =
         rubs ? statuses : statuses_of(end.rows, problem.pairs());
     if (solves(problem, closed, end)) {
-      attempt.closure = std::move(end);
+      attempt.solution = std::move(end);
       attempt.statuses = closed;
       attempt.confirmed = true;
       if (!rubs) open_idle_pairs(problem, attempt);
@@ -139,7 +139,7 @@ Attempt first_attempt(const ScaledProblem& problem) {
   const Index pairs = problem.pairs();
   const MatrixXd& U = problem.rigid;
   Attempt attempt;
-  Closure& now = attempt.closure;
+  ActiveSetSolution& now = attempt.solution;
   now.force.setZero(problem.free.size());
   now.amplitude.setZero(U.cols());
   double unit = reach(problem);
@@ -174,12 +174,12 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
     report.status = SolveStatus::Breakdown;  // of another problem that was solved on the way
   }
   ContactState state =
-      finished(problem, scaled, attempt.closure, attempt.statuses, std::move(report));
+      finished(problem, scaled, attempt.solution, attempt.statuses, std::move(report));
   if (state.reason.empty()) state.reason = std::move(attempt.reason);
   if (attempt.confirmed && !scaled.law.pair.empty() && scaled.symmetric)
-    state.uniqueness = uniqueness(scaled, attempt.statuses, attempt.closure);
+    state.uniqueness = uniqueness(scaled, attempt.statuses, attempt.solution);
   if (state.uniqueness == Uniqueness::Doubtful)
-    state.doubt = doubt(scaled, attempt.statuses, attempt.closure);
+    state.doubt = doubt(scaled, attempt.statuses, attempt.solution);
   return state;
 }
 
@@ -187,12 +187,12 @@ void follow_newton(const ScaledProblem& problem, const Formulation& form, Index 
                    Attempt& attempt) {
   ContactEquations equations(problem, form);
   const double unit = equations.reach();
-  VectorXd x = equations.unknowns(attempt.closure);
+  VectorXd x = equations.unknowns(attempt.solution);
   Newton newton(equations, x);
   Report& report = attempt.report;
   const auto look = [&] {
-    equations.read(x, attempt.closure);
-    return predict(problem, attempt.closure, unit, attempt.statuses);
+    equations.read(x, attempt.solution);
+    return predict(problem, attempt.solution, unit, attempt.statuses);
   };
   const double first = newton.residual();
   Index last_changes = 1;  // so that the first statuses are tried
@@ -206,7 +206,7 @@ void follow_newton(const ScaledProblem& problem, const Formulation& form, Index 
       ++report.factorisations;
       last_changes = changes;
       changes = look();
-      Iteration entry = summary(problem, attempt.statuses, attempt.closure, changes);
+      Iteration entry = summary(problem, attempt.statuses, attempt.solution, changes);
       entry.residual = first == 0 ? 0 : newton.residual() / first;
       report.history.push_back(entry);
       continue;

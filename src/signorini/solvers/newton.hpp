@@ -11,11 +11,11 @@ namespace signorini {
 
 /// Where a method stands: the numbers, what they say of each pair, and the report so far.
 struct Attempt {
-  Closure closure;                      ///< the end if `confirmed`, else the last iterate
+  ActiveSetSolution solution;           ///< the end if `confirmed`, else the last iterate
   std::vector<ContactStatus> statuses;  ///< `n_c`
   Report report;                        ///< its status is set at the end
   std::string reason = {};              ///< why the method stopped, if it did
-  bool confirmed = false;               ///< whether the closure is a solution
+  bool confirmed = false;               ///< whether it solves the problem
 };
 
 /// The point from which all methods start, and what it says of the pairs: no forces; with friction forces
@@ -38,7 +38,7 @@ struct Attempt {
 /// exists even where \f$ \Phi \f$ has kinks [\ref DeLucaFacchineiKanzow1996].
 ///
 /// Newton's method ends near a solution, not on it: as soon as two iterates agree on what the pairs do,
-/// close() solves the equations of these statuses, and of those which that solution asks for, and the result is
+/// solve_active_set() solves the equations of these statuses, and of those which that solution asks for, and the result is
 /// kept if it is a solution.
 /// \param problem  scaled
 /// \param form     of the law of friction

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 KnownSet deepest_first(const ScaledProblem& problem, const Attempt& attempt) {
   KnownSet set = known_set(attempt.statuses, problem.law);
   if (!problem.law.pair.empty()) return set;
-  const VectorXd& movement = attempt.closure.movement;
+  const VectorXd& movement = attempt.solution.movement;
   std::stable_sort(set.closed.begin(), set.closed.end(),
                    [&](Index i, Index j) { return movement(i) < movement(j); });
   return set;
@@ -66,9 +66,9 @@ Attempt coarse_attempt(const ScaledProblem& problem) {
 /// Where to start from if a problem like this one is solved.
 Attempt attempt_from(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses) {
   Attempt attempt;
-  attempt.closure.force.setZero(problem.free.size());
-  attempt.closure.movement = problem.free;
-  attempt.closure.amplitude.setZero(problem.rigid.cols());
+  attempt.solution.force.setZero(problem.free.size());
+  attempt.solution.movement = problem.free;
+  attempt.solution.amplitude.setZero(problem.rigid.cols());
   attempt.statuses = statuses;
   return attempt;
 }
@@ -83,12 +83,12 @@ void put_apart(const ScaledProblem& problem, Attempt& attempt) {
   append(attempt.report, placed.report);
   attempt.report.status = SolveStatus::Breakdown;
   if (placed.report.status != SolveStatus::Solved) return;
-  Closure start;
+  ActiveSetSolution start;
   start.amplitude = U.transpose() * placed.force;
   const std::vector<ContactStatus> open = statuses_of({}, pairs);
-  Closure end = close(problem, open, &start);
+  ActiveSetSolution end = solve_active_set(problem, open, &start);
   if (!solves(problem, open, end)) return;
-  attempt.closure = std::move(end);
+  attempt.solution = std::move(end);
   attempt.statuses = open;
   attempt.confirmed = true;
 }
@@ -104,7 +104,7 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
   Report& report = attempt.report;
   report.status = SolveStatus::IterationLimit;
   attempt.reason = "the motions did not settle";
-  Closure start = attempt.closure;
+  ActiveSetSolution start = attempt.solution;
   for (Index step = 0; step < limit; ++step) {
     if (!seen.insert(attempt.statuses).second) {
       attempt.reason = "the motions run in circles";
@@ -114,8 +114,8 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
     const KnownSet set = deepest_first(problem, attempt);
     report.factorisations += set.closed.empty() ? 0 : 1;
     ++report.iterations;
-    attempt.closure = close(problem, set, plain ? nullptr : &start);
-    const Closure& now = attempt.closure;
+    attempt.solution = solve_active_set(problem, set, plain ? nullptr : &start);
+    const ActiveSetSolution& now = attempt.solution;
     if (rubs) start = now;
     if (!now.force.allFinite() || !now.movement.allFinite() || (!rubs && !now.solvable)) {
       report.status = SolveStatus::Breakdown;

@@ -30,10 +30,10 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
   const RowSource rows = rows_of(scaled, ones);
   Report report;
   GroupActiveSet method(rows, ClosedBasis(0, rows.count), report, limit, pace);
-  Closure closed;
+  ActiveSetSolution closed;
   VectorXd proof;
   const auto close_rows = [&] {
-    closed = close(scaled, KnownSet{sorted_rows(method.basis())});
+    closed = solve_active_set(scaled, KnownSet{sorted_rows(method.basis())});
     if (pace == GroupActiveSet::Pace::Single && method.basis().size() > 0) ++report.factorisations;
     return closed.solvable && static_cast<Index>(closed.rows.size()) == method.basis().size();
   };

@@ -52,7 +52,7 @@ ContactState solve_on_springs(const ContactProblem& problem, const Solver& solve
   const ScaledProblem scaled = equilibrate(problem);
   const Index pairs = scaled.pairs();
   if (auto away = pulled_away(problem, scaled)) return *away;
-  Closure last;
+  ActiveSetSolution last;
   last.amplitude = first_touch(scaled);
   last.force.setZero(pairs);
   ContactState now;

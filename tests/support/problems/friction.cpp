@@ -67,12 +67,12 @@ std::vector<Eigen::VectorXd> all_solutions(const signorini::ContactProblem& prob
                               std::count(problem.law.pair.begin(), problem.law.pair.end(), i) > 0);
     }
     if (!sensible) continue;
-    const signorini::Closure closure = signorini::close(scaled, statuses);
-    bool known = !signorini::solves(scaled, statuses, closure);
+    const signorini::ActiveSetSolution solution = signorini::solve_active_set(scaled, statuses);
+    bool known = !signorini::solves(scaled, statuses, solution);
     for (const Eigen::VectorXd& other : found)
-      known = known || (scaled.scale.cwiseInverse().cwiseProduct(other) - closure.force).norm() <=
-                           1e-9 * closure.force.norm();
-    if (!known) found.push_back(scaled.scale.cwiseProduct(closure.force));
+      known = known || (scaled.scale.cwiseInverse().cwiseProduct(other) - solution.force).norm() <=
+                           1e-9 * solution.force.norm();
+    if (!known) found.push_back(scaled.scale.cwiseProduct(solution.force));
   }
   return found;
 }

@@ -10,7 +10,7 @@ using Eigen::Index;
 
 namespace {
 
-std::vector<Index> wrong_pairs(const std::vector<bool>& closed, const Closure& now) {
+std::vector<Index> wrong_pairs(const std::vector<bool>& closed, const ActiveSetSolution& now) {
   std::vector<Index> wrong;
   for (std::size_t k = 0; k < closed.size(); ++k) {
     const Index i = static_cast<Index>(k);
@@ -31,12 +31,12 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
   Index record = n + 1;
   int left = patience;
   Report report;
-  Closure now;
+  ActiveSetSolution now;
   while (true) {
     active.clear();
     for (Index i = 0; i < n; ++i)
       if (closed[static_cast<std::size_t>(i)]) active.push_back(i);
-    now = close(scaled, KnownSet{active});
+    now = solve_active_set(scaled, KnownSet{active});
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
     if (now.rows.size() < active.size()) {
