@@ -39,7 +39,7 @@ std::vector<Index> guess(const WeightIteration& run) {
 Confirmed without_tension(const ScaledProblem& scaled, std::vector<Index> candidates) {
   while (true) {
     if (auto found = confirmed(scaled, candidates)) return found;
-    const ActiveSetSolution now = solve_active_set(scaled, KnownSet{candidates});
+    const ActiveSetSolution now = solve_active_set(scaled, ActiveSet{candidates});
     const auto pulls = [&now](Index i) { return now.force(i) <= 0; };
     const auto kept = std::remove_if(candidates.begin(), candidates.end(), pulls);
     if (now.rows.size() < candidates.size() || kept == candidates.end()) return std::nullopt;

@@ -68,12 +68,12 @@ TEST_CASE("closed pairs that cannot balance the load are no solution of their eq
   problem.rigid = Vector2d(1, 1);
   problem.resultant = Eigen::VectorXd::Constant(1, 2);
   const ScaledProblem scaled = equilibrate(problem);
-  CHECK_FALSE(solve_active_set(scaled, KnownSet{}).solvable);
-  const ActiveSetSolution one = solve_active_set(scaled, KnownSet{{0}});
+  CHECK_FALSE(solve_active_set(scaled, ActiveSet{}).solvable);
+  const ActiveSetSolution one = solve_active_set(scaled, ActiveSet{{0}});
   CHECK(one.solvable);
   CHECK(one.force(0) == Approx(2));
   CHECK(one.movement(1) == Approx(-1));  // 2 + a with 1 + 2 + a = 0
-  const ActiveSetSolution both = solve_active_set(scaled, KnownSet{{0, 1}});
+  const ActiveSetSolution both = solve_active_set(scaled, ActiveSet{{0, 1}});
   CHECK(both.solvable);
   CHECK((both.force - Vector2d(1.5, 0.5)).norm() < 1e-14);
 }

@@ -30,7 +30,7 @@ TEST_CASE("equilibration gives a unit diagonal and goes back", "[active_set]") {
   CHECK((scaled.compliance - matrix(1, 0.3, 0.3, 1)).norm() < 1e-15);
   CHECK((scaled.free - Vector2d(-4, 2)).norm() < 1e-15);
   const ContactState state =
-      finished(problem, scaled, solve_active_set(scaled, KnownSet{{0}}), statuses_of({0}, 2), {});
+      finished(problem, scaled, solve_active_set(scaled, ActiveSet{{0}}), statuses_of({0}, 2), {});
   CHECK((state.force - Vector2d(2, 0)).norm() < 1e-15);
   CHECK((state.gap - Vector2d(0, 16)).norm() < 1e-14);
 }
@@ -87,7 +87,7 @@ TEST_CASE("closing pairs leaves no gap in them and no force elsewhere", "[active
   const ContactProblem problem = signorini_test::random_problem(random, 7);
   const ScaledProblem scaled = equilibrate(problem);
   const std::vector<Eigen::Index> active = {1, 2, 5};
-  const ActiveSetSolution closed = solve_active_set(scaled, KnownSet{active});
+  const ActiveSetSolution closed = solve_active_set(scaled, ActiveSet{active});
   REQUIRE(closed.solvable);
   const Eigen::VectorXd gap = scaled.free + scaled.compliance * closed.force;
   for (const Eigen::Index i : {0, 3, 4, 6}) {
@@ -111,7 +111,7 @@ TEST_CASE("a nearly singular block is solved to the last digits", "[active_set]"
       G(i, j) = 1 - static_cast<double>(std::abs(i - j)) * 0x1p-22;
   }
   const ActiveSetSolution closed =
-      solve_active_set(equilibrate({G, -G * force}), KnownSet{{0, 1, 2, 3, 4, 5}});
+      solve_active_set(equilibrate({G, -G * force}), ActiveSet{{0, 1, 2, 3, 4, 5}});
   REQUIRE(closed.solvable);
   CHECK((closed.force - force).cwiseAbs().maxCoeff() < 1e-14);
 }
@@ -121,17 +121,18 @@ TEST_CASE("of rows that repeat each other the first is kept, and closes the othe
   const std::vector<ContactStatus> both = statuses_of({0, 1}, 2);
   const ScaledProblem same = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -1)});
   for (const Eigen::Index first : {0, 1}) {
-    const ActiveSetSolution kept = solve_active_set(same, KnownSet{{first, 1 - first}});
+    const ActiveSetSolution kept = solve_active_set(same, ActiveSet{{first, 1 - first}});
     CHECK(kept.rows == std::vector<Eigen::Index>{first});
     CHECK(kept.force(first) == 1);
     CHECK(solves(same, both, kept));
   }
   const ScaledProblem apart = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -0.5)});
-  CHECK(solves(apart, statuses_of({0}, 2), solve_active_set(apart, KnownSet{{0, 1}})));
-  CHECK_FALSE(solves(apart, both, solve_active_set(apart, KnownSet{{0, 1}})));  // the other is open
+  CHECK(solves(apart, statuses_of({0}, 2), solve_active_set(apart, ActiveSet{{0, 1}})));
+  CHECK_FALSE(
+      solves(apart, both, solve_active_set(apart, ActiveSet{{0, 1}})));  // the other is open
   const ScaledProblem nothing =
       equilibrate({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Ones(1)});
-  CHECK(solve_active_set(nothing, KnownSet{{0}}).rows.empty());
+  CHECK(solve_active_set(nothing, ActiveSet{{0}}).rows.empty());
 }
 
 TEST_CASE("a dependent block is found out, whatever rounding leaves of its last pivot",
@@ -143,7 +144,7 @@ TEST_CASE("a dependent block is found out, whatever rounding leaves of its last 
     Eigen::MatrixXd V(6, 4);
     for (Eigen::Index k = 0; k < V.size(); ++k) V.data()[k] = random.whole(0, 1) - 0.5;
     const ScaledProblem scaled = equilibrate({V * V.transpose(), -Eigen::VectorXd::Ones(6)});
-    found += solve_active_set(scaled, KnownSet{{0, 1, 2, 3, 4, 5}}).rows.size() < 6 ? 1 : 0;
+    found += solve_active_set(scaled, ActiveSet{{0, 1, 2, 3, 4, 5}}).rows.size() < 6 ? 1 : 0;
   }
   CHECK(found == 200);
 }
@@ -156,7 +157,7 @@ TEST_CASE("a singular block that rounding lets pass gives no solution", "[active
   const ContactProblem problem{G, Eigen::Vector3d(-1, -4, 0)};
   const ScaledProblem scaled = equilibrate(problem);
   CHECK_FALSE(
-      solves(scaled, statuses_of({0, 1, 2}, 3), solve_active_set(scaled, KnownSet{{0, 1, 2}})));
+      solves(scaled, statuses_of({0, 1, 2}, 3), solve_active_set(scaled, ActiveSet{{0, 1, 2}})));
   CHECK_FALSE(confirmed(scaled, {0, 1, 2}).has_value());
   CHECK(find_solver("enumerate").solve(problem, {}).report.status == SolveStatus::Infeasible);
   CHECK(find_solver("primal_dual_active_set").solve(problem, {}).report.status !=

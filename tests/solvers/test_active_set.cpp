@@ -69,7 +69,7 @@ bool group_exchange_cycles(const ContactProblem& problem) {
     std::vector<Index> active;
     for (Index i = 0; i < n; ++i)
       if (closed[static_cast<std::size_t>(i)]) active.push_back(i);
-    const ActiveSetSolution now = solve_active_set(scaled, KnownSet{active});
+    const ActiveSetSolution now = solve_active_set(scaled, ActiveSet{active});
     bool changed = false;
     for (Index i = 0; i < n; ++i) {
       const bool is_closed = closed[static_cast<std::size_t>(i)];

@@ -147,7 +147,7 @@ TEST_CASE("a claim without a proof that holds is withdrawn", "[found][proof]") {
     const ScaledProblem scaled = equilibrate(wedged);
     Report report;
     report.status = SolveStatus::Infeasible;
-    return finished(wedged, scaled, solve_active_set(scaled, KnownSet{}), statuses_of({}, 2),
+    return finished(wedged, scaled, solve_active_set(scaled, ActiveSet{}), statuses_of({}, 2),
                     report, proof);
   };
   CHECK(claimed({}).report.status == SolveStatus::Breakdown);

@@ -101,7 +101,7 @@ ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
     statuses[i] = ContactStatus::Stick;
     as_refined = false;
   }
-  KnownSet set = known_set(statuses, data.scaled.law);
+  ActiveSet set = active_set(statuses, data.scaled.law);
   Rows rows = system->rows();
   if (!as_refined) {  // those that rounding may have opened repeat the others, not the other way round
     std::sort(rows.begin(), rows.end());

@@ -155,7 +155,7 @@ VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& a
   ScaledProblem pressed = problem;
   pressed.free = problem.compliance.col(pair);
   if (problem.rigid.cols() > 0) pressed.resultant = -problem.rigid.row(pair).transpose();
-  const ActiveSetSolution held = solve_active_set(pressed, KnownSet{active});
+  const ActiveSetSolution held = solve_active_set(pressed, ActiveSet{active});
   if (!held.solvable || held.rows.size() < active.size()) return {};
   VectorXd y = held.force.head(problem.pairs()).cwiseMax(0.0);  // what is no rounding shows in G y
   y(pair) = 1;

@@ -28,7 +28,7 @@ struct Forces {
 };
 
 /// Puts every force that the set fixes where it belongs: friction forces at their bounds, others 0.
-void impose(const KnownSet& set, Forces& force) {
+void impose(const ActiveSet& set, Forces& force) {
   std::vector<bool> carries(static_cast<std::size_t>(force.high.size()), false);
   for (const Index row : set.closed) carries[static_cast<std::size_t>(row)] = true;
   for (const SlidingPair& pair : set.sliding) {
@@ -47,7 +47,7 @@ void impose(const KnownSet& set, Forces& force) {
 constexpr Index rigid_sweeps = 2;
 
 /// The set without closed rows that nothing can push on: slips that supports give, where they give none.
-KnownSet felt_rows(KnownSet set, const Eigen::SparseMatrix<double, Eigen::RowMajor>& A) {
+ActiveSet felt_rows(ActiveSet set, const Eigen::SparseMatrix<double, Eigen::RowMajor>& A) {
   const auto empty = [&](Index row) { return A.row(row).norm() == 0; };
   set.closed.erase(std::remove_if(set.closed.begin(), set.closed.end(), empty), set.closed.end());
   return set;
@@ -59,8 +59,8 @@ class Refining {
   Refining(const RefinementData& data, PrimalDual start, const VectorXd& force,
            const std::vector<ContactStatus>& statuses)
       : data_(data),
-        set_(felt_rows(known_set(statuses, data.condensed.law), data.programme.A)),
-        system_(data.scaled, known_set(statuses, data.scaled.law)) {
+        set_(felt_rows(active_set(statuses, data.condensed.law), data.programme.A)),
+        system_(data.scaled, active_set(statuses, data.scaled.law)) {
     PrimalDual& solution = result_.solution;
     solution = std::move(start);
     const Index n = solution.displacement.size();
@@ -103,7 +103,7 @@ class Refining {
   [[nodiscard]] bool steady() const { return !floats() || sweeps_ > rigid_sweeps; }
 
   const RefinementData& data_;
-  KnownSet set_;
+  ActiveSet set_;
   ActiveSetSystem system_;
   Forces force_;
   Refinement result_;
@@ -294,7 +294,7 @@ Judgement judge(const RefinementData& data, const Refinement& refined,
       std::max(rounding, certificate_tolerance) * length_of(data, refined.solution);
   ActiveSetSolution numbers = scaled_numbers(data, refined.solution, refined.movement, rounding);
   bool closes = true;
-  for (const Index row : known_set(statuses, data.condensed.law).closed) {
+  for (const Index row : active_set(statuses, data.condensed.law).closed) {
     if (std::abs(refined.movement(row)) > contradicted) closes = false;
     numbers.movement(row) = 0;
   }

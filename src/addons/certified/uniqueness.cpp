@@ -25,10 +25,10 @@ double own_determinant(const ScaledProblem& problem, Index k) {
 
 /// The doubt that a determinant of the wrong sign is. If the friction of pair i is multiplied by k, column i of the
 /// matrix M loses (1 - k) b, and by Cramer's rule its determinant is 1 - (1 - k) (M^-1 b)_i times what it was.
-Doubt doubt_of_set(const ScaledProblem& problem, const KnownSet& set) {
+Doubt doubt_of_set(const ScaledProblem& problem, const ActiveSet& set) {
   const std::vector<Index>& rows = set.closed;
   const MatrixXd M = closing_matrix(problem, rows, set);
-  const MatrixXd smooth = closing_matrix(problem, rows, KnownSet{rows});
+  const MatrixXd smooth = closing_matrix(problem, rows, ActiveSet{rows});
   const LuFactor factor(M);
   Doubt most;
   double largest_share = 1;
@@ -167,7 +167,7 @@ Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactSta
 
 Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
             const ActiveSetSolution& solution) {
-  if (solution.reversed) return doubt_of_set(problem, known_set(statuses, problem.law));
+  if (solution.reversed) return doubt_of_set(problem, active_set(statuses, problem.law));
   Doubt least;
   for (Index k = 0; k < problem.law.coefficient.size(); ++k)
     if (const double own = own_determinant(problem, k); own < least.determinant)

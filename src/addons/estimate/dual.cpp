@@ -13,11 +13,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-KnownSet set_of(const Solution& solution, const ScaledProblem& scaled) {
+ActiveSet set_of(const Solution& solution, const ScaledProblem& scaled) {
   const ContactState& contact = solution.contact;
   pose(contact.report.status == SolveStatus::Solved,
        "estimate: the problem is not solved: ", to_string(contact.report.status));
-  return known_set(all_statuses(contact), scaled.law);
+  return active_set(all_statuses(contact), scaled.law);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ class Dual {
   const Condensed& condensed_;
   const Solution& solution_;
   ScaledProblem scaled_;
-  KnownSet set_;                           // with the slopes of scaled forces
+  ActiveSet set_;                          // with the slopes of scaled forces
   std::optional<ActiveSetSystem> system_;  // where no pair slides
   LuFactor transposed_;                    // where one does
 };

@@ -21,7 +21,7 @@ using Entry = Eigen::SparseMatrix<double>::InnerIterator;
 constexpr int most_sweeps = 4;
 constexpr int most_sparse_sweeps = 16;
 
-bool has_slopes(const KnownSet& set) {
+bool has_slopes(const ActiveSet& set) {
   for (const SlidingPair& pair : set.sliding)
     if (pair.slope != 0) return true;
   return false;
@@ -55,7 +55,7 @@ MatrixXd row_space(const MatrixXd& matrix) {
 }
 
 /// Puts every friction force that is at its bound there.
-void impose(const KnownSet& set, VectorXd& force) {
+void impose(const ActiveSet& set, VectorXd& force) {
   for (const SlidingPair& pair : set.sliding)
     force(pair.slip) = pair.friction(force(pair.gap)).value();
 }
@@ -112,7 +112,7 @@ void settle(const ScaledProblem& problem, const Rows& support, ActiveSetSolution
 
 }  // namespace
 
-ActiveSetSystem::ActiveSetSystem(const ScaledProblem& problem, const KnownSet& set)
+ActiveSetSystem::ActiveSetSystem(const ScaledProblem& problem, const ActiveSet& set)
     : rows_(set.closed) {
   const bool sparse = problem.sparse.size() > 0;
   symmetric_ = problem.symmetric && !has_slopes(set) && !sparse;
@@ -155,7 +155,7 @@ void ActiveSetSystem::factor_symmetric(const ScaledProblem& problem) {
   spread_ = factor_.solve_columns(rigid_ * held_);
 }
 
-MatrixXd closing_matrix(const ScaledProblem& problem, const Rows& rows, const KnownSet& set) {
+MatrixXd closing_matrix(const ScaledProblem& problem, const Rows& rows, const ActiveSet& set) {
   const Index m = static_cast<Index>(rows.size());
   const Index k = problem.rigid.cols();
   MatrixXd M = MatrixXd::Zero(m + k, m + k);
@@ -172,7 +172,7 @@ MatrixXd closing_matrix(const ScaledProblem& problem, const Rows& rows, const Kn
   return M;
 }
 
-void ActiveSetSystem::factor_general(const ScaledProblem& problem, const KnownSet& set) {
+void ActiveSetSystem::factor_general(const ScaledProblem& problem, const ActiveSet& set) {
   const Index m = static_cast<Index>(rows_.size());
   const Index k = problem.rigid.cols();
   if (m + k == 0) return;
@@ -186,7 +186,7 @@ void ActiveSetSystem::factor_general(const ScaledProblem& problem, const KnownSe
   reversed_ = regular && negative != (k % 2 == 1);
 }
 
-void ActiveSetSystem::factor_sparse(const ScaledProblem& problem, const KnownSet& set) {
+void ActiveSetSystem::factor_sparse(const ScaledProblem& problem, const ActiveSet& set) {
   const Index m = static_cast<Index>(rows_.size());
   const Index k = problem.rigid.cols();
   if (m + k == 0) return;
@@ -242,7 +242,7 @@ std::pair<VectorXd, VectorXd> ActiveSetSystem::solve(const VectorXd& top,
   return {factor_.solve(load), amplitude};
 }
 
-ActiveSetSolution solve_active_set(const ScaledProblem& problem, const KnownSet& set,
+ActiveSetSolution solve_active_set(const ScaledProblem& problem, const ActiveSet& set,
                                    const ActiveSetSolution* start) {
   const ActiveSetSystem system(problem, set);
   const Rows& rows = system.rows();
@@ -290,7 +290,7 @@ ActiveSetSolution solve_active_set(const ScaledProblem& problem, const KnownSet&
 ActiveSetSolution solve_active_set(const ScaledProblem& problem,
                                    const std::vector<ContactStatus>& statuses,
                                    const ActiveSetSolution* start) {
-  return solve_active_set(problem, known_set(statuses, problem.law), start);
+  return solve_active_set(problem, active_set(statuses, problem.law), start);
 }
 
 }  // namespace signorini

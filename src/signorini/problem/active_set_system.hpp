@@ -35,7 +35,7 @@ struct SlidingPair {
 
 /// What follows for the rows of gaps and slips: which of them do not move, and which friction forces are at
 /// their bounds. All other forces vanish.
-struct KnownSet {
+struct ActiveSet {
   std::vector<Eigen::Index> closed;       ///< rows that do not move, the most certain first
   std::vector<SlidingPair> sliding = {};  ///< in increasing order
 };
@@ -44,8 +44,8 @@ struct KnownSet {
 /// \param statuses  `n_c`
 /// \param law      of the pairs that rub; one whose mu and c vanish slides without a force
 /// \return rows `n_c` of gaps, then `n_s` of slips; those that are closed in increasing order
-[[nodiscard]] KnownSet known_set(const std::vector<ContactStatus>& statuses,
-                                 const FrictionLaw& law);
+[[nodiscard]] ActiveSet active_set(const std::vector<ContactStatus>& statuses,
+                                   const FrictionLaw& law);
 
 /// \param active  closed pairs
 /// \param pairs   n_c
@@ -76,7 +76,7 @@ class ActiveSetSystem {
  public:
   /// \param problem  scaled
   /// \param set      W and S, with the slopes of scaled forces
-  ActiveSetSystem(const ScaledProblem& problem, const KnownSet& set);
+  ActiveSetSystem(const ScaledProblem& problem, const ActiveSet& set);
 
   /// \return independent rows of W, all of W if it has no others
   [[nodiscard]] const std::vector<Eigen::Index>& rows() const { return rows_; }
@@ -91,8 +91,8 @@ class ActiveSetSystem {
 
  private:
   void factor_symmetric(const ScaledProblem& problem);
-  void factor_general(const ScaledProblem& problem, const KnownSet& set);
-  void factor_sparse(const ScaledProblem& problem, const KnownSet& set);
+  void factor_general(const ScaledProblem& problem, const ActiveSet& set);
+  void factor_sparse(const ScaledProblem& problem, const ActiveSet& set);
 
   std::vector<Eigen::Index> rows_;
   bool symmetric_ = true;
@@ -115,7 +115,7 @@ class ActiveSetSystem {
 /// \return `m + k` square, its first m columns those of the forces of W
 [[nodiscard]] Eigen::MatrixXd closing_matrix(const ScaledProblem& problem,
                                              const std::vector<Eigen::Index>& rows,
-                                             const KnownSet& set);
+                                             const ActiveSet& set);
 
 /// Forces and movements when what all pairs do is known; scaled numbers [sqrt(energy)].
 struct ActiveSetSolution {
@@ -141,7 +141,7 @@ struct ActiveSetSolution {
 /// \param start      where to start, or null: of rows that repeat others and of amplitudes that nothing holds
 ///                   this is kept, else it is zero
 /// \return forces, movements and amplitudes, of any sign
-[[nodiscard]] ActiveSetSolution solve_active_set(const ScaledProblem& problem, const KnownSet& set,
+[[nodiscard]] ActiveSetSolution solve_active_set(const ScaledProblem& problem, const ActiveSet& set,
                                                  const ActiveSetSolution* start = nullptr);
 
 /// The same for statuses of pairs.

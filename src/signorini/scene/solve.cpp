@@ -90,7 +90,7 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined) {
 void note_open_motions(const Model& model, const PrimalDual& refined, Solution& solution) {
   if (model.modes.empty() || solution.contact.report.status != SolveStatus::Solved) return;
   const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
-  KnownSet set = known_set(statuses, model.law);
+  ActiveSet set = active_set(statuses, model.law);
   // A pair that touches without a force holds nothing: it stops a motion one way only. Of forces as small as the
   // tension that a certificate lets pass, nobody knows whether they are any.
   const VectorXd nothing = no_forces(model, refined);

@@ -47,7 +47,7 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
   for (unsigned set = 0; set < (1U << n); ++set) {
     const std::vector<Index> active = members(set, n);
     if (report.status == SolveStatus::Solved && active.size() >= best_active.size()) continue;
-    ActiveSetSolution now = solve_active_set(scaled, KnownSet{active});
+    ActiveSetSolution now = solve_active_set(scaled, ActiveSet{active});
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
     if (now.rows.size() < active.size() || !solves(scaled, statuses_of(active, n), now)) continue;

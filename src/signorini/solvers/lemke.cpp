@@ -51,7 +51,7 @@ End end_of_path(const ScaledProblem& scaled, const Dictionary& dictionary, Repor
       force(active.back()) = dictionary.value()(i);
     }
   std::sort(active.begin(), active.end());
-  End end{solve_active_set(scaled, KnownSet{active}), statuses_of(active, n), std::move(report)};
+  End end{solve_active_set(scaled, ActiveSet{active}), statuses_of(active, n), std::move(report)};
   end.report.factorisations = active.empty() ? 0 : 1;
   end.report.status =
       solves(scaled, end.statuses, end.solution) ? SolveStatus::Solved : SolveStatus::Breakdown;

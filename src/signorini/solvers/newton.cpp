@@ -86,9 +86,9 @@ class Newton {
 };
 
 /// What statuses say is closed, the pairs whose force exceeds their gap most first.
-KnownSet clearest_first(const ScaledProblem& problem, const Attempt& attempt, double reach,
-                        const std::vector<ContactStatus>& statuses) {
-  KnownSet set = known_set(statuses, problem.law);
+ActiveSet clearest_first(const ScaledProblem& problem, const Attempt& attempt, double reach,
+                         const std::vector<ContactStatus>& statuses) {
+  ActiveSet set = active_set(statuses, problem.law);
   if (!problem.law.pair.empty()) return set;
   const VectorXd excess = reach * attempt.solution.force - attempt.solution.movement;
   std::stable_sort(set.closed.begin(), set.closed.end(),
@@ -115,7 +115,7 @@ bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
   const bool rubs = !problem.law.pair.empty();
   if (!rubs) start.force.setZero();
   for (int trial = 0; trial < (problem.symmetric ? 2 : 1); ++trial) {
-    const KnownSet set = clearest_first(problem, attempt, reach, statuses);
+    const ActiveSet set = clearest_first(problem, attempt, reach, statuses);
     attempt.report.factorisations += set.closed.empty() ? 0 : 1;
     ActiveSetSolution end = solve_active_set(problem, set, &start);
     const std::vector<ContactStatus> closed =

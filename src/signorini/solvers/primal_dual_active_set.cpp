@@ -18,8 +18,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// What statuses say is closed, the pairs that overlapped most first.
-KnownSet deepest_first(const ScaledProblem& problem, const Attempt& attempt) {
-  KnownSet set = known_set(attempt.statuses, problem.law);
+ActiveSet deepest_first(const ScaledProblem& problem, const Attempt& attempt) {
+  ActiveSet set = active_set(attempt.statuses, problem.law);
   if (!problem.law.pair.empty()) return set;
   const VectorXd& movement = attempt.solution.movement;
   std::stable_sort(set.closed.begin(), set.closed.end(),
@@ -111,7 +111,7 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
       one_at_a_time = true;
       if (!plain) return;
     }
-    const KnownSet set = deepest_first(problem, attempt);
+    const ActiveSet set = deepest_first(problem, attempt);
     report.factorisations += set.closed.empty() ? 0 : 1;
     ++report.iterations;
     attempt.solution = solve_active_set(problem, set, plain ? nullptr : &start);

@@ -33,7 +33,7 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
   ActiveSetSolution closed;
   VectorXd proof;
   const auto close_rows = [&] {
-    closed = solve_active_set(scaled, KnownSet{sorted_rows(method.basis())});
+    closed = solve_active_set(scaled, ActiveSet{sorted_rows(method.basis())});
     if (pace == GroupActiveSet::Pace::Single && method.basis().size() > 0) ++report.factorisations;
     return closed.solvable && static_cast<Index>(closed.rows.size()) == method.basis().size();
   };

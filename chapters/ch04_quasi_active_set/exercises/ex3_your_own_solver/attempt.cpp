@@ -15,7 +15,7 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
   std::vector<Index> active;  // pairs taken as closed
   Report report;
   report.status = SolveStatus::IterationLimit;
-  ActiveSetSolution now = solve_active_set(scaled, KnownSet{active});
+  ActiveSetSolution now = solve_active_set(scaled, ActiveSet{active});
   while (report.iterations < limit) {
     ++report.iterations;
     // your code here: close `active`, find the pairs on the wrong side, exchange all or one of them;

@@ -36,7 +36,7 @@ ContactState block_pivoting(const ContactProblem& problem, const SolverOptions& 
     active.clear();
     for (Index i = 0; i < n; ++i)
       if (closed[static_cast<std::size_t>(i)]) active.push_back(i);
-    now = solve_active_set(scaled, KnownSet{active});
+    now = solve_active_set(scaled, ActiveSet{active});
     ++report.iterations;
     report.factorisations += active.empty() ? 0 : 1;
     if (now.rows.size() < active.size()) {

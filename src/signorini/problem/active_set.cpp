@@ -28,9 +28,9 @@ ContactStatus rubbing(ContactStatus last, double tau, double slip, double bound,
 
 }  // namespace
 
-KnownSet known_set(const std::vector<ContactStatus>& statuses, const FrictionLaw& law) {
+ActiveSet active_set(const std::vector<ContactStatus>& statuses, const FrictionLaw& law) {
   const Index pairs = static_cast<Index>(statuses.size());
-  KnownSet set{closed_pairs(statuses)};
+  ActiveSet set{closed_pairs(statuses)};
   for (std::size_t k = 0; k < law.pair.size(); ++k) {
     const ContactStatus contact_status = statuses[at(law.pair[k])];
     const Index row = static_cast<Index>(k);
@@ -96,7 +96,7 @@ bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& stat
             const ActiveSetSolution& solution) {
   std::vector<ContactStatus> next = statuses;
   if (!solution.solvable || predict(problem, solution, 1, next) != 0) return false;
-  for (const Index row : known_set(statuses, problem.law).closed)
+  for (const Index row : active_set(statuses, problem.law).closed)
     if (!solution.closes(row)) return false;
   Claim claim{solution.force, solution.movement, solution.amplitude};
   const Index pairs = problem.pairs();
@@ -110,7 +110,7 @@ bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& stat
 
 Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& candidates,
                     const ActiveSetSolution* start) {
-  ActiveSetSolution solution = solve_active_set(problem, KnownSet{candidates}, start);
+  ActiveSetSolution solution = solve_active_set(problem, ActiveSet{candidates}, start);
   std::vector<ContactStatus> statuses = statuses_of(solution.rows, problem.pairs());
   if (!solves(problem, statuses, solution)) return std::nullopt;
   return std::make_pair(std::move(solution), std::move(statuses));
@@ -167,7 +167,7 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   VectorXd movement = solution.movement.cwiseQuotient(scaled.scale);
   ContactState state;
   if (report.status == SolveStatus::Solved)
-    for (const Index row : known_set(statuses, scaled.law).closed) movement(row) = 0;
+    for (const Index row : active_set(statuses, scaled.law).closed) movement(row) = 0;
   state.force = force.head(pairs);
   state.gap = movement.head(pairs);
   state.friction = force.tail(slips);
