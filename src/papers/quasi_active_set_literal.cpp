@@ -6,9 +6,9 @@
 
 #include "papers/surrogate_dual.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/active_set_factor.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/closed_basis.hpp"
 
 namespace signorini {
 namespace {
@@ -112,14 +112,14 @@ std::vector<Index> LiteralMethod::quasi_active(std::vector<Index> rows) const {
   if (choice_ == QuasiActiveRows::AllViolated || rows.empty()) return rows;
   if (choice_ != QuasiActiveRows::IndependentByIndex) sort_by_violation(rows);
   if (choice_ == QuasiActiveRows::MostViolated) return {rows.front()};
-  ClosedBasis basis(0, static_cast<Index>(rows.size()));
-  ClosedBasis::Candidates candidates{rows,
-                                     now_.movement(rows),
-                                     now_.movement_rounding(rows),
-                                     {},
-                                     Eigen::MatrixXd(0, rows.size()),
-                                     scaled_.compliance(rows, rows)};
-  basis.append(candidates, ClosedBasis::Choice::All, basis.capacity());
+  ActiveSetFactor basis(0, static_cast<Index>(rows.size()));
+  ActiveSetFactor::Candidates candidates{rows,
+                                         now_.movement(rows),
+                                         now_.movement_rounding(rows),
+                                         {},
+                                         Eigen::MatrixXd(0, rows.size()),
+                                         scaled_.compliance(rows, rows)};
+  basis.append(candidates, ActiveSetFactor::Choice::All, basis.capacity());
   rows = basis.rows();
   std::sort(rows.begin(), rows.end());
   return rows;

@@ -15,7 +15,7 @@ struct SimplexFace::Numbers {
       : scaled(equilibrate(problem)),
         ones(VectorXd::Ones(scaled.free.size())),
         rows(rows_of(scaled, ones)),
-        method(rows, ClosedBasis(0, rows.count), report, std::numeric_limits<Index>::max(),
+        method(rows, ActiveSetFactor(0, rows.count), report, std::numeric_limits<Index>::max(),
                GroupActiveSet::Pace::Single) {}
 
   ScaledProblem scaled;
@@ -33,7 +33,7 @@ bool SimplexFace::add(Index vertex) {
 }
 
 VectorXd SimplexFace::forces() const {
-  const ClosedBasis& basis = numbers_->method.basis();
+  const ActiveSetFactor& basis = numbers_->method.basis();
   VectorXd solved;
   basis.solve(solved);
   VectorXd force = VectorXd::Zero(numbers_->rows.count);

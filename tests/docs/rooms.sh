@@ -140,7 +140,7 @@ expect accepted signorini/core/errors.hpp '"signorini/core/ledger.hpp"'
 expect accepted signorini/scene/solve.cpp '"signorini/contact/obstacle.hpp"'
 expect accepted addons/estimate/goal.cpp '"closed_form/hertz_fit.hpp"'
 expect accepted addons/files/two_sided.hpp '"signorini/problem/problem.hpp"'
-expect accepted signorini/solvers/lemke.cpp '"signorini/problem/closed_basis.hpp"'
+expect accepted signorini/solvers/lemke.cpp '"signorini/problem/active_set_factor.hpp"'
 expect found signorini/core/errors.hpp '"signorini/fem/mesh.hpp"'                             # above
 expect found signorini/contact/obstacle.cpp '<signorini/scene/scene.hpp>'
 expect found signorini/problem/problem.hpp '"signorini/solvers/lemke.hpp"'

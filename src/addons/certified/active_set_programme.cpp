@@ -18,11 +18,11 @@ RowSource rows_of(ProgrammeRows& programme) {
   rows.equations = programme.equations();
   rows.rank = std::min(programme.unknowns(), rows.count);
   rows.weight = &programme.weights();
-  rows.gaps = [&programme](const ClosedBasis& basis, VectorXd& gap, VectorXd& rounding) {
+  rows.gaps = [&programme](const ActiveSetFactor& basis, VectorXd& gap, VectorXd& rounding) {
     programme.gaps(basis, gap, rounding);
   };
-  rows.fetch = [&programme](const ClosedBasis& /*basis*/, const VectorXd& gap,
-                            const VectorXd& rounding, ClosedBasis::Candidates& candidates) {
+  rows.fetch = [&programme](const ActiveSetFactor& /*basis*/, const VectorXd& gap,
+                            const VectorXd& rounding, ActiveSetFactor::Candidates& candidates) {
     programme.fetch(gap, rounding, candidates);
   };
   return rows;

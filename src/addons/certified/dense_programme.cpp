@@ -28,17 +28,17 @@ Rows range(Index first, Index last) {
 }
 
 /// A basis of the equations, and of closed rows after them.
-ClosedBasis basis_of(ProgrammeRows& data, const Rows& closed) {
-  ClosedBasis basis = data.empty_basis();
+ActiveSetFactor basis_of(ProgrammeRows& data, const Rows& closed) {
+  ActiveSetFactor basis = data.empty_basis();
   VectorXd gap;
   VectorXd rounding;
   data.gaps(basis, gap, rounding);
   Rows rows = range(0, data.equations());
   rows.insert(rows.end(), closed.begin(), closed.end());
-  ClosedBasis::Candidates candidates;
+  ActiveSetFactor::Candidates candidates;
   candidates.rows = rows;
   data.fetch(gap, rounding, candidates);
-  basis.append(candidates, ClosedBasis::Choice::All, static_cast<Index>(rows.size()));
+  basis.append(candidates, ActiveSetFactor::Choice::All, static_cast<Index>(rows.size()));
   for (Index i = 0; i < data.equations(); ++i)
     if (std::abs(candidates.gap(i)) > 4 * candidates.rounding(i))
       throw ProblemError(text("quadratic programme: equation ", i + 1,
@@ -53,7 +53,7 @@ void without_rounding(VectorXd& gap, const VectorXd& rounding) {
 }
 
 DenseCondensed condensed_by(ProgrammeRows& data) {
-  const ClosedBasis equations = basis_of(data, {});
+  const ActiveSetFactor equations = basis_of(data, {});
   VectorXd gap;
   VectorXd rounding;
   data.gaps(equations, gap, rounding);
@@ -62,7 +62,7 @@ DenseCondensed condensed_by(ProgrammeRows& data) {
   condensed.problem.free_gap = gap.tail(data.count() - first);
   condensed.half.setZero(condensed.free_displacement.size(), data.count() - first);
   if (first == data.count()) return condensed;
-  ClosedBasis::Candidates rows;
+  ActiveSetFactor::Candidates rows;
   rows.rows = range(first, data.count());
   data.fetch(gap, rounding, rows);
   const auto Q = equations.directions();
@@ -104,12 +104,12 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
         condensed.free_displacement -
         condensed.factor.solve_transposed_half(condensed.half * state.force);
     if (solution.report.status != SolveStatus::Solved) {
-      const ClosedBasis equations = basis_of(data, {});
+      const ActiveSetFactor equations = basis_of(data, {});
       data.balance(equations, solution.refined);
       if (solution.infeasibility.size() > 0) data.balance(equations, solution.infeasibility);
       return solution;
     }
-    ClosedBasis basis = basis_of(data, solution.active);
+    ActiveSetFactor basis = basis_of(data, solution.active);
     data.gaps(basis, gap, rounding);
     ProgrammeRows::Refined refined = data.refine(basis);
     solution.refined = std::move(refined.solution);

@@ -29,7 +29,7 @@ struct ProgrammeRows::Work {
 };
 
 /// One sweep: [K A^T; A 0] [du; dlambda] = residuals, with K = L_K L_K^T and L_K^-1 A^T = Q L^T.
-void ProgrammeRows::correct(const ClosedBasis& basis, Refined& refined, Work& work) {
+void ProgrammeRows::correct(const ActiveSetFactor& basis, Refined& refined, Work& work) {
   PrimalDual& solution = refined.solution;
   const Index n = unknowns();
   const auto L = basis.factor().triangularView<Eigen::Lower>();
@@ -73,7 +73,7 @@ void ProgrammeRows::correct(const ClosedBasis& basis, Refined& refined, Work& wo
 
 /// Forces of the rows of a basis, as they were posed, that do to K^-1/2 A^T what a load does, as far as
 /// they can.
-VectorXd ProgrammeRows::carried(const ClosedBasis& basis, VectorXd load) const {
+VectorXd ProgrammeRows::carried(const ActiveSetFactor& basis, VectorXd load) const {
   solve_lower(factor_.lower(), load);
   VectorXd force = basis.directions().transpose() * load;
   solve_lower_transposed(basis.factor(), force);
@@ -85,16 +85,16 @@ VectorXd ProgrammeRows::carried(const ClosedBasis& basis, VectorXd load) const {
   return all;
 }
 
-void ProgrammeRows::balance(const ClosedBasis& basis, PrimalDual& solution) const {
+void ProgrammeRows::balance(const ActiveSetFactor& basis, PrimalDual& solution) const {
   solution.force += carried(basis, programme_.load - programme_.stiffness * solution.displacement -
                                        programme_.A.transpose() * solution.force);
 }
 
-void ProgrammeRows::balance(const ClosedBasis& basis, VectorXd& y) const {
+void ProgrammeRows::balance(const ActiveSetFactor& basis, VectorXd& y) const {
   y -= carried(basis, programme_.A.transpose() * y);
 }
 
-ProgrammeRows::Refined ProgrammeRows::refine(ClosedBasis& basis) {
+ProgrammeRows::Refined ProgrammeRows::refine(ActiveSetFactor& basis) {
   const Index k = basis.size();
   Refined refined;
   Work work;
@@ -139,7 +139,7 @@ double ProgrammeRows::one_rounding(Index row, double stretch) const {
 
 /// Whether the solution satisfies all conditions so well, and all rows are so far from the wrong side,
 /// that twice the working precision could not change anything but the last digits.
-bool ProgrammeRows::beyond_doubt(const ClosedBasis& basis, Refined& refined,
+bool ProgrammeRows::beyond_doubt(const ActiveSetFactor& basis, Refined& refined,
                                  const VectorXd& force) {
   const Index k = basis.size();
   const double terms = static_cast<double>(unknowns());
@@ -182,7 +182,7 @@ bool ProgrammeRows::beyond_doubt(const ClosedBasis& basis, Refined& refined,
 }
 
 /// All gaps of the refined solution, and which rows are on the wrong side beyond rounding.
-void ProgrammeRows::judge(const ClosedBasis& basis, Refined& refined, const Work& work) {
+void ProgrammeRows::judge(const ActiveSetFactor& basis, Refined& refined, const Work& work) {
   const Index k = basis.size();
   base_.noalias() = basis.directions() * basis.coordinates();
   gap_ = programme_.initial_gap;

@@ -106,11 +106,11 @@ ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(progr
   }
 }
 
-ClosedBasis ProgrammeRows::empty_basis() const {
+ActiveSetFactor ProgrammeRows::empty_basis() const {
   return {unknowns(), std::min(unknowns(), count())};
 }
 
-void ProgrammeRows::gaps(const ClosedBasis& basis, VectorXd& gap, VectorXd& rounding) {
+void ProgrammeRows::gaps(const ActiveSetFactor& basis, VectorXd& gap, VectorXd& rounding) {
   gap = gap_;
   rounding = floor_;
   moved_.noalias() = basis.directions() * basis.coordinates();
@@ -123,7 +123,7 @@ void ProgrammeRows::gaps(const ClosedBasis& basis, VectorXd& gap, VectorXd& roun
 }
 
 void ProgrammeRows::fetch(const VectorXd& gap, const VectorXd& rounding,
-                          ClosedBasis::Candidates& candidates) {
+                          ActiveSetFactor::Candidates& candidates) {
   const Index count = static_cast<Index>(candidates.rows.size());
   if (count == 0) return;
   if (candidates.columns.cols() < count) candidates.columns.resize(unknowns(), count);

@@ -5,8 +5,8 @@
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/problem/active_set_factor.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/closed_basis.hpp"
 #include "signorini/problem/problem.hpp"
 
 namespace signorini {
@@ -35,7 +35,7 @@ class ProgrammeRows {
   /// \return how many of the first rows are equations
   [[nodiscard]] Eigen::Index equations() const { return programme_.equations; }
   /// \return an empty basis for them
-  [[nodiscard]] ClosedBasis empty_basis() const;
+  [[nodiscard]] ActiveSetFactor empty_basis() const;
   /// \return about 1 / |h_i| of each row `m`, to compare rows with before they are condensed
   [[nodiscard]] const Eigen::VectorXd& weights() const { return weight_; }
   /// \return the factor of K, or of K and the equations
@@ -47,7 +47,7 @@ class ProgrammeRows {
   /// \param basis     closed rows
   /// \param gap       set to g - A u `m`
   /// \param rounding  set to what rounding may have done to each
-  void gaps(const ClosedBasis& basis, Eigen::VectorXd& gap, Eigen::VectorXd& rounding);
+  void gaps(const ActiveSetFactor& basis, Eigen::VectorXd& gap, Eigen::VectorXd& rounding);
 
   /// \return u `n` of the basis whose gaps were asked for last
   [[nodiscard]] Eigen::VectorXd displacement() const { return displacement_ - moved_; }
@@ -57,7 +57,7 @@ class ProgrammeRows {
   /// \param rounding    of the gaps `m`
   /// \param candidates  whose `rows` say which ones; a row of A without entries has a column of zeros
   void fetch(const Eigen::VectorXd& gap, const Eigen::VectorXd& rounding,
-             ClosedBasis::Candidates& candidates);
+             ActiveSetFactor::Candidates& candidates);
 
   /// u and lambda of a basis, refined from the original data.
   struct Refined {
@@ -75,25 +75,25 @@ class ProgrammeRows {
   /// \param basis  W, whose gaps were asked for last; its coordinates become those of the refined
   ///   forces
   /// \return the refined solution
-  [[nodiscard]] Refined refine(ClosedBasis& basis);
+  [[nodiscard]] Refined refine(ActiveSetFactor& basis);
 
   /// Adds to the forces of a basis of rows what is missing in the balance of a solution.
   /// \param basis     rows, such as the equations
   /// \param solution  u and lambda; the entries of lambda in the basis are changed
-  void balance(const ClosedBasis& basis, PrimalDual& solution) const;
+  void balance(const ActiveSetFactor& basis, PrimalDual& solution) const;
   /// Completes a proof that nothing satisfies all rows, so that A^T y = 0.
   /// \param basis  rows whose entries are missing, such as the equations
   /// \param y      `m`; the entries of the basis are changed
-  void balance(const ClosedBasis& basis, Eigen::VectorXd& y) const;
+  void balance(const ActiveSetFactor& basis, Eigen::VectorXd& y) const;
 
  private:
   struct Work;
-  [[nodiscard]] Eigen::VectorXd carried(const ClosedBasis& basis, Eigen::VectorXd load) const;
-  void correct(const ClosedBasis& basis, Refined& refined, Work& work);
+  [[nodiscard]] Eigen::VectorXd carried(const ActiveSetFactor& basis, Eigen::VectorXd load) const;
+  void correct(const ActiveSetFactor& basis, Refined& refined, Work& work);
   [[nodiscard]] double one_rounding(Eigen::Index row, double stretch) const;
-  [[nodiscard]] bool beyond_doubt(const ClosedBasis& basis, Refined& refined,
+  [[nodiscard]] bool beyond_doubt(const ActiveSetFactor& basis, Refined& refined,
                                   const Eigen::VectorXd& force);
-  void judge(const ClosedBasis& basis, Refined& refined, const Work& work);
+  void judge(const ActiveSetFactor& basis, Refined& refined, const Work& work);
 
   const DenseProgramme& programme_;
   Eigen::VectorXd rho_;  // what each equation adds to K

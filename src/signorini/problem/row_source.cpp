@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 using Rows = std::vector<Index>;
 
 /// Gaps of scaled pairs under the forces of a basis, and what rounding may have done to them.
-void gaps_of_pairs(const ScaledProblem& scaled, const ClosedBasis& basis, VectorXd& gap,
+void gaps_of_pairs(const ScaledProblem& scaled, const ActiveSetFactor& basis, VectorXd& gap,
                    VectorXd& rounding) {
   VectorXd force;
   basis.solve(force);
@@ -34,11 +34,11 @@ RowSource rows_of(const ScaledProblem& scaled, const VectorXd& weight) {
   rows.count = rows.rank = scaled.free.size();
   rows.unit = &scaled.scale;
   rows.weight = &weight;
-  rows.gaps = [&scaled](const ClosedBasis& basis, VectorXd& gap, VectorXd& rounding) {
+  rows.gaps = [&scaled](const ActiveSetFactor& basis, VectorXd& gap, VectorXd& rounding) {
     gaps_of_pairs(scaled, basis, gap, rounding);
   };
-  rows.fetch = [&scaled](const ClosedBasis& basis, const VectorXd& gap, const VectorXd& rounding,
-                         ClosedBasis::Candidates& candidates) {
+  rows.fetch = [&scaled](const ActiveSetFactor& basis, const VectorXd& gap,
+                         const VectorXd& rounding, ActiveSetFactor::Candidates& candidates) {
     const Rows& list = candidates.rows;
     candidates.gap = gap(list);
     candidates.rounding = rounding(list);

@@ -4,12 +4,12 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "signorini/problem/closed_basis.hpp"
+#include "signorini/problem/active_set_factor.hpp"
 #include "signorini/problem/scaled.hpp"
 
 namespace signorini {
 
-/// What methods that grow a ClosedBasis ask of the rows of a problem, however these are known.
+/// What methods that grow a ActiveSetFactor ask of the rows of a problem, however these are known.
 struct RowSource {
   Eigen::Index count = 0;  ///< number of rows m
   Eigen::Index equations =
@@ -19,10 +19,10 @@ struct RowSource {
       nullptr;  ///< `m` gaps in the units of the problem = gaps / unit; null: 1
   const Eigen::VectorXd* weight = nullptr;  ///< `m` about 1 / |h_i|, to compare overlaps with
   /// Sets the gaps of all rows `m` and what rounding may have done to each.
-  std::function<void(const ClosedBasis&, Eigen::VectorXd& gap, Eigen::VectorXd& rounding)> gaps;
+  std::function<void(const ActiveSetFactor&, Eigen::VectorXd& gap, Eigen::VectorXd& rounding)> gaps;
   /// Condenses rows, named by `candidates.rows`: \f$ h_i / |h_i| \f$ or the same in products.
-  std::function<void(const ClosedBasis&, const Eigen::VectorXd& gap,
-                     const Eigen::VectorXd& rounding, ClosedBasis::Candidates& candidates)>
+  std::function<void(const ActiveSetFactor&, const Eigen::VectorXd& gap,
+                     const Eigen::VectorXd& rounding, ActiveSetFactor::Candidates& candidates)>
       fetch;
 };
 

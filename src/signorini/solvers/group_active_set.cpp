@@ -21,7 +21,7 @@ bool rises(double now, double before, Index size) {
 
 }  // namespace
 
-GroupActiveSet::GroupActiveSet(const RowSource& rows, ClosedBasis basis, Report& report,
+GroupActiveSet::GroupActiveSet(const RowSource& rows, ActiveSetFactor basis, Report& report,
                                Index limit, Pace pace)
     : rows_(rows),
       basis_(std::move(basis)),
@@ -65,7 +65,7 @@ SolveStatus GroupActiveSet::close_equations() {
   for (const Index row : candidates_.rows) state_[at(row)] = Row::Closed;
   rows_.gaps(basis_, gap_, rounding_);
   rows_.fetch(basis_, gap_, rounding_, candidates_);
-  basis_.append(candidates_, ClosedBasis::Choice::All, rows_.equations);
+  basis_.append(candidates_, ActiveSetFactor::Choice::All, rows_.equations);
   solve();
   force_.head(basis_.size()) = target_.head(basis_.size());
   for (Index i = 0; i < rows_.equations; ++i) {
@@ -123,7 +123,7 @@ SolveStatus GroupActiveSet::run() {
       status = press(worst);
     } else {
       rows_.fetch(basis_, gap_, rounding_, candidates_);
-      if (basis_.append(candidates_, ClosedBasis::Choice::Violated, group_) > 0)
+      if (basis_.append(candidates_, ActiveSetFactor::Choice::Violated, group_) > 0)
         settle(before);
       else
         status = exchange(worst);

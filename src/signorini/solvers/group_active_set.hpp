@@ -23,7 +23,7 @@ class GroupActiveSet {
   /// \param report  takes iterations, factorisations and history; must outlive this
   /// \param limit   most iterations
   /// \param pace    how many rows join at a time
-  GroupActiveSet(const RowSource& rows, ClosedBasis basis, Report& report, Eigen::Index limit,
+  GroupActiveSet(const RowSource& rows, ActiveSetFactor basis, Report& report, Eigen::Index limit,
                  Pace pace);
 
   /// Closes the equations, leaving out those that follow from others.
@@ -44,9 +44,9 @@ class GroupActiveSet {
   void release(const Eigen::VectorXd& tension);
 
   /// \return the closed rows
-  [[nodiscard]] ClosedBasis& basis() { return basis_; }
+  [[nodiscard]] ActiveSetFactor& basis() { return basis_; }
   /// \return the closed rows
-  [[nodiscard]] const ClosedBasis& basis() const { return basis_; }
+  [[nodiscard]] const ActiveSetFactor& basis() const { return basis_; }
   /// \return after Infeasible: numbers y of normalised rows `m`, >= 0 but for equations, with
   ///   \f$ \sum y_i h_i = 0 \f$ while the same sum of gaps is negative
   [[nodiscard]] const Eigen::VectorXd& proof() const { return proof_; }
@@ -77,8 +77,8 @@ class GroupActiveSet {
   [[nodiscard]] std::vector<Eigen::Index> pulling() const;
 
   const RowSource& rows_;
-  ClosedBasis basis_;
-  ClosedBasis saved_;
+  ActiveSetFactor basis_;
+  ActiveSetFactor saved_;
   Report& report_;
   Eigen::Index limit_;
   Pace pace_;
@@ -89,7 +89,7 @@ class GroupActiveSet {
   Eigen::VectorXd force_;
   Eigen::VectorXd target_;
   Eigen::VectorXd proof_;
-  ClosedBasis::Candidates candidates_;
+  ActiveSetFactor::Candidates candidates_;
   std::vector<Row> state_;
   bool any_fruitless_ = false;
 };
@@ -106,7 +106,7 @@ class GroupActiveSet {
 /// \param basis      closed rows
 /// \param equations  so many of the first rows are not wanted
 /// \return the others, in increasing order
-[[nodiscard]] std::vector<Eigen::Index> sorted_rows(const ClosedBasis& basis,
+[[nodiscard]] std::vector<Eigen::Index> sorted_rows(const ActiveSetFactor& basis,
                                                     Eigen::Index equations = 0);
 
 }  // namespace signorini

@@ -92,7 +92,7 @@ SolveStatus GroupActiveSet::cannot_close(Index row, const VectorXd& response) {
 bool GroupActiveSet::join(Index row, double force) {
   rows_.gaps(basis_, gap_, rounding_);
   fetch(row);
-  if (basis_.append(candidates_, ClosedBasis::Choice::All, 1) == 0) return false;
+  if (basis_.append(candidates_, ActiveSetFactor::Choice::All, 1) == 0) return false;
   force_(basis_.size() - 1) = force;
   state_[at(row)] = Row::Closed;
   return true;

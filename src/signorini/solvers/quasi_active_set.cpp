@@ -14,7 +14,7 @@ namespace signorini {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-std::vector<Index> sorted_rows(const ClosedBasis& basis, Index equations) {
+std::vector<Index> sorted_rows(const ActiveSetFactor& basis, Index equations) {
   std::vector<Index> active;
   active.reserve(basis.rows().size());
   for (const Index row : basis.rows())
@@ -29,7 +29,7 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
   const VectorXd ones = VectorXd::Ones(scaled.free.size());
   const RowSource rows = rows_of(scaled, ones);
   Report report;
-  GroupActiveSet method(rows, ClosedBasis(0, rows.count), report, limit, pace);
+  GroupActiveSet method(rows, ActiveSetFactor(0, rows.count), report, limit, pace);
   ActiveSetSolution closed;
   VectorXd proof;
   const auto close_rows = [&] {
@@ -52,7 +52,7 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
     if (report.status != SolveStatus::Solved) break;
     const VectorXd force = closed.force(method.basis().rows());
     const VectorXd tension = (-force.array() - closed.force_rounding).max(0.0);
-    const double trusted = std::pow(epsilon, -0.2);  // as in ClosedBasis::smallest_distance()
+    const double trusted = std::pow(epsilon, -0.2);  // as in ActiveSetFactor::smallest_distance()
     const bool overlap =
         (closed.movement.array() < -trusted * closed.movement_rounding.array()).any();
     if (!overlap && (tension.size() == 0 || tension.maxCoeff() == 0)) break;

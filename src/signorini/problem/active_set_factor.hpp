@@ -15,12 +15,12 @@ namespace signorini {
 /// rows are known as columns h_i of H, G = H^T H, an orthonormal Q with \f$ H_W = Q L^T \f$ is kept as
 /// well: L then comes from the columns themselves and not from their products, which squares neither
 /// their condition nor the angle between two rows that are nearly parallel.
-class ClosedBasis {
+class ActiveSetFactor {
  public:
   /// Reserves all memory that the basis will need.
   /// \param space     length of the columns h_i; 0 if only products of them, G, are known
   /// \param capacity  most pairs that it can hold
-  ClosedBasis(Eigen::Index space, Eigen::Index capacity);
+  ActiveSetFactor(Eigen::Index space, Eigen::Index capacity);
 
   /// \return number of pairs
   [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(rows_.size()); }

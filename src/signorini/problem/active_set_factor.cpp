@@ -1,4 +1,4 @@
-#include "signorini/problem/closed_basis.hpp"
+#include "signorini/problem/active_set_factor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +15,19 @@ using Eigen::VectorXd;
 
 }  // namespace
 
-ClosedBasis::ClosedBasis(Index space, Index capacity)
+ActiveSetFactor::ActiveSetFactor(Index space, Index capacity)
     : L_(capacity, capacity), Q_(space, space > 0 ? capacity : 0), y_(capacity) {
   rows_.reserve(static_cast<std::size_t>(capacity));
 }
 
-double ClosedBasis::smallest_distance() const {
+double ActiveSetFactor::smallest_distance() const {
   if (Q_.rows() > 0) return static_cast<double>(capacity() + Q_.rows() + 1) * epsilon;
   return std::pow(epsilon, 0.4);
 }
 
 /// Leaves in `cross_` what the candidates share with the basis, in `columns` or `block` the rest of
 /// them, and in `pivot_` the squared length of that rest.
-void ClosedBasis::project(Candidates& candidates) {
+void ActiveSetFactor::project(Candidates& candidates) {
   const Index count = static_cast<Index>(candidates.rows.size());
   const Index k = size();
   if (cross_.cols() < count || cross_.rows() < capacity()) cross_.resize(capacity(), count);
@@ -56,7 +56,7 @@ void ClosedBasis::project(Candidates& candidates) {
 }
 
 /// Appends candidate `which` and projects the others off it; `first` pairs were there before its batch.
-void ClosedBasis::push(Candidates& candidates, Index which, Index first) {
+void ActiveSetFactor::push(Candidates& candidates, Index which, Index first) {
   const Index k = size();
   const Index count = static_cast<Index>(candidates.rows.size());
   const double root = std::sqrt(pivot_(which));
@@ -92,12 +92,12 @@ void ClosedBasis::push(Candidates& candidates, Index which, Index first) {
 /// What rounding may have made of the pivot of a row if only products are known: it is
 /// (r, -1) G (r, -1)^T with r = L^-T L^-1 G_Wp, a sum of terms of at most this size. Three fifths of the
 /// digits are trusted in any case.
-double ClosedBasis::pivot_rounding(const VectorXd& yield) const {
+double ActiveSetFactor::pivot_rounding(const VectorXd& yield) const {
   if (Q_.rows() > 0) return 0;
   return std::min(std::pow(epsilon, 0.6), epsilon * std::pow(1 + yield.lpNorm<1>(), 2));
 }
 
-Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
+Index ActiveSetFactor::append(Candidates& candidates, Choice choice, Index limit) {
   const Index count = static_cast<Index>(candidates.rows.size());
   const Index first = size();
   limit = std::min({limit, count, capacity() - first});
@@ -132,13 +132,13 @@ Index ClosedBasis::append(Candidates& candidates, Choice choice, Index limit) {
   return size() - first;
 }
 
-void ClosedBasis::solve(Eigen::VectorXd& force) const {
+void ActiveSetFactor::solve(Eigen::VectorXd& force) const {
   if (force.size() < capacity()) force.resize(capacity());
   force.head(size()) = y_.head(size());
   solve_lower_transposed(L_, force.head(size()));
 }
 
-ClosedBasis::Response ClosedBasis::response(const Candidates& candidates) const {
+ActiveSetFactor::Response ActiveSetFactor::response(const Candidates& candidates) const {
   const auto L = L_.topLeftCorner(size(), size()).triangularView<Eigen::Lower>();
   Response answer;
   VectorXd& r = answer.yield;
@@ -159,7 +159,7 @@ ClosedBasis::Response ClosedBasis::response(const Candidates& candidates) const 
   return answer;
 }
 
-double ClosedBasis::distance_from_others(Index position) const {
+double ActiveSetFactor::distance_from_others(Index position) const {
   // One over the root of the diagonal entry of (L L^T)^-1.
   VectorXd e = VectorXd::Unit(size(), position);
   solve_lower(L_, e);
@@ -167,7 +167,7 @@ double ClosedBasis::distance_from_others(Index position) const {
 }
 
 /// Row `position` of L goes; rotations of the columns behind it make L triangular again.
-void ClosedBasis::remove_one(Index position) {
+void ActiveSetFactor::remove_one(Index position) {
   const Index last = size() - 1;
   for (Index i = position; i < last; ++i) L_.row(i).head(i + 2) = L_.row(i + 1).head(i + 2);
   for (Index j = position; j < last; ++j) {
@@ -197,12 +197,12 @@ void ClosedBasis::remove_one(Index position) {
   rows_.erase(rows_.begin() + position);
 }
 
-void ClosedBasis::remove(const std::vector<Index>& positions) {
+void ActiveSetFactor::remove(const std::vector<Index>& positions) {
   for (auto position = positions.rbegin(); position != positions.rend(); ++position)
     remove_one(*position);
 }
 
-void ClosedBasis::set_force(const Eigen::VectorXd& force) {
+void ActiveSetFactor::set_force(const Eigen::VectorXd& force) {
   y_.head(size()) = L_.topLeftCorner(size(), size()).triangularView<Eigen::Lower>().transpose() *
                     force.head(size());
 }

@@ -2,13 +2,13 @@
 
 #include "catch_compat.hpp"
 #include "signorini/core/dense.hpp"
-#include "signorini/problem/closed_basis.hpp"
+#include "signorini/problem/active_set_factor.hpp"
 #include "support/random.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using signorini::ClosedBasis;
+using signorini::ActiveSetFactor;
 using signorini_test::Random;
 
 namespace {
@@ -32,12 +32,12 @@ Rows random_rows(Random& random, Index n, Index m) {
 }
 
 /// Candidates with their gaps under the forces of the basis.
-ClosedBasis::Candidates candidates(const Rows& rows, const ClosedBasis& basis,
-                                   const std::vector<Index>& list, bool columns) {
+ActiveSetFactor::Candidates candidates(const Rows& rows, const ActiveSetFactor& basis,
+                                       const std::vector<Index>& list, bool columns) {
   VectorXd force;
   basis.solve(force);
   const VectorXd gap = rows.d + rows.G(Eigen::all, basis.rows()) * force.head(basis.size());
-  ClosedBasis::Candidates result;
+  ActiveSetFactor::Candidates result;
   result.rows = list;
   result.gap = gap(list);
   result.rounding = VectorXd::Zero(static_cast<Index>(list.size()));
@@ -47,7 +47,7 @@ ClosedBasis::Candidates candidates(const Rows& rows, const ClosedBasis& basis,
   return result;
 }
 
-void check_factor(const Rows& rows, const ClosedBasis& basis) {
+void check_factor(const Rows& rows, const ActiveSetFactor& basis) {
   const Index k = basis.size();
   const MatrixXd L = basis.factor().triangularView<Eigen::Lower>();
   const MatrixXd G = rows.G(basis.rows(), basis.rows());
@@ -63,16 +63,17 @@ void check_factor(const Rows& rows, const ClosedBasis& basis) {
 
 }  // namespace
 
-TEST_CASE("pairs that join and leave in any order leave the factor of the rest", "[closed_basis]") {
+TEST_CASE("pairs that join and leave in any order leave the factor of the rest",
+          "[active_set_factor]") {
   for (const bool columns : {true, false}) {
     Random random(3);
     const Rows rows = random_rows(random, 12, 9);
-    ClosedBasis basis(columns ? 12 : 0, 9);
-    ClosedBasis::Candidates first = candidates(rows, basis, {4, 1, 7, 2}, columns);
-    CHECK(basis.append(first, ClosedBasis::Choice::All, 4) == 4);
+    ActiveSetFactor basis(columns ? 12 : 0, 9);
+    ActiveSetFactor::Candidates first = candidates(rows, basis, {4, 1, 7, 2}, columns);
+    CHECK(basis.append(first, ActiveSetFactor::Choice::All, 4) == 4);
     check_factor(rows, basis);
-    ClosedBasis::Candidates second = candidates(rows, basis, {0, 8, 3}, columns);
-    CHECK(basis.append(second, ClosedBasis::Choice::All, 3) == 3);
+    ActiveSetFactor::Candidates second = candidates(rows, basis, {0, 8, 3}, columns);
+    CHECK(basis.append(second, ActiveSetFactor::Choice::All, 3) == 3);
     check_factor(rows, basis);
     basis.remove({0, 3, 5});
     CHECK(basis.rows() == std::vector<Index>{1, 7, 0, 3});
@@ -84,48 +85,49 @@ TEST_CASE("pairs that join and leave in any order leave the factor of the rest",
   }
 }
 
-TEST_CASE("the best gain joins first, and no pair that the others have opened", "[closed_basis]") {
+TEST_CASE("the best gain joins first, and no pair that the others have opened",
+          "[active_set_factor]") {
   // Pair 1 overlaps more, but pair 0 gains as much per energy; pressing 0 opens its twin 2.
   MatrixXd H(2, 3);
   H << 1, 0.6, 1, 0, 0.8, 0;
   const Rows rows{H, H.transpose() * H, Eigen::Vector3d(-2, -1, -0.5)};
   for (const bool columns : {true, false}) {
-    ClosedBasis basis(columns ? 2 : 0, 3);
-    ClosedBasis::Candidates all = candidates(rows, basis, {2, 1, 0}, columns);
-    CHECK(basis.append(all, ClosedBasis::Choice::Violated, 3) == 1);
+    ActiveSetFactor basis(columns ? 2 : 0, 3);
+    ActiveSetFactor::Candidates all = candidates(rows, basis, {2, 1, 0}, columns);
+    CHECK(basis.append(all, ActiveSetFactor::Choice::Violated, 3) == 1);
     CHECK(basis.rows() == std::vector<Index>{0});
     CHECK(all.gap(0) == Approx(1.5).epsilon(1e-15).margin(0));  // -0.5 + 2
     CHECK(all.gap(1) == Approx(0.2).epsilon(1e-14).margin(0));  // -1 + 0.6 * 2
   }
 }
 
-TEST_CASE("a pair that depends on the others does not join", "[closed_basis]") {
+TEST_CASE("a pair that depends on the others does not join", "[active_set_factor]") {
   Random random(5);
   Rows rows = random_rows(random, 6, 4);
   rows.H.col(3) = (rows.H.col(0) - 2 * rows.H.col(1)).normalized();
   rows.G = rows.H.transpose() * rows.H;
   for (const bool columns : {true, false}) {
-    ClosedBasis basis(columns ? 6 : 0, 4);
-    ClosedBasis::Candidates all = candidates(rows, basis, {0, 1, 2, 3}, columns);
-    CHECK(basis.append(all, ClosedBasis::Choice::All, 4) == 3);
-    const ClosedBasis::Candidates last = candidates(rows, basis, {3}, columns);
-    const ClosedBasis::Response response = basis.response(last);
+    ActiveSetFactor basis(columns ? 6 : 0, 4);
+    ActiveSetFactor::Candidates all = candidates(rows, basis, {0, 1, 2, 3}, columns);
+    CHECK(basis.append(all, ActiveSetFactor::Choice::All, 4) == 3);
+    const ActiveSetFactor::Candidates last = candidates(rows, basis, {3}, columns);
+    const ActiveSetFactor::Response response = basis.response(last);
     CHECK((rows.H.leftCols(3) * response.yield - rows.H.col(3)).norm() < 1e-14);
     CHECK(response.opening == 0);
   }
 }
 
-TEST_CASE("columns tell nearly parallel pairs apart, products do not", "[closed_basis]") {
+TEST_CASE("columns tell nearly parallel pairs apart, products do not", "[active_set_factor]") {
   for (const double angle : {1e-4, 1e-9}) {
     MatrixXd H(2, 2);
     H << 1, std::cos(angle), 0, std::sin(angle);
     const Rows rows{H, H.transpose() * H, Eigen::Vector2d(-1, -1 - angle)};
-    ClosedBasis by_columns(2, 2);
-    ClosedBasis::Candidates first = candidates(rows, by_columns, {0, 1}, true);
-    CHECK(by_columns.append(first, ClosedBasis::Choice::All, 2) == 2);
+    ActiveSetFactor by_columns(2, 2);
+    ActiveSetFactor::Candidates first = candidates(rows, by_columns, {0, 1}, true);
+    CHECK(by_columns.append(first, ActiveSetFactor::Choice::All, 2) == 2);
     CHECK(by_columns.factor()(1, 1) == Approx(std::sin(angle)).epsilon(1e-15 / angle).margin(0));
-    ClosedBasis by_products(0, 2);
-    ClosedBasis::Candidates second = candidates(rows, by_products, {0, 1}, false);
-    CHECK(by_products.append(second, ClosedBasis::Choice::All, 2) == (angle > 1e-5 ? 2 : 1));
+    ActiveSetFactor by_products(0, 2);
+    ActiveSetFactor::Candidates second = candidates(rows, by_products, {0, 1}, false);
+    CHECK(by_products.append(second, ActiveSetFactor::Choice::All, 2) == (angle > 1e-5 ? 2 : 1));
   }
 }
