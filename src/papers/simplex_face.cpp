@@ -20,7 +20,7 @@ struct SimplexFace::Numbers {
 
   ScaledProblem scaled;
   VectorXd ones;
-  RowSource rows;
+  ConstraintRows rows;
   Report report;
   GroupActiveSet method;
 };

@@ -12,8 +12,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-RowSource rows_of(ProgrammeRows& programme) {
-  RowSource rows;
+ConstraintRows rows_of(ProgrammeRows& programme) {
+  ConstraintRows rows;
   rows.count = programme.count();
   rows.equations = programme.equations();
   rows.rank = std::min(programme.unknowns(), rows.count);
@@ -31,7 +31,7 @@ RowSource rows_of(ProgrammeRows& programme) {
 DenseSolution grow_active_set(const DenseProgramme& programme, Index limit,
                               GroupActiveSet::Pace pace) {
   ProgrammeRows data(programme);
-  const RowSource rows = rows_of(data);
+  const ConstraintRows rows = rows_of(data);
   DenseSolution solution;
   GroupActiveSet method(rows, data.empty_basis(), solution.report, limit, pace);
   SolveStatus status = rows.equations > 0 ? method.close_equations() : SolveStatus::Solved;

@@ -21,7 +21,7 @@ bool rises(double now, double before, Index size) {
 
 }  // namespace
 
-GroupActiveSet::GroupActiveSet(const RowSource& rows, ActiveSetFactor basis, Report& report,
+GroupActiveSet::GroupActiveSet(const ConstraintRows& rows, ActiveSetFactor basis, Report& report,
                                Index limit, Pace pace)
     : rows_(rows),
       basis_(std::move(basis)),

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/problem/row_source.hpp"
+#include "signorini/problem/constraint_rows.hpp"
 
 namespace signorini {
 
@@ -23,8 +23,8 @@ class GroupActiveSet {
   /// \param report  takes iterations, factorisations and history; must outlive this
   /// \param limit   most iterations
   /// \param pace    how many rows join at a time
-  GroupActiveSet(const RowSource& rows, ActiveSetFactor basis, Report& report, Eigen::Index limit,
-                 Pace pace);
+  GroupActiveSet(const ConstraintRows& rows, ActiveSetFactor basis, Report& report,
+                 Eigen::Index limit, Pace pace);
 
   /// Closes the equations, leaving out those that follow from others.
   /// \return Solved, or Infeasible if they contradict each other
@@ -76,7 +76,7 @@ class GroupActiveSet {
   void solve();
   [[nodiscard]] std::vector<Eigen::Index> pulling() const;
 
-  const RowSource& rows_;
+  const ConstraintRows& rows_;
   ActiveSetFactor basis_;
   ActiveSetFactor saved_;
   Report& report_;

@@ -27,7 +27,7 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit,
                              GroupActiveSet::Pace pace) {
   const ScaledProblem scaled = equilibrate(problem);
   const VectorXd ones = VectorXd::Ones(scaled.free.size());
-  const RowSource rows = rows_of(scaled, ones);
+  const ConstraintRows rows = rows_of(scaled, ones);
   Report report;
   GroupActiveSet method(rows, ActiveSetFactor(0, rows.count), report, limit, pace);
   ActiveSetSolution closed;

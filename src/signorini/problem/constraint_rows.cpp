@@ -1,4 +1,4 @@
-#include "signorini/problem/row_source.hpp"
+#include "signorini/problem/constraint_rows.hpp"
 
 #include <cmath>
 #include <vector>
@@ -29,8 +29,8 @@ void gaps_of_pairs(const ScaledProblem& scaled, const ActiveSetFactor& basis, Ve
 
 }  // namespace
 
-RowSource rows_of(const ScaledProblem& scaled, const VectorXd& weight) {
-  RowSource rows;
+ConstraintRows rows_of(const ScaledProblem& scaled, const VectorXd& weight) {
+  ConstraintRows rows;
   rows.count = rows.rank = scaled.free.size();
   rows.unit = &scaled.scale;
   rows.weight = &weight;

@@ -10,7 +10,7 @@
 namespace signorini {
 
 /// What methods that grow a ActiveSetFactor ask of the rows of a problem, however these are known.
-struct RowSource {
+struct ConstraintRows {
   Eigen::Index count = 0;  ///< number of rows m
   Eigen::Index equations =
       0;                  ///< so many of the first are always closed, their forces have any sign
@@ -30,6 +30,6 @@ struct RowSource {
 /// \param problem  scaled, without friction and rigid modes; must outlive the rows
 /// \param ones     `n_c` ones, which must outlive them too
 /// \return rows whose products are taken from G
-[[nodiscard]] RowSource rows_of(const ScaledProblem& problem, const Eigen::VectorXd& ones);
+[[nodiscard]] ConstraintRows rows_of(const ScaledProblem& problem, const Eigen::VectorXd& ones);
 
 }  // namespace signorini
