@@ -111,8 +111,8 @@ std::string singular(const ContactEquations& equations, const VectorXd& x) {
 
 /// Newton's method until the residual, once below the tolerance, falls no more: its steps are cheap there.
 /// \return why it ended, or nothing if there
-std::string iterate(ContactEquations& equations, const SolverOptions& options, VectorXd& x,
-                    Report& report) {
+std::string newton_iterations(ContactEquations& equations, const SolverOptions& options,
+                              VectorXd& x, Report& report) {
   const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 50;
   const Index pairs = equations.pairs();
   VectorXd residual(x.size());
@@ -152,11 +152,11 @@ ContactState friction_split_literal(const ContactProblem& problem, const SolverO
   VectorXd x = VectorXd::Zero(equations.size());
   if (equations.modes() > 0) {  // from no force at all no pair would hold the modes
     const ScaledProblem scaled = equilibrate(problem);
-    x.head(equations.rows()) = scaled.scale.cwiseProduct(first_attempt(scaled).solution.force);
+    x.head(equations.rows()) = scaled.scale.cwiseProduct(first_iterate(scaled).solution.force);
   }
   equations.choose_closed(x);
   Report report;
-  std::string reason = iterate(equations, options, x, report);
+  std::string reason = newton_iterations(equations, options, x, report);
   ActiveSetSolution end;
   equations.read(x, end);
   std::vector<ContactStatus> statuses = statuses_of({}, equations.pairs());
@@ -175,10 +175,10 @@ ContactState friction_split_literal(const ContactProblem& problem, const SolverO
 ContactState friction_split(const ContactProblem& problem, const SolverOptions& options) {
   const ScaledProblem scaled = equilibrate(problem);
   if (auto away = pulled_away(problem, scaled)) return *away;
-  Attempt attempt = first_attempt(scaled);
+  Iterate iterate = first_iterate(scaled);
   follow_newton(scaled, mended,
-                options.iteration_limit > 0 ? options.iteration_limit : newton_limit, attempt);
-  return finished(problem, scaled, std::move(attempt));
+                options.iteration_limit > 0 ? options.iteration_limit : newton_limit, iterate);
+  return finished(problem, scaled, std::move(iterate));
 }
 
 }  // namespace signorini

@@ -57,9 +57,9 @@ ContactState arrived(const ContactProblem& lcp, const SolverOptions& options, Re
   const Index m = lcp.free_gap.size();
   SolverOptions path = options;  // a path that arrives is about as long as the problem is large
   if (path.iteration_limit == 0) path.iteration_limit = 100 * m;
-  for (Index attempt = 0; attempt < 4 && state.report.status != SolveStatus::Solved; ++attempt) {
-    const VectorXd covering = VectorXd::LinSpaced(m, 1, static_cast<double>(1 + attempt));
-    state = attempt == 0 ? lemke(lcp, path) : lemke(lcp, covering, path);
+  for (Index trial = 0; trial < 4 && state.report.status != SolveStatus::Solved; ++trial) {
+    const VectorXd covering = VectorXd::LinSpaced(m, 1, static_cast<double>(1 + trial));
+    state = trial == 0 ? lemke(lcp, path) : lemke(lcp, covering, path);
     append(report, state.report);
   }
   return state;
@@ -67,12 +67,12 @@ ContactState arrived(const ContactProblem& lcp, const SolverOptions& options, Re
 
 /// Takes the forces of a linear complementarity problem over, and what they say of each pair.
 void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd& z,
-          Attempt& attempt) {
+          Iterate& iterate) {
   const Index rows = problem.free.size();
   const Index pairs = problem.pairs();
   const Index slips = rows - pairs;
   const Index k = problem.rigid.cols();
-  ActiveSetSolution& now = attempt.solution;
+  ActiveSetSolution& now = iterate.solution;
   now.force = z.head(rows);
   now.amplitude = z.segment(rows + slips, k) - z.tail(k);
   const auto bound = [&](Index j) {
@@ -83,11 +83,11 @@ void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd
   now.movement = problem.free + problem.compliance * now.force;
   if (k > 0) now.movement += problem.rigid * now.amplitude;
   for (Index i = 0; i < pairs; ++i)
-    attempt.statuses[static_cast<std::size_t>(i)] =
+    iterate.statuses[static_cast<std::size_t>(i)] =
         z(i) > now.movement(i) ? ContactStatus::Stick : ContactStatus::Open;
   for (Index j = 0; j < slips; ++j) {
     ContactStatus& contact_status =
-        attempt.statuses[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])];
+        iterate.statuses[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])];
     const double slip = now.movement(pairs + j);
     const double forward = z(pairs + j);
     if (contact_status == ContactStatus::Open) continue;
@@ -118,7 +118,7 @@ Index first_change(const VectorXd& now, const VectorXd& next, Index last) {
 
 }  // namespace
 
-void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, Attempt& attempt) {
+void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, Iterate& iterate) {
   VectorXd cohesion = problem.law.cohesion;
   std::vector<VectorXd> seen;
   bool one_at_a_time = false;
@@ -133,18 +133,18 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, A
       seen.clear();
     }
     seen.push_back(cohesion);
-    const ContactState state = arrived(complementarity(problem, cohesion), options, attempt.report);
+    const ContactState state = arrived(complementarity(problem, cohesion), options, iterate.report);
     std::string reason =
         std::string("Lemke's method ended with '") + to_string(state.report.status) + "'";
-    attempt.reason = reason;
+    iterate.reason = reason;
     if (!state.force.allFinite()) return;
-    take(problem, cohesion, state.force, attempt);
-    const VectorXd next = carried(problem, attempt.statuses);
+    take(problem, cohesion, state.force, iterate);
+    const VectorXd next = carried(problem, iterate.statuses);
     exchange_motions(problem, 3,
-                     attempt);  // rounding may have the say over pairs that barely touch
-    if (attempt.confirmed) return;
-    attempt.report.status = state.report.status;
-    attempt.reason = std::move(reason);
+                     iterate);  // rounding may have the say over pairs that barely touch
+    if (iterate.confirmed) return;
+    iterate.report.status = state.report.status;
+    iterate.reason = std::move(reason);
     if (state.report.status != SolveStatus::Solved) return;
     const Index change = first_change(cohesion, next, changed);
     if (change < 0) break;
@@ -158,8 +158,8 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, A
       cohesion = next;
     changed = one_at_a_time ? change : -1;
   }
-  attempt.report.status = circle || jumping >= 0 ? SolveStatus::Jump : SolveStatus::Breakdown;
-  attempt.reason =
+  iterate.report.status = circle || jumping >= 0 ? SolveStatus::Jump : SolveStatus::Breakdown;
+  iterate.reason =
       jumping >= 0
           ? text("pair ", problem.law.pair[static_cast<std::size_t>(jumping)],
                  " closes only without its cohesion and opens only with it: cohesion that ends "

@@ -24,8 +24,8 @@ constexpr double harder = 0.5;
 constexpr double softer = 4;
 
 /// Exchanges from where an attempt stands. \param report  gets them added
-Attempt exchanged(const ScaledProblem& problem, const Attempt& from, Index limit, Report& report) {
-  Attempt next{from.solution, from.statuses, {}};
+Iterate exchanged(const ScaledProblem& problem, const Iterate& from, Index limit, Report& report) {
+  Iterate next{from.solution, from.statuses, {}};
   exchange_motions(problem, limit, next);
   append(report, next.report);
   return next;
@@ -33,24 +33,24 @@ Attempt exchanged(const ScaledProblem& problem, const Attempt& from, Index limit
 
 }  // namespace
 
-void follow_soft_pairs(const ScaledProblem& problem, Attempt& attempt) {
-  const Index most = attempt.report.iterations + exchange_limit + 2 * problem.free.size();
+void follow_soft_pairs(const ScaledProblem& problem, Iterate& iterate) {
+  const Index most = iterate.report.iterations + exchange_limit + 2 * problem.free.size();
   ScaledProblem soft = problem;
-  Attempt at{attempt.solution, attempt.statuses, {}};
-  for (double softness = 1; softness > epsilon && attempt.report.iterations < most;) {
+  Iterate at{iterate.solution, iterate.statuses, {}};
+  for (double softness = 1; softness > epsilon && iterate.report.iterations < most;) {
     soft.compliance.diagonal() = problem.compliance.diagonal().array() + softness;
     for (Index i = 0; i < soft.sparse.cols(); ++i)
       soft.sparse.coeffRef(i, i) = soft.compliance(i, i);
     soft.free = problem.free - softness * at.solution.force;
-    Attempt next = exchanged(soft, at, few, attempt.report);
+    Iterate next = exchanged(soft, at, few, iterate.report);
     softness *= next.confirmed ? harder : softer;
     if (!next.confirmed) continue;
     at = std::move(next);
     if (at.report.iterations > 1) continue;
-    Attempt end = exchanged(problem, at, last_few, attempt.report);
+    Iterate end = exchanged(problem, at, last_few, iterate.report);
     if (!end.confirmed) continue;
-    end.report = std::move(attempt.report);
-    attempt = std::move(end);
+    end.report = std::move(iterate.report);
+    iterate = std::move(end);
     return;
   }
 }

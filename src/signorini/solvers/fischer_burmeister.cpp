@@ -17,11 +17,11 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
   if (auto away = pulled_away(problem, scaled)) return *away;
   const bool limited = options.iteration_limit > 0;
   const Index own_limit = rubs ? newton_limit : 10 * scaled.pairs() + 100;
-  Attempt attempt = first_attempt(scaled);
-  follow_newton(scaled, nested_friction, limited ? options.iteration_limit : own_limit, attempt);
-  if (rubs && !limited && !attempt.confirmed) exchange_motions(scaled, exchange_limit, attempt);
-  if (rubs && !limited && !attempt.confirmed) follow_pivots(scaled, {}, attempt);
-  return finished(problem, scaled, std::move(attempt));
+  Iterate iterate = first_iterate(scaled);
+  follow_newton(scaled, nested_friction, limited ? options.iteration_limit : own_limit, iterate);
+  if (rubs && !limited && !iterate.confirmed) exchange_motions(scaled, exchange_limit, iterate);
+  if (rubs && !limited && !iterate.confirmed) follow_pivots(scaled, {}, iterate);
+  return finished(problem, scaled, std::move(iterate));
 }
 
 Solver fischer_burmeister() {

@@ -163,9 +163,9 @@ ContactState lemke(const ContactProblem& problem, const SolverOptions& options) 
     if (problem.resultant.size() > 0) check_problem(problem);
     const ScaledProblem scaled = equilibrate_any(problem);
     if (auto away = pulled_away(problem, scaled)) return *away;
-    Attempt attempt = first_attempt(scaled);
-    follow_pivots(scaled, options, attempt);
-    return finished(problem, scaled, std::move(attempt));
+    Iterate iterate = first_iterate(scaled);
+    follow_pivots(scaled, options, iterate);
+    return finished(problem, scaled, std::move(iterate));
   }
   const ScaledProblem scaled = equilibrate_any(problem);
   const Index n = problem.free_gap.size();

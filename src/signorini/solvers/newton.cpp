@@ -86,45 +86,45 @@ class Newton {
 };
 
 /// What statuses say is closed, the pairs whose force exceeds their gap most first.
-ActiveSet clearest_first(const ScaledProblem& problem, const Attempt& attempt, double reach,
+ActiveSet clearest_first(const ScaledProblem& problem, const Iterate& iterate, double reach,
                          const std::vector<ContactStatus>& statuses) {
   ActiveSet set = active_set(statuses, problem.law);
   if (!problem.law.pair.empty()) return set;
-  const VectorXd excess = reach * attempt.solution.force - attempt.solution.movement;
+  const VectorXd excess = reach * iterate.solution.force - iterate.solution.movement;
   std::stable_sort(set.closed.begin(), set.closed.end(),
                    [&](Index i, Index j) { return excess(i) > excess(j); });
   return set;
 }
 
 /// Opens closed pairs without a force, if that is a solution as well: a pair that only touches holds nothing.
-void open_idle_pairs(const ScaledProblem& problem, Attempt& attempt) {
-  const ActiveSetSolution& end = attempt.solution;
+void open_idle_pairs(const ScaledProblem& problem, Iterate& iterate) {
+  const ActiveSetSolution& end = iterate.solution;
   std::vector<Index> pressed;
-  for (const Index i : closed_pairs(attempt.statuses))
+  for (const Index i : closed_pairs(iterate.statuses))
     if (end.force(i) > end.force_rounding) pressed.push_back(i);
   if (pressed.size() == end.rows.size()) return;
   if (Confirmed other = confirmed(problem, pressed, &end))
-    std::tie(attempt.solution, attempt.statuses) = std::move(*other);
+    std::tie(iterate.solution, iterate.statuses) = std::move(*other);
 }
 
 /// The exact end from the statuses of an iterate, or from those which that end asks for: of a pair that touches
 /// without force, rounding decides the side.
-bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
-  std::vector<ContactStatus> statuses = attempt.statuses;
-  ActiveSetSolution start = attempt.solution;
+bool ends(const ScaledProblem& problem, double reach, Iterate& iterate) {
+  std::vector<ContactStatus> statuses = iterate.statuses;
+  ActiveSetSolution start = iterate.solution;
   const bool rubs = !problem.law.pair.empty();
   if (!rubs) start.force.setZero();
   for (int trial = 0; trial < (problem.symmetric ? 2 : 1); ++trial) {
-    const ActiveSet set = clearest_first(problem, attempt, reach, statuses);
-    attempt.report.factorisations += set.closed.empty() ? 0 : 1;
+    const ActiveSet set = clearest_first(problem, iterate, reach, statuses);
+    iterate.report.factorisations += set.closed.empty() ? 0 : 1;
     ActiveSetSolution end = solve_active_set(problem, set, &start);
     const std::vector<ContactStatus> closed =
         rubs ? statuses : statuses_of(end.rows, problem.pairs());
     if (solves(problem, closed, end)) {
-      attempt.solution = std::move(end);
-      attempt.statuses = closed;
-      attempt.confirmed = true;
-      if (!rubs) open_idle_pairs(problem, attempt);
+      iterate.solution = std::move(end);
+      iterate.statuses = closed;
+      iterate.confirmed = true;
+      if (!rubs) open_idle_pairs(problem, iterate);
       return true;
     }
     statuses = closed;
@@ -135,11 +135,11 @@ bool ends(const ScaledProblem& problem, double reach, Attempt& attempt) {
 
 }  // namespace
 
-Attempt first_attempt(const ScaledProblem& problem) {
+Iterate first_iterate(const ScaledProblem& problem) {
   const Index pairs = problem.pairs();
   const MatrixXd& U = problem.rigid;
-  Attempt attempt;
-  ActiveSetSolution& now = attempt.solution;
+  Iterate iterate;
+  ActiveSetSolution& now = iterate.solution;
   now.force.setZero(problem.free.size());
   now.amplitude.setZero(U.cols());
   double unit = reach(problem);
@@ -160,39 +160,39 @@ Attempt first_attempt(const ScaledProblem& problem) {
   }
   // A pair that touches is open until something presses it, whatever rounding says of its gap.
   now.movement_rounding = static_cast<double>(size.size() + U.cols() + 1) * epsilon * size;
-  attempt.statuses = statuses_of({}, pairs);
-  predict(problem, now, unit, attempt.statuses);
-  return attempt;
+  iterate.statuses = statuses_of({}, pairs);
+  predict(problem, now, unit, iterate.statuses);
+  return iterate;
 }
 
-ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled, Attempt attempt) {
-  Report& report = attempt.report;
-  if (attempt.confirmed) {
+ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled, Iterate iterate) {
+  Report& report = iterate.report;
+  if (iterate.confirmed) {
     report.status = SolveStatus::Solved;
-    attempt.reason.clear();
+    iterate.reason.clear();
   } else if (report.status == SolveStatus::Solved) {
     report.status = SolveStatus::Breakdown;  // of another problem that was solved on the way
   }
   ContactState state =
-      finished(problem, scaled, attempt.solution, attempt.statuses, std::move(report));
-  if (state.reason.empty()) state.reason = std::move(attempt.reason);
-  if (attempt.confirmed && !scaled.law.pair.empty() && scaled.symmetric)
-    state.uniqueness = uniqueness(scaled, attempt.statuses, attempt.solution);
+      finished(problem, scaled, iterate.solution, iterate.statuses, std::move(report));
+  if (state.reason.empty()) state.reason = std::move(iterate.reason);
+  if (iterate.confirmed && !scaled.law.pair.empty() && scaled.symmetric)
+    state.uniqueness = uniqueness(scaled, iterate.statuses, iterate.solution);
   if (state.uniqueness == Uniqueness::Doubtful)
-    state.doubt = doubt(scaled, attempt.statuses, attempt.solution);
+    state.doubt = doubt(scaled, iterate.statuses, iterate.solution);
   return state;
 }
 
 void follow_newton(const ScaledProblem& problem, const Formulation& form, Index limit,
-                   Attempt& attempt) {
+                   Iterate& iterate) {
   ContactEquations equations(problem, form);
   const double unit = equations.reach();
-  VectorXd x = equations.unknowns(attempt.solution);
+  VectorXd x = equations.unknowns(iterate.solution);
   Newton newton(equations, x);
-  Report& report = attempt.report;
+  Report& report = iterate.report;
   const auto look = [&] {
-    equations.read(x, attempt.solution);
-    return predict(problem, attempt.solution, unit, attempt.statuses);
+    equations.read(x, iterate.solution);
+    return predict(problem, iterate.solution, unit, iterate.statuses);
   };
   const double first = newton.residual();
   Index last_changes = 1;  // so that the first statuses are tried
@@ -206,15 +206,15 @@ void follow_newton(const ScaledProblem& problem, const Formulation& form, Index 
       ++report.factorisations;
       last_changes = changes;
       changes = look();
-      Iteration entry = summary(problem, attempt.statuses, attempt.solution, changes);
+      Iteration entry = summary(problem, iterate.statuses, iterate.solution, changes);
       entry.residual = first == 0 ? 0 : newton.residual() / first;
       report.history.push_back(entry);
       continue;
     }
-    if (ends(problem, unit, attempt)) return;
+    if (ends(problem, unit, iterate)) return;
     last_changes = 0;
     report.status = limited ? SolveStatus::IterationLimit : SolveStatus::Breakdown;
-    attempt.reason = limited
+    iterate.reason = limited
                          ? "Newton's method did not settle on what each pair does"
                          : "no step lowers the residual any more, at a point that is no solution";
     if (!settled) return;

@@ -10,7 +10,7 @@
 namespace signorini {
 
 /// Where a method stands: the numbers, what they say of each pair, and the report so far.
-struct Attempt {
+struct Iterate {
   ActiveSetSolution solution;           ///< the end if `confirmed`, else the last iterate
   std::vector<ContactStatus> statuses;  ///< `n_c`
   Report report;                        ///< its status is set at the end
@@ -23,7 +23,7 @@ struct Attempt {
 /// modes the least forces that balance r, and the amplitudes of least gaps.
 /// \param problem  scaled
 /// \return the point
-[[nodiscard]] Attempt first_attempt(const ScaledProblem& problem);
+[[nodiscard]] Iterate first_iterate(const ScaledProblem& problem);
 
 /// The state where a method ended.
 /// \param problem  as it was posed
@@ -31,7 +31,7 @@ struct Attempt {
 /// \param attempt  the end
 /// \return the state, `Solved` if the end was confirmed; with friction with its uniqueness()
 [[nodiscard]] ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
-                                    Attempt attempt);
+                                    Iterate iterate);
 
 /// Takes Newton steps, each as far as \f$ \tfrac12|\Phi|^2 \f$ falls (Armijo's rule). If J is singular to working
 /// precision, so that its step does not point downhill, the step follows the gradient \f$ J^T\Phi \f$, which
@@ -45,7 +45,7 @@ struct Attempt {
 /// \param limit    on the iterations in `attempt.report`
 /// \param[in,out] attempt  where to start, and where it ended
 void follow_newton(const ScaledProblem& problem, const Formulation& form, Eigen::Index limit,
-                   Attempt& attempt);
+                   Iterate& iterate);
 
 /// Newton steps with friction if the caller sets no limit.
 inline constexpr Eigen::Index newton_limit = 25;
@@ -61,7 +61,7 @@ inline constexpr Eigen::Index newton_limit = 25;
 /// \param problem  scaled
 /// \param limit    on the exchanges
 /// \param[in,out] attempt  where to start, and where it ended
-void exchange_motions(const ScaledProblem& problem, Eigen::Index limit, Attempt& attempt);
+void exchange_motions(const ScaledProblem& problem, Eigen::Index limit, Iterate& iterate);
 
 /// Exchanges with friction if the caller sets no limit.
 inline constexpr Eigen::Index exchange_limit = 50;
@@ -73,12 +73,12 @@ inline constexpr Eigen::Index exchange_limit = 50;
 /// change, exchange_motions() may end it.
 /// \param problem  scaled
 /// \param[in,out] attempt  where to start; its report is continued, the rest is kept unless this is the end
-void follow_soft_pairs(const ScaledProblem& problem, Attempt& attempt);
+void follow_soft_pairs(const ScaledProblem& problem, Iterate& iterate);
 
 /// Follows Lemke's path through all kinds of contact, see lemke().
 /// \param problem  scaled
 /// \param options  of each path
 /// \param[in,out] attempt  its report is continued
-void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, Attempt& attempt);
+void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, Iterate& iterate);
 
 }  // namespace signorini

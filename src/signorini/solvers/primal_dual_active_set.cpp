@@ -18,10 +18,10 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// What statuses say is closed, the pairs that overlapped most first.
-ActiveSet deepest_first(const ScaledProblem& problem, const Attempt& attempt) {
-  ActiveSet set = active_set(attempt.statuses, problem.law);
+ActiveSet deepest_first(const ScaledProblem& problem, const Iterate& iterate) {
+  ActiveSet set = active_set(iterate.statuses, problem.law);
   if (!problem.law.pair.empty()) return set;
-  const VectorXd& movement = attempt.solution.movement;
+  const VectorXd& movement = iterate.solution.movement;
   std::stable_sort(set.closed.begin(), set.closed.end(),
                    [&](Index i, Index j) { return movement(i) < movement(j); });
   return set;
@@ -42,84 +42,84 @@ constexpr std::size_t many = 64;
 
 /// Where to start from without friction and rigid modes. Of many overlapping pairs most will open: every second one
 /// is solved alone first, by the same rule, and those between closed ones are closed.
-Attempt coarse_attempt(const ScaledProblem& problem) {
-  Attempt attempt = first_attempt(problem);
-  const std::vector<Index> overlapping = closed_pairs(attempt.statuses);
-  if (overlapping.size() < many) return attempt;
+Iterate coarse_iterate(const ScaledProblem& problem) {
+  Iterate iterate = first_iterate(problem);
+  const std::vector<Index> overlapping = closed_pairs(iterate.statuses);
+  if (overlapping.size() < many) return iterate;
   std::vector<Index> half;
   for (std::size_t k = 0; k < overlapping.size(); k += 2) half.push_back(overlapping[k]);
   const ScaledProblem coarse{problem.compliance(half, half), problem.free(half),
                              problem.scale(half), problem.symmetric};
-  Attempt found = coarse_attempt(coarse);
+  Iterate found = coarse_iterate(coarse);
   exchange_motions(coarse, most_exchanges(coarse), found);
-  attempt.report.factorisations = found.report.factorisations;
-  if (!found.confirmed) return attempt;
+  iterate.report.factorisations = found.report.factorisations;
+  if (!found.confirmed) return iterate;
   const auto opens = [&](std::size_t k) {
     return found.statuses[std::min(k, half.size() - 1)] == ContactStatus::Open;
   };
   for (std::size_t k = 0; k < overlapping.size(); ++k)
     if (opens(k / 2) || opens((k + 1) / 2))
-      attempt.statuses[static_cast<std::size_t>(overlapping[k])] = ContactStatus::Open;
-  return attempt;
+      iterate.statuses[static_cast<std::size_t>(overlapping[k])] = ContactStatus::Open;
+  return iterate;
 }
 
 /// Where to start from if a problem like this one is solved.
-Attempt attempt_from(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses) {
-  Attempt attempt;
-  attempt.solution.force.setZero(problem.free.size());
-  attempt.solution.movement = problem.free;
-  attempt.solution.amplitude.setZero(problem.rigid.cols());
-  attempt.statuses = statuses;
-  return attempt;
+Iterate iterate_from(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses) {
+  Iterate iterate;
+  iterate.solution.force.setZero(problem.free.size());
+  iterate.solution.movement = problem.free;
+  iterate.solution.amplitude.setZero(problem.rigid.cols());
+  iterate.statuses = statuses;
+  return iterate;
 }
 
 /// Ends where nothing pushes bodies that only contact stops: no pair has a force, at the least of the rigid motions
 /// after which none overlaps. Where so many pairs just touch, exchanges follow forces that are nothing but rounding.
-void put_apart(const ScaledProblem& problem, Attempt& attempt) {
+void put_apart(const ScaledProblem& problem, Iterate& iterate) {
   if (!problem.resultant.isZero(0)) return;
   const Index pairs = problem.pairs();
   const Eigen::MatrixXd U = problem.rigid.topRows(pairs);
   const ContactState placed = goldfarb_idnani({U * U.transpose(), problem.free.head(pairs)});
-  append(attempt.report, placed.report);
-  attempt.report.status = SolveStatus::Breakdown;
+  append(iterate.report, placed.report);
+  iterate.report.status = SolveStatus::Breakdown;
   if (placed.report.status != SolveStatus::Solved) return;
   ActiveSetSolution start;
   start.amplitude = U.transpose() * placed.force;
   const std::vector<ContactStatus> open = statuses_of({}, pairs);
   ActiveSetSolution end = solve_active_set(problem, open, &start);
   if (!solves(problem, open, end)) return;
-  attempt.solution = std::move(end);
-  attempt.statuses = open;
-  attempt.confirmed = true;
+  iterate.solution = std::move(end);
+  iterate.statuses = open;
+  iterate.confirmed = true;
 }
 
 }  // namespace
 
-void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attempt) {
+void exchange_motions(const ScaledProblem& problem, Index limit, Iterate& iterate) {
   const double unit = reach(problem);
   const bool rubs = !problem.law.pair.empty();
   const bool plain = !rubs && problem.rigid.cols() == 0;
   std::set<std::vector<ContactStatus>> seen;
   bool one_at_a_time = false;
-  Report& report = attempt.report;
+  Report& report = iterate.report;
   report.status = SolveStatus::IterationLimit;
-  attempt.reason = "the motions did not settle";
-  ActiveSetSolution start = attempt.solution;
+  iterate.reason = "the motions did not settle";
+  ActiveSetSolution start = iterate.solution;
   for (Index step = 0; step < limit; ++step) {
-    if (!seen.insert(attempt.statuses).second) {
-      attempt.reason = "the motions run in circles";
+    if (!seen.insert(iterate.statuses).second) {
+      iterate.reason = "the motions run in circles";
       one_at_a_time = true;
       if (!plain) return;
     }
-    const ActiveSet set = deepest_first(problem, attempt);
+    const ActiveSet set = deepest_first(problem, iterate);
     report.factorisations += set.closed.empty() ? 0 : 1;
     ++report.iterations;
-    attempt.solution = solve_active_set(problem, set, plain ? nullptr : &start);
-    const ActiveSetSolution& now = attempt.solution;
+    iterate.solution = solve_active_set(problem, set, plain ? nullptr : &start);
+    const ActiveSetSolution& now = iterate.solution;
     if (rubs) start = now;
     if (!now.force.allFinite() || !now.movement.allFinite() || (!rubs && !now.solvable)) {
       report.status = SolveStatus::Breakdown;
-      attempt.reason = "the equations of the motions are singular";
+      iterate.reason = "the equations of the motions are singular";
       return;
     }
     if (!rubs && now.rows.size() < set.closed.size()) {  // the others repeat those that stay closed
@@ -127,19 +127,19 @@ void exchange_motions(const ScaledProblem& problem, Index limit, Attempt& attemp
         report.status = SolveStatus::Breakdown;
         return;
       }
-      attempt.statuses = statuses_of(now.rows, problem.pairs());
+      iterate.statuses = statuses_of(now.rows, problem.pairs());
     }
-    std::vector<ContactStatus> next = attempt.statuses;
+    std::vector<ContactStatus> next = iterate.statuses;
     const Index changes = predict(problem, now, unit, next);
-    report.history.push_back(summary(problem, attempt.statuses, now, changes));
-    if (changes == 0) attempt.confirmed = solves(problem, attempt.statuses, now);
-    if (attempt.confirmed) return;
+    report.history.push_back(summary(problem, iterate.statuses, now, changes));
+    if (changes == 0) iterate.confirmed = solves(problem, iterate.statuses, now);
+    if (iterate.confirmed) return;
     if (changes == 0) {
       report.status = SolveStatus::Breakdown;
       return;
     }
-    if (one_at_a_time) keep_first_change(attempt.statuses, next);
-    if (step + 1 < limit) attempt.statuses = std::move(next);
+    if (one_at_a_time) keep_first_change(iterate.statuses, next);
+    if (step + 1 < limit) iterate.statuses = std::move(next);
   }
 }
 
@@ -151,32 +151,32 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   const Index asked = options.iteration_limit;
   const Index own_limit = rubs ? exchange_limit : most_exchanges(scaled);
   const Index limit = asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit;
-  std::optional<Attempt> first;
+  std::optional<Iterate> first;
   const auto cold = [&] {
-    if (!first) first = rubs || floats ? first_attempt(scaled) : coarse_attempt(scaled);
+    if (!first) first = rubs || floats ? first_iterate(scaled) : coarse_iterate(scaled);
     return *first;
   };
   const bool warm = static_cast<Index>(options.start.size()) == scaled.pairs();
-  Attempt attempt = warm ? attempt_from(scaled, options.start) : cold();
-  exchange_motions(scaled, limit, attempt);
+  Iterate iterate = warm ? iterate_from(scaled, options.start) : cold();
+  exchange_motions(scaled, limit, iterate);
   const auto begin_again = [&] {
-    Attempt again = cold();
-    again.report = std::move(attempt.report);
-    attempt = std::move(again);
+    Iterate again = cold();
+    again.report = std::move(iterate.report);
+    iterate = std::move(again);
   };
-  if (warm && asked == 0 && !attempt.confirmed) {
+  if (warm && asked == 0 && !iterate.confirmed) {
     begin_again();
-    exchange_motions(scaled, limit, attempt);
+    exchange_motions(scaled, limit, iterate);
   }
-  if ((rubs || floats) && asked == 0 && !attempt.confirmed) {
+  if ((rubs || floats) && asked == 0 && !iterate.confirmed) {
     begin_again();
-    if (floats) put_apart(scaled, attempt);
-    if (rubs && !attempt.confirmed) follow_soft_pairs(scaled, attempt);
-    const Index most = attempt.report.iterations + newton_limit;
-    if (!attempt.confirmed) follow_newton(scaled, nested_friction, most, attempt);
-    if (!attempt.confirmed) follow_pivots(scaled, {}, attempt);
+    if (floats) put_apart(scaled, iterate);
+    if (rubs && !iterate.confirmed) follow_soft_pairs(scaled, iterate);
+    const Index most = iterate.report.iterations + newton_limit;
+    if (!iterate.confirmed) follow_newton(scaled, nested_friction, most, iterate);
+    if (!iterate.confirmed) follow_pivots(scaled, {}, iterate);
   }
-  ContactState state = finished(problem, scaled, std::move(attempt));
+  ContactState state = finished(problem, scaled, std::move(iterate));
   const Index left = asked - state.report.iterations;
   if (rubs || floats || state.report.status == SolveStatus::Solved || (asked > 0 && left <= 0))
     return state;
