@@ -140,8 +140,8 @@ void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, I
     if (!state.force.allFinite()) return;
     take(problem, cohesion, state.force, iterate);
     const VectorXd next = carried(problem, iterate.statuses);
-    exchange_motions(problem, 3,
-                     iterate);  // rounding may have the say over pairs that barely touch
+    primal_dual_iterations(problem, 3,
+                           iterate);  // rounding may have the say over pairs that barely touch
     if (iterate.confirmed) return;
     iterate.report.status = state.report.status;
     iterate.reason = std::move(reason);

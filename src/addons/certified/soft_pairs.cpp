@@ -26,7 +26,7 @@ constexpr double softer = 4;
 /// Exchanges from where an attempt stands. \param report  gets them added
 Iterate exchanged(const ScaledProblem& problem, const Iterate& from, Index limit, Report& report) {
   Iterate next{from.solution, from.statuses, {}};
-  exchange_motions(problem, limit, next);
+  primal_dual_iterations(problem, limit, next);
   append(report, next.report);
   return next;
 }

@@ -19,7 +19,8 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
   const Index own_limit = rubs ? newton_limit : 10 * scaled.pairs() + 100;
   Iterate iterate = first_iterate(scaled);
   follow_newton(scaled, nested_friction, limited ? options.iteration_limit : own_limit, iterate);
-  if (rubs && !limited && !iterate.confirmed) exchange_motions(scaled, exchange_limit, iterate);
+  if (rubs && !limited && !iterate.confirmed)
+    primal_dual_iterations(scaled, exchange_limit, iterate);
   if (rubs && !limited && !iterate.confirmed) follow_pivots(scaled, {}, iterate);
   return finished(problem, scaled, std::move(iterate));
 }

@@ -26,7 +26,7 @@ namespace signorini {
 /// rounding.
 ///
 /// With friction there is one more equation per slip, see nested_friction; no pair of unknowns u+ and u- as in
-/// friction_split() is needed. Where that does not end in a solution, exchange_motions() and then the pivots of
+/// friction_split() is needed. Where that does not end in a solution, primal_dual_iterations() and then the pivots of
 /// lemke() go on from there; the last one finds a solution of every held body without cohesion. With rigid
 /// modes it starts from the least forces that balance the load, for one mode of equal pairs the equal share of
 /// each, and from the amplitudes of least gaps; see ContactEquations.

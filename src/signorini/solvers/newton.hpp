@@ -61,7 +61,7 @@ inline constexpr Eigen::Index newton_limit = 25;
 /// \param problem  scaled
 /// \param limit    on the exchanges
 /// \param[in,out] attempt  where to start, and where it ended
-void exchange_motions(const ScaledProblem& problem, Eigen::Index limit, Iterate& iterate);
+void primal_dual_iterations(const ScaledProblem& problem, Eigen::Index limit, Iterate& iterate);
 
 /// Exchanges with friction if the caller sets no limit.
 inline constexpr Eigen::Index exchange_limit = 50;
@@ -69,8 +69,8 @@ inline constexpr Eigen::Index exchange_limit = 50;
 /// Finds out what pairs that rub do by making them soft: each gets a compliance of its own in the way of every
 /// force, which counts from the forces of the solution before [\ref Rockafellar1976b]. Soft pairs settle in a few
 /// exchanges, one that starts from their statuses hardly has to change any, and with them the compliance becomes 0: it
-/// is halved where exchange_motions() settles, and four times as large where it does not. Where soft pairs no longer
-/// change, exchange_motions() may end it.
+/// is halved where primal_dual_iterations() settles, and four times as large where it does not. Where soft pairs no longer
+/// change, primal_dual_iterations() may end it.
 /// \param problem  scaled
 /// \param[in,out] attempt  where to start; its report is continued, the rest is kept unless this is the end
 void follow_soft_pairs(const ScaledProblem& problem, Iterate& iterate);

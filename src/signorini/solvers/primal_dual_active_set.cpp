@@ -51,7 +51,7 @@ Iterate coarse_iterate(const ScaledProblem& problem) {
   const ScaledProblem coarse{problem.compliance(half, half), problem.free(half),
                              problem.scale(half), problem.symmetric};
   Iterate found = coarse_iterate(coarse);
-  exchange_motions(coarse, most_exchanges(coarse), found);
+  primal_dual_iterations(coarse, most_exchanges(coarse), found);
   iterate.report.factorisations = found.report.factorisations;
   if (!found.confirmed) return iterate;
   const auto opens = [&](std::size_t k) {
@@ -95,7 +95,7 @@ void put_apart(const ScaledProblem& problem, Iterate& iterate) {
 
 }  // namespace
 
-void exchange_motions(const ScaledProblem& problem, Index limit, Iterate& iterate) {
+void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& iterate) {
   const double unit = reach(problem);
   const bool rubs = !problem.law.pair.empty();
   const bool plain = !rubs && problem.rigid.cols() == 0;
@@ -158,7 +158,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   };
   const bool warm = static_cast<Index>(options.start.size()) == scaled.pairs();
   Iterate iterate = warm ? iterate_from(scaled, options.start) : cold();
-  exchange_motions(scaled, limit, iterate);
+  primal_dual_iterations(scaled, limit, iterate);
   const auto begin_again = [&] {
     Iterate again = cold();
     again.report = std::move(iterate.report);
@@ -166,7 +166,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   };
   if (warm && asked == 0 && !iterate.confirmed) {
     begin_again();
-    exchange_motions(scaled, limit, iterate);
+    primal_dual_iterations(scaled, limit, iterate);
   }
   if ((rubs || floats) && asked == 0 && !iterate.confirmed) {
     begin_again();

@@ -24,7 +24,7 @@ namespace signorini {
 /// hides the answer, or there is none - quasi_active_set() takes over from the start: its dual energy rises
 /// at every step, so that it needs no regular block to end.
 ///
-/// With friction a pair has four statuses instead of two, see exchange_motions(): Newton's method for the
+/// With friction a pair has four statuses instead of two, see primal_dual_iterations(): Newton's method for the
 /// conditions written with projections [\ref AlartCurnier1991], which arrives in five to ten steps for hundreds
 /// of pairs, or runs in circles. In that case pairs that rub are made soft, see follow_soft_pairs(); then Newton's
 /// method of fischer_burmeister() starts anew, and the pivots of lemke() end it. With rigid modes the resultant is
