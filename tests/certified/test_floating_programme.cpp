@@ -4,7 +4,7 @@
 #include "addons/certified/floating_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
-#include "signorini/solvers/springs.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "support/floating.hpp"
 #include "support/message.hpp"
 #include "support/problems.hpp"

@@ -5,7 +5,7 @@
 
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
-#include "signorini/solvers/springs.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "support/chosen.hpp"
 #include "support/problem_classes.hpp"
 #include "support/problems.hpp"

@@ -7,7 +7,7 @@
 #include "papers/solver_table.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/solvers/springs.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "support/problems.hpp"
 
 using Eigen::Matrix2d;

@@ -6,7 +6,7 @@
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/rigid_modes.hpp"
-#include "signorini/solvers/springs.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "support/refined.hpp"
 
 using Eigen::Index;

@@ -3,7 +3,7 @@
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/solvers/springs.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "support/floating.hpp"
 #include "support/problems.hpp"
 

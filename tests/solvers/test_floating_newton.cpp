@@ -4,8 +4,8 @@
 #include "papers/examples.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
-#include "signorini/solvers/springs.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

@@ -10,12 +10,12 @@
 #include "papers/solver_table.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/lemke.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"
-#include "signorini/solvers/springs.hpp"
 #include "support/problems.hpp"
 
 using Eigen::Index;

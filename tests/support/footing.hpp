@@ -8,7 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "signorini/scene/readings.hpp"
-#include "signorini/solvers/springs.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 
 namespace signorini_test {
 

@@ -9,7 +9,7 @@
 #include "addons/certified/dense_programme.hpp"
 #include "addons/certified/separate.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/solvers/springs.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 
 namespace signorini {
 namespace {

@@ -5,8 +5,8 @@
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/rigid_modes.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
-#include "signorini/solvers/springs.hpp"
 
 namespace signorini {
 namespace {

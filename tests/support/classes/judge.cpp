@@ -5,7 +5,7 @@
 
 #include "addons/certified/dense_programme.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/solvers/springs.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "support/classes/checks.hpp"
 
 namespace signorini_test {

@@ -1,4 +1,4 @@
-#include "signorini/solvers/springs.hpp"
+#include "signorini/solvers/augmented_lagrangian.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -38,7 +38,7 @@ std::vector<Index> by_force(const ContactState& state) {
 }
 
 /// The problem in which springs hold the modes.
-ContactProblem on_springs(const ScaledProblem& problem, const VectorXd& amplitude, double rho) {
+ContactProblem with_penalty(const ScaledProblem& problem, const VectorXd& amplitude, double rho) {
   const auto& U = problem.rigid;
   ContactProblem held{problem.compliance, problem.free};
   held.compliance.noalias() += rho * U * U.transpose();
@@ -47,8 +47,8 @@ ContactProblem on_springs(const ScaledProblem& problem, const VectorXd& amplitud
 }
 
 /// The method of multipliers, after what was tried before it.
-ContactState solve_on_springs(const ContactProblem& problem, const Solver& solver,
-                              const SolverOptions& options, Report report) {
+ContactState augmented_lagrangian(const ContactProblem& problem, const Solver& solver,
+                                  const SolverOptions& options, Report report) {
   const ScaledProblem scaled = equilibrate(problem);
   const Index pairs = scaled.pairs();
   if (auto away = pulled_away(problem, scaled)) return *away;
@@ -60,7 +60,7 @@ ContactState solve_on_springs(const ContactProblem& problem, const Solver& solve
   double rho = trace > 0 ? trace : 1;
   double last_spring = std::numeric_limits<double>::infinity();
   for (Index passes = 0; passes < most_passes; ++passes) {
-    now = solver.solve(on_springs(scaled, last.amplitude, rho), options);
+    now = solver.solve(with_penalty(scaled, last.amplitude, rho), options);
     append(report, now.report);
     const VectorXd spring = scaled.rigid.transpose() * now.force - scaled.resultant;
     last.amplitude += rho * spring;
@@ -99,9 +99,9 @@ ContactState solve(const ContactProblem& problem, const Solver& solver,
     if (!floats || !problem.law.pair.empty() || status == SolveStatus::Solved ||
         state.escape.size() > 0)
       return state;
-    return solve_on_springs(problem, solver, options, std::move(state.report));
+    return augmented_lagrangian(problem, solver, options, std::move(state.report));
   }
-  return solve_on_springs(problem, solver, options, {});
+  return augmented_lagrangian(problem, solver, options, {});
 }
 
 }  // namespace signorini

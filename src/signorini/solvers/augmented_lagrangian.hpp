@@ -1,5 +1,5 @@
 /// \file
-/// Any problem by any member of the family: springs hold the rigid modes and let go of them.
+/// Any problem by any member of the family: an augmented Lagrangian for the balance along rigid modes.
 #pragma once
 #include "signorini/solvers/solvers.hpp"
 
@@ -10,7 +10,7 @@ namespace signorini {
 /// Springs on the modes, of compliance rho and anchored at a, turn it into a contact problem with
 /// \f$ G + \rho R P R^T \f$ and \f$ d + R (a - \rho P r) \f$. Its forces and the new amplitude
 /// \f$ a + \rho P (R^T\lambda - r) \f$ satisfy every condition but one: the springs still carry
-/// \f$ R^T\lambda - r \f$. So the anchor is moved there, and again: the method of multipliers
+/// \f$ R^T\lambda - r \f$. So the anchor is moved there, and again: the method of multipliers, an augmented Lagrangian
 /// [\ref Rockafellar1976], akin to the minimum that Xuan and Li move. As soon as a new set of closed
 /// pairs W appears,
 ///
