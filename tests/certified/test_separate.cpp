@@ -1,5 +1,5 @@
 // Systems that nothing connects are solved as if each were alone, whatever the others are like.
-#include "addons/certified/road.hpp"
+#include "addons/certified/certified_solve.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "support/random.hpp"
@@ -67,7 +67,7 @@ Data beside(const Data& one, const Data& two, double small) {
   return both;
 }
 
-CertifiedEnd end_of(const Data& data) {
+CertifiedSolution end_of(const Data& data) {
   const QuadraticProgramme programme{data.K.sparseView(), data.p, data.A.sparseView(), data.g};
   const CholeskyFactor factor(data.K);
   const VectorXd free = factor.solve(data.p);
@@ -78,9 +78,9 @@ CertifiedEnd end_of(const Data& data) {
   const ContactProblem problem{0.5 * (F + F.transpose()), moved.head(pairs), moved.tail(slips),
                                data.law};
   Ledger ledger;
-  return certified_end(programme,
-                       {problem, free, [&](const VectorXd& f) { return factor.solve(f); }}, {},
-                       find_solver("primal_dual_active_set"), {}, ledger);
+  return certified_solve(programme,
+                         {problem, free, [&](const VectorXd& f) { return factor.solve(f); }}, {},
+                         find_solver("primal_dual_active_set"), {}, ledger);
 }
 
 }  // namespace
@@ -91,10 +91,10 @@ TEST_CASE("a system beside one that is 1e20 times larger is solved to its own la
     for (unsigned seed = 0; seed < 20; ++seed) {
       const Data one = one_system(seed, rubs);
       const Data two = one_system(seed + 100, rubs);
-      const CertifiedEnd alone = end_of(two);
+      const CertifiedSolution alone = end_of(two);
       for (const double small : {0x1p-20, 0x1p-43, 0x1p-66}) {
         CAPTURE(rubs, seed, small);
-        const CertifiedEnd both = end_of(beside(one, two, small));
+        const CertifiedSolution both = end_of(beside(one, two, small));
         REQUIRE(alone.state.report.status == SolveStatus::Solved);
         REQUIRE(both.state.report.status == SolveStatus::Solved);
         CHECK(both.certificate.worst() <= 1e-14);
@@ -116,7 +116,7 @@ TEST_CASE("one system that nothing solves does not spoil the word on the other",
   Data two = one_system(2, false);
   two.A.row(1) = -two.A.row(0);  // a gap that must close where another must open
   two.g(1) = -two.g(0) - 1;
-  const CertifiedEnd both = end_of(beside(one, two, 1));
+  const CertifiedSolution both = end_of(beside(one, two, 1));
   CHECK(both.state.report.status == SolveStatus::Infeasible);
   REQUIRE(both.state.infeasibility.size() == 6);
   CHECK(both.state.infeasibility.head(3).isZero(0));

@@ -148,7 +148,7 @@ expect found signorini/scene/solve.cpp '"papers/surrogate_dual.hpp"'
 expect found signorini/core/errors.hpp '<addons/certified/proofs.hpp>'
 expect found meshes/disc.cpp '"addons/effects/springs.hpp"'
 expect found signorini/problem/problem.hpp '"signorini/fem/mesh.hpp"'                         # beside
-expect found addons/certified/road.cpp '"addons/frontal/frontal_factor.hpp"'
+expect found addons/certified/certified_solve.cpp '"addons/frontal/frontal_factor.hpp"'
 expect found closed_form/beam.cpp '"signorini/problem/problem.hpp"'
 expect found signorini/contact/node_to_obstacle.hpp '"signorini/problem/problem.hpp"'
 expect found addons/estimate/dual.cpp '"signorini/report/vtu.hpp"'

@@ -7,7 +7,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "addons/certified/road.hpp"
+#include "addons/certified/certified_solve.hpp"
 #include "addons/certified/undetermined.hpp"
 #include "addons/frontal/frontal_factor.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
@@ -76,7 +76,7 @@ void by_hand(const Scene& scene) {
   problem.free_gap = signorini::gaps(programme, {free, {}, VectorXd::Zero(programme.A.rows())});
   const CondensedProgramme small{problem, free,
                                  [&](const VectorXd& load) { return factor.solve(load); }};
-  const CertifiedEnd end = certified_end(programme, small, {}, scene.solver, {}, ledger);
+  const CertifiedSolution end = certified_solve(programme, small, {}, scene.solver, {}, ledger);
   // Of every solution it is asked whether its forces are determined.
   static_cast<void>(
       undetermined_forces(carried(programme, end.solution, {}, all_statuses(end.state))));

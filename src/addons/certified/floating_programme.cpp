@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "addons/certified/certified_solve.hpp"
 #include "addons/certified/programme_rows.hpp"
 #include "addons/certified/proofs.hpp"
-#include "addons/certified/road.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/rigid_modes.hpp"
@@ -127,7 +127,8 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
       condensed.problem, condensed.free_displacement,
       [&](const VectorXd& load) { return VectorXd(condensed.factor.solve(load)); }};
   Ledger ledger;
-  CertifiedEnd end = certified_end(sparse(programme), small, null_vectors, solver, options, ledger);
+  CertifiedSolution end =
+      certified_solve(sparse(programme), small, null_vectors, solver, options, ledger);
   FloatingSolution solution;
   DenseSolution& dense = solution.dense;
   dense.report = std::move(end.state.report);

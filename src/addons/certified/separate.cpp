@@ -40,8 +40,8 @@ class Separate {
     free_ = condensed.free_displacement(parts.unknowns);
   }
 
-  CertifiedEnd end(const CondensedProgramme& condensed, const Solver& solver, SolverOptions options,
-                   Ledger& ledger) const {
+  CertifiedSolution end(const CondensedProgramme& condensed, const Solver& solver,
+                        SolverOptions options, Ledger& ledger) const {
     if (static_cast<Index>(options.start.size()) == pairs()) {
       std::vector<ContactStatus> start;
       for (const Index pair : gaps_) start.push_back(options.start[at(pair)]);
@@ -55,11 +55,11 @@ class Separate {
         put(load, parts_.unknowns, condensed.free_displacement.size(), all);
         return VectorXd(condensed.solve_stiffness(all)(parts_.unknowns));
       };
-    return certified_end(programme_, small, modes_, solver, options, ledger);
+    return certified_solve(programme_, small, modes_, solver, options, ledger);
   }
 
   /// Adds the end of this system to those before it.
-  void put_into(CertifiedEnd& whole, CertifiedEnd part, Index unknowns) const;
+  void put_into(CertifiedSolution& whole, CertifiedSolution part, Index unknowns) const;
 
  private:
   [[nodiscard]] Index pairs() const { return whole_.free_gap.size(); }
@@ -74,7 +74,7 @@ class Separate {
   VectorXd free_;
 };
 
-void Separate::put_into(CertifiedEnd& whole, CertifiedEnd part, Index unknowns) const {
+void Separate::put_into(CertifiedSolution& whole, CertifiedSolution part, Index unknowns) const {
   const Index slips = whole_.free_slip.size();
   const Index modes = whole_.resultant.size();
   PrimalDual& solution = whole.solution;
@@ -112,16 +112,18 @@ void Separate::put_into(CertifiedEnd& whole, CertifiedEnd part, Index unknowns) 
 
 }  // namespace
 
-CertifiedEnd separate_ends(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
-                           const MatrixXd& null_vectors, const std::vector<SystemParts>& systems,
-                           const Solver& solver, const SolverOptions& options, Ledger& ledger) {
-  CertifiedEnd whole;
+CertifiedSolution separate_solutions(const QuadraticProgramme& programme,
+                                     const CondensedProgramme& condensed,
+                                     const MatrixXd& null_vectors,
+                                     const std::vector<SystemParts>& systems, const Solver& solver,
+                                     const SolverOptions& options, Ledger& ledger) {
+  CertifiedSolution whole;
   whole.state.report.status = SolveStatus::Solved;
   if (!condensed.problem.law.pair.empty()) whole.state.uniqueness = Uniqueness::Proved;
   bool complete = true;
   for (const SystemParts& parts : systems) {
     const Separate system(programme, condensed, null_vectors, parts);
-    CertifiedEnd end = system.end(condensed, solver, options, ledger);
+    CertifiedSolution end = system.end(condensed, solver, options, ledger);
     complete = complete && end.solution.displacement.size() > 0;
     system.put_into(whole, std::move(end), programme.load.size());
   }

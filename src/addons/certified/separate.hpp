@@ -3,12 +3,12 @@
 #pragma once
 #include <vector>
 
-#include "addons/certified/road.hpp"
+#include "addons/certified/certified_solve.hpp"
 #include "signorini/problem/systems.hpp"
 
 namespace signorini {
 
-/// The certified_end() of each system, put together.
+/// The certified_solve() of each system, put together.
 ///
 /// Rounding, scales and steps of one system are then none of another: loads of 1 and 1e-13 side by side are solved
 /// like each of them alone. The status is that of the first system that is not solved, iterations add up, the
@@ -19,14 +19,14 @@ namespace signorini {
 /// \param systems       unconnected_systems() of these
 /// \param solver        a member that takes such problems
 /// \param options       handed to it
-/// \param ledger        gets what each road adds
+/// \param ledger        gets what each system adds
 /// \return the end of all; without numbers if one system has none
 /// \throws ProblemError, std::invalid_argument as the solver
-[[nodiscard]] CertifiedEnd separate_ends(const QuadraticProgramme& programme,
-                                         const CondensedProgramme& condensed,
-                                         const Eigen::MatrixXd& null_vectors,
-                                         const std::vector<SystemParts>& systems,
-                                         const Solver& solver, const SolverOptions& options,
-                                         Ledger& ledger);
+[[nodiscard]] CertifiedSolution separate_solutions(const QuadraticProgramme& programme,
+                                                   const CondensedProgramme& condensed,
+                                                   const Eigen::MatrixXd& null_vectors,
+                                                   const std::vector<SystemParts>& systems,
+                                                   const Solver& solver,
+                                                   const SolverOptions& options, Ledger& ledger);
 
 }  // namespace signorini

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "addons/certified/certified_solve.hpp"
 #include "addons/certified/end_words.hpp"
 #include "addons/certified/proofs.hpp"
-#include "addons/certified/road.hpp"
 #include "addons/certified/undetermined.hpp"
 #include "addons/checks/doubts.hpp"
 #include "addons/checks/fit_doubts.hpp"
@@ -206,10 +206,10 @@ Solution solve(const Model& model, const Condensed& condensed, const Solver& sol
         const std::optional<Factor::Part> part = condensed.factor.part(unknowns);
         return part ? Solve(counted(part->solve_operations, part->solve)) : Solve();
       }};
-  CertifiedEnd end = [&] {
+  CertifiedSolution end = [&] {
     try {
-      return certified_end(model.programme, small, mode_shapes(model.modes), solver, options,
-                           ledger);
+      return certified_solve(model.programme, small, mode_shapes(model.modes), solver, options,
+                             ledger);
     } catch (const std::invalid_argument&) {
       check_numbers(condensed.problem);
       throw;

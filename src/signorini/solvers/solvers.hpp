@@ -54,7 +54,7 @@ struct Solver {
   /// The same from K, p, A and g to the refined end, or null: then the programme is condensed.
   DenseSolution (*solve_programme)(const DenseProgramme& programme,
                                    const SolverOptions& options) = nullptr;
-  /// Return the members that certified_end() asks one by one where this one breaks down: rounding that leads one
+  /// Return the members that certified_solve() asks one by one where this one breaks down: rounding that leads one
   /// method astray mostly does not meet the other
   std::vector<Solver (*)()> others = {};
 

@@ -1,4 +1,4 @@
-#include "addons/certified/road.hpp"
+#include "addons/certified/certified_solve.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -23,10 +23,10 @@ constexpr double smallest_movement = 0x1p-340;
 constexpr double smallest_resultant = 0x1p-170;
 
 /// The road, one pass of the solver after another.
-class Road {
+class CertifiedSolve {
  public:
-  Road(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
-       const MatrixXd& modes, Ledger& ledger)
+  CertifiedSolve(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
+                 const MatrixXd& modes, Ledger& ledger)
       : programme_(programme),
         modes_(modes),
         ledger_(ledger),
@@ -35,7 +35,7 @@ class Road {
         now_{condensed.free_displacement, {}, VectorXd::Zero(programme.initial_gap.size())},
         amplitude_(VectorXd::Zero(modes.cols())) {}
 
-  CertifiedEnd run(const Solver& solver, const SolverOptions& options);
+  CertifiedSolution run(const Solver& solver, const SolverOptions& options);
 
  private:
   /// Whether a claim is worth refining.
@@ -76,20 +76,20 @@ class Road {
   VectorXd amplitude_;
   Refinement refined_;
   std::set<std::vector<ContactStatus>> seen_;
-  CertifiedEnd end_;
+  CertifiedSolution end_;
   Refinement kept_;                      // of end_: its movement and its system
   std::vector<ContactStatus> statuses_;  // of end_
   bool confirmed_ = false;               // whether all signs of end_ are right
 };
 
-bool Road::usable(const ContactState& claim) const {
+bool CertifiedSolve::usable(const ContactState& claim) const {
   const SolveStatus status = claim.report.status;
   return status != SolveStatus::Infeasible && status != SolveStatus::Feasible &&
          claim.escape.size() == 0 && claim.force.allFinite() && claim.friction.allFinite() &&
          claim.amplitude.allFinite() && claim.force.size() == problem_.free_gap.size();
 }
 
-Judgement Road::look(const std::vector<ContactStatus>& statuses, const VectorXd& force) {
+Judgement CertifiedSolve::look(const std::vector<ContactStatus>& statuses, const VectorXd& force) {
   refined_ = refine(data_, std::move(now_), force, statuses);
   ledger_.count("sets", 1);
   ledger_.count("solves", refined_.solves);
@@ -109,7 +109,7 @@ Judgement Road::look(const std::vector<ContactStatus>& statuses, const VectorXd&
   return verdict;
 }
 
-void Road::read_off() {
+void CertifiedSolve::read_off() {
   const std::vector<ContactStatus> taken = statuses_;
   predict(scaled_, scaled_numbers(data_, end_.solution, kept_.movement, certificate_tolerance), 1,
           statuses_);
@@ -122,7 +122,7 @@ void Road::read_off() {
   }
 }
 
-bool Road::settle(const ContactState& claim) {
+bool CertifiedSolve::settle(const ContactState& claim) {
   const Ledger::Phase phase(ledger_, "refinement");
   if (scaled_.scale.size() == 0) scaled_ = equilibrate(problem_);
   std::vector<ContactStatus> statuses = all_statuses(claim);
@@ -139,7 +139,7 @@ bool Road::settle(const ContactState& claim) {
   return exchange(std::move(statuses), std::move(force));
 }
 
-bool Road::settle_idle(std::vector<ContactStatus> statuses) {
+bool CertifiedSolve::settle_idle(std::vector<ContactStatus> statuses) {
   const PrimalDual start = now_;
   const VectorXd amplitude = amplitude_;
   const VectorXd none = VectorXd::Zero(start.force.size());
@@ -151,7 +151,7 @@ bool Road::settle_idle(std::vector<ContactStatus> statuses) {
   return look(open, none).confirmed || settled;
 }
 
-bool Road::exchange(std::vector<ContactStatus> statuses, VectorXd force) {
+bool CertifiedSolve::exchange(std::vector<ContactStatus> statuses, VectorXd force) {
   for (Index last = std::numeric_limits<Index>::max();;) {
     if (!seen_.insert(statuses).second) return last == std::numeric_limits<Index>::max();
     const bool first = last == std::numeric_limits<Index>::max();
@@ -173,7 +173,7 @@ bool Road::exchange(std::vector<ContactStatus> statuses, VectorXd force) {
   }
 }
 
-void Road::correct() {
+void CertifiedSolve::correct() {
   if (!corrected_) corrected_ = problem_;
   VectorXd free = refined_.movement - problem_.compliance * now_.force;
   VectorXd terms =
@@ -193,7 +193,7 @@ void Road::correct() {
   corrected_->free_slip = free.tail(free.size() - pairs);
 }
 
-void Road::take_over(const ContactState& claim, bool corrected) {
+void CertifiedSolve::take_over(const ContactState& claim, bool corrected) {
   ContactState& state = end_.state;
   const SolveStatus before = state.report.status;
   append(state.report, claim.report);
@@ -216,7 +216,7 @@ void Road::take_over(const ContactState& claim, bool corrected) {
   }
 }
 
-CertifiedEnd Road::run(const Solver& solver, const SolverOptions& options) {
+CertifiedSolution CertifiedSolve::run(const Solver& solver, const SolverOptions& options) {
   // Every pass brings a new set, but sets are too many to try: a pass that does not halve the worst figure of
   // the certificate has no successor but one.
   double best = std::numeric_limits<double>::infinity();
@@ -242,7 +242,7 @@ CertifiedEnd Road::run(const Solver& solver, const SolverOptions& options) {
   return std::move(end_);
 }
 
-void Road::spread_imbalance() {
+void CertifiedSolve::spread_imbalance() {
   if (end_.certificate.holds() || modes_.cols() == 0 || end_.solution.displacement.size() == 0)
     return;
   data_.imbalance = Imbalance::Spread;
@@ -250,7 +250,7 @@ void Road::spread_imbalance() {
   look(statuses_, end_.solution.force);
 }
 
-bool Road::rigid_motions_work() const {
+bool CertifiedSolve::rigid_motions_work() const {
   Certificate others = end_.certificate;
   others.equilibrium = others.duality_gap = 0;
   if (modes_.cols() == 0 || !others.holds()) return false;
@@ -259,7 +259,7 @@ bool Road::rigid_motions_work() const {
   return largest(Q * (Q.transpose() * left)) > 0.5 * largest(left);
 }
 
-void Road::conclude() {
+void CertifiedSolve::conclude() {
   spread_imbalance();
   ContactState& state = end_.state;
   if (end_.certificate.holds()) {
@@ -310,19 +310,22 @@ void Road::conclude() {
 
 }  // namespace
 
-CertifiedEnd certified_end(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
-                           const MatrixXd& null_vectors, const Solver& solver,
-                           const SolverOptions& options, Ledger& ledger) {
+CertifiedSolution certified_solve(const QuadraticProgramme& programme,
+                                  const CondensedProgramme& condensed, const MatrixXd& null_vectors,
+                                  const Solver& solver, const SolverOptions& options,
+                                  Ledger& ledger) {
   const std::vector<SystemParts> systems =
       unconnected_systems(programme, condensed.problem.law, null_vectors);
   if (!systems.empty())
-    return separate_ends(programme, condensed, null_vectors, systems, solver, options, ledger);
-  CertifiedEnd end = Road(programme, condensed, null_vectors, ledger).run(solver, options);
+    return separate_solutions(programme, condensed, null_vectors, systems, solver, options, ledger);
+  CertifiedSolution end =
+      CertifiedSolve(programme, condensed, null_vectors, ledger).run(solver, options);
   for (Solver (*const next)() : solver.others) {
     const SolveStatus status = end.state.report.status;
     const bool lost = status == SolveStatus::Breakdown || status == SolveStatus::IterationLimit;
     if (!lost || options.iteration_limit > 0) break;
-    CertifiedEnd other = Road(programme, condensed, null_vectors, ledger).run(next(), options);
+    CertifiedSolution other =
+        CertifiedSolve(programme, condensed, null_vectors, ledger).run(next(), options);
     Report both = end.state.report;
     append(both, other.state.report);
     if (other.state.report.status == SolveStatus::Solved)

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "addons/certified/road.hpp"
+#include "addons/certified/certified_solve.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/scene/rigid_modes.hpp"
@@ -41,10 +41,10 @@ ContactState claim(SolveStatus status, const VectorXd& force,
 Solver one_by_one() { return find_solver("goldfarb_idnani"); }
 
 /// The road of a body with K = I.
-CertifiedEnd end_of_road(const VectorXd& load, const MatrixXd& A, const VectorXd& gap,
-                         std::vector<ContactState> answers,
-                         const std::vector<Solver (*)()>& others = {},
-                         const SolverOptions& options = {}) {
+CertifiedSolution certified(const VectorXd& load, const MatrixXd& A, const VectorXd& gap,
+                            std::vector<ContactState> answers,
+                            const std::vector<Solver (*)()>& others = {},
+                            const SolverOptions& options = {}) {
   recital = {std::move(answers)};
   const Eigen::Index n = load.size();
   const QuadraticProgramme programme{MatrixXd::Identity(n, n).sparseView(), load, A.sparseView(),
@@ -52,8 +52,8 @@ CertifiedEnd end_of_road(const VectorXd& load, const MatrixXd& A, const VectorXd
   const ContactProblem problem{A * A.transpose(), gap - A * load};
   Ledger ledger;
   const Solver solver = {"recital", "says what it was told to", recite};
-  return certified_end(programme, {problem, load, [](const VectorXd& force) { return force; }}, {},
-                       solver.before(others), options, ledger);
+  return certified_solve(programme, {problem, load, [](const VectorXd& force) { return force; }},
+                         {}, solver.before(others), options, ledger);
 }
 
 // {0} asks for {0, 1}, in which 0 pulls; the solution is {1}.
@@ -62,59 +62,60 @@ const Eigen::Vector2d pull(1, 2);
 
 }  // namespace
 
-TEST_CASE("the road mends a claim that is wrong, but no claim that runs in circles", "[road]") {
+TEST_CASE("the road mends a claim that is wrong, but no claim that runs in circles",
+          "[certified_solve]") {
   const auto ends = [](const ContactState& state) {
-    return end_of_road(pull, step, Eigen::Vector2d::Zero(), {state});
+    return certified(pull, step, Eigen::Vector2d::Zero(), {state});
   };
-  const CertifiedEnd right = ends(claim(SolveStatus::Solved, Eigen::Vector2d(0, 0), {1}));
+  const CertifiedSolution right = ends(claim(SolveStatus::Solved, Eigen::Vector2d(0, 0), {1}));
   CHECK(right.state.report.status == SolveStatus::Solved);
   CHECK(right.state.force == Eigen::Vector2d(0, 1.5));
   CHECK((right.state.gap - Eigen::Vector2d(0.5, 0)).norm() < 1e-30);
-  const CertifiedEnd mended = ends(claim(SolveStatus::Solved, Eigen::Vector2d(-1, 2), {0, 1}));
+  const CertifiedSolution mended = ends(claim(SolveStatus::Solved, Eigen::Vector2d(-1, 2), {0, 1}));
   CHECK(mended.state.report.status == SolveStatus::Solved);
   CHECK(mended.state.active == std::vector<Eigen::Index>{1});
-  const CertifiedEnd wrong = ends(claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}));
+  const CertifiedSolution wrong = ends(claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}));
   CHECK(wrong.state.report.status == SolveStatus::Breakdown);
   CHECK_FALSE(wrong.state.reason.empty());
 }
 
 TEST_CASE("what is proved of a corrected problem is not proved of the one that was posed",
-          "[road]") {
+          "[certified_solve]") {
   ContactState proved = claim(SolveStatus::Infeasible, Eigen::Vector2d(0, 0), {});
   proved.infeasibility = Eigen::Vector2d(1, 1);
   const MatrixXd walls =
       (MatrixXd(2, 2) << 1, 0, -1, 0).finished();  // closer than the body is wide
-  const CertifiedEnd first = end_of_road(pull, walls, Eigen::Vector2d(-1, -1), {proved});
+  const CertifiedSolution first = certified(pull, walls, Eigen::Vector2d(-1, -1), {proved});
   CHECK(first.state.report.status == SolveStatus::Infeasible);
   CHECK(first.state.infeasibility == VectorXd::Ones(2));
-  const CertifiedEnd feigned = end_of_road(pull, step, Eigen::Vector2d::Zero(), {proved});
+  const CertifiedSolution feigned = certified(pull, step, Eigen::Vector2d::Zero(), {proved});
   CHECK(feigned.state.report.status == SolveStatus::Breakdown);  // A^T y is not 0
   CHECK(feigned.state.infeasibility.size() == 0);
-  const CertifiedEnd second =
-      end_of_road(pull, step, Eigen::Vector2d::Zero(),
-                  {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}), proved});
+  const CertifiedSolution second =
+      certified(pull, step, Eigen::Vector2d::Zero(),
+                {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}), proved});
   CHECK(second.state.report.status == SolveStatus::Breakdown);
   CHECK(second.state.infeasibility.size() == 0);
   ContactState escaped = claim(SolveStatus::Infeasible, Eigen::Vector2d(0, 0), {});
   escaped.escape = VectorXd::Ones(1);
-  const CertifiedEnd third =
-      end_of_road(pull, step, Eigen::Vector2d::Zero(),
-                  {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}), escaped});
+  const CertifiedSolution third =
+      certified(pull, step, Eigen::Vector2d::Zero(),
+                {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}), escaped});
   CHECK(third.state.report.status == SolveStatus::Breakdown);
   CHECK(third.state.escape.size() == 0);
 }
 
 TEST_CASE("where a method breaks down the first of the others that arrives has the word",
-          "[road]") {
+          "[certified_solve]") {
   ContactState lost = claim(SolveStatus::Breakdown, Eigen::Vector2d::Zero(), {});
   lost.escape = VectorXd::Ones(1);  // is not refined
   const auto ends = [&](const std::vector<Solver (*)()>& others, Eigen::Index limit = 0) {
     SolverOptions options;
     options.iteration_limit = limit;
-    return end_of_road(pull, step, Eigen::Vector2d::Zero(), {lost}, others, options);
+    return certified(pull, step, Eigen::Vector2d::Zero(), {lost}, others, options);
   };
   CHECK(ends({}).state.report.status == SolveStatus::Breakdown);
-  const CertifiedEnd end = ends({one_by_one, lemke});
+  const CertifiedSolution end = ends({one_by_one, lemke});
   CHECK(end.state.report.status == SolveStatus::Solved);
   CHECK(end.state.active == std::vector<Eigen::Index>{1});
   CHECK(end.certificate.holds());
@@ -122,11 +123,11 @@ TEST_CASE("where a method breaks down the first of the others that arrives has t
   CHECK(ends({one_by_one}, 100).state.report.status == SolveStatus::Breakdown);
 }
 
-TEST_CASE("pairs whose set was never confirmed are named by their numbers", "[road]") {
+TEST_CASE("pairs whose set was never confirmed are named by their numbers", "[certified_solve]") {
   // The second pair repeats the first but is 0.5 wider: both cannot close, and it carries nothing.
-  const CertifiedEnd end =
-      end_of_road(VectorXd::Ones(1), MatrixXd::Ones(2, 1), Eigen::Vector2d(0, 0.5),
-                  {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0, 1})});
+  const CertifiedSolution end =
+      certified(VectorXd::Ones(1), MatrixXd::Ones(2, 1), Eigen::Vector2d(0, 0.5),
+                {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0, 1})});
   CHECK(end.state.report.status == SolveStatus::Solved);
   CHECK(end.state.force == Eigen::Vector2d(1, 0));
   CHECK(end.state.gap == Eigen::Vector2d(0, 0.5));
@@ -134,7 +135,7 @@ TEST_CASE("pairs whose set was never confirmed are named by their numbers", "[ro
 }
 
 TEST_CASE("where a claim that is not solved has moved the body is not believed",
-          "[road][floating]") {
+          "[certified_solve][floating]") {
   // A point that rubs on the ground with mu = 0, so that nothing holds it along; grounded by K = I.
   const MatrixXd modes = MatrixXd::Identity(2, 2);
   const VectorXd load = Eigen::Vector2d(0, -1);
@@ -154,9 +155,9 @@ TEST_CASE("where a claim that is not solved has moved the body is not believed",
     recital = {{state}};
     const Solver solver = {"recital", "says what it was told to", recite};
     Ledger ledger;
-    const CertifiedEnd end =
-        certified_end(programme, {problem, load, [](const VectorXd& force) { return force; }},
-                      modes, solver.with_friction(Takes::Also), {}, ledger);
+    const CertifiedSolution end =
+        certified_solve(programme, {problem, load, [](const VectorXd& force) { return force; }},
+                        modes, solver.with_friction(Takes::Also), {}, ledger);
     CHECK(end.state.report.status == SolveStatus::Solved);
     CHECK(end.state.force(0) == 1);
     CHECK(end.state.slip(0) == end.solution.displacement(0));
@@ -167,15 +168,15 @@ TEST_CASE("where a claim that is not solved has moved the body is not believed",
 }
 
 TEST_CASE("a method that breaks down without a word still has a reason at the end of the road",
-          "[road]") {
-  const CertifiedEnd end =
-      end_of_road(pull, step, Eigen::Vector2d::Zero(),
-                  {claim(SolveStatus::Breakdown, Eigen::Vector2d::Zero(), {0, 1})});
+          "[certified_solve]") {
+  const CertifiedSolution end =
+      certified(pull, step, Eigen::Vector2d::Zero(),
+                {claim(SolveStatus::Breakdown, Eigen::Vector2d::Zero(), {0, 1})});
   REQUIRE(end.state.report.status != SolveStatus::Infeasible);
   CHECK((end.state.report.status == SolveStatus::Solved) == end.state.reason.empty());
   ContactState nothing = claim(SolveStatus::Breakdown, Eigen::Vector2d::Zero(), {});
   nothing.force.resize(0);  // no numbers to go on with
-  const CertifiedEnd without = end_of_road(pull, step, Eigen::Vector2d::Zero(), {nothing});
+  const CertifiedSolution without = certified(pull, step, Eigen::Vector2d::Zero(), {nothing});
   CHECK(without.state.report.status == SolveStatus::Breakdown);
   CHECK_FALSE(without.state.reason.empty());
 }

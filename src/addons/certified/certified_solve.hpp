@@ -1,5 +1,5 @@
 /// \file
-/// The one road from a condensed programme to a certified solution.
+/// From a condensed programme to a certified solution.
 #pragma once
 #include <Eigen/Core>
 #include <functional>
@@ -25,9 +25,9 @@ struct CondensedProgramme {
       solve_part = {};
 };
 
-/// Where the road ends. Unless `state.report.status` is Solved, the numbers are those of the best set that could
+/// What certified_solve() found. Unless `state.report.status` is Solved, the numbers are those of the best set that could
 /// be refined, or empty if none could.
-struct CertifiedEnd {
+struct CertifiedSolution {
   PrimalDual solution;  ///< u in two parts, and the forces of all rows of A
   /// The same forces, gaps, slips and amplitudes, what the pairs do, and the report
   ContactState state;
@@ -40,11 +40,11 @@ struct CertifiedEnd {
 /// What the pairs do is the claim; displacements and forces follow from the original data, see
 /// refine(). Pairs that are then on the wrong side change, as long as they become fewer. Else the
 /// condensed problem is corrected, so that it gives the movements of the last set whose refinement settled,
-/// and solved again. The road ends when all signs are right; when a set of pairs comes back, between which
+/// and solved again. It ends when all signs are right; when a set of pairs comes back, between which
 /// rounding cannot decide; when no refinement of a claim settles; or at the second pass in a row that does not
 /// halve the worst figure of the certificate. The best certificate then says whether that matters. A method that
 /// ends without a solution is asked the same way: what it looked at last may be right. Where a member breaks
-/// down, or ends at its own limit of iterations, the others that its line in the table names go the same road from
+/// down, or ends at its own limit of iterations, the others that its line in the table names are asked in the same way from
 /// the start, and the first solution counts.
 /// \param programme     K, p, A, g as they were posed; slips in the last rows of A
 /// \param condensed     made of it
@@ -54,9 +54,10 @@ struct CertifiedEnd {
 /// \param ledger        gets the phases `contact` and `refinement`, and counts of sets and solves
 /// \return the end
 /// \throws ProblemError, std::invalid_argument as the solver
-[[nodiscard]] CertifiedEnd certified_end(const QuadraticProgramme& programme,
-                                         const CondensedProgramme& condensed,
-                                         const Eigen::MatrixXd& null_vectors, const Solver& solver,
-                                         const SolverOptions& options, Ledger& ledger);
+[[nodiscard]] CertifiedSolution certified_solve(const QuadraticProgramme& programme,
+                                                const CondensedProgramme& condensed,
+                                                const Eigen::MatrixXd& null_vectors,
+                                                const Solver& solver, const SolverOptions& options,
+                                                Ledger& ledger);
 
 }  // namespace signorini
