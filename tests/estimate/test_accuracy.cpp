@@ -6,7 +6,7 @@
 #include "addons/effects/split.hpp"
 #include "addons/estimate/accuracy.hpp"
 #include "addons/estimate/goal_words.hpp"
-#include "addons/estimate/refine.hpp"
+#include "addons/estimate/mesh_refinement.hpp"
 #include "catch_compat.hpp"
 #include "closed_form/hertz.hpp"
 #include "meshes/disc.hpp"
@@ -112,7 +112,7 @@ TEST_CASE(
   REQUIRE(result.met);
   Scene even = scene_of(problem);
   for (int k = 0; k < 2; ++k)
-    for (Body& body : even.bodies) body.mesh = refined(body.mesh);
+    for (Body& body : even.bodies) body.mesh = refined_mesh(body.mesh);
   const SolvedScene run = solved(even, "even");
   REQUIRE(run.model.unknowns.count > result.rounds.back().unknowns);
   const double uniform = value(run.model, run.solution, {"width", HalfWidth{}});

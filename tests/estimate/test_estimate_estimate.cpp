@@ -5,8 +5,8 @@
 #include "addons/estimate/contact_edges.hpp"
 #include "addons/estimate/contact_ends.hpp"
 #include "addons/estimate/estimate.hpp"
+#include "addons/estimate/mesh_refinement.hpp"
 #include "addons/estimate/profile.hpp"
-#include "addons/estimate/refine.hpp"
 #include "catch_compat.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/readings.hpp"
@@ -297,7 +297,7 @@ TEST_CASE("nothing is factored or solved for an estimate but two right-hand side
 TEST_CASE("one contact of two feet is estimated as two contacts", "[estimate]") {
   Scene two = pressed("q4");
   Mesh& mesh = two.bodies[0].mesh;
-  mesh = refined(refined(mesh));
+  mesh = refined_mesh(refined_mesh(mesh));
   const std::vector<CellSide> bottom = mesh.boundaries.at(two.contacts[0].source.boundary);
   const std::ptrdiff_t third = static_cast<std::ptrdiff_t>(bottom.size() / 3);
   const std::vector<CellSide> left(bottom.begin(), bottom.begin() + third);

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "addons/estimate/facing_marks.hpp"
-#include "addons/estimate/refine.hpp"
+#include "addons/estimate/mesh_refinement.hpp"
 #include "catch_compat.hpp"
 #include "meshes/disc.hpp"
 #include "meshes/ring.hpp"

@@ -3,7 +3,7 @@
 
 #include "addons/estimate/accuracy.hpp"
 #include "addons/estimate/goal_words.hpp"
-#include "addons/estimate/refine.hpp"
+#include "addons/estimate/mesh_refinement.hpp"
 #include "addons/prediction/prediction.hpp"
 #include "addons/steps/steps_limit.hpp"
 #include "catch_compat.hpp"

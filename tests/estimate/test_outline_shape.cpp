@@ -42,7 +42,7 @@ std::vector<Vector2d> line_and_arc(double R, double step, int steps) {
 
 }  // namespace
 
-TEST_CASE("a line that runs into an arc stays a line, and the arc an arc", "[refine]") {
+TEST_CASE("a line that runs into an arc stays a line, and the arc an arc", "[refinement]") {
   const double R = 2;
   const double step = 0.1;
   const int steps = 5;
@@ -61,7 +61,7 @@ TEST_CASE("a line that runs into an arc stays a line, and the arc an arc", "[ref
   }
 }
 
-TEST_CASE("corners and single sides between two lines stay as they are", "[refine]") {
+TEST_CASE("corners and single sides between two lines stay as they are", "[refinement]") {
   // A kink of 6 degrees between lines, then a side that takes off a corner.
   const Mesh mesh =
       under({{0, 0}, {1, 0}, {2, 0.1}, {3, 0.2}, {4, 0.3}, {5, 0}, {6, -0.3}, {7, -0.6}});
@@ -76,7 +76,7 @@ TEST_CASE("corners and single sides between two lines stay as they are", "[refin
   CHECK((middle(chamfer, 2) - half).norm() == Approx(0).margin(1e-15));
 }
 
-TEST_CASE("where two arcs meet at an angle, each keeps its own circle", "[refine]") {
+TEST_CASE("where two arcs meet at an angle, each keeps its own circle", "[refinement]") {
   std::vector<Vector2d> tops;
   for (int k = 0; k <= 6; ++k)  // of radius 2 about (-1.5, 0), from 90 to 50 degrees
     tops.emplace_back(-1.5 + 2 * std::cos(1.6 - 0.12 * k), 2 * std::sin(1.6 - 0.12 * k));
@@ -89,7 +89,7 @@ TEST_CASE("where two arcs meet at an angle, each keeps its own circle", "[refine
   CHECK((middle(mesh, 6) - centre).norm() == Approx(3).epsilon(1e-14).margin(0));
 }
 
-TEST_CASE("on a circle of unequal sides every middle lies on the circle", "[refine]") {
+TEST_CASE("on a circle of unequal sides every middle lies on the circle", "[refinement]") {
   std::vector<Vector2d> tops;
   double angle = 0.9;
   for (const double step : {0.02, 0.3, 0.05, 0.4, 0.1, 0.1, 0.6, 0.01, 0.3}) {

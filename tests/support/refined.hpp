@@ -4,13 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include "addons/certified/refine.hpp"
+#include "addons/certified/iterative_refinement.hpp"
 #include "signorini/scene/rigid_modes.hpp"
 
 namespace signorini_test {
 
 /// A refinement and what it says of the pairs.
-struct Refined : signorini::Refinement {
+struct Refined : signorini::RefinedSolution {
   bool confirmed = false;
 };
 
@@ -20,7 +20,7 @@ struct Refined : signorini::Refinement {
 /// \param start      where to start
 /// \param closed     pairs
 /// \param modes      N, or nothing
-/// \return what refine() and judge() make of it
+/// \return what iterative_refinement() and judge() make of it
 inline Refined refined(const signorini::QuadraticProgramme& programme,
                        const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve,
                        const Eigen::MatrixXd& compliance, signorini::PrimalDual start,
@@ -35,7 +35,7 @@ inline Refined refined(const signorini::QuadraticProgramme& programme,
   const signorini::ScaledProblem scaled = signorini::equilibrate(condensed);
   const signorini::RefinementData data{programme, solve, condensed, scaled, modes};
   const Eigen::VectorXd force = std::exchange(start.force, Eigen::VectorXd::Zero(pairs));
-  Refined result{signorini::refine(data, std::move(start), force, statuses)};
+  Refined result{signorini::iterative_refinement(data, std::move(start), force, statuses)};
   result.confirmed = signorini::judge(data, result, statuses).confirmed;
   return result;
 }

@@ -74,10 +74,10 @@ class CertifiedSolve {
   RefinementData data_;
   PrimalDual now_;  // before a claim, what the free movements of the corrected problem belong to
   VectorXd amplitude_;
-  Refinement refined_;
+  RefinedSolution refined_;
   std::set<std::vector<ContactStatus>> seen_;
   CertifiedSolution end_;
-  Refinement kept_;                      // of end_: its movement and its system
+  RefinedSolution kept_;                 // of end_: its movement and its system
   std::vector<ContactStatus> statuses_;  // of end_
   bool confirmed_ = false;               // whether all signs of end_ are right
 };
@@ -90,7 +90,7 @@ bool CertifiedSolve::usable(const ContactState& claim) const {
 }
 
 Judgement CertifiedSolve::look(const std::vector<ContactStatus>& statuses, const VectorXd& force) {
-  refined_ = refine(data_, std::move(now_), force, statuses);
+  refined_ = iterative_refinement(data_, std::move(now_), force, statuses);
   ledger_.count("sets", 1);
   ledger_.count("solves", refined_.solves);
   amplitude_ += refined_.amplitude;
@@ -155,7 +155,7 @@ bool CertifiedSolve::exchange(std::vector<ContactStatus> statuses, VectorXd forc
   for (Index last = std::numeric_limits<Index>::max();;) {
     if (!seen_.insert(statuses).second) return last == std::numeric_limits<Index>::max();
     const bool first = last == std::numeric_limits<Index>::max();
-    Refinement before = first ? Refinement() : std::move(refined_);
+    RefinedSolution before = first ? RefinedSolution() : std::move(refined_);
     PrimalDual start = first ? PrimalDual() : now_;
     const VectorXd amplitude = amplitude_;
     Judgement verdict = look(statuses, force);

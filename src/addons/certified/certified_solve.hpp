@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "addons/certified/iterative_refinement.hpp"
 #include "addons/certified/known_forces.hpp"
-#include "addons/certified/refine.hpp"
 #include "signorini/core/ledger.hpp"
 #include "signorini/solvers/solvers.hpp"
 
@@ -38,7 +38,7 @@ struct CertifiedSolution {
 /// Solves the condensed problem, refines what the solver claims, and looks at all signs again.
 ///
 /// What the pairs do is the claim; displacements and forces follow from the original data, see
-/// refine(). Pairs that are then on the wrong side change, as long as they become fewer. Else the
+/// iterative_refinement(). Pairs that are then on the wrong side change, as long as they become fewer. Else the
 /// condensed problem is corrected, so that it gives the movements of the last set whose refinement settled,
 /// and solved again. It ends when all signs are right; when a set of pairs comes back, between which
 /// rounding cannot decide; when no refinement of a claim settles; or at the second pass in a row that does not

@@ -85,7 +85,7 @@ bool Estimate::idle(const VectorXd& force) const {
 
 }  // namespace
 
-ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
+ForceDoubt force_doubt(const RefinementData& data, const RefinedSolution& refined,
                        const PrimalDual& solution, std::vector<ContactStatus> statuses) {
   const double most = largest(solution.force);
   if (!refined.system || most == 0) return {};

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "addons/certified/refine.hpp"
+#include "addons/certified/iterative_refinement.hpp"
 #include "signorini/core/alignment.hpp"
 
 namespace signorini {
@@ -28,11 +28,11 @@ struct ForceDoubt {
 /// Gauss points do, are no doubt of this kind: they are among several solutions, and nothing else depends on them. K, A
 /// and g count as they were posed. What M says of a singular system that is not symmetric is not known.
 /// \param data      the problem
-/// \param refined   from refine(): only movement and system count
+/// \param refined   from iterative_refinement(): only movement and system count
 /// \param solution  u and forces `n_c + n_s`, as refined
-/// \param statuses   `n_c` that refine() was given
+/// \param statuses   `n_c` that iterative_refinement() was given
 /// \return pair and share
-[[nodiscard]] ForceDoubt force_doubt(const RefinementData& data, const Refinement& refined,
+[[nodiscard]] ForceDoubt force_doubt(const RefinementData& data, const RefinedSolution& refined,
                                      const PrimalDual& solution,
                                      std::vector<ContactStatus> statuses);
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "addons/estimate/facing_marks.hpp"
-#include "addons/estimate/refine.hpp"
+#include "addons/estimate/mesh_refinement.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "addons/effects/split.hpp"
-#include "addons/estimate/refine.hpp"
+#include "addons/estimate/mesh_refinement.hpp"
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/core/random.hpp"
@@ -42,7 +42,7 @@ Mesh refined_at(const Mesh& mesh, const RowVector2d& place) {
         halved[static_cast<std::size_t>(all.at({cell, side}))] = 1;
         if (mesh.corners(cell) == 4) halved[static_cast<std::size_t>(all.at({cell, 1}))] = 1;
       }
-  return refined(mesh, all, halved);
+  return refined_mesh(mesh, all, halved);
 }
 
 double smallest_angle(const Mesh& mesh) {
@@ -96,7 +96,7 @@ Mesh shuffled(const Mesh& mesh, std::uint32_t seed) {
 
 }  // namespace
 
-TEST_CASE("a disc made finer everywhere is a disc, and nothing of it comes apart", "[refine]") {
+TEST_CASE("a disc made finer everywhere is a disc, and nothing of it comes apart", "[refinement]") {
   const MeshOrder order = any_order();
   const int triangles_every = GENERATE(0, 1, 3);
   CAPTURE(triangles_every);
@@ -104,7 +104,7 @@ TEST_CASE("a disc made finer everywhere is a disc, and nothing of it comes apart
   double before = std::abs(area_of(mesh) - std::acos(-1) / 2);
   for (int round = 0; round < 3; ++round) {
     const Mesh coarse = mesh;
-    mesh = refined(coarse);
+    mesh = refined_mesh(coarse);
     CHECK(mesh.n_cells() == 4 * coarse.n_cells());
     CHECK_NOTHROW(check_mesh(mesh));
     CHECK(mesh.nodes.topRows(coarse.n_nodes()) == coarse.nodes);
@@ -121,7 +121,7 @@ TEST_CASE("a disc made finer everywhere is a disc, and nothing of it comes apart
   }
 }
 
-TEST_CASE("a block made finer is the block of twice as many cells", "[refine]") {
+TEST_CASE("a block made finer is the block of twice as many cells", "[refinement]") {
   BlockSpec spec;
   spec.order = any_order();
   spec.corner = {-3, 8};
@@ -134,19 +134,19 @@ TEST_CASE("a block made finer is the block of twice as many cells", "[refine]") 
   std::vector<char> halved(all.size(), 0);
   for (Index row = 0; row < 2; ++row)
     halved[static_cast<std::size_t>(all.at({3 * row, 3}))] = 1;  // up the left boundary
-  CHECK(places(refined(mesh, all, halved).nodes) == places(make_block(spec).nodes));
+  CHECK(places(refined_mesh(mesh, all, halved).nodes) == places(make_block(spec).nodes));
   spec.cells_x = 6;
-  CHECK(places(refined(mesh).nodes) == places(make_block(spec).nodes));
+  CHECK(places(refined_mesh(mesh).nodes) == places(make_block(spec).nodes));
   const std::vector<char> none(all.size(), 0);
   const HalvedMesh nothing = halved_once(mesh, {all, none});
   CHECK(nothing.marks.halved == std::vector<char>(all.size(), 0));
-  CHECK(refined(mesh, all, none).cells == mesh.cells);
-  CHECK(refined(mesh, all, none).nodes == mesh.nodes);
-  CHECK_THROWS_AS(refined(mesh, all, {1}), std::invalid_argument);
+  CHECK(refined_mesh(mesh, all, none).cells == mesh.cells);
+  CHECK(refined_mesh(mesh, all, none).nodes == mesh.nodes);
+  CHECK_THROWS_AS(refined_mesh(mesh, all, {1}), std::invalid_argument);
 }
 
 TEST_CASE("an edge marked three times becomes eight, and all that is opposite as many",
-          "[refine]") {
+          "[refinement]") {
   BlockSpec spec;
   spec.order = any_order();
   spec.cells_x = 3;
@@ -172,7 +172,7 @@ TEST_CASE("an edge marked three times becomes eight, and all that is opposite as
   CHECK(boundary(finer.mesh, "left").size() == 1 + 4);
 }
 
-TEST_CASE("triangles marked twice have no hanging nodes", "[refine]") {
+TEST_CASE("triangles marked twice have no hanging nodes", "[refinement]") {
   const Mesh whole = half_disc(any_order(), GENERATE(1, 3));
   const MeshEdges all = edges(whole);
   const CellSide side = boundary(whole, "rim")[2];
@@ -185,7 +185,7 @@ TEST_CASE("triangles marked twice have no hanging nodes", "[refine]") {
   CHECK(boundary(twice.mesh, "rim").size() >= boundary(whole, "rim").size() + 3);
 }
 
-TEST_CASE("circles inside a ring stay circles, however thin its layers", "[refine]") {
+TEST_CASE("circles inside a ring stay circles, however thin its layers", "[refinement]") {
   AnnulusSpec spec;
   spec.order = any_order();
   spec.centre = {40, -7};
@@ -202,7 +202,7 @@ TEST_CASE("circles inside a ring stay circles, however thin its layers", "[refin
                       ? 1
                       : 0;
     }
-    return refined(mesh, all, halved);
+    return refined_mesh(mesh, all, halved);
   };
   const auto radial = [](const RowVector2d& a, const RowVector2d& b) {
     return std::abs(a.norm() - b.norm()) > 1e-12;
@@ -224,7 +224,8 @@ TEST_CASE("circles inside a ring stay circles, however thin its layers", "[refin
   }
 }
 
-TEST_CASE("triangles are bisected around one node without flat ones or loose nodes", "[refine]") {
+TEST_CASE("triangles are bisected around one node without flat ones or loose nodes",
+          "[refinement]") {
   const MeshOrder order = any_order();
   BlockSpec spec;
   spec.order = order;
@@ -244,7 +245,7 @@ TEST_CASE("triangles are bisected around one node without flat ones or loose nod
   CHECK(mesh.n_cells() < 12 * 20);  // it stays near the node
 }
 
-TEST_CASE("regions and boundaries stay where they are", "[refine]") {
+TEST_CASE("regions and boundaries stay where they are", "[refinement]") {
   const MeshOrder order = any_order();
   Mesh mesh = with_region(half_disc(order, 3), "core", {0, -0.5}, {0.5, 0.5});
   const double all = area_of(mesh);
@@ -255,7 +256,7 @@ TEST_CASE("regions and boundaries stay where they are", "[refine]") {
   CHECK(length_of(mesh, "axis") == Approx(axis).epsilon(1e-14));
 }
 
-TEST_CASE("all pieces of a cell are in its region, and no others", "[refine]") {
+TEST_CASE("all pieces of a cell are in its region, and no others", "[refinement]") {
   BlockSpec spec;
   spec.order = any_order();
   spec.size = {3, 2};
@@ -264,23 +265,23 @@ TEST_CASE("all pieces of a cell are in its region, and no others", "[refine]") {
   const Mesh block = make_block(spec);
   for (Mesh mesh : {block, split(block), split(block, {0, 2, 4})}) {
     mesh = with_region(mesh, "left", {0, 0}, {1, 2});
-    CHECK(region(refined(mesh), "left").size() == 4 * region(mesh, "left").size());
+    CHECK(region(refined_mesh(mesh), "left").size() == 4 * region(mesh, "left").size());
     for (int round = 0; round < 4; ++round) {
-      mesh = round % 2 == 0 ? refined_at(mesh, RowVector2d(1, 0)) : refined(mesh);
+      mesh = round % 2 == 0 ? refined_at(mesh, RowVector2d(1, 0)) : refined_mesh(mesh);
       CHECK(area_of_region(mesh, "left") == Approx(2).epsilon(1e-14).margin(0));
     }
   }
 }
 
-TEST_CASE("the same mesh in another order is made finer in the same places", "[refine]") {
+TEST_CASE("the same mesh in another order is made finer in the same places", "[refinement]") {
   const Mesh mesh = half_disc(any_order(), GENERATE(0, 1, 3));
   const RowVector2d pole = mesh.nodes.row(boundary_nodes(mesh, "rim").front());
-  const Mesh once = refined_at(refined(mesh), pole);
-  const Mesh again = refined_at(refined(mesh), pole);
+  const Mesh once = refined_at(refined_mesh(mesh), pole);
+  const Mesh again = refined_at(refined_mesh(mesh), pole);
   CHECK(once.nodes == again.nodes);
   CHECK(once.cells == again.cells);
   for (const std::uint32_t seed : {1U, 2U}) {
-    const Mesh other = refined_at(refined(shuffled(mesh, seed)), pole);
+    const Mesh other = refined_at(refined_mesh(shuffled(mesh, seed)), pole);
     REQUIRE(other.n_nodes() == once.n_nodes());
     double worst = 0;
     for (Index k = 0; k < once.n_nodes(); ++k)

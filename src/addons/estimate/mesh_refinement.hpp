@@ -22,11 +22,11 @@ namespace signorini {
 /// \return the same body with the same boundaries and regions; the pieces of a cell take its place, and those of
 ///   a side
 /// \throws std::invalid_argument unless there is a mark for each edge
-[[nodiscard]] Mesh refined(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved);
+[[nodiscard]] Mesh refined_mesh(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved);
 
 /// A mesh whose marked edges were halved, once each.
 struct HalvedMesh {
-  Mesh mesh;          ///< as of refined()
+  Mesh mesh;          ///< as of refined_mesh()
   MarkedEdges marks;  ///< its edges, and which halves are to be halved again
 };
 
@@ -34,12 +34,12 @@ struct HalvedMesh {
 /// \param mesh   any
 /// \param marks  of its edges
 /// \return mesh and marks
-/// \throws std::invalid_argument as refined()
+/// \throws std::invalid_argument as refined_mesh()
 [[nodiscard]] HalvedMesh halved_once(const Mesh& mesh, const MarkedEdges& marks);
 
 /// Halves all edges: every cell becomes four.
 /// \param mesh  any
 /// \return as above
-[[nodiscard]] Mesh refined(const Mesh& mesh);
+[[nodiscard]] Mesh refined_mesh(const Mesh& mesh);
 
 }  // namespace signorini

@@ -1,4 +1,4 @@
-#include "addons/estimate/refine.hpp"
+#include "addons/estimate/mesh_refinement.hpp"
 
 #include <algorithm>
 #include <array>
@@ -215,13 +215,13 @@ HalvedMesh halved_once(const Mesh& mesh, const MarkedEdges& marks) {
   return {std::move(result), std::move(again)};
 }
 
-Mesh refined(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved) {
+Mesh refined_mesh(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved) {
   return halved_once(mesh, {edges, std::move(halved)}).mesh;
 }
 
-Mesh refined(const Mesh& mesh) {
+Mesh refined_mesh(const Mesh& mesh) {
   const MeshEdges all = edges(mesh);
-  return refined(mesh, all, std::vector<char>(all.size(), 1));
+  return refined_mesh(mesh, all, std::vector<char>(all.size(), 1));
 }
 
 }  // namespace signorini

@@ -1,4 +1,4 @@
-#include "addons/certified/refine.hpp"
+#include "addons/certified/iterative_refinement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,10 +54,10 @@ ActiveSet felt_rows(ActiveSet set, const Eigen::SparseMatrix<double, Eigen::RowM
 }
 
 /// One refinement from beginning to end.
-class Refining {
+class IterativeRefinement {
  public:
-  Refining(const RefinementData& data, PrimalDual start, const VectorXd& force,
-           const std::vector<ContactStatus>& statuses)
+  IterativeRefinement(const RefinementData& data, PrimalDual start, const VectorXd& force,
+                      const std::vector<ContactStatus>& statuses)
       : data_(data),
         set_(felt_rows(active_set(statuses, data.condensed.law), data.programme.A)),
         system_(data.scaled, active_set(statuses, data.scaled.law)) {
@@ -73,7 +73,7 @@ class Refining {
     result_.amplitude.setZero(data.null_vectors.cols());
   }
 
-  Refinement run();
+  RefinedSolution run();
 
  private:
   /// Corrections of one sweep, relative to what they correct.
@@ -106,19 +106,19 @@ class Refining {
   ActiveSet set_;
   ActiveSetSystem system_;
   Forces force_;
-  Refinement result_;
+  RefinedSolution result_;
   double unrefined_ = 0;  // of u, where it starts
   Index sweeps_ = 0;
   bool slow_ = false;  // whether a sweep leaves more than the root of rounding
 };
 
-VectorXd Refining::unbalanced() {
+VectorXd IterativeRefinement::unbalanced() {
   result_.solution.force = force_.high;
   return equilibrium_residual(data_.programme, result_.solution) -
          data_.programme.A.transpose() * force_.low;
 }
 
-std::pair<VectorXd, VectorXd> Refining::closed(const VectorXd& residual) const {
+std::pair<VectorXd, VectorXd> IterativeRefinement::closed(const VectorXd& residual) const {
   const std::vector<Index>& rows = system_.rows();
   const VectorXd scale = data_.scaled.scale(rows);
   VectorXd bottom;
@@ -130,13 +130,13 @@ std::pair<VectorXd, VectorXd> Refining::closed(const VectorXd& residual) const {
           floats() ? VectorXd(data_.scaled.inverse * amplitude) : VectorXd()};
 }
 
-bool Refining::felt(const VectorXd& pushed) const {
+bool IterativeRefinement::felt(const VectorXd& pushed) const {
   return relative(largest(pushed), largest(force_.high)) > 0.25 * epsilon ||
          largest(data_.condensed.compliance * pushed) >
              0.25 * epsilon * largest(result_.solution.displacement);
 }
 
-VectorXd Refining::spread(const VectorXd& residual) const {
+VectorXd IterativeRefinement::spread(const VectorXd& residual) const {
   const VectorXd inner = residual - (data_.programme.load -
                                      data_.programme.A.transpose() * (force_.high + force_.low));
   const auto along = [&](const MatrixXd& statuses) {
@@ -152,7 +152,7 @@ VectorXd Refining::spread(const VectorXd& residual) const {
   return loose.cols() == 0 ? residual : VectorXd(residual - along(data_.null_vectors * loose));
 }
 
-void Refining::move(const VectorXd& amplitude) {
+void IterativeRefinement::move(const VectorXd& amplitude) {
   result_.amplitude += amplitude;
   PrimalDual& solution = result_.solution;
   if (sweeps_ > rigid_sweeps) return add_displacement(solution, data_.null_vectors * amplitude);
@@ -164,14 +164,14 @@ void Refining::move(const VectorXd& amplitude) {
         data_.null_vectors * least_norm_solution(data_.null_vectors, solution.displacement);
 }
 
-VectorXd Refining::push(const VectorXd& pushed) {
+VectorXd IterativeRefinement::push(const VectorXd& pushed) {
   VectorXd moved = data_.solve_stiffness(-(data_.programme.A.transpose() * pushed));
   ++result_.solves;
   add_displacement(result_.solution, moved);
   return moved;
 }
 
-Refining::Change Refining::begin() {
+IterativeRefinement::Change IterativeRefinement::begin() {
   const PrimalDual& solution = result_.solution;
   const VectorXd pushed = force_.high - solution.force;
   const double moved = largest(pushed) == 0 ? 0 : largest(push(pushed));
@@ -179,7 +179,7 @@ Refining::Change Refining::begin() {
           relative(largest(pushed), largest(force_.high))};
 }
 
-Refining::Change Refining::sweep() {
+IterativeRefinement::Change IterativeRefinement::sweep() {
   ++sweeps_;
   PrimalDual& solution = result_.solution;
   VectorXd residual = unbalanced();
@@ -206,7 +206,7 @@ Refining::Change Refining::sweep() {
           relative(largest(pushed), largest(force_.high))};
 }
 
-Refinement Refining::run() {
+RefinedSolution IterativeRefinement::run() {
   const double infinity = std::numeric_limits<double>::infinity();
   Change best{infinity, infinity};
   Change last = begin();
@@ -270,9 +270,10 @@ VectorXd resultant_left(const QuadraticProgramme& programme, const PrimalDual& s
   return (left.array().abs() > (rounding + row * epsilon) * size.array()).select(left, 0.0);
 }
 
-Refinement refine(const RefinementData& data, PrimalDual start, const VectorXd& force,
-                  const std::vector<ContactStatus>& statuses) {
-  return Refining(data, std::move(start), force, statuses).run();
+RefinedSolution iterative_refinement(const RefinementData& data, PrimalDual start,
+                                     const VectorXd& force,
+                                     const std::vector<ContactStatus>& statuses) {
+  return IterativeRefinement(data, std::move(start), force, statuses).run();
 }
 
 ActiveSetSolution scaled_numbers(const RefinementData& data, const PrimalDual& solution,
@@ -286,7 +287,7 @@ ActiveSetSolution scaled_numbers(const RefinementData& data, const PrimalDual& s
   return numbers;
 }
 
-Judgement judge(const RefinementData& data, const Refinement& refined,
+Judgement judge(const RefinementData& data, const RefinedSolution& refined,
                 const std::vector<ContactStatus>& statuses) {
   const double rounding = epsilon * static_cast<double>(closed_pairs(statuses).size() + 1);
   // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.

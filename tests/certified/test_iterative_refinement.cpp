@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "addons/certified/refine.hpp"
+#include "addons/certified/iterative_refinement.hpp"
 #include "catch_compat.hpp"
 #include "signorini/core/dense.hpp"
 #include "support/refined.hpp"
@@ -71,7 +71,7 @@ Refined refined(const Chain& chain, double error, const std::vector<Index>& acti
 
 }  // namespace
 
-TEST_CASE("refinement recovers all digits from a solver that has six", "[refine]") {
+TEST_CASE("refinement recovers all digits from a solver that has six", "[refinement]") {
   const Chain exact = chain(24);
   for (const double error : {0.0, 1e-6}) {
     CAPTURE(error);
@@ -84,26 +84,26 @@ TEST_CASE("refinement recovers all digits from a solver that has six", "[refine]
   }
 }
 
-TEST_CASE("a refined gap is zero in closed pairs and exact in open ones", "[refine]") {
+TEST_CASE("a refined gap is zero in closed pairs and exact in open ones", "[refinement]") {
   const Chain exact = chain(24);
   const Refined result = refined(exact, 1e-6, exact.active);
   for (Index pair = 0; pair < result.movement.size(); ++pair)
     CHECK(result.movement(pair) == Approx(pair % 3 == 0 ? 2 : 0).epsilon(1e-14).margin(1e-15));
 }
 
-TEST_CASE("a better solver needs no more solves", "[refine]") {
+TEST_CASE("a better solver needs no more solves", "[refinement]") {
   const Chain exact = chain(24);
   CHECK(refined(exact, 0, exact.active).solves <= refined(exact, 1e-3, exact.active).solves);
 }
 
-TEST_CASE("a set with a missing pair is not confirmed, because the pair overlaps", "[refine]") {
+TEST_CASE("a set with a missing pair is not confirmed, because the pair overlaps", "[refinement]") {
   const Chain exact = chain(24);
   std::vector<Index> fewer = exact.active;
   fewer.erase(fewer.begin() + 2);
   CHECK_FALSE(refined(exact, 1e-6, fewer).confirmed);
 }
 
-TEST_CASE("a set with a pair too many is not confirmed, because the pair pulls", "[refine]") {
+TEST_CASE("a set with a pair too many is not confirmed, because the pair pulls", "[refinement]") {
   const Chain exact = chain(24);
   std::vector<Index> more = exact.active;
   more.insert(more.begin(), 0);
@@ -112,7 +112,7 @@ TEST_CASE("a set with a pair too many is not confirmed, because the pair pulls",
   CHECK_FALSE(result.confirmed);
 }
 
-TEST_CASE("without closed pairs refinement solves K u = p", "[refine]") {
+TEST_CASE("without closed pairs refinement solves K u = p", "[refinement]") {
   Chain open = chain(12);
   open.programme.initial_gap.array() += 100;
   open.programme.load = open.programme.stiffness * open.u;
@@ -122,7 +122,7 @@ TEST_CASE("without closed pairs refinement solves K u = p", "[refine]") {
 }
 
 // Which of two equal pairs bears the force is open; their sum, the gaps and u are not.
-TEST_CASE("a set of pairs that repeat each other is refined as well", "[refine]") {
+TEST_CASE("a set of pairs that repeat each other is refined as well", "[refinement]") {
   const Chain exact = chain(24);
   const Index pairs = exact.force.size();
   Chain twice = exact;
@@ -140,7 +140,7 @@ TEST_CASE("a set of pairs that repeat each other is refined as well", "[refine]"
   CHECK(certify(twice.programme, result.solution).worst() < 1e-15);
 }
 
-TEST_CASE("a set of pairs that contradict each other is not confirmed", "[refine]") {
+TEST_CASE("a set of pairs that contradict each other is not confirmed", "[refinement]") {
   const Chain exact = chain(24);
   const Index pairs = exact.force.size();
   Chain apart = exact;  // the last row is that of the first closed pair, but 0.5 wider
@@ -159,7 +159,7 @@ TEST_CASE("a set of pairs that contradict each other is not confirmed", "[refine
 }
 
 TEST_CASE("forces that do not balance the load of a free body are not confirmed",
-          "[refine][floating]") {
+          "[refinement][floating]") {
   // A spring between two nodes, pushed by 1 at one of them, with a wall at the other.
   QuadraticProgramme programme;
   programme.stiffness = (Eigen::Matrix2d() << 1, -1, -1, 1).finished().sparseView();
@@ -171,7 +171,7 @@ TEST_CASE("forces that do not balance the load of a free body are not confirmed"
   const ScaledProblem scaled = equilibrate(condensed);
   const std::function<Eigen::VectorXd(const Eigen::VectorXd&)> unused;
   const RefinementData data{programme, unused, condensed, scaled, modes};
-  Refinement numbers;
+  RefinedSolution numbers;
   numbers.settled = true;
   numbers.movement = Eigen::VectorXd::Zero(1);
   for (const double force : {1.0, 1 + 1e-12, 0.5}) {

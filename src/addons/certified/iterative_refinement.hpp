@@ -26,7 +26,7 @@ enum class Imbalance {
   Spread
 };
 
-/// What refine() and judge() take their equations from.
+/// What iterative_refinement() and judge() take their equations from.
 struct RefinementData {
   /// K, p, A, g as posed; with friction the last rows of A are -T
   const QuadraticProgramme& programme;
@@ -36,11 +36,11 @@ struct RefinementData {
   const ContactProblem& condensed;
   const ScaledProblem& scaled;               ///< `condensed`, equilibrated
   const Eigen::MatrixXd& null_vectors;       ///< N, or nothing if K is regular
-  Imbalance imbalance = Imbalance::Carried;  ///< of the solutions that refine() finds
+  Imbalance imbalance = Imbalance::Carried;  ///< of the solutions that iterative_refinement() finds
 };
 
-/// What refine() did.
-struct Refinement {
+/// What iterative_refinement() did.
+struct RefinedSolution {
   PrimalDual solution;        ///< u in two parts, and the forces of all rows of A
   Eigen::VectorXd movement;   ///< initial_gap - A u of all rows of A: gaps, then slips [length]
   Eigen::VectorXd amplitude;  ///< how much of each rigid mode went into u `n_r`
@@ -74,9 +74,9 @@ struct Refinement {
 /// \param statuses  `n_c`
 /// \return the refined numbers; whether all signs are right is for judge() to say
 /// \throws std::invalid_argument if the sizes of K, p, A, g, `start` and N do not fit
-[[nodiscard]] Refinement refine(const RefinementData& data, PrimalDual start,
-                                const Eigen::VectorXd& force,
-                                const std::vector<ContactStatus>& statuses);
+[[nodiscard]] RefinedSolution iterative_refinement(const RefinementData& data, PrimalDual start,
+                                                   const Eigen::VectorXd& force,
+                                                   const std::vector<ContactStatus>& statuses);
 
 /// What is out of balance along rigid modes.
 /// \param programme     K, p, A
@@ -109,10 +109,10 @@ struct Judgement {
 /// Looks at all signs beyond rounding, by predict(): closed pairs press, open ones do not overlap, friction
 /// forces of sticking pairs keep their bound, sliding ones resist.
 /// \param data     the problem
-/// \param refined  from refine() for `statuses`
+/// \param refined  from iterative_refinement() for `statuses`
 /// \param statuses  `n_c` what was assumed
 /// \return the verdict
-[[nodiscard]] Judgement judge(const RefinementData& data, const Refinement& refined,
+[[nodiscard]] Judgement judge(const RefinementData& data, const RefinedSolution& refined,
                               const std::vector<ContactStatus>& statuses);
 
 }  // namespace signorini
