@@ -176,6 +176,6 @@ TEST_CASE("forces that do not balance the load of a free body are not confirmed"
   numbers.movement = Eigen::VectorXd::Zero(1);
   for (const double force : {1.0, 1 + 1e-12, 0.5}) {
     numbers.solution = {Eigen::Vector2d(1, 0), {}, Eigen::VectorXd::Constant(1, force)};
-    CHECK(judge(data, numbers, {ContactStatus::Stick}).confirmed == (force == 1));
+    CHECK(check_signs(data, numbers, {ContactStatus::Stick}).confirmed == (force == 1));
   }
 }

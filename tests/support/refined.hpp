@@ -20,7 +20,7 @@ struct Refined : signorini::RefinedSolution {
 /// \param start      where to start
 /// \param closed     pairs
 /// \param modes      N, or nothing
-/// \return what iterative_refinement() and judge() make of it
+/// \return what iterative_refinement() and check_signs() make of it
 inline Refined refined(const signorini::QuadraticProgramme& programme,
                        const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve,
                        const Eigen::MatrixXd& compliance, signorini::PrimalDual start,
@@ -36,7 +36,7 @@ inline Refined refined(const signorini::QuadraticProgramme& programme,
   const signorini::RefinementData data{programme, solve, condensed, scaled, modes};
   const Eigen::VectorXd force = std::exchange(start.force, Eigen::VectorXd::Zero(pairs));
   Refined result{signorini::iterative_refinement(data, std::move(start), force, statuses)};
-  result.confirmed = signorini::judge(data, result, statuses).confirmed;
+  result.confirmed = signorini::check_signs(data, result, statuses).confirmed;
   return result;
 }
 

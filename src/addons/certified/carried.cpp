@@ -19,7 +19,7 @@ VectorXd movement_rounding(const QuadraticProgramme& programme, const PrimalDual
 Carried carried(const QuadraticProgramme& programme, const PrimalDual& solution,
                 const FrictionLaw& law, std::vector<ContactStatus> statuses) {
   const auto roundings =
-      2 * static_cast<double>(closed_pairs(statuses).size() + 1);  // as in judge()
+      2 * static_cast<double>(closed_pairs(statuses).size() + 1);  // as in check_signs()
   return {programme.A.transpose(),
           law,
           solution.force,

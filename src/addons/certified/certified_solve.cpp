@@ -63,7 +63,7 @@ class CertifiedSolve {
   /// Whether most of what the end lacks of equilibrium is along rigid motions.
   [[nodiscard]] bool rigid_motions_work() const;
   /// Refines one set, beginning with forces, and keeps it if no certificate was better.
-  Judgement look(const std::vector<ContactStatus>& statuses, const VectorXd& force);
+  SignCheck look(const std::vector<ContactStatus>& statuses, const VectorXd& force);
 
   const QuadraticProgramme& programme_;
   const MatrixXd& modes_;
@@ -89,12 +89,12 @@ bool CertifiedSolve::usable(const ContactState& claim) const {
          claim.amplitude.allFinite() && claim.force.size() == problem_.free_gap.size();
 }
 
-Judgement CertifiedSolve::look(const std::vector<ContactStatus>& statuses, const VectorXd& force) {
+SignCheck CertifiedSolve::look(const std::vector<ContactStatus>& statuses, const VectorXd& force) {
   refined_ = iterative_refinement(data_, std::move(now_), force, statuses);
   ledger_.count("sets", 1);
   ledger_.count("solves", refined_.solves);
   amplitude_ += refined_.amplitude;
-  Judgement verdict = judge(data_, refined_, statuses);
+  SignCheck verdict = check_signs(data_, refined_, statuses);
   now_ = std::move(refined_.solution);
   const Certificate certificate = certify(programme_, now_, problem_.law);
   if (verdict.confirmed || !(end_.certificate.worst() <= certificate.worst())) {
@@ -158,7 +158,7 @@ bool CertifiedSolve::exchange(std::vector<ContactStatus> statuses, VectorXd forc
     RefinedSolution before = first ? RefinedSolution() : std::move(refined_);
     PrimalDual start = first ? PrimalDual() : now_;
     const VectorXd amplitude = amplitude_;
-    Judgement verdict = look(statuses, force);
+    SignCheck verdict = look(statuses, force);
     if (verdict.confirmed || !now_.displacement.allFinite()) return true;
     if (!refined_.settled && before.settled) {  // what came before can be corrected
       refined_ = std::move(before);

@@ -287,8 +287,8 @@ ActiveSetSolution scaled_numbers(const RefinementData& data, const PrimalDual& s
   return numbers;
 }
 
-Judgement judge(const RefinementData& data, const RefinedSolution& refined,
-                const std::vector<ContactStatus>& statuses) {
+SignCheck check_signs(const RefinementData& data, const RefinedSolution& refined,
+                      const std::vector<ContactStatus>& statuses) {
   const double rounding = epsilon * static_cast<double>(closed_pairs(statuses).size() + 1);
   // Closed rows that depend on each other may contradict each other, by more than a certificate lets pass.
   const double contradicted =
@@ -299,7 +299,7 @@ Judgement judge(const RefinementData& data, const RefinedSolution& refined,
     if (std::abs(refined.movement(row)) > contradicted) closes = false;
     numbers.movement(row) = 0;
   }
-  Judgement result{statuses, 0, false};
+  SignCheck result{statuses, 0, false};
   result.wrong = predict(data.scaled, numbers, 1, result.statuses);
   const PrimalDual& solution = refined.solution;
   const bool finite = solution.displacement.allFinite() && solution.force.allFinite();

@@ -26,7 +26,7 @@ enum class Imbalance {
   Spread
 };
 
-/// What iterative_refinement() and judge() take their equations from.
+/// What iterative_refinement() and check_signs() take their equations from.
 struct RefinementData {
   /// K, p, A, g as posed; with friction the last rows of A are -T
   const QuadraticProgramme& programme;
@@ -72,7 +72,7 @@ struct RefinedSolution {
 /// \param start    u, and the forces that it belongs to: none, if u is still that without contact
 /// \param force    of all rows of A, to begin with; those that the statuses exclude are dropped [force]
 /// \param statuses  `n_c`
-/// \return the refined numbers; whether all signs are right is for judge() to say
+/// \return the refined numbers; whether all signs are right is for check_signs() to say
 /// \throws std::invalid_argument if the sizes of K, p, A, g, `start` and N do not fit
 [[nodiscard]] RefinedSolution iterative_refinement(const RefinementData& data, PrimalDual start,
                                                    const Eigen::VectorXd& force,
@@ -89,7 +89,7 @@ struct RefinedSolution {
                                              const Eigen::MatrixXd& null_vectors, double rounding);
 
 /// What refined numbers say of every pair.
-struct Judgement {
+struct SignCheck {
   std::vector<ContactStatus> statuses;  ///< what the pairs would rather do
   Eigen::Index wrong = 0;               ///< pairs that would rather do something else
   bool confirmed = false;               ///< refined, balanced and no pair wrong: the solution
@@ -112,7 +112,7 @@ struct Judgement {
 /// \param refined  from iterative_refinement() for `statuses`
 /// \param statuses  `n_c` what was assumed
 /// \return the verdict
-[[nodiscard]] Judgement judge(const RefinementData& data, const RefinedSolution& refined,
-                              const std::vector<ContactStatus>& statuses);
+[[nodiscard]] SignCheck check_signs(const RefinementData& data, const RefinedSolution& refined,
+                                    const std::vector<ContactStatus>& statuses);
 
 }  // namespace signorini

@@ -93,7 +93,7 @@ ForceDoubt force_doubt(const RefinementData& data, const RefinedSolution& refine
   std::shared_ptr<const ActiveSetSystem> system = refined.system;
   bool as_refined = true;
   const auto roundings =
-      2 * static_cast<double>(closed_pairs(statuses).size() + 1);  // as in judge()
+      2 * static_cast<double>(closed_pairs(statuses).size() + 1);  // as in check_signs()
   for (std::size_t i = 0; i < statuses.size(); ++i) {
     const Index pair = static_cast<Index>(i);
     if (statuses[i] != ContactStatus::Open || refined.movement(pair) > roundings * rounding(pair))

@@ -22,7 +22,7 @@ struct ForceDoubt {
 /// forces moves hardly anything, as plus and minus in turns do on a soft side that has fewer nodes than the stiff one,
 /// this is any number of digits, and no certificate sees it. The worst signs of the entries of delta are looked for as
 /// in Hager's estimate of condition numbers [\ref Higham2002]: a few solves, each with the signs of the answer before.
-/// Open pairs that are as near as judge() takes for rounding belong to the system, for rounding may have opened them.
+/// Open pairs that are as near as check_signs() takes for rounding belong to the system, for rounding may have opened them.
 ///
 /// Forces that could be others because rows of A repeat each other, \f$ A^T\Delta\lambda = 0 \f$, as those of several
 /// Gauss points do, are no doubt of this kind: they are among several solutions, and nothing else depends on them. K, A

@@ -127,7 +127,7 @@ ProgrammeRows::Refined ProgrammeRows::refine(ActiveSetFactor& basis) {
   }
   displacement_ = refined.solution.displacement;
   basis.set_force(work.force);
-  judge(basis, refined, work);
+  check_signs(basis, refined, work);
   return refined;
 }
 
@@ -182,7 +182,7 @@ bool ProgrammeRows::beyond_doubt(const ActiveSetFactor& basis, Refined& refined,
 }
 
 /// All gaps of the refined solution, and which rows are on the wrong side beyond rounding.
-void ProgrammeRows::judge(const ActiveSetFactor& basis, Refined& refined, const Work& work) {
+void ProgrammeRows::check_signs(const ActiveSetFactor& basis, Refined& refined, const Work& work) {
   const Index k = basis.size();
   base_.noalias() = basis.directions() * basis.coordinates();
   gap_ = programme_.initial_gap;

@@ -93,7 +93,7 @@ class ProgrammeRows {
   [[nodiscard]] double one_rounding(Eigen::Index row, double stretch) const;
   [[nodiscard]] bool beyond_doubt(const ActiveSetFactor& basis, Refined& refined,
                                   const Eigen::VectorXd& force);
-  void judge(const ActiveSetFactor& basis, Refined& refined, const Work& work);
+  void check_signs(const ActiveSetFactor& basis, Refined& refined, const Work& work);
 
   const DenseProgramme& programme_;
   Eigen::VectorXd rho_;  // what each equation adds to K

@@ -30,7 +30,7 @@ struct Carried {
 [[nodiscard]] Eigen::VectorXd movement_rounding(const QuadraticProgramme& programme,
                                                 const PrimalDual& solution);
 
-/// A solution of a programme; a movement is none if it is at most as many roundings as judge() allows.
+/// A solution of a programme; a movement is none if it is at most as many roundings as check_signs() allows.
 /// \param programme  A and g, slips in the last rows of A
 /// \param solution   u and the forces of all rows
 /// \param law        of the pairs that rub
