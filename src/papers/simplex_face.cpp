@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "signorini/solvers/group_active_set.hpp"
+#include "signorini/solvers/dual_active_set.hpp"
 
 namespace signorini {
 
@@ -16,13 +16,13 @@ struct SimplexFace::Numbers {
         ones(VectorXd::Ones(scaled.free.size())),
         rows(rows_of(scaled, ones)),
         method(rows, ActiveSetFactor(0, rows.count), report, std::numeric_limits<Index>::max(),
-               GroupActiveSet::Pace::Single) {}
+               DualActiveSet::Step::Single) {}
 
   ScaledProblem scaled;
   VectorXd ones;
   ConstraintRows rows;
   Report report;
-  GroupActiveSet method;
+  DualActiveSet method;
 };
 
 SimplexFace::SimplexFace(const ContactProblem& problem)

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "addons/certified/programme_rows.hpp"
-#include "signorini/solvers/group_active_set.hpp"
+#include "signorini/solvers/dual_active_set.hpp"
 
 namespace signorini {
 namespace {
@@ -29,11 +29,11 @@ ConstraintRows rows_of(ProgrammeRows& programme) {
 }
 
 DenseSolution grow_active_set(const DenseProgramme& programme, Index limit,
-                              GroupActiveSet::Pace pace) {
+                              DualActiveSet::Step kind) {
   ProgrammeRows data(programme);
   const ConstraintRows rows = rows_of(data);
   DenseSolution solution;
-  GroupActiveSet method(rows, data.empty_basis(), solution.report, limit, pace);
+  DualActiveSet method(rows, data.empty_basis(), solution.report, limit, kind);
   SolveStatus status = rows.equations > 0 ? method.close_equations() : SolveStatus::Solved;
   if (status != SolveStatus::Solved) {  // contradictory equations: where the others are closed
     solution.refined.displacement = data.displacement();
@@ -73,13 +73,13 @@ DenseSolution grow_active_set(const DenseProgramme& programme, Index limit,
 DenseSolution quasi_active_set(const DenseProgramme& programme, const SolverOptions& options) {
   const Index own = 10 * programme.initial_gap.size() + 100;
   return grow_active_set(programme, options.iteration_limit > 0 ? options.iteration_limit : own,
-                         GroupActiveSet::Pace::Groups);
+                         DualActiveSet::Step::Block);
 }
 
 DenseSolution goldfarb_idnani(const DenseProgramme& programme, const SolverOptions& options) {
   const Index own = 100 * programme.initial_gap.size() + 100;
   return grow_active_set(programme, options.iteration_limit > 0 ? options.iteration_limit : own,
-                         GroupActiveSet::Pace::Single);
+                         DualActiveSet::Step::Single);
 }
 
 }  // namespace signorini

@@ -6,8 +6,8 @@
 
 #include "addons/certified/proofs.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/solvers/dual_active_set.hpp"
 #include "signorini/solvers/goldfarb_idnani.hpp"
-#include "signorini/solvers/group_active_set.hpp"
 
 namespace signorini {
 
@@ -23,18 +23,17 @@ std::vector<Index> sorted_rows(const ActiveSetFactor& basis, Index equations) {
   return active;
 }
 
-ContactState grow_active_set(const ContactProblem& problem, Index limit,
-                             GroupActiveSet::Pace pace) {
+ContactState grow_active_set(const ContactProblem& problem, Index limit, DualActiveSet::Step kind) {
   const ScaledProblem scaled = equilibrate(problem);
   const VectorXd ones = VectorXd::Ones(scaled.free.size());
   const ConstraintRows rows = rows_of(scaled, ones);
   Report report;
-  GroupActiveSet method(rows, ActiveSetFactor(0, rows.count), report, limit, pace);
+  DualActiveSet method(rows, ActiveSetFactor(0, rows.count), report, limit, kind);
   ActiveSetSolution closed;
   VectorXd proof;
   const auto close_rows = [&] {
     closed = solve_active_set(scaled, ActiveSet{sorted_rows(method.basis())});
-    if (pace == GroupActiveSet::Pace::Single && method.basis().size() > 0) ++report.factorisations;
+    if (kind == DualActiveSet::Step::Single && method.basis().size() > 0) ++report.factorisations;
     return closed.solvable && static_cast<Index>(closed.rows.size()) == method.basis().size();
   };
   for (Index round = 0;; ++round) {
@@ -70,14 +69,14 @@ ContactState quasi_active_set(const ContactProblem& problem, const SolverOptions
   check_plain(problem, "quasi_active_set");
   const Index limit =
       options.iteration_limit > 0 ? options.iteration_limit : 10 * problem.free_gap.size() + 100;
-  return grow_active_set(problem, limit, GroupActiveSet::Pace::Groups);
+  return grow_active_set(problem, limit, DualActiveSet::Step::Block);
 }
 
 ContactState goldfarb_idnani(const ContactProblem& problem, const SolverOptions& options) {
   check_plain(problem, "goldfarb_idnani");
   const Index limit =
       options.iteration_limit > 0 ? options.iteration_limit : 100 * problem.free_gap.size() + 100;
-  return grow_active_set(problem, limit, GroupActiveSet::Pace::Single);
+  return grow_active_set(problem, limit, DualActiveSet::Step::Single);
 }
 
 }  // namespace signorini

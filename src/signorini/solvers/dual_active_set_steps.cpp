@@ -5,7 +5,7 @@
 
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/solvers/group_active_set.hpp"
+#include "signorini/solvers/dual_active_set.hpp"
 
 namespace signorini {
 namespace {
@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 }  // namespace
 
 /// Drops rows and their entries in the forces.
-void GroupActiveSet::open_vanished(const std::vector<Index>& positions) {
+void DualActiveSet::open_vanished(const std::vector<Index>& positions) {
   for (auto k = positions.rbegin(); k != positions.rend(); ++k)
     for (Index i = *k + 1; i < force_.size(); ++i) force_(i - 1) = force_(i);
   drop(positions);
@@ -24,7 +24,7 @@ void GroupActiveSet::open_vanished(const std::vector<Index>& positions) {
 
 /// Moves from forces that do not pull towards the best for all closed rows; where a force vanishes
 /// first, its row opens and the target changes. The dual energy rises all the way.
-void GroupActiveSet::step_by_step() {
+void DualActiveSet::step_by_step() {
   while (true) {
     solve();
     const std::vector<Index> negative = pulling();
@@ -47,7 +47,7 @@ void GroupActiveSet::step_by_step() {
 /// The closed row whose force vanishes first when the forces change by -response, and the step to there; -1
 /// if none does. A response so small that without this row the new one would still depend on the others
 /// is rounding.
-std::pair<Index, double> GroupActiveSet::first_to_open(const VectorXd& response) const {
+std::pair<Index, double> DualActiveSet::first_to_open(const VectorXd& response) const {
   std::vector<Index> yielding;
   for (Index k = 0; k < basis_.size(); ++k)
     if (response(k) > 0 && basis_.rows()[at(k)] >= rows_.equations) yielding.push_back(k);
@@ -61,7 +61,7 @@ std::pair<Index, double> GroupActiveSet::first_to_open(const VectorXd& response)
 }
 
 /// How much overlap of a row that depends on the closed ones can be rounding, its own or theirs.
-double GroupActiveSet::grazing(Index row, const VectorXd& response) const {
+double DualActiveSet::grazing(Index row, const VectorXd& response) const {
   const double distance = basis_.smallest_distance();
   const double weight = (*rows_.weight)(row);
   double rounding = rounding_(row);
@@ -73,9 +73,9 @@ double GroupActiveSet::grazing(Index row, const VectorXd& response) const {
 }
 
 /// No force vanishes when a row is pressed that depends on the closed ones.
-SolveStatus GroupActiveSet::cannot_close(Index row, const VectorXd& response) {
+SolveStatus DualActiveSet::cannot_close(Index row, const VectorXd& response) {
   if (-gap_(row) <= grazing(row, response)) {  // it only touches, as far as rounding can tell
-    mark_fruitless({row});
+    mark_stalled({row});
     return SolveStatus::Solved;
   }
   proof_.setZero(rows_.count);
@@ -89,7 +89,7 @@ SolveStatus GroupActiveSet::cannot_close(Index row, const VectorXd& response) {
 }
 
 /// Closes a row that carries a force already. \return false if it depends on the closed ones
-bool GroupActiveSet::join(Index row, double force) {
+bool DualActiveSet::join(Index row, double force) {
   rows_.gaps(basis_, gap_, rounding_);
   fetch(row);
   if (basis_.append(candidates_, ActiveSetFactor::Choice::All, 1) == 0) return false;
@@ -100,14 +100,14 @@ bool GroupActiveSet::join(Index row, double force) {
 
 /// Changes the forces of the closed rows by -step * response. Rounding may leave those of rows that yield faster
 /// than the first to open a little below zero.
-void GroupActiveSet::yield(const VectorXd& response, double step) {
+void DualActiveSet::yield(const VectorXd& response, double step) {
   force_.head(basis_.size()) -= step * response;
   for (Index k = 0; k < basis_.size(); ++k)
     if (basis_.rows()[at(k)] >= rows_.equations) force_(k) = std::max(0.0, force_(k));
 }
 
 /// A violated row depends on the closed ones: presses it, while they yield, until the first one opens.
-SolveStatus GroupActiveSet::exchange(Index row) {
+SolveStatus DualActiveSet::exchange(Index row) {
   fetch(row);
   const VectorXd response = basis_.response(candidates_).yield;
   const auto [first, step] = first_to_open(response);
@@ -121,7 +121,7 @@ SolveStatus GroupActiveSet::exchange(Index row) {
 
 // [press]
 /// Presses a violated row until it closes; closed rows whose force vanishes on the way open.
-SolveStatus GroupActiveSet::press(Index row) {
+SolveStatus DualActiveSet::press(Index row) {
   double pressed = 0;
   double lifted = 0;  // of the gap of the normalised row
   while (report_.iterations < limit_) {
@@ -148,7 +148,7 @@ SolveStatus GroupActiveSet::press(Index row) {
 }
 // [press]
 
-SolveStatus GroupActiveSet::take_in(Index row) {
+SolveStatus DualActiveSet::take_in(Index row) {
   rows_.gaps(basis_, gap_, rounding_);
   return press(row);
 }

@@ -1,4 +1,4 @@
-#include "signorini/solvers/group_active_set.hpp"
+#include "signorini/solvers/dual_active_set.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,14 @@ bool rises(double now, double before, Index size) {
 
 }  // namespace
 
-GroupActiveSet::GroupActiveSet(const ConstraintRows& rows, ActiveSetFactor basis, Report& report,
-                               Index limit, Pace pace)
+DualActiveSet::DualActiveSet(const ConstraintRows& rows, ActiveSetFactor basis, Report& report,
+                             Index limit, Step kind)
     : rows_(rows),
       basis_(std::move(basis)),
       saved_(0, 0),
       report_(report),
       limit_(limit),
-      pace_(pace),
+      kind_(kind),
       group_((rows.rank + 1) / 2),
       force_(basis_.capacity()),
       state_(at(rows.count), Row::Open) {
@@ -36,30 +36,30 @@ GroupActiveSet::GroupActiveSet(const ConstraintRows& rows, ActiveSetFactor basis
   candidates_.rows.reserve(at(rows.count));
 }
 
-void GroupActiveSet::solve() {
+void DualActiveSet::solve() {
   basis_.solve(target_);
   ++report_.factorisations;
 }
 
 /// Positions of the basis whose new force is not positive.
-std::vector<Index> GroupActiveSet::pulling() const {
+std::vector<Index> DualActiveSet::pulling() const {
   std::vector<Index> positions;
   for (Index k = 0; k < basis_.size(); ++k)
     if (target_(k) <= 0 && basis_.rows()[at(k)] >= rows_.equations) positions.push_back(k);
   return positions;
 }
 
-void GroupActiveSet::drop(const std::vector<Index>& positions) {
+void DualActiveSet::drop(const std::vector<Index>& positions) {
   for (const Index k : positions) state_[at(basis_.rows()[at(k)])] = Row::Open;
   basis_.remove(positions);
 }
 
-void GroupActiveSet::fetch(Index row) {
+void DualActiveSet::fetch(Index row) {
   candidates_.rows.assign(1, row);
   rows_.fetch(basis_, gap_, rounding_, candidates_);
 }
 
-SolveStatus GroupActiveSet::close_equations() {
+SolveStatus DualActiveSet::close_equations() {
   candidates_.rows.resize(at(rows_.equations));
   std::iota(candidates_.rows.begin(), candidates_.rows.end(), Index{0});
   for (const Index row : candidates_.rows) state_[at(row)] = Row::Closed;
@@ -83,7 +83,7 @@ SolveStatus GroupActiveSet::close_equations() {
 }
 
 /// Violated rows, the worst first, at most twice as many as may join.
-void GroupActiveSet::find_most_violated() {
+void DualActiveSet::find_most_violated() {
   std::vector<Index>& violated = candidates_.rows;
   violated.clear();
   double overlap = 0;
@@ -106,19 +106,19 @@ void GroupActiveSet::find_most_violated() {
   violated.resize(most);
 }
 
-SolveStatus GroupActiveSet::run() {
+SolveStatus DualActiveSet::run() {
   double highest = basis_.dual_energy();
   while (true) {
     rows_.gaps(basis_, gap_, rounding_);
     find_most_violated();
     if (candidates_.rows.empty()) return SolveStatus::Solved;
     if (report_.iterations >= limit_) return SolveStatus::IterationLimit;
-    if (pace_ == Pace::Groups) ++report_.iterations;
+    if (kind_ == Step::Block) ++report_.iterations;
     const Index before = basis_.size();
     const std::vector<Index> closed = basis_.rows();
     const Index worst = candidates_.rows.front();
     SolveStatus status = SolveStatus::Solved;
-    if (pace_ == Pace::Single) {
+    if (kind_ == Step::Single) {
       candidates_.rows.resize(1);
       status = press(worst);
     } else {
@@ -131,16 +131,16 @@ SolveStatus GroupActiveSet::run() {
     if (status != SolveStatus::Solved) return status;
     if (rises(basis_.dual_energy(), highest, basis_.size())) {
       highest = basis_.dual_energy();
-      forget_fruitless();
+      forget_stalled();
     } else {  // rows that only change places, as nearly equal ones do, must not do so for ever
-      mark_fruitless(candidates_.rows);
-      mark_fruitless(closed);
+      mark_stalled(candidates_.rows);
+      mark_stalled(closed);
     }
   }
 }
 
 /// Solves with the rows that joined at position `before` and behind, and drops until no force pulls.
-void GroupActiveSet::settle(Index before) {
+void DualActiveSet::settle(Index before) {
   for (Index k = before; k < basis_.size(); ++k) state_[at(basis_.rows()[at(k)])] = Row::Closed;
   solve();
   std::vector<Index> negative = pulling();
@@ -163,7 +163,7 @@ void GroupActiveSet::settle(Index before) {
   force_.head(basis_.size()) = target_.head(basis_.size());
 }
 
-void GroupActiveSet::release(const VectorXd& tension) {
+void DualActiveSet::release(const VectorXd& tension) {
   std::vector<Index> positions;
   for (Index k = 0; k < tension.size(); ++k)
     if (tension(k) > 0) positions.push_back(k);
@@ -173,23 +173,23 @@ void GroupActiveSet::release(const VectorXd& tension) {
     positions = pulling();
   } while (!positions.empty());
   force_.head(basis_.size()) = target_.head(basis_.size());
-  forget_fruitless();
+  forget_stalled();
 }
 
-void GroupActiveSet::pass_over() { mark_fruitless({pressed_}); }
+void DualActiveSet::pass_over() { mark_stalled({pressed_}); }
 
 /// Marks those that are open.
-void GroupActiveSet::mark_fruitless(const std::vector<Index>& rows) {
+void DualActiveSet::mark_stalled(const std::vector<Index>& rows) {
   for (const Index row : rows)
     if (state_[at(row)] == Row::Open) {
-      state_[at(row)] = Row::Fruitless;
-      any_fruitless_ = true;
+      state_[at(row)] = Row::Stalled;
+      any_stalled_ = true;
     }
 }
 
-void GroupActiveSet::forget_fruitless() {
-  if (any_fruitless_) std::replace(state_.begin(), state_.end(), Row::Fruitless, Row::Open);
-  any_fruitless_ = false;
+void DualActiveSet::forget_stalled() {
+  if (any_stalled_) std::replace(state_.begin(), state_.end(), Row::Stalled, Row::Open);
+  any_stalled_ = false;
 }
 
 }  // namespace signorini

@@ -10,21 +10,21 @@
 namespace signorini {
 
 /// One run of the method, which may be taken up again. See quasi_active_set() and goldfarb_idnani() for the steps.
-class GroupActiveSet {
+class DualActiveSet {
  public:
   /// How many rows join at a time.
-  enum class Pace {
-    Groups,  ///< violated rows join together
-    Single   ///< the most violated row is pressed until it closes
+  enum class Step {
+    Block,  ///< violated rows join together
+    Single  ///< the most violated row is pressed until it closes
   };
   /// Starts with no row closed.
   /// \param rows    must outlive this
   /// \param basis   empty, with room for the rank of the rows
   /// \param report  takes iterations, factorisations and history; must outlive this
   /// \param limit   most iterations
-  /// \param pace    how many rows join at a time
-  GroupActiveSet(const ConstraintRows& rows, ActiveSetFactor basis, Report& report,
-                 Eigen::Index limit, Pace pace);
+  /// \param kind    how many rows join at a time
+  DualActiveSet(const ConstraintRows& rows, ActiveSetFactor basis, Report& report,
+                Eigen::Index limit, Step kind);
 
   /// Closes the equations, leaving out those that follow from others.
   /// \return Solved, or Infeasible if they contradict each other
@@ -32,7 +32,7 @@ class GroupActiveSet {
   /// Goes on until no row overlaps beyond rounding.
   /// \return Solved, Infeasible, IterationLimit or Breakdown
   SolveStatus run();
-  /// Presses one row until it closes, as a step of Pace::Single does.
+  /// Presses one row until it closes, as a step of Step::Single does.
   /// \param row  that overlaps
   /// \return Solved, Infeasible, IterationLimit or Breakdown
   SolveStatus take_in(Eigen::Index row);
@@ -54,11 +54,11 @@ class GroupActiveSet {
   [[nodiscard]] Eigen::Index pressed() const { return pressed_; }
 
  private:
-  /// Fruitless rows have joined, or left for others, without a rise of the energy: their overlap is rounding.
-  enum class Row : char { Open, Closed, Fruitless };
+  /// Stalled rows have joined, or left for others, without a rise of the energy: their overlap is rounding.
+  enum class Row : char { Open, Closed, Stalled };
 
-  void forget_fruitless();
-  void mark_fruitless(const std::vector<Eigen::Index>& rows);
+  void forget_stalled();
+  void mark_stalled(const std::vector<Eigen::Index>& rows);
   void find_most_violated();
   void fetch(Eigen::Index row);
   void open_vanished(const std::vector<Eigen::Index>& positions);
@@ -81,7 +81,7 @@ class GroupActiveSet {
   ActiveSetFactor saved_;
   Report& report_;
   Eigen::Index limit_;
-  Pace pace_;
+  Step kind_;
   Eigen::Index group_;
   Eigen::Index pressed_ = -1;
   Eigen::VectorXd gap_;
@@ -91,17 +91,17 @@ class GroupActiveSet {
   Eigen::VectorXd proof_;
   ActiveSetFactor::Candidates candidates_;
   std::vector<Row> state_;
-  bool any_fruitless_ = false;
+  bool any_stalled_ = false;
 };
 
 /// Solves a problem by this method and closes the last set exactly.
 /// \param problem  G positive semidefinite, and d
 /// \param limit    most iterations
-/// \param pace     how many pairs join at a time
+/// \param kind     how many pairs join at a time
 /// \return as quasi_active_set()
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ContactState grow_active_set(const ContactProblem& problem, Eigen::Index limit,
-                                           GroupActiveSet::Pace pace);
+                                           DualActiveSet::Step kind);
 
 /// \param basis      closed rows
 /// \param equations  so many of the first rows are not wanted
