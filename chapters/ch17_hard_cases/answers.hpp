@@ -115,10 +115,10 @@ inline Answer answer_of(const signorini::Solution& solution) {
 /// Whether a member takes a problem. \param solver  a member \param problem  condensed \return whether it does
 inline bool takes(const signorini::Solver& solver, const signorini::ContactProblem& problem) {
   using namespace signorini;
-  const bool rubs = !problem.law.pair.empty();
-  const bool asymmetric = !rubs && !is_symmetric(problem);
+  const bool frictional = !problem.law.pair.empty();
+  const bool asymmetric = !frictional && !is_symmetric(problem);
   return too_many(solver, problem.free_gap.size()).empty() &&
-         (solver.friction != (rubs ? Takes::No : Takes::Only)) &&
+         (solver.friction != (frictional ? Takes::No : Takes::Only)) &&
          !(asymmetric && may_fail(solver, Trait::Asymmetric));
 }
 

@@ -127,17 +127,18 @@ inline Answer naive_answer(const std::string& name, const Case& given) {
   if (!given.posed) return not_asked;
   const Posed& posed = *given.posed;
   if (posed.form && !posed.form->definite) return not_asked;
-  const bool rubs = !posed.small.law.pair.empty();
+  const bool frictional = !posed.small.law.pair.empty();
   if (name == "trial_and_error" || name == "penalty" || name == "absolute_tolerance" ||
       name == "newton_unscaled" || name == "newton_relative") {
-    if (rubs) return not_asked;
+    if (frictional) return not_asked;
     const double spring = name == "penalty" ? 1e-6 : 0, overlap = name[0] == 'a' ? 1e-6 : 0;
     return claimed(posed, name[0] == 'n' ? newton_unscaled(posed.small, name == "newton_relative")
                                          : trial_and_error(posed.small, spring, overlap));
   }
-  if (name == "uncoupled") return rubs ? claimed(posed, uncoupled(posed.small)) : not_asked;
+  if (name == "uncoupled") return frictional ? claimed(posed, uncoupled(posed.small)) : not_asked;
   if (name == "sweeps")
-    return rubs && posed.small.rigid.cols() == 0 ? claimed(posed, sweeps(posed.small)) : not_asked;
+    return frictional && posed.small.rigid.cols() == 0 ? claimed(posed, sweeps(posed.small))
+                                                       : not_asked;
   if (name == "double_only" && posed.form && posed.form->programme.equations == 0)
     return unrefined(posed);
   if (name == "double_only") return posed.model ? unrefined(posed, *posed.condensed) : not_asked;

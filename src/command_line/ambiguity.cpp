@@ -48,7 +48,7 @@ Agreement agreement(const std::vector<Outcome>& outcomes, double length) {
 
 /// The pair of a row, friction forces being the last.
 Index pair_of(const Outcome& outcome, Index row, Index pairs) {
-  return row < pairs ? row : outcome.rubbing[static_cast<std::size_t>(row - pairs)];
+  return row < pairs ? row : outcome.frictional_pairs[static_cast<std::size_t>(row - pairs)];
 }
 
 /// Forces of more rows are not printed, only written as JSON.

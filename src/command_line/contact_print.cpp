@@ -21,7 +21,7 @@ void print_sums(std::ostream& out, const std::string& what, const Resultants& su
   out << what << ' ' << force_in_words(sum.force, axial);
   if (!axial) out << ", moment about the origin " << sum.moment;
   out << ", closed boundary " << sum.closed_weight << ", peak pressure " << sum.peak_pressure;
-  if (sum.rubbing > 0) {
+  if (sum.frictional_pairs > 0) {
     out << ", normal force " << sum.normal_force << ", shear force " << sum.shear_force
         << ", dissipated work " << sum.dissipated;
     if (sum.dissipated_total != sum.dissipated) out << ", in total " << sum.dissipated_total;
@@ -34,7 +34,7 @@ std::vector<PairColumn> printed(std::vector<PairColumn> columns, const Resultant
   const auto idle = [&](const PairColumn& column) {
     const std::string& name = column.name;
     return name == "gap" || name == "status" || name == "contact" ||
-           (column.of_friction && sum.rubbing == 0);
+           (column.of_friction && sum.frictional_pairs == 0);
   };
   columns.erase(std::remove_if(columns.begin(), columns.end(), idle), columns.end());
   return columns;
@@ -58,8 +58,8 @@ void print_pairs(std::ostream& out, const std::vector<PairColumn>& columns,
 void print_closed(std::ostream& out, const std::vector<PairColumn>& columns, const Resultants& sum,
                   const std::vector<Index>& closed) {
   out << sum.closed << " of " << sum.pairs << " pairs are closed";
-  if (sum.rubbing > 0) out << ": " << sum.stick << " stick, " << sum.slide << " slide";
-  if (sum.rubbing > 0 && sum.closed > sum.stick + sum.slide)
+  if (sum.frictional_pairs > 0) out << ": " << sum.stick << " stick, " << sum.slide << " slide";
+  if (sum.frictional_pairs > 0 && sum.closed > sum.stick + sum.slide)
     out << ", " << sum.closed - sum.stick - sum.slide << " cannot rub";
   out << '\n';
   if (sum.closed > largest_printed)
@@ -74,7 +74,7 @@ void write_sums(Json& json, const Resultants& sum) {
   json.key("closed").value(sum.closed_weight).key("peak_pressure").value(sum.peak_pressure);
   json.key("normal_force").value(sum.normal_force);
   json.key("n_pairs").value(sum.pairs).key("n_closed").value(sum.closed);
-  if (sum.rubbing == 0) return;
+  if (sum.frictional_pairs == 0) return;
   json.key("shear_force").value(sum.shear_force);
   json.key("n_stick").value(sum.stick).key("n_slide").value(sum.slide);
   json.key("dissipated").value(sum.dissipated);

@@ -169,7 +169,7 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
       outcome.certificate = certify(problem, state);
     if (outcome.status == SolveStatus::Solved && outcome.certificate.holds(tolerance))
       outcome.undetermined = ranges_of(undetermined_forces(carried(problem, state)));
-    outcome.rubbing = state.rubbing;
+    outcome.frictional_pairs = state.frictional_pairs;
     outcome.force = std::move(state.force);
     outcome.gap = std::move(state.gap);
     outcome.why = std::move(state.reason);

@@ -29,7 +29,7 @@ struct Outcome {
   std::vector<signorini::ContactStatus> contact_status;               ///< of its pairs
   signorini::Uniqueness uniqueness = signorini::Uniqueness::Unknown;  ///< of its solution
   signorini::Doubt doubt = {};                                        ///< if that is doubtful
-  std::vector<Eigen::Index> rubbing = {};                ///< pairs of the friction forces
+  std::vector<Eigen::Index> frictional_pairs = {};       ///< pairs of the friction forces
   std::vector<signorini::ForceRange> undetermined = {};  ///< forces that could as well be others
   Eigen::VectorXd unknowns;                              ///< x of a quadratic programme
   double objective = 0;                                  ///< of a quadratic programme

@@ -127,19 +127,19 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
   };
   std::optional<Resultants> sum;
   if (step != nullptr) sum = resultants(*model, step->solution, totals(&step->state));
-  const bool rubs = !run.plan.law.pair.empty();
+  const bool frictional = !run.plan.law.pair.empty();
   add("step", "%.0f", [&] { return step->state.steps; });
   add("time", "%.5g", [&] { return step->state.time; });
   add("iterations", "%.0f", [&] { return step->solution.contact.report.iterations; });
   add("solves", "%.0f", [&] { return solves_of(step->solution.ledger); });
   if (run.plan.gaps.A.rows() > 0) {
     add("closed", "%.0f", [&] { return sum->closed; });
-    if (rubs) add("stick", "%.0f", [&] { return sum->stick; });
-    if (rubs) add("slide", "%.0f", [&] { return sum->slide; });
+    if (frictional) add("stick", "%.0f", [&] { return sum->stick; });
+    if (frictional) add("slide", "%.0f", [&] { return sum->slide; });
     if (run.model->bodies[0].material.base.state != PlaneState::Axial)
       add("force x", "%.5g", [&] { return sum->force.x(); });
     add("force y", "%.5g", [&] { return sum->force.y(); });
-    if (rubs) add("dissipated_total", "%.5g", [&] { return sum->dissipated_total; });
+    if (frictional) add("dissipated_total", "%.5g", [&] { return sum->dissipated_total; });
   }
   add("certificate", "%.1e", [&] { return step->solution.certificate.worst(); });
   return all;

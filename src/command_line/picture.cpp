@@ -145,16 +145,16 @@ void draw_tractions(std::ostream& gp, const TractionCurve& curve, bool named, do
      << bottom / layout.height << "\nset tmargin at screen " << top / layout.height
      << "\nset size noratio\nset xtics autofreq\nset ytics autofreq\nset xlabel 'way along the "
         "source'\nset ylabel '"
-     << (curve.rubs ? "contact traction" : "contact pressure") << "'\nset yrange "
-     << (curve.most <= 0 ? "[0:1]"
-         : curve.rubs    ? "[*:*]"
-                         : "[0:*]")
+     << (curve.frictional ? "contact traction" : "contact pressure") << "'\nset yrange "
+     << (curve.most <= 0    ? "[0:1]"
+         : curve.frictional ? "[*:*]"
+                            : "[0:*]")
      << "\nset xrange " << range(curve.from, curve.to) << '\n';
   if (named)
     gp << "set label 1 " << for_gnuplot(curve.name) << " noenhanced at screen "
-       << panel_left / panel_width << ", screen " << (top + (curve.rubs ? 38 : 16)) / layout.height
-       << '\n';
-  if (!curve.rubs) {
+       << panel_left / panel_width << ", screen "
+       << (top + (curve.frictional ? 38 : 16)) / layout.height << '\n';
+  if (!curve.frictional) {
     gp << "plot " << block << " using 1:2 with linespoints ls 1\n";
     return;
   }
@@ -169,7 +169,7 @@ std::string script(const std::filesystem::path& file, PictureKind kind, const Sc
   const std::vector<TractionCurve> curves = traction_curves(run);
   const double scale = magnification(run);
   const Box box = box_of(run, scale);
-  const bool named = curves.size() > 1 || (!curves.empty() && curves.front().rubs);
+  const bool named = curves.size() > 1 || (!curves.empty() && curves.front().frictional);
   const double panel =
       named ? 285 : 240;  // height of the curves of a contact, with all around them
   const Layout layout = layout_of(box, panel * static_cast<double>(curves.size()));

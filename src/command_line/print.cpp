@@ -79,7 +79,7 @@ void print_columns(std::ostream& out, const char* first, const VectorXd& a, cons
   }
 }
 
-void print_rubbing(std::ostream& out, const Outcome& solution) {
+void print_friction(std::ostream& out, const Outcome& solution) {
   out << '\n' << std::setw(6) << "";
   for (const char* const title : {"force", "gap", "friction force", "slip"})
     out << std::setw(25) << title;
@@ -186,14 +186,14 @@ void print_family(std::ostream& out) {
 void print(std::ostream& out, const std::string& title, const FiledProblem& filed, Matrix kind,
            const std::vector<Outcome>& outcomes) {
   const Index n = filed.problem.free_gap.size();
-  out << title << ": " << (filed.rubs() ? "friction" : "complementarity") << " problem, " << n
-      << " pairs, matrix " << to_string(kind) << "\n\n";
+  out << title << ": " << (filed.has_friction() ? "friction" : "complementarity") << " problem, "
+      << n << " pairs, matrix " << to_string(kind) << "\n\n";
   print_table(out, outcomes, false);
   const Outcome* const solution = best(outcomes);
   if (solution == nullptr)
-    return print_hint(out, outcomes, filed.rubs() ? friction_solvers() : solvers());
-  if (filed.rubs()) {
-    if (n <= largest_printed) print_rubbing(out, *solution);
+    return print_hint(out, outcomes, filed.has_friction() ? friction_solvers() : solvers());
+  if (filed.has_friction()) {
+    if (n <= largest_printed) print_friction(out, *solution);
     print_motions(out, solution->contact_status);
     if (solution->uniqueness == Uniqueness::Doubtful) print_doubt(out, *solution);
   } else if (n <= largest_printed) {
@@ -201,7 +201,7 @@ void print(std::ostream& out, const std::string& title, const FiledProblem& file
   }
   print_undetermined(out, *solution, n, "force of pair");
   print_agreement(out, outcomes, largest(free_movement(filed.problem)));
-  if (filed.rubs()) return;
+  if (filed.has_friction()) return;
   if (filed.known_force.size() == n)
     out << "largest difference from the z of the file: "
         << number((solution->force - filed.known_force).cwiseAbs().maxCoeff(), "%.1e") << '\n';
@@ -231,7 +231,7 @@ void write(Json& json, const FiledProblem& filed, Matrix kind, const std::vector
   write_outcomes(json, outcomes, solved, [&](const Outcome& outcome) {
     json.key("force").value(outcome.force).key("gap").value(outcome.gap);
     write_undetermined(json, outcome, filed.problem.free_gap.size());
-    if (!filed.rubs()) return;
+    if (!filed.has_friction()) return;
     json.key("friction").value(outcome.friction).key("slip").value(outcome.slip);
     json.key("motion").array();
     for (const ContactStatus contact_status : outcome.contact_status)

@@ -39,7 +39,7 @@ constexpr int bad_input = 2;
 /// The command that takes what a file holds.
 const char* command_of(const ProblemFile& file) {
   const auto* const problems = std::get_if<std::vector<FiledProblem>>(&file);
-  return problems == nullptr ? "qp" : problems->front().rubs() ? "friction" : "lcp";
+  return problems == nullptr ? "qp" : problems->front().has_friction() ? "friction" : "lcp";
 }
 
 /// The problem of the file, for one of the commands that take such files.

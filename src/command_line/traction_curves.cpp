@@ -62,7 +62,7 @@ std::vector<TractionCurve> traction_curves(const SceneRun& run) {
       before = pairs.position.row(end);
       if (pressure(end) > 0) closed.extend(Eigen::Matrix<double, 1, 1>(way));
       curve.most = std::max(curve.most, pressure(end));
-      curve.rubs = curve.rubs || !std::isnan(bound(end));
+      curve.frictional = curve.frictional || !std::isnan(bound(end));
       curve.csv += shortest(way) + ',' + shortest(pressure(end));
       if (!std::isnan(bound(end)))
         curve.csv += ',' + shortest(shear(end)) + ',' + shortest(bound(end));

@@ -149,7 +149,7 @@ struct Set {
   std::vector<Index> members;  ///< in increasing order
 };
 
-/// \param contact  solved, all its pairs rub \param slide  whether to list those that slide, or that stick \return pairs
+/// \param contact  solved, all its pairs with friction \param slide  whether to list those that slide, or that stick \return pairs
 [[nodiscard]] std::vector<Index> closed_pairs(const signorini::ContactState& contact, bool slide);
 
 /// What a figure answers to a request.

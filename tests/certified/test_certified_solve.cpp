@@ -147,7 +147,7 @@ TEST_CASE("where a claim that is not solved has moved the body is not believed",
   add_rigid_modes(programme, modes, problem);
   const auto along = [&](SolveStatus status) {
     ContactState state = claim(status, VectorXd::Ones(1), {0});
-    state.rubbing = {0};
+    state.frictional_pairs = {0};
     state.contact_status = {ContactStatus::SlipForward};
     state.friction = VectorXd::Zero(1);
     state.slip = VectorXd::Constant(1, 0.25);

@@ -20,7 +20,7 @@ struct Data {
   FrictionLaw law;
 };
 
-Data one_system(unsigned seed, bool rubs) {
+Data one_system(unsigned seed, bool frictional) {
   signorini_test::Random random(seed);
   const auto draw = [&](Index rows, Index columns) {
     MatrixXd M(rows, columns);
@@ -29,13 +29,13 @@ Data one_system(unsigned seed, bool rubs) {
     return M;
   };
   const MatrixXd C = draw(8, 8);
-  const Index rows = rubs ? 6 : 3;
+  const Index rows = frictional ? 6 : 3;
   Data data{C * C.transpose() + MatrixXd::Identity(8, 8),
             draw(8, 1),
             draw(rows, 8),
             0.1 * draw(rows, 1),
             {}};
-  if (!rubs) return data;
+  if (!frictional) return data;
   data.g.tail(3).setZero();
   data.law = law_of_all(VectorXd::Constant(3, 0.3), VectorXd::Constant(3, 0.01));
   return data;
@@ -87,13 +87,13 @@ CertifiedSolution end_of(const Data& data) {
 
 TEST_CASE("a system beside one that is 1e20 times larger is solved to its own last digit",
           "[separate]") {
-  for (const bool rubs : {false, true})
+  for (const bool frictional : {false, true})
     for (unsigned seed = 0; seed < 20; ++seed) {
-      const Data one = one_system(seed, rubs);
-      const Data two = one_system(seed + 100, rubs);
+      const Data one = one_system(seed, frictional);
+      const Data two = one_system(seed + 100, frictional);
       const CertifiedSolution alone = end_of(two);
       for (const double small : {0x1p-20, 0x1p-43, 0x1p-66}) {
-        CAPTURE(rubs, seed, small);
+        CAPTURE(frictional, seed, small);
         const CertifiedSolution both = end_of(beside(one, two, small));
         REQUIRE(alone.state.report.status == SolveStatus::Solved);
         REQUIRE(both.state.report.status == SolveStatus::Solved);
@@ -103,7 +103,7 @@ TEST_CASE("a system beside one that is 1e20 times larger is solved to its own la
         CHECK(both.state.gap.size() == 6);
         const Index slips = alone.state.slip.size();
         for (Index k = 0; k < slips; ++k) {
-          CHECK(both.state.rubbing[static_cast<std::size_t>(slips + k)] == 3 + k);
+          CHECK(both.state.frictional_pairs[static_cast<std::size_t>(slips + k)] == 3 + k);
           CHECK(both.state.contact_status[static_cast<std::size_t>(slips + k)] ==
                 alone.state.contact_status[static_cast<std::size_t>(k)]);
         }

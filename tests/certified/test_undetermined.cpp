@@ -25,7 +25,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A node in closed pairs: columns of the effect are normals, then tangents of those that rub.
+/// A node in closed pairs: columns of the effect are normals, then tangents of the frictional ones.
 Carried node(const MatrixXd& effect, const FrictionLaw& law, const VectorXd& force) {
   const Index pairs = force.size() - static_cast<Index>(law.pair.size());
   return {effect.sparseView(),

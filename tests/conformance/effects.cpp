@@ -206,5 +206,5 @@ TEST_CASE("a scene without contact is one linear solve", "[conformance][effects]
   CHECK((solution.displacements[0] - expected).norm() <= 1e-11 * expected.norm());
   CHECK(solution.ledger.counted("assembly", "pairs") == 0);
   CHECK(solution.contact.force.size() == 0);
-  CHECK(solution.contact.rubbing.empty());
+  CHECK(solution.contact.frictional_pairs.empty());
 }

@@ -84,9 +84,9 @@ TEST_CASE("every solver: units and scales of rows change no bit but the exponent
       if (plain.report.status != SolveStatus::Solved) continue;
       CHECK(other.force.cwiseProduct(row) / force == plain.force);
       CHECK(other.gap.cwiseQuotient(row) / length == plain.gap);
-      const VectorXd rubbing = row(plain.rubbing);
-      CHECK(other.friction.cwiseProduct(rubbing) / force == plain.friction);
-      CHECK(other.slip.cwiseQuotient(rubbing) / length == plain.slip);
+      const VectorXd units_of_slips = row(plain.frictional_pairs);
+      CHECK(other.friction.cwiseProduct(units_of_slips) / force == plain.friction);
+      CHECK(other.slip.cwiseQuotient(units_of_slips) / length == plain.slip);
       CHECK(other.amplitude / length == plain.amplitude);
       CHECK(other.contact_status == plain.contact_status);
     }
@@ -136,17 +136,17 @@ TEST_CASE("every solver: a bad problem is the caller's mistake", "[conformance]"
 TEST_CASE("every solver: an effect that it does not take is refused, not left out",
           "[conformance][friction][floating]") {
   // One pair, pressed by 1 and pulled aside by 1; held, or on a mode that presses it.
-  const ContactProblem rubs{Eigen::Matrix2d::Identity(), VectorXd::Constant(1, -1),
-                            VectorXd::Constant(1, 1),
-                            law_of_all(VectorXd::Ones(1), VectorXd::Zero(1))};
+  const ContactProblem frictional{Eigen::Matrix2d::Identity(), VectorXd::Constant(1, -1),
+                                  VectorXd::Constant(1, 1),
+                                  law_of_all(VectorXd::Ones(1), VectorXd::Zero(1))};
   const ContactProblem floats{Eigen::MatrixXd::Identity(1, 1), VectorXd::Ones(1), {}, {},
                               Eigen::MatrixXd::Ones(1, 1),     VectorXd::Ones(1)};
   for (const Solver& solver : all_solvers()) {
     CAPTURE(solver.name);
     if (solver.friction == Takes::No)
-      CHECK_THROWS_AS(solver.solve(rubs, {}), std::invalid_argument);
+      CHECK_THROWS_AS(solver.solve(frictional, {}), std::invalid_argument);
     else
-      CHECK_NOTHROW(solver.solve(rubs, {}));
+      CHECK_NOTHROW(solver.solve(frictional, {}));
     if (solver.rigid_modes)
       CHECK_NOTHROW(solver.solve(floats, {}));
     else

@@ -154,7 +154,7 @@ TEST_CASE("what pushes a shaft out of its hub is friction times the normal force
     CAPTURE(mu);
     CHECK(push == Approx(mu * contact.force.sum()).epsilon(1e-11));
     CHECK(sum_along_axis(run) == Approx(0).margin(1e-10 * push));
-    CHECK(contact.rubbing.size() == 13);
+    CHECK(contact.frictional_pairs.size() == 13);
     // All round the axis, what presses sideways and turns cancels.
     const Resultants sum = resultants(run.model, run.solution);
     CHECK(sum.force.x() == 0);
@@ -178,7 +178,7 @@ TEST_CASE("a disc between rough plates slips outside of a circle that sticks",
       const ContactState& contact = run.solution.contact;
       bool slips = false;
       for (std::size_t k = 0; k < contact.contact_status.size(); ++k) {
-        const double x = run.model.pairs.position(contact.rubbing[k], 0);
+        const double x = run.model.pairs.position(contact.frictional_pairs[k], 0);
         if (friction_sign(contact.contact_status[k]) == 0) {
           CHECK((!slips || x == 0));
         } else {

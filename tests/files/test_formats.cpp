@@ -120,7 +120,7 @@ TEST_CASE("a friction problem reads the same whatever its storage", "[problem_fi
   for (const std::string& content : {dense, blocks, columns, triplets}) {
     CAPTURE(content);
     const FiledProblem filed = lcps(parse_problem(content, "file")).at(0);
-    CHECK(filed.rubs());
+    CHECK(filed.has_friction());
     CHECK(filed.problem.compliance == W);
     CHECK(filed.problem.free_gap == Eigen::Vector2d(-1, -2));
     CHECK(filed.problem.free_slip == Eigen::Vector2d(5, 6));
@@ -132,7 +132,7 @@ TEST_CASE("a friction problem reads the same whatever its storage", "[problem_fi
   const FiledProblem plain =
       lcps(parse_problem("3 1 3 3 2 2 2 2 3 2 3 3 2 0 1 2 0 1 0 1 2 3 4 1 5 -1 -2 -3", "file"))
           .at(0);
-  CHECK_FALSE(plain.rubs());
+  CHECK_FALSE(plain.has_friction());
   CHECK(plain.problem.compliance == (Eigen::Matrix3d() << 1, 3, 0, 2, 4, 0, 0, 0, 5).finished());
   CHECK(plain.problem.free_gap == Eigen::Vector3d(-1, -2, -3));
 }

@@ -21,9 +21,9 @@ constexpr Eigen::Index largest_solved = 6;
 inline std::string check_solvers(const signorini::ContactProblem& problem) {
   using namespace signorini;
   const bool symmetric = is_symmetric(problem);
-  const bool rubs = !problem.law.pair.empty();
-  for (const Solver& solver : rubs ? friction_solvers() : solvers()) {
-    if (!rubs && !symmetric && may_fail(solver, Trait::Asymmetric)) continue;
+  const bool frictional = !problem.law.pair.empty();
+  for (const Solver& solver : frictional ? friction_solvers() : solvers()) {
+    if (!frictional && !symmetric && may_fail(solver, Trait::Asymmetric)) continue;
     try {
       const ContactState state = solver.solve(problem, {});
       if (state.report.status == SolveStatus::Solved && !certify(problem, state).holds())

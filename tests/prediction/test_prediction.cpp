@@ -59,7 +59,7 @@ Scene floating_block() {
   return scene;
 }
 
-Scene rubbing_blocks() {
+Scene frictional_blocks() {
   Scene scene = floating_block();
   scene.bodies[1].supports.clear();
   scene.contacts[0].friction = Friction{0.3, 0};
@@ -91,7 +91,7 @@ Scene without_contact() {
   return scene;
 }
 
-Scene rubbing_cantilever() {
+Scene frictional_cantilever() {
   Scene scene = cantilever("q4_incompatible", 100, 10);
   scene.contacts[0].friction = Friction{0.2, 0.1};
   return scene;
@@ -104,8 +104,8 @@ const std::map<std::string, std::function<Scene()>>& scenes() {
       {"cantilever of q8", [] { return cantilever("q8", 40, 4); }},
       {"Hertz", [] { return hertz(); }},
       {"floating", floating_block},
-      {"floating, friction", rubbing_blocks},
-      {"cantilever, friction", rubbing_cantilever},
+      {"floating, friction", frictional_blocks},
+      {"cantilever, friction", frictional_cantilever},
       {"tower", [] { return tower(8); }},
       {"without contact", without_contact},
       {"four blocks", [] { return row_of_blocks(4); }}};
@@ -251,7 +251,7 @@ TEST_CASE("iterations that depend on the numbers are not predicted, and the whol
   };
   Scene other = pressed_block();
   other.solver = lemke();
-  for (const Scene& scene : {floating_block(), rubbing_cantilever(), other}) {
+  for (const Scene& scene : {floating_block(), frictional_cantilever(), other}) {
     for (const char* what : {"iterations", "seconds"}) {
       CHECK(predicted(scene, "contact", what).trust == Trust::Unknown);
       CHECK(std::isnan(predicted(scene, "contact", what).amount));
@@ -270,9 +270,9 @@ TEST_CASE("iterations that depend on the numbers are not predicted, and the whol
   CHECK(predicted(pressed_block(), "contact", "seconds").trust == Trust::Estimate);
   CHECK(predicted(pressed_block(), "all phases", "seconds").trust == Trust::Estimate);
   CHECK(predict(plan(pressed_block())).unknown.empty());
-  const Solution solution = solve(rubbing_cantilever());
+  const Solution solution = solve(frictional_cantilever());
   for (const ConfrontedFigure& figure :
-       confront(predict(plan(rubbing_cantilever())), {solution.ledger}))
+       confront(predict(plan(frictional_cantilever())), {solution.ledger}))
     if (figure.predicted.what == "seconds of one iteration")
       CHECK(figure.measured ==
             solution.ledger.seconds("contact") /
@@ -306,7 +306,7 @@ TEST_CASE("the ledger, which a prediction is set against, counts what the matric
 
 TEST_CASE("each effect says how many rows it takes, and the bytes of all are those of A",
           "[prediction]") {
-  const Plan planned = plan(rubbing_cantilever());
+  const Plan planned = plan(frictional_cantilever());
   Ledger ledger;
   const Model model = build(planned, ledger);
   const auto bytes = [&](const std::string& words) {

@@ -9,7 +9,7 @@ using namespace signorini;
 
 namespace {
 
-/// Two pairs that rub with mu = 0.5: forces and movements of two gaps, then of two slips, measured by 10 and 4.
+/// Two frictional pairs with mu = 0.5: forces and movements of two gaps, then of two slips, measured by 10 and 4.
 Certificate figures(const VectorXd& force, const VectorXd& movement, double cohesion = 0,
                     const VectorXd& unit = VectorXd::Ones(4)) {
   const FrictionLaw law = law_of_all(Vector2d(0.5, 0.5), Vector2d(cohesion, cohesion));

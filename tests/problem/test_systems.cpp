@@ -56,9 +56,9 @@ TEST_CASE("unknowns are one system where K, a row, a mode or a pair joins them",
   CHECK(joined[1].modes == Numbers{0, 1});
 
   law.pair = {0};  // the pair of unknowns 1 and 4 has its slip in a row of unknown 0
-  QuadraticProgramme rubbing = programme;
-  rubbing.A.coeffRef(3, 0) = 1;
-  CHECK(unconnected_systems(rubbing, law, {}).size() == 2);
+  QuadraticProgramme frictional_pairs = programme;
+  frictional_pairs.A.coeffRef(3, 0) = 1;
+  CHECK(unconnected_systems(frictional_pairs, law, {}).size() == 2);
 }
 
 TEST_CASE("what is connected is no list of systems", "[systems]") {

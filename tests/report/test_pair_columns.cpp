@@ -32,7 +32,7 @@ TEST_CASE("with friction the table has its columns behind the others",
 TEST_CASE("a pair that cannot rub bears no shear and has neither slip nor motion",
           "[pressure_table][friction]") {
   Solution solution = three_forces_with_friction();
-  solution.contact.rubbing = {0};
+  solution.contact.frictional_pairs = {0};
   solution.contact.friction.conservativeResize(1);
   solution.contact.slip.conservativeResize(1);
   solution.contact.contact_status.resize(1);

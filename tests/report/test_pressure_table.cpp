@@ -41,13 +41,13 @@ TEST_CASE("friction counts in the resultants, and notes stand in front of the ta
 TEST_CASE("the pairs of every kind are counted", "[pressure_table][friction]") {
   Solution solution = three_forces_with_friction();
   const Resultants sum = resultants(three_gaps(), solution);
-  CHECK(std::vector<Eigen::Index>{sum.pairs, sum.closed, sum.rubbing, sum.stick, sum.slide} ==
-        std::vector<Eigen::Index>{3, 2, 3, 1, 1});
+  CHECK(std::vector<Eigen::Index>{sum.pairs, sum.closed, sum.frictional_pairs, sum.stick,
+                                  sum.slide} == std::vector<Eigen::Index>{3, 2, 3, 1, 1});
   solution.contact.contact_status[0] = ContactStatus::SlipBackward;
   CHECK(resultants(three_gaps(), solution).slide == 1);
   const Resultants smooth = resultants(three_gaps(), three_forces());
-  CHECK(std::vector<Eigen::Index>{smooth.closed, smooth.rubbing, smooth.stick, smooth.slide} ==
-        std::vector<Eigen::Index>{2, 0, 0, 0});
+  CHECK(std::vector<Eigen::Index>{smooth.closed, smooth.frictional_pairs, smooth.stick,
+                                  smooth.slide} == std::vector<Eigen::Index>{2, 0, 0, 0});
 }
 
 TEST_CASE("sums of the contacts add up to that of all", "[pressure_table][friction]") {

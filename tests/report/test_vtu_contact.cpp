@@ -50,9 +50,9 @@ TEST_CASE("a VTU file shows friction and tells contacts apart", "[vtu][friction]
   CHECK(std::count(contact_status.begin(), contact_status.end(), "-1") ==
         static_cast<long>(points) - 9);
   CHECK(std::count(contact_status.begin(), contact_status.end(), "2") > 0);
-  for (std::size_t k = 1; k < contact.rubbing.size(); ++k) {  // without the corner
+  for (std::size_t k = 1; k < contact.frictional_pairs.size(); ++k) {  // without the corner
     const auto row = static_cast<Eigen::Index>(k);
-    const Eigen::Index pair = contact.rubbing[k];
+    const Eigen::Index pair = contact.frictional_pairs[k];
     const auto node =
         static_cast<std::size_t>(run.model.pairs.node[static_cast<std::size_t>(pair)]);
     const double pressure = run.solution.pressure(pair);
@@ -100,7 +100,7 @@ TEST_CASE("a VTU file of a load step has the slip in total", "[vtu][steps]") {
   SolvedScene run = solved(signorini_test::cantilever("q4", 10, 2), "beam");
   const Eigen::Index pair = run.solution.contact.active.front();
   const auto node = static_cast<std::size_t>(run.model.pairs.node[static_cast<std::size_t>(pair)]);
-  run.solution.contact.rubbing = {pair};
+  run.solution.contact.frictional_pairs = {pair};
   run.solution.contact.contact_status = {ContactStatus::SlipBackward};
   run.solution.contact.friction = Eigen::VectorXd::Constant(1, 3);
   run.solution.contact.slip = Eigen::VectorXd::Constant(1, -0.5);

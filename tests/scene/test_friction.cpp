@@ -143,7 +143,7 @@ TEST_CASE("no coefficient and no cohesion is no friction", "[friction]") {
   smooth.contacts[0].friction.reset();
   const Solution a = solve(rough);
   const Solution b = solve(smooth);
-  CHECK(a.contact.rubbing.empty());
+  CHECK(a.contact.frictional_pairs.empty());
   CHECK(a.contact.force == b.contact.force);
   // A coefficient that cannot be felt takes the other road and comes to the same place.
   const Solution c = solve(rough_block("q4", 1e-14));

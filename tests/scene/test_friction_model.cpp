@@ -73,19 +73,19 @@ TEST_CASE("slip rows are those of pairs that can slide and whose own contact rub
   scene.contacts.insert(scene.contacts.begin(), {{"top"}, half_plane({0, 6}, {0, -1})});
   const Model model = build(scene, ledger);
   const Index pairs = model.pairs.weight.size();
-  const Index rubbing = pairs / 2;
+  const Index frictional_pairs = pairs / 2;
   REQUIRE(pairs == 40);
-  REQUIRE(model.law.pair.size() == static_cast<std::size_t>(rubbing));
-  CHECK(model.law.pair.front() == rubbing);
+  REQUIRE(model.law.pair.size() == static_cast<std::size_t>(frictional_pairs));
+  CHECK(model.law.pair.front() == frictional_pairs);
   CHECK(model.law.pair.back() == pairs - 1);
-  CHECK(model.law.coefficient == Eigen::VectorXd::Constant(rubbing, 0.3));
-  CHECK(model.programme.A.rows() == pairs + rubbing);
-  CHECK(model.programme.initial_gap.size() == pairs + rubbing);
-  CHECK(condense(model, ledger).problem.compliance.rows() == pairs + rubbing);
+  CHECK(model.law.coefficient == Eigen::VectorXd::Constant(frictional_pairs, 0.3));
+  CHECK(model.programme.A.rows() == pairs + frictional_pairs);
+  CHECK(model.programme.initial_gap.size() == pairs + frictional_pairs);
+  CHECK(condense(model, ledger).problem.compliance.rows() == pairs + frictional_pairs);
 
   // What supports hold along the contact has no slip, and if that is everything there is no friction.
   scene.bodies[0].supports.push_back(prescribed_at("bottom", {25, 0}, Axis::X));
-  CHECK(plan(scene).law.pair.size() == static_cast<std::size_t>(rubbing - 1));
+  CHECK(plan(scene).law.pair.size() == static_cast<std::size_t>(frictional_pairs - 1));
   scene.bodies[0].supports.push_back(prescribed("bottom", Axis::X, 0));
   CHECK(plan(scene).law.pair.empty());
   CHECK(plan(scene).solver.solve == scene.solver.solve);
@@ -129,8 +129,8 @@ TEST_CASE("a smooth contact beside a rough one has no friction forces", "[fricti
   CHECK(both.certificate.holds());
   const ContactState& state = both.contact;
   REQUIRE(state.force.size() == 40);
-  REQUIRE(state.friction.size() == 20);  // of the pairs that rub
-  CHECK(state.rubbing.front() == 20);
+  REQUIRE(state.friction.size() == 20);  // of the frictional pairs
+  CHECK(state.frictional_pairs.front() == 20);
   CHECK(state.force.head(20).isZero(0));  // the beam is pressed down and never touches above
   const Eigen::VectorXd alone = solve(rough_beam(0.3)).contact.friction;
   CHECK((state.friction - alone).norm() <= 1e-10 * alone.norm());
@@ -157,7 +157,7 @@ TEST_CASE("one solver is asked with friction and without", "[friction][model]") 
     const Model model = build(scene, ledger);
     const Solution solution = solve(model, condense(model, ledger), ledger);
     CHECK_NOTHROW(require_solved(solution, "the beam"));
-    CHECK(solution.contact.rubbing.empty() == (coefficient == 0));
+    CHECK(solution.contact.frictional_pairs.empty() == (coefficient == 0));
   }
 }
 

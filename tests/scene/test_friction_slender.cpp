@@ -56,7 +56,7 @@ TEST_CASE("pairs that stick do not slip, however slender the body", "[friction][
           for (std::size_t k = 0; k < state.contact_status.size(); ++k)
             if (state.contact_status[k] == ContactStatus::Stick) {
               REQUIRE(std::abs(state.slip(static_cast<Index>(k))) <= 1e-15 * most);
-              REQUIRE(std::abs(state.gap(state.rubbing[k])) <= 1e-15 * most);
+              REQUIRE(std::abs(state.gap(state.frictional_pairs[k])) <= 1e-15 * most);
             }
         }
 }

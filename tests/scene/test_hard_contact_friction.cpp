@@ -52,14 +52,14 @@ TEST_CASE("hardly any friction, and friction that nothing overcomes", "[contact]
       CHECK(little.solution.certificate.worst() <= 1e-13);
       CHECK((slides.force - smooth.solution.contact.force).norm() <= 2e-6 * slides.force.norm());
       CHECK(slides.friction.cwiseAbs().maxCoeff() > 0);
-      const Eigen::VectorXd bound = 1e-6 * slides.force(slides.rubbing);
+      const Eigen::VectorXd bound = 1e-6 * slides.force(slides.frictional_pairs);
       CHECK(((slides.friction.cwiseAbs() - bound).array() <= 1e-20).all());
 
       const SolvedScene much = run(1e4);
       const ContactState& sticks = much.solution.contact;
       CHECK(much.solution.certificate.worst() <= 1e-13);
-      for (std::size_t k = 0; k < sticks.rubbing.size(); ++k)
-        if (sticks.force(sticks.rubbing[k]) > 0)
+      for (std::size_t k = 0; k < sticks.frictional_pairs.size(); ++k)
+        if (sticks.force(sticks.frictional_pairs[k]) > 0)
           CHECK(std::abs(sticks.slip(static_cast<Index>(k))) <= 1e-14);
       const Eigen::VectorXd one = run(1).solution.contact.friction;
       CHECK((sticks.friction - one).norm() <= 1e-9 * one.norm());
@@ -88,7 +88,7 @@ TEST_CASE("a pair that supports keep from sliding has no friction", "[contact][h
     const SolvedScene run = solved(scene, "the disc");
     REQUIRE(run.model.pairs.position(0, 0) == 0);
     CHECK(run.solution.contact.force(0) > 0);
-    CHECK(run.solution.contact.rubbing.front() == 1);
+    CHECK(run.solution.contact.frictional_pairs.front() == 1);
     const NodeArray on_disc = contact_forces(run.model, run.solution, 0);
     const Index pole = run.model.pairs.node[0];
     CHECK(std::abs(on_disc(pole, 0)) <= 1e-15);

@@ -117,9 +117,9 @@ TEST_CASE("slips told by displacements are those of friction", "[sliding][fricti
       double size = 0;
       for (const NodeArray& u : all.solution.displacements)
         size = std::max(size, u.cwiseAbs().maxCoeff());
-      for (std::size_t k = 0; k < contact.rubbing.size(); ++k) {
+      for (std::size_t k = 0; k < contact.frictional_pairs.size(); ++k) {
         CAPTURE(seed, k);
-        CHECK(slip(contact.rubbing[k]) ==
+        CHECK(slip(contact.frictional_pairs[k]) ==
               Approx(contact.slip(static_cast<Index>(k))).margin(1e-12 * size));
         ++seen;
       }

@@ -63,7 +63,7 @@ TEST_CASE("a step without a solution may have one in two halves: the observer se
   REQUIRE(steps.size() == 3);
   const double time[] = {1, 1.5, 2};
   const double pressed[] = {2, 9, 0.3};
-  const double rubs[] = {0, -1, -0.5};
+  const double shear[] = {0, -1, -0.5};
   const double slip[] = {0, 4.5, 4.5};
   const ContactStatus contact_status[] = {ContactStatus::Stick, ContactStatus::SlipForward,
                                           ContactStatus::Stick};
@@ -72,7 +72,7 @@ TEST_CASE("a step without a solution may have one in two halves: the observer se
     CHECK(steps[n].state.time == time[n]);
     CHECK(steps[n].state.contact_status[0] == contact_status[n]);
     CHECK(steps[n].state.solution.force(0) == Approx(pressed[n] * rho * c).epsilon(1e-12));
-    CHECK(steps[n].state.solution.force(1) == Approx(rubs[n] * c).epsilon(1e-12).margin(1e-15));
+    CHECK(steps[n].state.solution.force(1) == Approx(shear[n] * c).epsilon(1e-12).margin(1e-15));
     CHECK(steps[n].state.slip(0) == Approx(slip[n] * c / k).epsilon(1e-12).margin(1e-15));
   }
   scene.path->halvings = 0;

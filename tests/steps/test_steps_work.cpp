@@ -110,8 +110,8 @@ TEST_CASE("a node that a support drags over the ground rubs at its bound, and no
     CAPTURE(k);
     CHECK(contact.slip(last) == Approx(given).epsilon(1e-12).margin(0));
     const double bound = 0.4 * contact.force(last);
-    const double rubs = given > 0 ? -bound : given < 0 ? bound : 0;
-    CHECK(contact.friction(last) == Approx(rubs).epsilon(1e-13).margin(0));
+    const double shear = given > 0 ? -bound : given < 0 ? bound : 0;
+    CHECK(contact.friction(last) == Approx(shear).epsilon(1e-13).margin(0));
     if (given != 0) continue;
     const Eigen::VectorXd& before = steps[13].solution.contact.friction;
     CHECK((contact.friction - before).head(last).norm() <= 1e-12 * before.norm());

@@ -26,7 +26,7 @@ double taken(const Path& path, double time, std::string& history) {
   return 1;
 }
 
-/// Slips in total of the pairs that rub.
+/// Slips in total of the frictional pairs.
 VectorXd slips_of(const Model& model, const VectorXd& held, const PrimalDual& found) {
   const Index pairs = model.pairs.weight.size();
   VectorXd slips(static_cast<Index>(model.law.pair.size()));

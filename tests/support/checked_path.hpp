@@ -20,7 +20,7 @@ class CheckedPath {
  public:
   /// \param scene  with load steps
   explicit CheckedPath(const signorini::Scene& scene) : scene_(scene) {}
-  /// \param model  of the step, for the pairs that rub \param step  the next one, solved
+  /// \param model  of the step, for the frictional pairs \param step  the next one, solved
   /// \return its errors; `reading` has those of total slips and of the dissipation as well
   SceneErrors add(const signorini::Model& model, const signorini::Step& step);
   /// \return what the work of the loads differs from energy, dissipation and what steps do not resolve, largest over the

@@ -112,7 +112,7 @@ inline Measured measured_pin() {
 }
 
 /// The same with friction after Coulomb.
-inline Measured rubbing(Measured problem, double coefficient) {
+inline Measured frictional_pairs(Measured problem, double coefficient) {
   problem.name += " with friction";
   problem.friction = coefficient;
   problem.scene = [smooth = problem.scene, coefficient](const std::string& element,
@@ -126,8 +126,8 @@ inline Measured rubbing(Measured problem, double coefficient) {
 
 /// The three of them that are measured with friction.
 inline std::vector<Measured> measured_with_friction() {
-  return {rubbing(measured_cantilever(), 0.02), rubbing(measured_footing(), 0.1),
-          rubbing(measured_pin(), 0.2)};
+  return {frictional_pairs(measured_cantilever(), 0.02), frictional_pairs(measured_footing(), 0.1),
+          frictional_pairs(measured_pin(), 0.2)};
 }
 
 /// Hertz's contact on meshes that differ in fineness, in the size of the core and in whether they match: five of each

@@ -22,8 +22,8 @@ signorini::ContactProblem one_pair(const Eigen::Matrix2d& F, double gap, double 
 /// The same problem where only some pairs rub.
 /// \param problem  in which all pairs rub
 /// \param pairs    those that still do, in increasing order
-signorini::ContactProblem rubbing_only(const signorini::ContactProblem& problem,
-                                       const std::vector<Eigen::Index>& pairs);
+signorini::ContactProblem frictional_only(const signorini::ContactProblem& problem,
+                                          const std::vector<Eigen::Index>& pairs);
 
 /// The forces of all solutions, normal ones first: every choice of motions, tried one by one.
 std::vector<Eigen::VectorXd> all_solutions(const signorini::ContactProblem& problem);

@@ -27,7 +27,7 @@ struct Instance {
   Eigen::VectorXd displacement = {};                        ///< the only u of the programme
   Eigen::VectorXd friction = {};                            ///< the only friction forces
   std::vector<signorini::ContactStatus> contact_status =
-      {};                          ///< the only motions of pairs that rub
+      {};                          ///< the only motions of frictional pairs
   Eigen::VectorXd amplitude = {};  ///< the only amplitudes of rigid modes
   /// The forces of all solutions, normal ones first: one of them must come out, and if there are more than one,
   /// no member may say that there is but one.

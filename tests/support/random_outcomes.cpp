@@ -90,9 +90,9 @@ Solver other_method(const Model& model) {
 /// friction are, if pairs that carry hold the bodies, and so are those of which the library has proved it. The forces
 /// are compared by what they do, since pairs that depend on each other may share one.
 bool differs(const Model& model, const Solution& solution, Trial& trial) {
-  const bool rubs = !model.law.pair.empty();
+  const bool frictional = !model.law.pair.empty();
   if (model.pairs.weight.size() == 0) return false;
-  if (rubs && solution.contact.uniqueness != Uniqueness::Proved) return false;
+  if (frictional && solution.contact.uniqueness != Uniqueness::Proved) return false;
   Ledger ledger;
   const Condensed condensed = condense(model, ledger);
   const Solution other = solve(model, condensed, other_method(model), std::move(ledger));

@@ -50,7 +50,7 @@ class Drawing {
   void cut();
 
   Draws draw_;
-  [[nodiscard]] bool rubs() const { return kind_ == RandomScenes::Frictional || varies(); }
+  [[nodiscard]] bool has_friction() const { return kind_ == RandomScenes::Frictional || varies(); }
 
   [[nodiscard]] bool varies() const {
     return kind_ == RandomScenes::Varied || kind_ == RandomScenes::Paths;
@@ -95,7 +95,7 @@ void Drawing::hold_ring(Body& ring, const std::string& boundary, Sector sector) 
 void Drawing::load(Body& body, const char* far, const char* beside) {
   double pressure = make_->stress * make_->load;
   pressure *= draw_.chance(1) ? -draw_.sixteenths(1, 8) : draw_.sixteenths(4, 32);
-  const bool drags = draw_.chance(rubs() ? 10 : 4);
+  const bool drags = draw_.chance(has_friction() ? 10 : 4);
   Vector2d drag(0, 0);
   if (drags) drag = pressure * make_->turned({draw_.sixteenths(-16, 16), 0});
   const int what = draw_.whole(0, 7);
@@ -148,7 +148,7 @@ void Drawing::add_contact(const Side& source, std::variant<Obstacle, Side> targe
   contact.target = std::move(target);
   if (std::holds_alternative<Side>(contact.target)) draw_operator(contact);
   const bool rough = scene_.contacts.empty() || draw_.chance(8);
-  if (rubs() && rough) contact.friction = draw_friction();
+  if (has_friction() && rough) contact.friction = draw_friction();
   scene_.contacts.push_back(std::move(contact));
 }
 

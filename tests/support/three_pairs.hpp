@@ -47,7 +47,7 @@ inline signorini::Solution three_forces() {
 inline signorini::Solution three_forces_with_friction() {
   using namespace signorini;
   Solution solution = three_forces();
-  solution.contact.rubbing = {0, 1, 2};
+  solution.contact.frictional_pairs = {0, 1, 2};
   solution.contact.friction = Eigen::Vector3d(-5, 2, 0);
   solution.contact.slip = Eigen::Vector3d(0.5, 1e-20, -0.125);
   solution.contact.contact_status = {ContactStatus::SlipForward, ContactStatus::Stick,

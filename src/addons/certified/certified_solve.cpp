@@ -302,7 +302,7 @@ void CertifiedSolve::conclude() {
   state.gap = kept_.movement.head(pairs);
   state.slip = kept_.movement.tail(slips);
   state.active = closed_pairs(statuses_);
-  state.rubbing = problem_.law.pair;
+  state.frictional_pairs = problem_.law.pair;
   for (const Index pair : problem_.law.pair)
     state.contact_status.push_back(statuses_[static_cast<std::size_t>(pair)]);
   name_slides(problem_.law, state);

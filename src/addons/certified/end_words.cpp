@@ -47,12 +47,12 @@ SharedSum sum_of(const Model& model, const VectorXd& force, const SharedForces& 
       if (body_of_node(model.bodies, it.col() / 2) == sum.body)
         push(row, it.col() % 2) += it.value();
   };
-  const std::vector<Index>& rubbing = model.law.pair;
+  const std::vector<Index>& frictional_pairs = model.law.pair;
   for (const Index pair : group.pairs) {
     add(model.pairs.opening, pair, pair);
-    const auto slip = std::lower_bound(rubbing.begin(), rubbing.end(), pair);
-    if (slip != rubbing.end() && *slip == pair)
-      add(model.pairs.sliding, pair, pairs + (slip - rubbing.begin()));
+    const auto slip = std::lower_bound(frictional_pairs.begin(), frictional_pairs.end(), pair);
+    if (slip != frictional_pairs.end() && *slip == pair)
+      add(model.pairs.sliding, pair, pairs + (slip - frictional_pairs.begin()));
   }
   sum.force = push.transpose() * force;
   const MatrixX2 changed = group.exchanges.transpose() * push;

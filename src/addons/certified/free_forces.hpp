@@ -21,7 +21,7 @@ class FreeForces {
   [[nodiscard]] const Eigen::VectorXd& unit() const { return unit_; }
   /// \return the largest force in these units
   [[nodiscard]] double largest_force() const { return largest_; }
-  /// \param pair  any \return the row of its friction force; -1 if it does not rub
+  /// \param pair  any \return the row of its friction force; -1 if it has no friction
   [[nodiscard]] Eigen::Index slip_row(Eigen::Index pair) const;
   /// \param pair  any \return whether its friction force is free within its bound
   [[nodiscard]] bool sticks(Eigen::Index pair) const;

@@ -70,7 +70,7 @@ namespace signorini {
 ///
 /// which leaves no difference if \f$ G - C T^{-1} C^T - \tfrac14\mu\,|T|\,\mu \f$ is positive definite, or
 /// if C = 0, so that the normal forces do not feel the friction. It is not claimed with cohesion, whose
-/// bound jumps, nor with rigid modes, unless nothing rubs and the pairs that press hold all of them: else the
+/// bound jumps, nor with rigid modes, unless no pair has friction and the pairs that press hold all of them: else the
 /// forces are the only ones, but gaps of the same load may not be. *Doubtful* means: there are others for this very
 /// load. Either the system of the statuses found has a determinant of the sign opposite to that without friction: the
 /// signs of all solutions of a held body without cohesion sum to 1, so there are at least two more. Or one was found: a

@@ -137,7 +137,7 @@ CertifiedSolution separate_solutions(const QuadraticProgramme& programme,
     return {{}, std::move(none)};
   }
   std::sort(state.active.begin(), state.active.end());
-  state.rubbing = condensed.problem.law.pair;
+  state.frictional_pairs = condensed.problem.law.pair;
   whole.certificate = certify(programme, whole.solution, condensed.problem.law);
   return whole;
 }

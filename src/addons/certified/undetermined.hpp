@@ -14,7 +14,7 @@ namespace signorini {
 struct Carried {
   /// `n x (n_c + n_s)`: forces that differ by f with `effect` f = 0 belong to the same movements
   Eigen::SparseMatrix<double> effect;
-  FrictionLaw law;           ///< of the pairs that rub
+  FrictionLaw law;           ///< of the frictional pairs
   Eigen::VectorXd force;     ///< `n_c + n_s` [force]
   Eigen::VectorXd movement;  ///< `n_c + n_s`: gaps, then slips [length]
   Eigen::VectorXd rounding;  ///< `n_c + n_s`: a movement up to it is none [length]
@@ -33,7 +33,7 @@ struct Carried {
 /// A solution of a programme; a movement is none if it is at most as many roundings as check_signs() allows.
 /// \param programme  A and g, slips in the last rows of A
 /// \param solution   u and the forces of all rows
-/// \param law        of the pairs that rub
+/// \param law        of the frictional pairs
 /// \param statuses    `n_c` what the pairs do
 /// \return all of it, for undetermined_forces()
 [[nodiscard]] Carried carried(const QuadraticProgramme& programme, const PrimalDual& solution,
@@ -50,7 +50,7 @@ struct Carried {
 /// Given the movements, the forces are a point of a polyhedron: what they do to the bodies is given, A^T f; open pairs
 /// have none, closed ones lambda >= 0, where a pair slides tau = -b or b, and where it does not \f$ |\tau| \le b \f$.
 /// They are determined if this polyhedron is a point. Otherwise columns of A^T depend on each other, as those
-/// of a node in two contacts that rub, of a contact listed twice, or of more Gauss points than nodes. The exchanges, a
+/// of a node in two contacts with friction, of a contact listed twice, or of more Gauss points than nodes. The exchanges, a
 /// basis of \f$ A^T \Delta f = 0 \f$, are found by elimination: a column depends on those before it if what is left
 /// of it is at most certificate_tolerance of the largest term that made it. Exchanges that have a pair in common
 /// belong together, and for each of these groups every force is driven to both ends by Polyhedron. A slack that is at

@@ -159,8 +159,8 @@ Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactSta
   const bool holds_together = !law.cohesion.isZero(0);
   if (solution.reversed && !floats && !holds_together) return Uniqueness::Doubtful;
   if (found_another(problem, statuses, solution, work)) return Uniqueness::Doubtful;
-  const bool rubs = !law.coefficient.isZero(0) || holds_together;
-  if (rubs && (floats || holds_together)) return Uniqueness::Unknown;
+  const bool frictional = !law.coefficient.isZero(0) || holds_together;
+  if (frictional && (floats || holds_together)) return Uniqueness::Unknown;
   const bool only = bound_excludes_others(problem) && holds_modes(problem, solution);
   return only ? Uniqueness::Proved : Uniqueness::Unknown;
 }

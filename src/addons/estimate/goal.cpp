@@ -122,8 +122,8 @@ Resultant resultant(const Model& model, const Solution& solution, const ContactF
   NodeArray direction = NodeArray::Zero(model.programme.A.rows(), 2);
   for (const Index pair : pairs_of(model, goal.contact))
     direction.row(pair) = model.pairs.normal.row(pair);
-  for (std::size_t k = 0; k < contact.rubbing.size(); ++k) {
-    const auto n = direction.row(contact.rubbing[k]);
+  for (std::size_t k = 0; k < contact.frictional_pairs.size(); ++k) {
+    const auto n = direction.row(contact.frictional_pairs[k]);
     direction.row(pairs + static_cast<Index>(k)) << n.y(), -n.x();
   }
   if (is_axial(model.bodies.front())) direction.col(0).setZero();

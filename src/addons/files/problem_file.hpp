@@ -15,15 +15,15 @@
 namespace signorini {
 
 /// A linear complementarity problem of a file: \f$ z \ge 0,\ w = M z + q \ge 0,\ z^T w = 0 \f$; or a problem of
-/// pairs that all rub.
+/// pairs that all have friction.
 struct FiledProblem {
   std::size_t line = 0;  ///< where it begins, from 1
   /// M as the compliance of any kind, q as the free gap `n`; with friction W and q, gaps first, and mu
   ContactProblem problem;
   Eigen::VectorXd known_force;  ///< the z that the file gives `n`, or empty
   Eigen::VectorXd known_gap;    ///< the w that the file gives `n`, or empty
-  /// \return whether pairs rub
-  [[nodiscard]] bool rubs() const { return !problem.law.pair.empty(); }
+  /// \return whether pairs have friction
+  [[nodiscard]] bool has_friction() const { return !problem.law.pair.empty(); }
 };
 
 /// What a file holds: one or more complementarity problems, one friction problem, or one quadratic programme.

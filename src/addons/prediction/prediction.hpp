@@ -70,7 +70,7 @@ struct Prediction {
 /// than ours those of the factor are estimates. How often
 /// contact and refinement go round depends on the numbers, so what hangs on that is an estimate: five contact
 /// iterations if there are gaps, with half of the rows closed, and one refinement of the set that they end with, all
-/// that for every load step and every system that nothing connects with others. If pairs rub, if rigid motions are
+/// that for every load step and every system that nothing connects with others. If pairs have friction, if rigid motions are
 /// unknowns, or if another solver than the default one is asked for, there is no such number: the iterations are not
 /// known, only what one of them takes.
 /// Seconds come from the speed of this machine on fronts of these sizes, on a walk through the memory and on the

@@ -96,7 +96,7 @@ Solution solve_to_limit(const Scene& scene, const Model& model, const Condensed&
   const SolveStatus status = solution.contact.report.status;
   if (status == SolveStatus::Solved || status == SolveStatus::Slid || solution.limit)
     return solution;
-  if (std::none_of(scene.contacts.begin(), scene.contacts.end(), rubs)) return solution;
+  if (std::none_of(scene.contacts.begin(), scene.contacts.end(), has_friction)) return solution;
   const PathEnd end = solve_steps(grown(scene));
   solution.limit = end.limit;
   if (end.status == SolveStatus::Solved)

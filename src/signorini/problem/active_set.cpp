@@ -13,10 +13,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// What a closed pair that rubs does. \param tau, slip, bound  of the pair, in one unit
+/// What a closed frictional pair does. \param tau, slip, bound  of the pair, in one unit
 /// \param slack  how far tau of a sticking pair may exceed the bound by rounding \param still  a slip that is rounding
-ContactStatus rubbing(ContactStatus last, double tau, double slip, double bound, double slack,
-                      double still) {
+ContactStatus closed_pair_status(ContactStatus last, double tau, double slip, double bound,
+                                 double slack, double still) {
   const bool slides = friction_sign(last) != 0;
   if (slides && still > 0 && (bound == 0 || friction_sign(last) * slip <= still)) return last;
   const double pulled = tau - slip;
@@ -35,9 +35,9 @@ ActiveSet active_set(const std::vector<ContactStatus>& statuses, const FrictionL
     const ContactStatus contact_status = statuses[at(law.pair[k])];
     const Index row = static_cast<Index>(k);
     const double sign = friction_sign(contact_status);
-    const bool rubs = law.coefficient(row) > 0 || law.cohesion(row) > 0;
-    if (contact_status == ContactStatus::Stick && rubs) set.closed.push_back(pairs + row);
-    if (sign != 0 && rubs)
+    const bool frictional = law.coefficient(row) > 0 || law.cohesion(row) > 0;
+    if (contact_status == ContactStatus::Stick && frictional) set.closed.push_back(pairs + row);
+    if (sign != 0 && frictional)
       set.sliding.push_back(
           {law.pair[k], pairs + row, sign * law.coefficient(row), sign * law.cohesion(row)});
   }
@@ -53,7 +53,7 @@ std::vector<ContactStatus> statuses_of(const std::vector<Index>& active, Index p
 std::vector<ContactStatus> all_statuses(const ContactState& state) {
   std::vector<ContactStatus> statuses = statuses_of(state.active, state.force.size());
   for (std::size_t k = 0; k < state.contact_status.size(); ++k)
-    statuses[at(state.rubbing[k])] = state.contact_status[k];
+    statuses[at(state.frictional_pairs[k])] = state.contact_status[k];
   return statuses;
 }
 
@@ -83,9 +83,9 @@ Index predict(const ScaledProblem& problem, const ActiveSetSolution& solution, d
     const Index row = static_cast<Index>(k);
     const double mu = problem.law.coefficient(row);
     const double bound = mu * std::max(pressed(i), 0.0) + reach * problem.law.cohesion(row);
-    statuses[at(i)] =
-        rubbing(last[at(i)], reach * solution.force(pairs + row), solution.movement(pairs + row),
-                bound, (1 + mu) * force_rounding, rounding(pairs + row));
+    statuses[at(i)] = closed_pair_status(last[at(i)], reach * solution.force(pairs + row),
+                                         solution.movement(pairs + row), bound,
+                                         (1 + mu) * force_rounding, rounding(pairs + row));
   }
   Index changes = 0;
   for (std::size_t i = 0; i < statuses.size(); ++i) changes += statuses[i] != last[i] ? 1 : 0;
@@ -121,8 +121,8 @@ void name_slides(const FrictionLaw& law, ContactState& state) {
     const Index row = static_cast<Index>(k);
     const double slip = state.slip(row);
     const double pressed = std::max(state.force(law.pair[k]), 0.0);
-    const bool rubs = law.coefficient(row) * pressed + law.cohesion(row) > 0;
-    if (friction_sign(state.contact_status[k]) != 0 && slip != 0 && !rubs)
+    const bool frictional = law.coefficient(row) * pressed + law.cohesion(row) > 0;
+    if (friction_sign(state.contact_status[k]) != 0 && slip != 0 && !frictional)
       state.contact_status[k] = slip > 0 ? ContactStatus::SlipForward : ContactStatus::SlipBackward;
   }
 }
@@ -177,7 +177,7 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
     state.gap = state.gap.cwiseMax(0.0);
   }
   state.active = closed_pairs(statuses);
-  state.rubbing = scaled.law.pair;
+  state.frictional_pairs = scaled.law.pair;
   for (const Index pair : scaled.law.pair) state.contact_status.push_back(statuses[at(pair)]);
   name_slides(scaled.law, state);
   if (problem.resultant.size() > 0)

@@ -42,7 +42,7 @@ struct ActiveSet {
 
 /// The set that the statuses of all pairs make.
 /// \param statuses  `n_c`
-/// \param law      of the pairs that rub; one whose mu and c vanish slides without a force
+/// \param law      of the frictional pairs; one whose mu and c vanish slides without a force
 /// \return rows `n_c` of gaps, then `n_s` of slips; those that are closed in increasing order
 [[nodiscard]] ActiveSet active_set(const std::vector<ContactStatus>& statuses,
                                    const FrictionLaw& law);
@@ -191,7 +191,7 @@ using Confirmed = std::optional<std::pair<ActiveSetSolution, std::vector<Contact
 
 /// Names the direction of pairs that slide without a friction force after their slip: a method need not know it. Where
 /// there is a friction force it tells the direction, also of a slip that is nothing but rounding.
-/// \param law            of the pairs that rub
+/// \param law            of the frictional pairs
 /// \param[in,out] state  whose statuses may change from forward to backward and back
 void name_slides(const FrictionLaw& law, ContactState& state);
 

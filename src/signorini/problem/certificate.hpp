@@ -96,7 +96,7 @@ void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
 /// duality gap is that of contact with the friction forces as loads.
 /// \param programme  K, p, A, g as they were posed, slips in the last rows of A
 /// \param solution   u, and the forces of all rows
-/// \param law        of the pairs that rub
+/// \param law        of the frictional pairs
 /// \return the figures, see above
 /// \throws std::invalid_argument if sizes do not fit, the pairs of the law are not in increasing order, or a
 ///   coefficient or cohesion is negative or not finite
@@ -115,7 +115,7 @@ struct RowNumbers {
 
 /// What both certificates ask of pairs: no overlap, no tension, no force across a gap, the law of friction.
 /// \param rows       as they were found
-/// \param law        of the pairs that rub
+/// \param law        of the frictional pairs
 /// \param equations  so many of the first rows are equations
 /// \return penetration, tension, complementarity, cone and sliding; the other figures are 0
 [[nodiscard]] Certificate pair_figures(const RowNumbers& rows, const FrictionLaw& law,
@@ -125,7 +125,7 @@ struct RowNumbers {
 struct ProblemBlocks {
   const Eigen::MatrixXd& compliance;  ///< F
   const Eigen::VectorXd& free;        ///< d, then s
-  const FrictionLaw& law;             ///< of the pairs that rub
+  const FrictionLaw& law;             ///< of the frictional pairs
   const Eigen::MatrixXd& rigid;       ///< R
   const Eigen::VectorXd& resultant;   ///< r
 };

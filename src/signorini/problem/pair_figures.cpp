@@ -12,7 +12,7 @@ using Eigen::Index;
 
 void raise(double& figure, double value) { figure = std::max(figure, value); }
 
-/// Numbers of a pair that rubs, scaled to the unit of its rows.
+/// Numbers of a frictional pair, scaled to the unit of its rows.
 struct Rubbing {
   double normal;    ///< mu lambda+, the bound of an open pair
   double cohesion;  ///< what the bound of a closed pair has more

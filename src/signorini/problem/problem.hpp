@@ -21,7 +21,7 @@ struct QuadraticProgramme {
   Eigen::VectorXd initial_gap;                     ///< g `n_c` [length], overlap < 0
 };
 
-/// Which pairs rub, and how strongly: \PaperEq{LinEtAl, 6}. Without friction all three are empty.
+/// Which pairs have friction, and how much: \PaperEq{LinEtAl, 6}. Without friction all three are empty.
 ///
 /// The bound of a friction force is \f$ b = \mu\lambda + c \f$, a straight line over the force that presses the pair:
 /// Coulomb's law has c = 0, Tresca's mu = 0, and with both it is Coulomb's with cohesion. This is all that solvers and
@@ -32,7 +32,7 @@ struct FrictionLaw {
   Eigen::VectorXd cohesion;        ///< c times the weight `n_s` >= 0 [force], of closed pairs only
 };
 
-/// A law for pairs that all rub.
+/// A law for pairs that all have friction.
 /// \param coefficient  mu `n_c` >= 0 [-]
 /// \param cohesion     c times the weight `n_c` >= 0 [force]
 /// \return the law
@@ -62,7 +62,7 @@ struct DenseProgramme {
 /// d. With any square matrix in the place of G that is the linear complementarity problem w = M z + q; the
 /// solvers that do not list Trait::Asymmetric accept it.
 ///
-/// Of a pair that rubs, \f$ |\tau| \le b = \mu\lambda + c \f$ where it is closed, 0 where it is open; it slides only
+/// Of a frictional pair, \f$ |\tau| \le b = \mu\lambda + c \f$ where it is closed, 0 where it is open; it slides only
 /// against a friction force at its bound: slip > 0 needs tau = -b, slip < 0 needs tau = b.
 /// \PaperEq{LinEtAl, 6}, \PaperEq{LinEtAl, 8}
 ///
@@ -73,8 +73,8 @@ struct DenseProgramme {
 struct ContactProblem {
   Eigen::MatrixXd compliance;  ///< F `n_c + n_s` square, symmetric; gaps first [length/force]
   Eigen::VectorXd free_gap;    ///< d `n_c` [length]: the gap when contact is ignored, overlap < 0
-  Eigen::VectorXd free_slip = {};  ///< s `n_s` [length] of the pairs that rub
-  FrictionLaw law = {};            ///< of the pairs that rub
+  Eigen::VectorXd free_slip = {};  ///< s `n_s` [length] of the frictional pairs
+  FrictionLaw law = {};            ///< of the frictional pairs
   Eigen::MatrixXd rigid = {};      ///< R `n_c + n_s` x `n_r` [length/amplitude]
   Eigen::VectorXd resultant = {};  ///< r `n_r` [force*length/amplitude]
 };
@@ -82,7 +82,7 @@ struct ContactProblem {
 /// The contact status of a pair, with the direction in which it slides: \PaperEq{LinEtAl, 13}, \PaperEq{LinEtAl, 14}
 enum class ContactStatus : signed char {
   Open,         ///< no force at all
-  Stick,        ///< no gap and, if the pair rubs, no slip
+  Stick,        ///< no gap and, if the pair has friction, no slip
   SlipForward,  ///< slip > 0, tau = -b
   SlipBackward  ///< slip < 0, tau = b
 };
@@ -162,13 +162,13 @@ struct Doubt {
 /// Forces, gaps and status of all pairs. Unless `report.status` is Solved, these are the last ones
 /// that the method looked at and no solution.
 struct ContactState {
-  Eigen::VectorXd force;                   ///< lambda `n_c` [force], compression > 0
-  Eigen::VectorXd gap;                     ///< `n_c` [length], open > 0
-  std::vector<Eigen::Index> active;        ///< closed pairs, in increasing order
-  Report report;                           ///< how the solver got there
-  std::vector<Eigen::Index> rubbing = {};  ///< `n_s` pairs that the next three belong to
-  Eigen::VectorXd friction = {};           ///< tau `n_s` [force], on the source along the tangent
-  Eigen::VectorXd slip = {};               ///< `n_s` [length], of the source along the tangent
+  Eigen::VectorXd force;                            ///< lambda `n_c` [force], compression > 0
+  Eigen::VectorXd gap;                              ///< `n_c` [length], open > 0
+  std::vector<Eigen::Index> active;                 ///< closed pairs, in increasing order
+  Report report;                                    ///< how the solver got there
+  std::vector<Eigen::Index> frictional_pairs = {};  ///< `n_s` pairs that the next three belong to
+  Eigen::VectorXd friction = {};  ///< tau `n_s` [force], on the source along the tangent
+  Eigen::VectorXd slip = {};      ///< `n_s` [length], of the source along the tangent
   std::vector<ContactStatus> contact_status = {};  ///< `n_s` what these pairs do
   Eigen::VectorXd amplitude = {};                  ///< a `n_r`
   Uniqueness uniqueness = Uniqueness::Unknown;     ///< of a solution with friction
@@ -193,7 +193,7 @@ struct SolverOptions {
 };
 
 /// Checks a law of friction.
-/// \param law    of the pairs that rub
+/// \param law    of the frictional pairs
 /// \param pairs  n_c
 /// \param slips  n_s
 /// \throws std::invalid_argument unless it has n_s pairs below n_c in increasing order, and mu and c are >= 0

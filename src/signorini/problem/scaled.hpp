@@ -26,7 +26,7 @@ struct ScaledProblem {
   Eigen::MatrixXd inverse = {};    ///< `n_r x k`: amplitude = inverse * scaled amplitude
   /// Minus the part of r along a motion that moves no pair, as amplitudes `n_r`, or empty
   Eigen::VectorXd loose = {};
-  /// F once more where pairs rub and at most one entry in 64 is not 0, as in piles of rigid bodies; else empty
+  /// F once more where pairs have friction and at most one entry in 64 is not 0, as in piles of rigid bodies; else empty
   Eigen::SparseMatrix<double> sparse = {};
 
   /// \return n_c

@@ -20,7 +20,7 @@ struct SystemParts {
 /// What happens in one system is felt in no other, however large it is: a figure that measures all by the largest
 /// of all would hide an error, and a method that stops at its rounding would make one.
 /// \param programme     K, p, A, g, slips in the last rows of A
-/// \param law           of the pairs that rub
+/// \param law           of the frictional pairs
 /// \param null_vectors  N `n x n_r`, or nothing
 /// \param weak          entries with |K_ij| <= weak sqrt(K_ii K_jj) connect nothing [-]
 /// \return the systems by their first unknowns, rows without an entry in the first one; empty if all is connected
@@ -40,7 +40,7 @@ struct SystemParts {
 [[nodiscard]] QuadraticProgramme part_of(const QuadraticProgramme& programme,
                                          const SystemParts& parts);
 
-/// \param law    of the pairs that rub
+/// \param law    of the frictional pairs
 /// \param pairs  n_c of the whole
 /// \param parts  a system of it
 /// \return the law of its pairs, with their numbers in it

@@ -16,16 +16,16 @@ using Eigen::VectorXd;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A number for each pair that rubs in the place of those that all pairs have.
-VectorXd of_rubbing(const ContactState& contact, const VectorXd& values, VectorXd all) {
-  for (std::size_t k = 0; k < contact.rubbing.size(); ++k)
-    all(contact.rubbing[k]) = values(static_cast<Index>(k));
+/// A number for each frictional pair in the place of those that all pairs have.
+VectorXd of_frictional(const ContactState& contact, const VectorXd& values, VectorXd all) {
+  for (std::size_t k = 0; k < contact.frictional_pairs.size(); ++k)
+    all(contact.frictional_pairs[k]) = values(static_cast<Index>(k));
   return all;
 }
 
-/// A number for each pair that rubs, and another for all others.
-VectorXd of_rubbing(const ContactState& contact, const VectorXd& values, double other) {
-  return of_rubbing(contact, values, VectorXd::Constant(contact.force.size(), other));
+/// A number for each frictional pair, and another for all others.
+VectorXd of_frictional(const ContactState& contact, const VectorXd& values, double other) {
+  return of_frictional(contact, values, VectorXd::Constant(contact.force.size(), other));
 }
 
 /// Words between commas: quoted if they have commas or quotes of their own.
@@ -36,7 +36,7 @@ std::string csv_word(const std::string& word) {
   return quoted + '"';
 }
 
-/// \param slip  in total, as displacements tell it of pairs that do not rub
+/// \param slip  in total, as displacements tell it of pairs without friction
 void add_friction(const Model& model, const Solution& solution,
                   const std::optional<PathTotals>& totals, const VectorXd& slip,
                   std::vector<PairColumn>& columns) {
@@ -50,19 +50,19 @@ void add_friction(const Model& model, const Solution& solution,
     statuses.emplace_back(to_string(word));
   columns.push_back({"shear_traction", "force/length^2", "contact_shear_traction",
                      shear_tractions(model, solution)});
-  columns.push_back({"shear_force", "force", "", of_rubbing(contact, contact.friction, 0)});
+  columns.push_back({"shear_force", "force", "", of_frictional(contact, contact.friction, 0)});
   const VectorXd unknown = VectorXd::Constant(slip.size(), none);  // where steps keep only totals
   columns.push_back({"slip", "length", "contact_slip",
-                     of_rubbing(contact, increment(contact), totals ? unknown : slip)});
-  columns.push_back({"motion", "-", "contact_motion", of_rubbing(contact, contact_status, none),
+                     of_frictional(contact, increment(contact), totals ? unknown : slip)});
+  columns.push_back({"motion", "-", "contact_motion", of_frictional(contact, contact_status, none),
                      std::move(statuses)});
   columns.push_back(
-      {"dissipated", "force*length", "", of_rubbing(contact, dissipated(contact), 0)});
+      {"dissipated", "force*length", "", of_frictional(contact, dissipated(contact), 0)});
   if (!totals) return;
   columns.push_back(
-      {"slip_total", "length", "contact_slip_total", of_rubbing(contact, totals->slip, slip)});
+      {"slip_total", "length", "contact_slip_total", of_frictional(contact, totals->slip, slip)});
   columns.push_back(
-      {"dissipated_total", "force*length", "", of_rubbing(contact, totals->dissipation, 0)});
+      {"dissipated_total", "force*length", "", of_frictional(contact, totals->dissipation, 0)});
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ void check_solved(const Solution& solution, const std::optional<PathTotals>& tot
   const ContactState& contact = solution.contact;
   require(contact.report.status == SolveStatus::Solved, function, ": the problem was not solved (",
           to_string(contact.report.status), ')');
-  const std::size_t n_slips = contact.rubbing.size();
+  const std::size_t n_slips = contact.frictional_pairs.size();
   require(contact.contact_status.size() == n_slips &&
               contact.friction.size() == static_cast<Index>(n_slips) &&
               contact.slip.size() == static_cast<Index>(n_slips),
@@ -87,7 +87,7 @@ void check_solved(const Solution& solution, const std::optional<PathTotals>& tot
 
 VectorXd shear_tractions(const Model& model, const Solution& solution) {
   const ContactState& contact = solution.contact;
-  return of_rubbing(contact, contact.friction, 0).cwiseQuotient(model.pairs.weight);
+  return of_frictional(contact, contact.friction, 0).cwiseQuotient(model.pairs.weight);
 }
 
 std::string PairColumn::cell(Index pair, const char* format) const {
@@ -114,7 +114,7 @@ std::vector<PairColumn> pair_columns(const Model& model, const Solution& solutio
   const bool moves = !solution.displacements.empty();  // forces alone may have been given
   const VectorXd slip =
       moves ? slips(model, solution.displacements) : VectorXd::Constant(n_pairs, none);
-  if (!contact.rubbing.empty())
+  if (!contact.frictional_pairs.empty())
     add_friction(model, solution, totals, slip, columns);
   else if (moves && !totals)
     columns.push_back({"slip", "length", "contact_slip", slip});

@@ -16,7 +16,7 @@ struct PairColumn {
   std::string field;       ///< its name among the point data of a VTU file; empty: it is not there
   Eigen::VectorXd values;  ///< `n_c`; of words their numbers; not a number where a pair has none
   std::vector<std::string> words = {};  ///< that the values number from 0; empty: they are numbers
-  bool of_friction = false;             ///< whether it says nothing of pairs that cannot rub
+  bool of_friction = false;             ///< whether it says nothing of pairs without friction
 
   /// \param pair  a pair \param format  of a number, as for number()
   /// \return its word or number as text; empty if it has none
@@ -33,19 +33,19 @@ void check_solved(const Solution& solution, const std::optional<PathTotals>& tot
 
 /// \param model     that was solved
 /// \param solution  of it
-/// \return `n_c` friction force / weight [force/length^2], on the source along the tangent; 0 where a pair cannot rub
+/// \return `n_c` friction force / weight [force/length^2], on the source along the tangent; 0 where a pair has no friction
 [[nodiscard]] Eigen::VectorXd shear_tractions(const Model& model, const Solution& solution);
 
 /// All columns of a solution. What a scene has not is no column.
 ///
 /// Always, in this order: `x`, `y`, `gap`, `pressure`, `force`, `status` (open, closed). Then, except in load steps, `slip` of
 /// the source along the tangent, which points to the right if one looks out of the target. In load steps there is `slip`
-/// since the step before only with friction and only of pairs that rub, see increment(), and always `slip_total` from the
+/// since the step before only with friction and only of frictional pairs, see increment(), and always `slip_total` from the
 /// first step on, of all pairs.
 ///
 /// With friction: `shear_traction` and `shear_force`, on the source along the tangent, before `slip`; `motion` (open,
 /// stick, forward, backward) behind it, forward being slip > 0, against which the shear force is < 0; `dissipated`, the
-/// work |shear force| |slip| >= 0 that sliding lost in the step. A pair that cannot rub has shear force 0, dissipates
+/// work |shear force| |slip| >= 0 that sliding lost in the step. A pair without friction has shear force 0, dissipates
 /// nothing, and has no motion.
 ///
 /// With friction and totals of load steps: `slip_total` and `dissipated_total` at the end.

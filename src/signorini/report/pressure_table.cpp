@@ -39,7 +39,7 @@ void add_pairs(const Model& model, const Solution& solution,
   }
   const Eigen::VectorXd lost = dissipated(contact);
   for (Index k = 0; k < lost.size(); ++k) {
-    const Index pair = contact.rubbing[static_cast<std::size_t>(k)];
+    const Index pair = contact.frictional_pairs[static_cast<std::size_t>(k)];
     const ContactStatus contact_status = contact.contact_status[static_cast<std::size_t>(k)];
     const auto normal = pairs.normal.row(pair);
     add(pair, 1, contact.friction(k), {normal.y(), -normal.x()});
@@ -47,7 +47,7 @@ void add_pairs(const Model& model, const Solution& solution,
     sum.shear_force += contact.friction(k);
     sum.dissipated += lost(k);
     sum.dissipated_total += totals ? totals->dissipation(k) : lost(k);
-    ++sum.rubbing;
+    ++sum.frictional_pairs;
     sum.stick += contact_status == ContactStatus::Stick ? 1 : 0;
     sum.slide += friction_sign(contact_status) != 0 ? 1 : 0;
   }
@@ -61,11 +61,11 @@ void write_comment(std::ostream& out, const std::string& what, const Resultants&
   out << "# " << what << " (" << sum.force.x() << ", " << sum.force.y()
       << "), moment about the origin " << sum.moment << ", closed boundary " << sum.closed_weight
       << ", peak pressure " << sum.peak_pressure;
-  if (sum.rubbing > 0)
+  if (sum.frictional_pairs > 0)
     out << ", normal force " << sum.normal_force << ", shear force " << sum.shear_force << ", open "
-        << sum.rubbing - sum.stick - sum.slide << ", stick " << sum.stick << ", slide " << sum.slide
-        << ", dissipated " << sum.dissipated;
-  if (sum.rubbing > 0 && sum.dissipated_total != sum.dissipated)
+        << sum.frictional_pairs - sum.stick - sum.slide << ", stick " << sum.stick << ", slide "
+        << sum.slide << ", dissipated " << sum.dissipated;
+  if (sum.frictional_pairs > 0 && sum.dissipated_total != sum.dissipated)
     out << ", in total " << sum.dissipated_total;
   out << '\n';
 }
@@ -97,7 +97,7 @@ std::string pressure_csv(const Model& model, const Solution& solution, const std
   if (!tolerance.empty()) out << "# tolerance " << tolerance << '\n';
   for (const std::string& note : solution.notes) out << "# note " << note << '\n';
   const bool several = model.contacts.size() > 1;
-  const bool named = several || sum.rubbing > 0;
+  const bool named = several || sum.frictional_pairs > 0;
   if (several || !named) write_comment(out, "force on the sources", sum);
   if (named) {
     const std::vector<Resultants> each = resultants_of_contacts(model, solution, totals);

@@ -23,9 +23,9 @@ struct Resultants {
   double dissipated_total = 0;  ///< and in all steps so far; without steps the same
   Eigen::Index pairs = 0;       ///< how many there are
   Eigen::Index closed = 0;      ///< of them
-  Eigen::Index rubbing = 0;     ///< pairs that have friction, open or closed
-  Eigen::Index stick = 0;       ///< closed pairs that have friction and do not slide
-  Eigen::Index slide = 0;       ///< closed pairs that slide
+  Eigen::Index frictional_pairs = 0;  ///< pairs that have friction, open or closed
+  Eigen::Index stick = 0;             ///< closed pairs that have friction and do not slide
+  Eigen::Index slide = 0;             ///< closed pairs that slide
 };
 
 /// Sums the contact forces of a solution, friction included, as they act on the nodes before loading: with the loads and

@@ -20,8 +20,8 @@ namespace signorini {
 /// `cell_stress`. Field data: `notes` of the solution, if it has any.
 ///
 /// With friction also, as in pair_columns(): `contact_shear_traction` [force/length^2], `contact_slip` and, with totals,
-/// `contact_slip_total` [length], all 0 where no pair rubs, and `contact_motion` (0 open, 1 stick, 2 forward, 3 backward,
-/// -1 no pair that rubs). With several contacts: `contact_number`, from 0, -1 without a pair, and the field data
+/// `contact_slip_total` [length], all 0 where no pair has friction, and `contact_motion` (0 open, 1 stick, 2 forward, 3 backward,
+/// -1 no frictional pair). With several contacts: `contact_number`, from 0, -1 without a pair, and the field data
 /// `contacts`, their names in this order. A node with pairs of several contacts shows that with the largest force. Pairs at
 /// Gauss points belong to no node and are not shown; a table has them, see pressure_csv().
 /// \param file      to be written, in a folder that exists

@@ -100,10 +100,10 @@ double imbalance(const Model& model, const ContactState& contact,
     balance.tell(pair, 0, contact.force(pair));
     balance.hand_on(model.pairs.opening, pair, certified(pair));
   }
-  for (std::size_t k = 0; k < contact.rubbing.size(); ++k) {
+  for (std::size_t k = 0; k < contact.frictional_pairs.size(); ++k) {
     const Index slip = static_cast<Index>(k);
-    balance.tell(contact.rubbing[k], 1, contact.friction(slip));
-    balance.hand_on(model.pairs.sliding, contact.rubbing[k], certified(pairs + slip));
+    balance.tell(contact.frictional_pairs[k], 1, contact.friction(slip));
+    balance.hand_on(model.pairs.sliding, contact.frictional_pairs[k], certified(pairs + slip));
   }
   return balance.worst(largest(certified));
 }

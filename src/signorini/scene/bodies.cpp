@@ -140,7 +140,7 @@ Eigen::Vector2d sum_of_forces(const BodyModel& body, const NodeArray& forces) {
   return sum;
 }
 
-bool rubs(const ContactSpec& contact) {
+bool has_friction(const ContactSpec& contact) {
   return contact.friction &&
          (contact.friction->coefficient != 0 || contact.friction->cohesion != 0);
 }

@@ -97,10 +97,10 @@ void each_history(SomeBody& body, Visit&& visit) {
 
 /// \param contact  any
 /// \return whether it has friction or cohesion: a law that allows no friction force is none
-[[nodiscard]] bool rubs(const ContactSpec& contact);
+[[nodiscard]] bool has_friction(const ContactSpec& contact);
 
 /// The rows of A as the programme has them.
-/// \param gaps  of all pairs \param law  of those that rub
+/// \param gaps  of all pairs \param law  of the frictional ones
 /// \return the rows of the gaps, and below them those of the slips of the law
 [[nodiscard]] NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law);
 

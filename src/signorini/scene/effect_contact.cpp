@@ -46,7 +46,7 @@ void price_contact(const Scene& scene, Plan& draft) {
   for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
   check_listed_once(scene, draft.bodies);
   draft.contacts = contact_names(draft.bodies, scene.contacts);
-  const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), rubs);
+  const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), has_friction);
   const double directions = direction_rounding(draft.bodies);
   std::vector<FollowedContact> followed;
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {

@@ -36,7 +36,8 @@ bool can_slide(const Gaps& gaps, Index pair) {
 /// Whether a pair is that of a node on a line of symmetry which a side crosses squarely, but for what its own half of the
 /// mesh makes of the normal: there sliding to one side is sliding to the other, so there is none.
 bool on_line_of_symmetry(const Scene& scene, const Plan& draft, Index pair) {
-  constexpr double least_corner = pi / 8;  // a side and its image that turn by more meet in a corner
+  constexpr double least_corner =
+      pi / 8;  // a side and its image that turn by more meet in a corner
   const Index node = draft.gaps.pairs.node[static_cast<std::size_t>(pair)];
   if (node < 0) return false;
   const std::size_t b = body_of_node(draft.bodies, node);
@@ -53,26 +54,26 @@ bool on_line_of_symmetry(const Scene& scene, const Plan& draft, Index pair) {
   });
 }
 
-/// Notes contacts that rub in vain.
+/// Notes contacts whose friction acts on no pair.
 void note_idle_friction(const Scene& scene, Plan& draft) {
   std::vector<bool> has_pairs(scene.contacts.size()), slides(scene.contacts.size());
   for (const std::size_t contact : draft.contact_of) has_pairs[contact] = true;
   for (const Index pair : draft.law.pair)
     slides[draft.contact_of[static_cast<std::size_t>(pair)]] = true;
   for (std::size_t k = 0; k < scene.contacts.size(); ++k)
-    if (rubs(scene.contacts[k]) && has_pairs[k] && !slides[k])
+    if (has_friction(scene.contacts[k]) && has_pairs[k] && !slides[k])
       draft.notes.push_back(describe(draft.bodies, scene.contacts[k]) +
                             ": friction does nothing, because supports hold every pair along the "
                             "tangent");
 }
 
-/// What the laws of the contacts make of their two numbers, for every pair that rubs.
+/// What the laws of the contacts make of their two numbers, for every frictional pair.
 void take_bounds(const Scene& scene, Plan& draft) {
   FrictionLaw& law = draft.law;
   law.coefficient = law.cohesion = VectorXd::Zero(static_cast<Index>(law.pair.size()));
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
     const ContactSpec& contact = scene.contacts[c];
-    if (!rubs(contact)) continue;
+    if (!has_friction(contact)) continue;
     try {
       const FrictionLawMember& member = find_friction_law(contact.friction->law);
       for (Index k = 0; k < law.coefficient.size(); ++k) {
@@ -89,12 +90,12 @@ void take_bounds(const Scene& scene, Plan& draft) {
   }
 }
 
-/// Slips that friction and cohesion share: of the pairs that can slide and whose own contact rubs.
+/// Slips that friction and cohesion share: of the pairs that can slide and whose own contact has friction.
 void take_slips(const Scene& scene, Plan& draft) {
   FrictionLaw& law = draft.law;
   if (!law.pair.empty()) return;
   for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
-    if (rubs(scene.contacts[draft.contact_of[pair]]) &&
+    if (has_friction(scene.contacts[draft.contact_of[pair]]) &&
         can_slide(draft.gaps, static_cast<Index>(pair)) &&
         !on_line_of_symmetry(scene, draft, static_cast<Index>(pair)))
       law.pair.push_back(static_cast<Index>(pair));

@@ -46,8 +46,8 @@ ContactState solved(const ContactProblem& problem, const ContactState& contact) 
 
 PairForces pair_forces(const ContactState& contact) {
   PairForces forces{contact.force, VectorXd::Zero(contact.force.size())};
-  for (std::size_t k = 0; k < contact.rubbing.size(); ++k)
-    forces.shear(contact.rubbing[k]) = contact.friction(static_cast<Index>(k));
+  for (std::size_t k = 0; k < contact.frictional_pairs.size(); ++k)
+    forces.shear(contact.frictional_pairs[k]) = contact.friction(static_cast<Index>(k));
   return forces;
 }
 

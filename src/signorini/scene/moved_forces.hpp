@@ -9,7 +9,8 @@ namespace signorini {
 /// Forces of pairs.
 struct PairForces {
   Eigen::VectorXd normal;  ///< `n_c` [force], compression > 0
-  Eigen::VectorXd shear;   ///< `n_c` [force], on the source along the tangent; 0 of what cannot rub
+  Eigen::VectorXd
+      shear;  ///< `n_c` [force], on the source along the tangent; 0 of pairs without friction
 };
 
 /// \param contact  any

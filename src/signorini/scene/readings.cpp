@@ -42,9 +42,9 @@ NodeArray contact_forces(const Model& model, const Solution& solution, std::size
   const BodyModel& own = model.bodies.at(body);
   Eigen::VectorXd all = model.pairs.opening.transpose() * solution.contact.force;
   const ContactState& contact = solution.contact;
-  for (std::size_t k = 0; k < contact.rubbing.size(); ++k)
+  for (std::size_t k = 0; k < contact.frictional_pairs.size(); ++k)
     all += contact.friction(static_cast<Eigen::Index>(k)) *
-           model.pairs.sliding.row(contact.rubbing[k]).transpose();
+           model.pairs.sliding.row(contact.frictional_pairs[k]).transpose();
   return Eigen::Map<const NodeArray>(all.data() + 2 * own.first_node, own.mesh.n_nodes(), 2);
 }
 

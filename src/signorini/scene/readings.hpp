@@ -26,10 +26,10 @@ struct SolvedScene {
 [[nodiscard]] Eigen::VectorXd increment(const ContactState& contact);
 
 /// \param contact  of a solution
-/// \return `n_s` work |tau| |slip| that each pair that rubs lost by sliding [force length], see increment()
+/// \return `n_s` work |tau| |slip| that each frictional pair lost by sliding [force length], see increment()
 [[nodiscard]] Eigen::VectorXd dissipated(const ContactState& contact);
 
-/// What the pairs that rub did in all load steps so far.
+/// What the frictional pairs did in all load steps so far.
 struct PathTotals {
   Eigen::VectorXd slip;         ///< `n_s` [length], of the source along the tangent
   Eigen::VectorXd dissipation;  ///< `n_s` [force length], >= 0

@@ -109,7 +109,7 @@ struct Plan {
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
   FollowPairs follow;               ///< null without contact, or if all gaps are linear
   std::vector<bool> small_sliding;  ///< of each contact, see ContactSpec
-  FrictionLaw law;                  ///< of the pairs that can slide and whose own contact rubs
+  FrictionLaw law;  ///< of the pairs that can slide and whose own contact has friction
   Solver solver = primal_dual_active_set();  ///< of the scene
   Path path;                                 ///< load steps, none without
   std::vector<LoadPart> parts;  ///< of loads that follow one history each, none without steps

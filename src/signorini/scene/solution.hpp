@@ -53,7 +53,7 @@ struct Model {
   QuadraticProgramme programme;              ///< K, p, A, g of the gaps, then of the slips of `law`
   Pairs pairs;                               ///< `n_c` that can close; see Gaps
   std::vector<FreeMotion> modes;             ///< `n_r` null vectors of K
-  FrictionLaw law;                           ///< of the pairs that rub, empty if none does
+  FrictionLaw law;                           ///< of the frictional pairs, empty if none does
   Solver solver = primal_dual_active_set();  ///< of the scene
   std::vector<std::string> notes;            ///< of the plan
   Path path = {};                            ///< load steps, none without
@@ -114,7 +114,7 @@ void move_freely(const Model& model, Eigen::VectorXd free_displacement, Condense
 /// problem is solved again with free gaps from the refined solution.
 /// \param model      from build()
 /// \param condensed  from condense() of it
-/// \param solver     a member of its family that takes friction where pairs rub
+/// \param solver     a member of its family that takes friction where pairs have friction
 /// \param ledger     goes on in the solution, with the phases `contact`, `refinement`, `recovery`
 /// \param options    handed to the solver
 /// \return the solution; check its `contact.report.status` first, or call require_solved()

@@ -20,7 +20,7 @@ namespace signorini {
 ///
 /// is solved and refined; if all signs are right beyond rounding, that is the solution, and no spring
 /// is left in it. A member that takes rigid modes first tries the whole problem at once, and the springs
-/// come in where that fails, if nothing rubs. Nothing is to be tuned: on equilibrated data \f$ P = (R^T R)^{-1} \f$ and rho is the
+/// come in where that fails, if no pair has friction. Nothing is to be tuned: on equilibrated data \f$ P = (R^T R)^{-1} \f$ and rho is the
 /// trace of G, twice as much after each pass that did not halve the spring forces. The first anchor is
 /// where the body meets the first obstacle when it follows its load.
 ///

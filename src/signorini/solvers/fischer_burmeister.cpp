@@ -11,17 +11,17 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptions& options) {
-  const bool rubs = !problem.law.pair.empty();
+  const bool frictional = !problem.law.pair.empty();
   if (problem.resultant.size() > 0) check_problem(problem);
   const ScaledProblem scaled = equilibrate_any(problem);
   if (auto away = pulled_away(problem, scaled)) return *away;
   const bool limited = options.iteration_limit > 0;
-  const Index own_limit = rubs ? newton_limit : 10 * scaled.pairs() + 100;
+  const Index own_limit = frictional ? newton_limit : 10 * scaled.pairs() + 100;
   Iterate iterate = first_iterate(scaled);
   follow_newton(scaled, nested_friction, limited ? options.iteration_limit : own_limit, iterate);
-  if (rubs && !limited && !iterate.confirmed)
+  if (frictional && !limited && !iterate.confirmed)
     primal_dual_iterations(scaled, exchange_limit, iterate);
-  if (rubs && !limited && !iterate.confirmed) follow_pivots(scaled, {}, iterate);
+  if (frictional && !limited && !iterate.confirmed) follow_pivots(scaled, {}, iterate);
   return finished(problem, scaled, std::move(iterate));
 }
 

@@ -112,19 +112,19 @@ void open_idle_pairs(const ScaledProblem& problem, Iterate& iterate) {
 bool ends(const ScaledProblem& problem, double reach, Iterate& iterate) {
   std::vector<ContactStatus> statuses = iterate.statuses;
   ActiveSetSolution start = iterate.solution;
-  const bool rubs = !problem.law.pair.empty();
-  if (!rubs) start.force.setZero();
+  const bool frictional = !problem.law.pair.empty();
+  if (!frictional) start.force.setZero();
   for (int trial = 0; trial < (problem.symmetric ? 2 : 1); ++trial) {
     const ActiveSet set = clearest_first(problem, iterate, reach, statuses);
     iterate.report.factorisations += set.closed.empty() ? 0 : 1;
     ActiveSetSolution end = solve_active_set(problem, set, &start);
     const std::vector<ContactStatus> closed =
-        rubs ? statuses : statuses_of(end.rows, problem.pairs());
+        frictional ? statuses : statuses_of(end.rows, problem.pairs());
     if (solves(problem, closed, end)) {
       iterate.solution = std::move(end);
       iterate.statuses = closed;
       iterate.confirmed = true;
-      if (!rubs) open_idle_pairs(problem, iterate);
+      if (!frictional) open_idle_pairs(problem, iterate);
       return true;
     }
     statuses = closed;

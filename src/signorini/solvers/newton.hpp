@@ -55,7 +55,7 @@ inline constexpr Eigen::Index newton_limit = 25;
 /// pair opens if its force is tensile, closes if it overlaps, starts to slide if its friction force exceeds the
 /// bound, and stops if it slides along with its friction force; and again.
 ///
-/// If a set comes back, only the first wrong pair changes from then on where bodies are held and nothing rubs
+/// If a set comes back, only the first wrong pair changes from then on where bodies are held and no pair has friction
 /// [\ref Murty1974]; else the method stops. Of pairs that depend on each other, those that overlapped most
 /// stay closed.
 /// \param problem  scaled
@@ -66,7 +66,7 @@ void primal_dual_iterations(const ScaledProblem& problem, Eigen::Index limit, It
 /// Exchanges with friction if the caller sets no limit.
 inline constexpr Eigen::Index exchange_limit = 50;
 
-/// Finds out what pairs that rub do by making them soft: each gets a compliance of its own in the way of every
+/// Finds out what frictional pairs do by making them soft: each gets a compliance of its own in the way of every
 /// force, which counts from the forces of the solution before [\ref Rockafellar1976b]. Soft pairs settle in a few
 /// exchanges, one that starts from their statuses hardly has to change any, and with them the compliance becomes 0: it
 /// is halved where primal_dual_iterations() settles, and four times as large where it does not. Where soft pairs no longer

@@ -97,8 +97,8 @@ void put_apart(const ScaledProblem& problem, Iterate& iterate) {
 
 void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& iterate) {
   const double unit = reach(problem);
-  const bool rubs = !problem.law.pair.empty();
-  const bool plain = !rubs && problem.rigid.cols() == 0;
+  const bool frictional = !problem.law.pair.empty();
+  const bool plain = !frictional && problem.rigid.cols() == 0;
   std::set<std::vector<ContactStatus>> seen;
   bool one_at_a_time = false;
   Report& report = iterate.report;
@@ -116,13 +116,14 @@ void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& 
     ++report.iterations;
     iterate.solution = solve_active_set(problem, set, plain ? nullptr : &start);
     const ActiveSetSolution& now = iterate.solution;
-    if (rubs) start = now;
-    if (!now.force.allFinite() || !now.movement.allFinite() || (!rubs && !now.solvable)) {
+    if (frictional) start = now;
+    if (!now.force.allFinite() || !now.movement.allFinite() || (!frictional && !now.solvable)) {
       report.status = SolveStatus::Breakdown;
       iterate.reason = "the equations of the motions are singular";
       return;
     }
-    if (!rubs && now.rows.size() < set.closed.size()) {  // the others repeat those that stay closed
+    if (!frictional &&
+        now.rows.size() < set.closed.size()) {  // the others repeat those that stay closed
       if (one_at_a_time) {
         report.status = SolveStatus::Breakdown;
         return;
@@ -144,16 +145,17 @@ void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& 
 }
 
 ContactState primal_dual_active_set(const ContactProblem& problem, const SolverOptions& options) {
-  const bool rubs = !problem.law.pair.empty();
+  const bool frictional = !problem.law.pair.empty();
   const bool floats = problem.resultant.size() > 0;
-  const ScaledProblem scaled = !rubs || floats ? equilibrate(problem) : equilibrate_any(problem);
+  const ScaledProblem scaled =
+      !frictional || floats ? equilibrate(problem) : equilibrate_any(problem);
   if (auto away = pulled_away(problem, scaled)) return *away;
   const Index asked = options.iteration_limit;
-  const Index own_limit = rubs ? exchange_limit : most_exchanges(scaled);
-  const Index limit = asked > 0 ? std::min(asked, rubs ? asked : own_limit) : own_limit;
+  const Index own_limit = frictional ? exchange_limit : most_exchanges(scaled);
+  const Index limit = asked > 0 ? std::min(asked, frictional ? asked : own_limit) : own_limit;
   std::optional<Iterate> first;
   const auto cold = [&] {
-    if (!first) first = rubs || floats ? first_iterate(scaled) : coarse_iterate(scaled);
+    if (!first) first = frictional || floats ? first_iterate(scaled) : coarse_iterate(scaled);
     return *first;
   };
   const bool warm = static_cast<Index>(options.start.size()) == scaled.pairs();
@@ -168,17 +170,18 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
     begin_again();
     primal_dual_iterations(scaled, limit, iterate);
   }
-  if ((rubs || floats) && asked == 0 && !iterate.confirmed) {
+  if ((frictional || floats) && asked == 0 && !iterate.confirmed) {
     begin_again();
     if (floats) put_apart(scaled, iterate);
-    if (rubs && !iterate.confirmed) follow_soft_pairs(scaled, iterate);
+    if (frictional && !iterate.confirmed) follow_soft_pairs(scaled, iterate);
     const Index most = iterate.report.iterations + newton_limit;
     if (!iterate.confirmed) follow_newton(scaled, nested_friction, most, iterate);
     if (!iterate.confirmed) follow_pivots(scaled, {}, iterate);
   }
   ContactState state = finished(problem, scaled, std::move(iterate));
   const Index left = asked - state.report.iterations;
-  if (rubs || floats || state.report.status == SolveStatus::Solved || (asked > 0 && left <= 0))
+  if (frictional || floats || state.report.status == SolveStatus::Solved ||
+      (asked > 0 && left <= 0))
     return state;
   SolverOptions rest = options;
   rest.iteration_limit = asked > 0 ? left : 0;

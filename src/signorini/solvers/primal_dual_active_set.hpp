@@ -26,7 +26,7 @@ namespace signorini {
 ///
 /// With friction a pair has four statuses instead of two, see primal_dual_iterations(): Newton's method for the
 /// conditions written with projections [\ref AlartCurnier1991], which arrives in five to ten steps for hundreds
-/// of pairs, or runs in circles. In that case pairs that rub are made soft, see follow_soft_pairs(); then Newton's
+/// of pairs, or runs in circles. In that case frictional pairs are made soft, see follow_soft_pairs(); then Newton's
 /// method of fischer_burmeister() starts anew, and the pivots of lemke() end it. With rigid modes the resultant is
 /// kept, the first set are the pairs that would be nearer than the gap their share of the load makes, and the same
 /// methods follow; then there is solve() with springs.
@@ -40,7 +40,7 @@ namespace signorini {
 /// \return `Solved` with forces and gaps >= 0; `Infeasible` with `escape` if no forces balance r; otherwise what the
 ///   last method says. `iterations` and `history` are those of all methods, one behind the other, with all
 ///   pairs; `factorisations` has those of every second pair as well
-/// \throws std::invalid_argument as check_problem(); where pairs rub and there are no rigid modes, as check_finite(): F
+/// \throws std::invalid_argument as check_problem(); where pairs have friction and there are no rigid modes, as check_finite(): F
 ///   need not be symmetric then
 [[nodiscard]] ContactState primal_dual_active_set(const ContactProblem& problem,
                                                   const SolverOptions& options = {});

@@ -22,7 +22,7 @@ enum class Trait {
   IllConditioned,  ///< nearly dependent rows, a condition of G above about 1e7
   Slow,            ///< built to make a method take a very long way
   Several,         ///< more than one pair closes
-  Friction         ///< pairs rub
+  Friction         ///< pairs have friction
 };
 
 /// \param trait  any
@@ -46,7 +46,7 @@ struct Solver {
   ContactState (*solve)(const ContactProblem& problem, const SolverOptions& options);
   Eigen::Index largest = 0;  ///< most pairs it accepts; 0: no bound
   /// Traits of problems on which it may end without a solution, and then says so. One that lists
-  /// Asymmetric throws for such a matrix where nothing rubs.
+  /// Asymmetric throws for such a matrix where no pair has friction.
   std::vector<Trait> may_fail = {};
   Takes friction = Takes::No;  ///< whether it takes slips
   /// Whether it takes rigid modes itself, or needs the springs of solve()

@@ -70,7 +70,7 @@ std::string check_known(const Instance& instance, const ContactState& state) {
 /// What else is known with friction and rigid modes.
 std::string check_effects(const Instance& instance, const ContactState& state) {
   const FrictionLaw& law = instance.problem.law;
-  if (state.rubbing != law.pair) return "says solved, but lists other pairs that rub";
+  if (state.frictional_pairs != law.pair) return "says solved, but lists other pairs that rub";
   if (state.slip.size() != state.friction.size() ||
       state.friction.size() != static_cast<Index>(law.pair.size()) ||
       state.contact_status.size() != law.pair.size())

@@ -63,7 +63,7 @@ Instances half_plane();
 Instances half_plane_large();
 Instances string_over_wave();
 
-// friction.cpp: pairs that rub
+// friction.cpp: frictional pairs
 Instances friction_one_pair();
 Instances friction_moderate();
 Instances friction_strong();

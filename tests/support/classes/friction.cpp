@@ -100,7 +100,7 @@ Instances friction_of_some() {  // every second pair rubs, beginning with the fi
     std::vector<Index> pairs;
     for (Index i = trial / 4 % 2; i < n; i += 2) pairs.push_back(i);
     made.push_back(tried_out(text("trial ", trial, ", ", n, " pairs"),
-                             rubbing_only(random_friction(random, n, 0.5), pairs)));
+                             frictional_only(random_friction(random, n, 0.5), pairs)));
   }
   return made;
 }

@@ -94,8 +94,8 @@ bool excused(const Solver& solver, const std::vector<Trait>& traits) {
 
 bool takes_part(const Solver& solver, const Instance& instance) {
   const Index n = instance.problem.free_gap.size();
-  const bool rubs = !instance.problem.law.pair.empty();
-  if (solver.friction == (rubs ? Takes::No : Takes::Only)) return false;
+  const bool frictional = !instance.problem.law.pair.empty();
+  if (solver.friction == (frictional ? Takes::No : Takes::Only)) return false;
   if (solver.largest > 0 && n > solver.largest) return false;
   return n <= large || !may_fail(solver, Trait::Slow);
 }

@@ -42,8 +42,8 @@ signorini::ContactProblem one_pair(const Eigen::Matrix2d& F, double gap, double 
   return {F, one(gap), one(slip), signorini::law_of_all(one(coefficient), one(cohesion))};
 }
 
-signorini::ContactProblem rubbing_only(const signorini::ContactProblem& problem,
-                                       const std::vector<Eigen::Index>& pairs) {
+signorini::ContactProblem frictional_only(const signorini::ContactProblem& problem,
+                                          const std::vector<Eigen::Index>& pairs) {
   const Eigen::Index n = problem.free_gap.size();
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < n; ++i) rows.push_back(i);

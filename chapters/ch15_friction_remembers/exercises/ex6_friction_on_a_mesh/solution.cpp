@@ -16,8 +16,8 @@ std::vector<Pair> pairs_of(const signorini::SolvedScene& run) {
   for (Index i = 0; i < state.force.size(); ++i)
     pairs.push_back({run.model.pairs.position(i, 0), state.gap(i), state.force(i)});
   const signorini::FrictionLaw& law = run.model.law;
-  for (std::size_t k = 0; k < state.rubbing.size(); ++k) {
-    const Index slip = static_cast<Index>(k), number = state.rubbing[k];
+  for (std::size_t k = 0; k < state.frictional_pairs.size(); ++k) {
+    const Index slip = static_cast<Index>(k), number = state.frictional_pairs[k];
     Pair& pair = pairs[static_cast<std::size_t>(number)];
     pair.friction = state.friction(slip);
     pair.slip = state.slip(slip);

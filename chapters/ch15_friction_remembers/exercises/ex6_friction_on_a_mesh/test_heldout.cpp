@@ -30,8 +30,8 @@ Breach check(const SolvedScene& run, const std::vector<Pair>& pairs) {
   REQUIRE(pairs.size() == static_cast<std::size_t>(state.force.size()));
   const std::vector<State> states = states_of(pairs);
   for (std::size_t i = 1; i < pairs.size(); ++i) CHECK(pairs[i - 1].x <= pairs[i].x);
-  for (std::size_t k = 0; k < state.rubbing.size(); ++k) {
-    const double x = run.model.pairs.position(state.rubbing[k], 0);
+  for (std::size_t k = 0; k < state.frictional_pairs.size(); ++k) {
+    const double x = run.model.pairs.position(state.frictional_pairs[k], 0);
     const auto pair =
         std::find_if(pairs.begin(), pairs.end(), [x](const Pair& each) { return each.x == x; });
     REQUIRE(pair != pairs.end());
@@ -77,7 +77,7 @@ TEST_CASE("ex15.6 held out: a pair that cannot slide", "[ex15.6]") {
   scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
   scene.contacts[0].friction = Friction{0.02, 0};
   const SolvedScene run = solved(scene, "half of a block");
-  REQUIRE(run.solution.contact.rubbing.size() == 6);
+  REQUIRE(run.solution.contact.frictional_pairs.size() == 6);
   const std::vector<Pair> pairs = pairs_of(run);
   static_cast<void>(check(run, pairs));
   REQUIRE(pairs.size() == 7);
@@ -100,7 +100,7 @@ TEST_CASE("ex15.6 held out: nothing moves, and nothing presses", "[ex15.6]") {
   }
 }
 
-// A pair that is open may move along the wall, but nothing rubs it.
+// A pair that is open may move along the wall, but no pair has friction it.
 TEST_CASE("ex15.6 held out: friction across a gap breaks the law", "[ex15.6]") {
   const std::vector<Pair> pairs = {{0, 0, 10, 2, 0, 5}, {1, 0.5, 0, -1, 1, 0}};
   CHECK(breach_of(pairs).cone == Approx(0.1).epsilon(1e-12));
