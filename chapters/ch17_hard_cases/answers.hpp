@@ -107,7 +107,7 @@ inline Answer answer_of(const signorini::Solution& solution) {
   answer.refined = solution.refined;
   answer.unknowns = solution.refined.displacement;
   answer.limit = solution.limit.value_or(1);
-  answer.message = solution.escape;
+  answer.message = solution.unbounded_direction;
   for (const std::string& note : solution.notes) answer.message += "\n" + note;
   return answer;
 }

@@ -34,7 +34,7 @@ namespace signorini {
 /// the others in place, hundreds of random problems take as many steps without it. There is no fallback.
 /// \param problem  F, d, s, mu, c, R, r
 /// \param options  `iteration_limit` 0 stands for 25
-/// \return `Solved`; `Infeasible` with `escape` if no forces balance r; `IterationLimit`; `Breakdown` if no
+/// \return `Solved`; `Infeasible` with `unbounded_direction` if no forces balance r; `IterationLimit`; `Breakdown` if no
 ///   step lowers the residual any more
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ContactState friction_split(const ContactProblem& problem,

@@ -111,9 +111,9 @@ TEST_CASE("what is balanced at most: a proof beyond it and none below", "[active
     ++limited;
     CHECK(share > 0);
     problem.resultant = before + share * (1 + 1e-9) * more;
-    CHECK(escape(equilibrate(problem)).size() == 3);
+    CHECK(unbounded_direction(equilibrate(problem)).size() == 3);
     problem.resultant = before + share * (1 - 1e-9) * more;
-    CHECK(escape(equilibrate(problem)).size() == 0);
+    CHECK(unbounded_direction(equilibrate(problem)).size() == 0);
   }
   CHECK(limited > 60);
 }

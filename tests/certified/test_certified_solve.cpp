@@ -97,18 +97,18 @@ TEST_CASE("what is proved of a corrected problem is not proved of the one that w
   CHECK(second.state.report.status == SolveStatus::Breakdown);
   CHECK(second.state.infeasibility.size() == 0);
   ContactState escaped = claim(SolveStatus::Infeasible, Eigen::Vector2d(0, 0), {});
-  escaped.escape = VectorXd::Ones(1);
+  escaped.unbounded_direction = VectorXd::Ones(1);
   const CertifiedSolution third =
       certified(pull, step, Eigen::Vector2d::Zero(),
                 {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}), escaped});
   CHECK(third.state.report.status == SolveStatus::Breakdown);
-  CHECK(third.state.escape.size() == 0);
+  CHECK(third.state.unbounded_direction.size() == 0);
 }
 
 TEST_CASE("where a method breaks down the first of the others that arrives has the word",
           "[certified_solve]") {
   ContactState lost = claim(SolveStatus::Breakdown, Eigen::Vector2d::Zero(), {});
-  lost.escape = VectorXd::Ones(1);  // is not refined
+  lost.unbounded_direction = VectorXd::Ones(1);  // is not refined
   const auto ends = [&](const std::vector<Solver (*)()>& others, Eigen::Index limit = 0) {
     SolverOptions options;
     options.iteration_limit = limit;

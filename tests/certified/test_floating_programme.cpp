@@ -66,8 +66,8 @@ TEST_CASE("a bar of two springs pressed on a wall: force and sink in closed form
   const FloatingSolution away =
       solve(row, VectorXd::Ones(3), find_solver("primal_dual_active_set"));
   CHECK(away.dense.report.status == SolveStatus::Infeasible);
-  REQUIRE(away.escape.size() == 1);
-  CHECK(away.escape(0) < 0);  // away from the wall
+  REQUIRE(away.unbounded_direction.size() == 1);
+  CHECK(away.unbounded_direction(0) < 0);  // away from the wall
 }
 
 TEST_CASE("null vectors that are none, repeat others or miss one are refused", "[floating]") {

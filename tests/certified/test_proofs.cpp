@@ -88,12 +88,12 @@ TEST_CASE("a load along two slips is held as far as the cohesion of each reaches
   for (const double first : {0.0, 0.9, -0.9})
     for (const double second : {1.05, -1.05}) {
       problem.resultant = Vector2d(first, second);  // the first is held, the second is not
-      const Eigen::VectorXd way = escape(equilibrate(problem));
+      const Eigen::VectorXd way = unbounded_direction(equilibrate(problem));
       REQUIRE(way.size() == 2);
       CHECK(std::abs(way(0)) <= 1e-15 * std::abs(way(1)));
       CHECK(way(1) * second < 0);
       problem.resultant(1) /= 1.1;
-      CHECK(escape(equilibrate(problem)).size() == 0);
+      CHECK(unbounded_direction(equilibrate(problem)).size() == 0);
     }
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("what cohesion can carry is no proof that a body moves away, whatever 
     }
     problem.resultant = problem.rigid.bottomRows(3).transpose() * friction;
     CAPTURE(sample);
-    CHECK(escape(equilibrate(problem)).size() == 0);
+    CHECK(unbounded_direction(equilibrate(problem)).size() == 0);
   }
 }
 
@@ -178,9 +178,9 @@ TEST_CASE("units of rows decide about no escape, not even where modes are depend
     const Eigen::VectorXd row = Eigen::VectorXd::NullaryExpr(
         pairs, [&] { return std::ldexp(1.0, static_cast<int>(random.whole(-40, 40))); });
     const ContactProblem other = with_rows(problem, row);
-    const bool one = pulled_away(problem, equilibrate(problem)).has_value();
+    const bool one = infeasible_resultant(problem, equilibrate(problem)).has_value();
     CAPTURE(sample, pairs);
-    CHECK(one == pulled_away(other, equilibrate(other)).has_value());
+    CHECK(one == infeasible_resultant(other, equilibrate(other)).has_value());
     away += one ? 1 : 0;
   }
   CHECK(away > 1000);

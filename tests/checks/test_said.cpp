@@ -90,9 +90,9 @@ TEST_CASE("of two bodies only the one that flies off is said to", "[said]") {
     scene.contacts.push_back({{"bottom", name}, half_plane({0, 0}, {0, 1})});
   const Solution solution = solve(scene);
   REQUIRE(solution.contact.report.status != SolveStatus::Solved);
-  CAPTURE(solution.escape);
-  CHECK(solution.escape.find("'lifted'") != std::string::npos);
-  CHECK(solution.escape.find("'resting'") == std::string::npos);
+  CAPTURE(solution.unbounded_direction);
+  CHECK(solution.unbounded_direction.find("'lifted'") != std::string::npos);
+  CHECK(solution.unbounded_direction.find("'resting'") == std::string::npos);
 }
 
 TEST_CASE("where a body is no body is said of the node in its own body", "[said]") {

@@ -209,7 +209,7 @@ TEST_CASE("the judge finds false proofs that a body escapes", "[conformance][jud
   static Eigen::Vector2d way;
   const Solve claims = [](const ContactProblem& problem, const SolverOptions&) {
     ContactState made = state(problem, VectorXd::Zero(2), SolveStatus::Infeasible);
-    made.escape = way;
+    made.unbounded_direction = way;
     return made;
   };
   way << 1, 0;  // upwards, as the load

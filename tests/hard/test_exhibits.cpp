@@ -31,11 +31,11 @@ const char* word_of(Verdict verdict) {
 void check_proof(const Posed& posed, const ContactState& state) {
   const ContactProblem& problem = posed.small;
   const Index pairs = problem.free_gap.size();
-  if (state.escape.size() > 0) {
-    const VectorXd moved = problem.rigid * state.escape;
+  if (state.unbounded_direction.size() > 0) {
+    const VectorXd moved = problem.rigid * state.unbounded_direction;
     const double size = moved.cwiseAbs().maxCoeff();
     CHECK(moved.head(pairs).minCoeff() >= -1e-12 * size);
-    CHECK(problem.resultant.dot(state.escape) < 0);
+    CHECK(problem.resultant.dot(state.unbounded_direction) < 0);
   } else {
     REQUIRE(state.infeasibility.size() == pairs);
     const VectorXd& y = state.infeasibility;

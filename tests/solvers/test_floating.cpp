@@ -44,7 +44,7 @@ TEST_CASE("a load along a motion that no pair notices pulls the body away", "[fl
   problem.resultant = Vector3d(2, 2, 0.5);
   const ContactState away = solve(problem, find_solver("enumerate"));
   REQUIRE(away.report.status == SolveStatus::Infeasible);
-  CHECK(problem.resultant.dot(away.escape) < 0);
+  CHECK(problem.resultant.dot(away.unbounded_direction) < 0);
   problem.resultant(2) = 0;  // without that load the motion is free, and stays at zero
   const ContactState state = solve(problem, find_solver("enumerate"));
   REQUIRE(state.report.status == SolveStatus::Solved);

@@ -189,7 +189,7 @@ TEST_CASE("rounding of a load that contact can balance is no proof that it canno
   for (const char* name : {"primal_dual_active_set", "quasi_active_set", "lemke"}) {
     const ContactState state = solve(problem, find_solver(name));
     CAPTURE(name);
-    CHECK(state.escape.size() == 0);
+    CHECK(state.unbounded_direction.size() == 0);
     REQUIRE(state.report.status == SolveStatus::Solved);  // by pair 2 alone
     CHECK(state.force(1) == Approx(1));
   }

@@ -113,10 +113,11 @@ TEST_CASE("a push beyond mu P finds no equilibrium, and the way out is shown",
     if (std::string(solver.name) == "friction_split_literal") continue;
     REQUIRE(state.report.status == SolveStatus::Infeasible);
     CHECK(state.reason.find("no contact forces") != std::string::npos);
-    REQUIRE(state.escape.size() == 2);
+    REQUIRE(state.unbounded_direction.size() == 2);
     // The motion opens each gap by mu times its slip, and the load works along it.
-    CHECK(state.escape(0) >= 0.3 * std::abs(state.escape(1)) * (1 - 1e-12));
-    CHECK(problem.resultant.dot(state.escape) < 0);
+    CHECK(state.unbounded_direction(0) >=
+          0.3 * std::abs(state.unbounded_direction(1)) * (1 - 1e-12));
+    CHECK(problem.resultant.dot(state.unbounded_direction) < 0);
   }
   // Just below, and with cohesion to take up the rest, it holds.
   CHECK(friction_solvers().front().solve(cylinder(60, 0.3, 1 - 1e-9), {}).report.status ==

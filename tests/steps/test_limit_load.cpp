@@ -169,7 +169,7 @@ TEST_CASE("a load beyond what is held, without a proof: the limit is found by gr
       solve(full).limit.has_value());  // found by load steps, which the library does not know
   const Solution slides = solve_to_limit(full);
   CHECK(slides.contact.report.status != SolveStatus::Solved);
-  CHECK(slides.escape.empty());
+  CHECK(slides.unbounded_direction.empty());
   REQUIRE(slides.limit.has_value());
   CHECK(*slides.limit < 0.99);
   CHECK_THAT(why_unsolved(slides), ContainsSubstring(text(*slides.limit)) &&

@@ -32,7 +32,7 @@ TEST_CASE("a path whose body is pulled away ends where it last touches", "[steps
   Model model = build(scene, ledger);
   CondensedPath path = condense_path(model, ledger);
   const Step failed = step({}, 2, model, path, {});
-  CHECK_FALSE(failed.solution.escape.empty());
+  CHECK_FALSE(failed.solution.unbounded_direction.empty());
   CHECK_FALSE(failed.solution.limit.has_value());
   CHECK_THAT(why_unsolved(failed.solution), !ContainsSubstring("of this load"));
 }

@@ -22,7 +22,7 @@ using namespace signorini;
 constexpr double most_difference = 1e-9;
 
 Outcome ending(const Solution& solution) {
-  if (!solution.escape.empty()) return Outcome::Escaped;
+  if (!solution.unbounded_direction.empty()) return Outcome::Escaped;
   switch (solution.contact.report.status) {
     case SolveStatus::Solved:
       return Outcome::Solved;
@@ -52,7 +52,7 @@ void say_end(const Solution& solution, Trial& trial) {
   const ContactState& contact = solution.contact;
   trial.text += text("\n  ", to_string(contact.report.status), " after ", contact.report.iterations,
                      " of ", contact.gap.size(), " pairs, ", solution.certificate, ' ',
-                     solution.escape, contact.reason);
+                     solution.unbounded_direction, contact.reason);
 }
 
 void fold(const Eigen::VectorXd& values, std::uint64_t& bits) {

@@ -85,8 +85,9 @@ class CertifiedSolve {
 bool CertifiedSolve::usable(const ContactState& claim) const {
   const SolveStatus status = claim.report.status;
   return status != SolveStatus::Infeasible && status != SolveStatus::Feasible &&
-         claim.escape.size() == 0 && claim.force.allFinite() && claim.friction.allFinite() &&
-         claim.amplitude.allFinite() && claim.force.size() == problem_.free_gap.size();
+         claim.unbounded_direction.size() == 0 && claim.force.allFinite() &&
+         claim.friction.allFinite() && claim.amplitude.allFinite() &&
+         claim.force.size() == problem_.free_gap.size();
 }
 
 SignCheck CertifiedSolve::look(const std::vector<ContactStatus>& statuses, const VectorXd& force) {
@@ -206,12 +207,12 @@ void CertifiedSolve::take_over(const ContactState& claim, bool corrected) {
   state.uniqueness = claim.uniqueness;
   state.doubt = claim.doubt;
   state.reason = claim.reason;
-  state.escape = claim.escape;
+  state.unbounded_direction = claim.unbounded_direction;
   state.infeasibility = claim.infeasibility;
   // What is proved of the corrected problem is not proved of the one that was posed.
   if (corrected && claim.report.status == SolveStatus::Infeasible) {
     state.report.status = SolveStatus::Breakdown;
-    state.escape.resize(0);
+    state.unbounded_direction.resize(0);
     state.infeasibility.resize(0);
   }
 }
@@ -277,7 +278,7 @@ void CertifiedSolve::conclude() {
     end_.doubt = force_doubt(data_, kept_, end_.solution, statuses_);
     state.report.status = SolveStatus::Solved;
     state.reason.clear();
-    state.escape.resize(0);
+    state.unbounded_direction.resize(0);
     state.infeasibility.resize(0);
   } else if (state.infeasibility.size() > 0 &&
              !proves_infeasible(programme_, state.infeasibility, now_.displacement)) {

@@ -136,8 +136,8 @@ std::string shared_forces_in_words(const Model& model, const Solution& solution,
   return text(words, ". ", cause_in_words(model, widest.pairs));
 }
 
-std::string escape_in_words(const Model& model, const VectorXd& escape) {
-  return joined(in_words(model.modes, escape), "; ");
+std::string unbounded_direction_in_words(const Model& model, const VectorXd& unbounded_direction) {
+  return joined(in_words(model.modes, unbounded_direction), "; ");
 }
 
 std::string doubt_in_words(const Model& model, const Doubt& doubt) {

@@ -10,9 +10,10 @@ namespace signorini {
 
 /// How bodies move along a direction that nothing stops.
 /// \param model   that was solved
-/// \param escape  `n_r` amplitudes of its free motions, or nothing
+/// \param unbounded_direction  `n_r` amplitudes of its free motions, or nothing
 /// \return sentences, joined by "; "
-[[nodiscard]] std::string escape_in_words(const Model& model, const Eigen::VectorXd& escape);
+[[nodiscard]] std::string unbounded_direction_in_words(const Model& model,
+                                                       const Eigen::VectorXd& unbounded_direction);
 
 /// The warning of several solutions: which pair it rests on, and from which friction on it holds.
 /// \param model  that was solved

@@ -142,7 +142,7 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
         null_vectors,
         dense.refined.displacement -
             condensed.factor.solve(programme.load - programme.A.transpose() * dense.refined.force));
-  solution.escape = std::move(end.state.escape);
+  solution.unbounded_direction = std::move(end.state.unbounded_direction);
   if (dense.report.status == SolveStatus::Solved) dense.gap(dense.active).setZero();
   return solution;
 }

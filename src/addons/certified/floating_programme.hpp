@@ -39,7 +39,8 @@ struct FloatingCondensed {
 struct FloatingSolution {
   DenseSolution dense;        ///< as for a programme without rigid modes
   Eigen::VectorXd amplitude;  ///< a `n_r`, of the columns of N on top of the grounded body
-  Eigen::VectorXd escape;  ///< as in ContactState: the body would move along N * escape; or empty
+  Eigen::VectorXd
+      unbounded_direction;  ///< as in ContactState: the body would move along N * unbounded_direction; or empty
 };
 
 /// Grounds, solves, recovers u, refines u and lambda with residuals of the K that was posed, and

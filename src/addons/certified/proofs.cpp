@@ -29,19 +29,20 @@ VectorXd combined(const MatrixXd& A, const VectorXd& y) {
 
 /// The resultants that contact can give: one edge of each friction cone on either side, and then the tangential
 /// direction of each cohesive pair, of which only so much can be had.
-struct Pushes {
+struct ConeGenerators {
   MatrixXd direction;  ///< `m x k` one row each
   VectorXd most;       ///< `m`, infinite but for cohesion
   VectorXd target;     ///< `k`; cohesion counts from -c
 };
 
-Pushes pushes(const ScaledProblem& problem) {
+ConeGenerators cone_generators(const ScaledProblem& problem) {
   const Index pairs = problem.pairs();
   const Index slips = problem.law.coefficient.size();
   const Index cohesive = (problem.law.cohesion.array() > 0).count();
-  Pushes all{MatrixXd(pairs + slips + cohesive, problem.rigid.cols()),
-             VectorXd::Constant(pairs + slips + cohesive, std::numeric_limits<double>::infinity()),
-             problem.resultant};
+  ConeGenerators all{
+      MatrixXd(pairs + slips + cohesive, problem.rigid.cols()),
+      VectorXd::Constant(pairs + slips + cohesive, std::numeric_limits<double>::infinity()),
+      problem.resultant};
   all.direction.topRows(pairs) = problem.rigid.topRows(pairs);
   Index last = pairs + slips;
   for (Index k = 0; k < slips; ++k) {
@@ -60,7 +61,7 @@ Pushes pushes(const ScaledProblem& problem) {
 
 /// What the nearest resultant that contact can give lacks of the target: the least |D^T w - t| with
 /// 0 <= w <= most, by an active set of weights that are at no bound.
-VectorXd lacking(const Pushes& all) {
+VectorXd bounded_least_squares(const ConeGenerators& all) {
   const MatrixXd& D = all.direction;
   VectorXd weight = VectorXd::Zero(D.rows());
   std::vector<Index> used;
@@ -110,7 +111,7 @@ VectorXd lacking(const Pushes& all) {
     }
   }
   VectorXd way = D.transpose() * weight - all.target;
-  // The difference of two close numbers. What it must be orthogonal to, pushes that are at no bound, gives back
+  // The difference of two close numbers. What it must be orthogonal to, generators that are at no bound, gives back
   // the digits that it lost.
   if (used.empty()) return way;
   const MatrixXd Q = column_span(D(used, Eigen::all).transpose()).basis;
@@ -119,8 +120,8 @@ VectorXd lacking(const Pushes& all) {
 }
 
 /// Whether amplitudes prove that nothing balances r, on any data; sums in twice the working precision.
-bool drags(const MatrixXd& rigid, const VectorXd& resultant, const FrictionLaw& law,
-           const VectorXd& way) {
+bool is_unbounded_direction(const MatrixXd& rigid, const VectorXd& resultant,
+                            const FrictionLaw& law, const VectorXd& way) {
   const Index pairs = rigid.rows() - static_cast<Index>(law.pair.size());
   const VectorXd moved = combined(rigid.transpose(), way);
   const VectorXd size = rigid.cwiseAbs() * way.cwiseAbs();
@@ -140,13 +141,13 @@ bool drags(const MatrixXd& rigid, const VectorXd& resultant, const FrictionLaw& 
   return (opening.array() >= -rounding.array()).all() && work.value() < -proof_rounding * terms;
 }
 
-/// An escape that holds for the modes and the load as posed too; only the rows are measured in the units of the
+/// An unbounded direction that holds for the modes and the load as posed too; only the rows are measured in the units of the
 /// problem.
-VectorXd posed_escape(const ContactProblem& problem, const ScaledProblem& scaled) {
-  const VectorXd way = escape(scaled);
+VectorXd posed_unbounded_direction(const ContactProblem& problem, const ScaledProblem& scaled) {
+  const VectorXd way = unbounded_direction(scaled);
   if (way.size() == 0) return {};
   const MatrixXd rigid = scaled.scale.asDiagonal() * problem.rigid;
-  return drags(rigid, problem.resultant, scaled.law, way) ? way : VectorXd();
+  return is_unbounded_direction(rigid, problem.resultant, scaled.law, way) ? way : VectorXd();
 }
 
 }  // namespace
@@ -166,10 +167,11 @@ VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& a
 
 VectorXd contradiction(const ScaledProblem& problem) {
   const Index n = problem.pairs();
-  Pushes gaps{MatrixXd(2 * n, n),
-              VectorXd::Constant(2 * n, std::numeric_limits<double>::infinity()), problem.free};
+  ConeGenerators gaps{MatrixXd(2 * n, n),
+                      VectorXd::Constant(2 * n, std::numeric_limits<double>::infinity()),
+                      problem.free};
   gaps.direction << MatrixXd::Identity(n, n), -problem.compliance.transpose();
-  VectorXd y = lacking(gaps);
+  VectorXd y = bounded_least_squares(gaps);
   const double rounding = static_cast<double>(2 * n) * epsilon * largest(y);
   y = (y.array() > rounding).select(y, 0.0);  // what is no rounding shows in F^T y
   if (y.isZero(0)) return {};
@@ -177,14 +179,14 @@ VectorXd contradiction(const ScaledProblem& problem) {
   return refutes(as_posed(problem), y) ? VectorXd(problem.scale.cwiseProduct(y)) : VectorXd();
 }
 
-VectorXd escape(const ScaledProblem& problem) {
-  if (problem.loose.size() > 0) return problem.loose;
+VectorXd unbounded_direction(const ScaledProblem& problem) {
+  if (problem.unconstrained_resultant.size() > 0) return problem.unconstrained_resultant;
   if (problem.rigid.cols() == 0 || problem.resultant.isZero(0)) return {};
-  const Pushes all = pushes(problem);
-  const VectorXd way = lacking(all);
+  const ConeGenerators all = cone_generators(problem);
+  const VectorXd way = bounded_least_squares(all);
   // What is left of the load where rounding is all that is left proves nothing.
   if (!way.allFinite() || way.norm() <= proof_rounding * all.target.norm() ||
-      !drags(problem.rigid, problem.resultant, problem.law, way))
+      !is_unbounded_direction(problem.rigid, problem.resultant, problem.law, way))
     return {};
   return problem.inverse * way;
 }
@@ -195,7 +197,7 @@ double balanced_share(const ContactProblem& problem, const VectorXd& before) {
   const Index pairs = problem.free_gap.size();
   double share = 1;
   for (ContactProblem now = problem;;) {
-    const VectorXd way = posed_escape(now, equilibrate(now));
+    const VectorXd way = posed_unbounded_direction(now, equilibrate(now));
     if (way.size() == 0) break;
     ExactSum held, growth;
     for (Index j = 0; j < way.size(); ++j) {
@@ -214,9 +216,9 @@ double balanced_share(const ContactProblem& problem, const VectorXd& before) {
   return share;
 }
 
-std::optional<ContactState> pulled_away(const ContactProblem& problem,
-                                        const ScaledProblem& scaled) {
-  VectorXd way = posed_escape(problem, scaled);
+std::optional<ContactState> infeasible_resultant(const ContactProblem& problem,
+                                                 const ScaledProblem& scaled) {
+  VectorXd way = posed_unbounded_direction(problem, scaled);
   if (way.size() == 0) return std::nullopt;
   ActiveSetSolution none;
   none.force = VectorXd::Zero(scaled.free.size());
@@ -227,7 +229,7 @@ std::optional<ContactState> pulled_away(const ContactProblem& problem,
   if (!problem.law.pair.empty())
     state.reason =
         "no contact forces within their friction bounds balance the load: the body moves away";
-  state.escape = std::move(way);
+  state.unbounded_direction = std::move(way);
   return state;
 }
 

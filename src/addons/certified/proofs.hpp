@@ -37,9 +37,9 @@ namespace signorini {
 /// \param problem  scaled
 /// \return a `n_r` in the units of the problem as it was posed if the proof holds to 1e3 epsilon,
 ///   otherwise an empty vector
-[[nodiscard]] Eigen::VectorXd escape(const ScaledProblem& problem);
+[[nodiscard]] Eigen::VectorXd unbounded_direction(const ScaledProblem& problem);
 
-/// How much of a growing load contact can balance: the largest share s of [0, 1] for which no escape() proves that
+/// How much of a growing load contact can balance: the largest share s of [0, 1] for which no unbounded_direction() proves that
 /// no forces within their bounds have the resultant \f$ r_0 + s (r - r_0) \f$.
 ///
 /// Every proof a holds for all s beyond \f$ -(r_0^T a + \sum c_i |v_i|) / ((r - r_0)^T a) \f$; there the next one is
@@ -53,12 +53,12 @@ namespace signorini {
 /// \throws std::invalid_argument as check_problem(), or if the sizes of r and r_0 differ
 [[nodiscard]] double balanced_share(const ContactProblem& problem, const Eigen::VectorXd& before);
 
-/// The state of a body that its load pulls away, if escape() has a proof that holds for R and r as they were posed.
+/// The state of a body that its load pulls away, if unbounded_direction() has a proof that holds for R and r as they were posed.
 /// \param problem  as it was posed
 /// \param scaled   the same, equilibrated
 /// \return free gaps and slips, no forces, `Infeasible`; or nothing
-[[nodiscard]] std::optional<ContactState> pulled_away(const ContactProblem& problem,
-                                                      const ScaledProblem& scaled);
+[[nodiscard]] std::optional<ContactState> infeasible_resultant(const ContactProblem& problem,
+                                                               const ScaledProblem& scaled);
 
 /// Whether a problem can have several solutions.
 ///

@@ -90,7 +90,7 @@ void Separate::put_into(CertifiedSolution& whole, CertifiedSolution part, Index 
   put(now.friction, slips_, slips, all.friction);
   put(now.slip, slips_, slips, all.slip);
   put(now.amplitude, parts_.modes, modes, all.amplitude);
-  put(now.escape, parts_.modes, modes, all.escape);
+  put(now.unbounded_direction, parts_.modes, modes, all.unbounded_direction);
   for (const Index pair : now.active) all.active.push_back(gaps_[at(pair)]);
   all.contact_status.resize(at(slips), ContactStatus::Open);
   for (std::size_t k = 0; k < now.contact_status.size(); ++k)
@@ -133,7 +133,7 @@ CertifiedSolution separate_solutions(const QuadraticProgramme& programme,
     none.report = std::move(state.report);
     none.reason = std::move(state.reason);
     none.infeasibility = std::move(state.infeasibility);
-    none.escape = std::move(state.escape);
+    none.unbounded_direction = std::move(state.unbounded_direction);
     return {{}, std::move(none)};
   }
   std::sort(state.active.begin(), state.active.end());

@@ -96,7 +96,7 @@ void tell(const Model& model, const Solution& failed, double time, PathEnd& end)
   end.status = failed.contact.report.status;
   end.reason = text("the step from time ", shortest(end.state.time), " to ", shortest(time),
                     " was not solved: ", to_string(end.status), why.empty() ? "" : ": ", why,
-                    failed.escape.empty() ? "" : ": ", failed.escape);
+                    failed.unbounded_direction.empty() ? "" : ": ", failed.unbounded_direction);
   if (end.limit)
     end.reason += text(". Contact", model.law.pair.empty() ? " holds" : " and friction hold",
                        " the loads until time ", *end.limit, " at most");
@@ -239,7 +239,7 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
       end.state = next.state;
       if (observe) observe(model, next);
     } else {
-      if (next.solution.contact.escape.size() > 0 && !end.limit)
+      if (next.solution.contact.unbounded_direction.size() > 0 && !end.limit)
         end.limit = balanced_until(before, target, model, path.condensed.problem);
       tell(model, next.solution, time, end);
     }

@@ -177,8 +177,8 @@ struct ContactState {
   /// Proof that nothing solves the problem, or empty: y `n_c` >= 0 with G y = 0 and d^T y < 0. For any
   /// forces, \f$ y^T(d + G\lambda) = d^T y < 0 \f$, so some gap stays negative.
   Eigen::VectorXd infeasibility = {};
-  /// Proof that no forces balance r, or empty: the body would move along a `n_r` for ever, see escape().
-  Eigen::VectorXd escape = {};
+  /// Proof that no forces balance r, or empty: the body would move along a `n_r` for ever, see unbounded_direction().
+  Eigen::VectorXd unbounded_direction = {};
 };
 
 /// Choices that every solver understands.

@@ -55,7 +55,8 @@ void scale_modes(const ContactProblem& problem, ScaledProblem& scaled) {
   const VectorXd left = resultant - rigid.transpose() * (scaled.rigid * scaled.resultant);
   const double rounding =
       static_cast<double>(rigid.size() + 1) * epsilon * std::max(1.0, inverse.norm());
-  if (left.norm() > rounding * resultant.norm()) scaled.loose = -unit.cwiseProduct(left);
+  if (left.norm() > rounding * resultant.norm())
+    scaled.unconstrained_resultant = -unit.cwiseProduct(left);
 }
 
 ScaledProblem scaled_by_pairs(const ContactProblem& problem) {

@@ -25,7 +25,7 @@ struct ScaledProblem {
   Eigen::VectorXd resultant = {};  ///< t `k` that U^T f must be [sqrt(energy)]
   Eigen::MatrixXd inverse = {};    ///< `n_r x k`: amplitude = inverse * scaled amplitude
   /// Minus the part of r along a motion that moves no pair, as amplitudes `n_r`, or empty
-  Eigen::VectorXd loose = {};
+  Eigen::VectorXd unconstrained_resultant = {};
   /// F once more where pairs have friction and at most one entry in 64 is not 0, as in piles of rigid bodies; else empty
   Eigen::SparseMatrix<double> sparse = {};
 

@@ -85,8 +85,8 @@ struct Solution {
   Certificate certificate = uncertified();
   /// Of a solution: groups of pairs whose forces are not determined, from undetermined_forces()
   std::vector<SharedForces> shared = {};
-  std::string escape;  ///< if the load pulls a body away: how it moves off
-  /// How much of the whole load contact and friction can hold at most [-]: with `escape` it is proved by
+  std::string unbounded_direction;  ///< if the load pulls a body away: how it moves off
+  /// How much of the whole load contact and friction can hold at most [-]: with `unbounded_direction` it is proved by
   /// balanced_share(), else found by solve_to_limit() of the add-on steps. Nothing without friction, and in load
   /// steps, which have PathEnd::limit
   std::optional<double> limit = {};

@@ -138,7 +138,7 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
 std::string limit_in_words(const Solution& solution) {
   const std::optional<double>& limit = solution.limit;
   if (!limit) return {};
-  if (solution.escape.empty())
+  if (solution.unbounded_direction.empty())
     return text("Grown from nothing in proportion, ", *limit,
                 " of this load is held, and nothing is found beyond");
   if (*limit == 0)
@@ -225,9 +225,10 @@ Solution solve(const Model& model, const Condensed& condensed, const Solver& sol
   if (contact.report.status == SolveStatus::Solved && end.doubt.share > known_well)
     solution.notes.push_back(force_doubt_in_words(model, end.doubt));
   if (contact.report.status == SolveStatus::Ray) solution.contact.reason = ray_in_words(model);
-  solution.escape = escape_in_words(model, contact.escape);
-  if (contact.escape.size() > 0 && !model.law.pair.empty() && model.parts.empty())
-    solution.limit = balanced_share(condensed.problem, VectorXd::Zero(contact.escape.size()));
+  solution.unbounded_direction = unbounded_direction_in_words(model, contact.unbounded_direction);
+  if (contact.unbounded_direction.size() > 0 && !model.law.pair.empty() && model.parts.empty())
+    solution.limit =
+        balanced_share(condensed.problem, VectorXd::Zero(contact.unbounded_direction.size()));
   // Where all is held there are no unknowns, and a solution.
   if (contact.report.status == SolveStatus::Solved || end.solution.displacement.size() > 0) {
     const Ledger::Phase phase(ledger, "recovery");
@@ -251,11 +252,11 @@ Solution solve(const Model& model, const Condensed& condensed, Ledger ledger) {
 
 std::string why_unsolved(const Solution& solution) {
   const std::string& reason = solution.contact.reason;
-  if (solution.escape.empty() && !solution.limit) return reason;
-  if (solution.escape.empty())
+  if (solution.unbounded_direction.empty() && !solution.limit) return reason;
+  if (solution.unbounded_direction.empty())
     return text(reason, reason.empty() ? "" : ". ", limit_in_words(solution));
   return text(reason.empty() ? "the load pulls a body away from all it could rest on" : reason,
-              ": ", solution.escape, ". ", limit_in_words(solution),
+              ": ", solution.unbounded_direction, ". ", limit_in_words(solution),
               "Turn the load round or add a support");
 }
 
@@ -263,7 +264,7 @@ void require_solved(const Solution& solution, const std::string& what) {
   const Report& report = solution.contact.report;
   if (report.status == SolveStatus::Solved) return;
   const std::string reason = why_unsolved(solution);
-  if (!solution.escape.empty())
+  if (!solution.unbounded_direction.empty())
     throw NotSolved(with_notes(text(what, " was not solved: ", reason), solution.notes));
   std::string message = text(what, " was not solved: ", to_string(report.status), " after ",
                              report.iterations, " iterations");

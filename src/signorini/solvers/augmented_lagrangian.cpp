@@ -51,7 +51,7 @@ ContactState augmented_lagrangian(const ContactProblem& problem, const Solver& s
                                   const SolverOptions& options, Report report) {
   const ScaledProblem scaled = equilibrate(problem);
   const Index pairs = scaled.pairs();
-  if (auto away = pulled_away(problem, scaled)) return *away;
+  if (auto away = infeasible_resultant(problem, scaled)) return *away;
   ActiveSetSolution last;
   last.amplitude = first_touch(scaled);
   last.force.setZero(pairs);
@@ -97,7 +97,7 @@ ContactState solve(const ContactProblem& problem, const Solver& solver,
     ContactState state = solver.solve(problem, options);
     const SolveStatus status = state.report.status;
     if (!floats || !problem.law.pair.empty() || status == SolveStatus::Solved ||
-        state.escape.size() > 0)
+        state.unbounded_direction.size() > 0)
       return state;
     return augmented_lagrangian(problem, solver, options, std::move(state.report));
   }

@@ -25,11 +25,11 @@ namespace signorini {
 /// where the body meets the first obstacle when it follows its load.
 ///
 /// Whether forces >= 0 can balance r at all is decided before, by the point of the cone of all
-/// \f$ R^T\lambda \f$ that is closest to r: what is missing there is the direction of escape.
+/// \f$ R^T\lambda \f$ that is closest to r: what is missing there is the unbounded direction.
 /// \param problem  any
 /// \param solver   a member
 /// \param options  handed to it
-/// \return what the member says; with rigid modes `Infeasible` with `escape` if the load pulls the body away,
+/// \return what the member says; with rigid modes `Infeasible` with `unbounded_direction` if the load pulls the body away,
 ///   or with the vector y of ContactState if gaps contradict each other; `IterationLimit` after 100 passes; `Breakdown` where
 ///   the member has a feasible state only, of which springs still carry a part. If fewer
 ///   pairs close than there are modes, the amplitude is one of many

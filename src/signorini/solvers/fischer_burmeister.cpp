@@ -14,7 +14,7 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
   const bool frictional = !problem.law.pair.empty();
   if (problem.resultant.size() > 0) check_problem(problem);
   const ScaledProblem scaled = equilibrate_any(problem);
-  if (auto away = pulled_away(problem, scaled)) return *away;
+  if (auto away = infeasible_resultant(problem, scaled)) return *away;
   const bool limited = options.iteration_limit > 0;
   const Index own_limit = frictional ? newton_limit : 10 * scaled.pairs() + 100;
   Iterate iterate = first_iterate(scaled);

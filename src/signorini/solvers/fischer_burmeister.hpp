@@ -34,7 +34,7 @@ namespace signorini {
 /// \param problem  any; without friction and rigid modes F may be any square matrix
 /// \param options  `iteration_limit` 0 stands for 10 n_c + 100 steps, with friction for 25; with a limit nothing
 ///   follows them
-/// \return `Solved`; `Infeasible` with `escape` if no forces balance r; `Breakdown` if \f$ |\Phi| \f$ falls no
+/// \return `Solved`; `Infeasible` with `unbounded_direction` if no forces balance r; `Breakdown` if \f$ |\Phi| \f$ falls no
 ///   more at a point that is no solution, as happens if nothing solves the problem; `IterationLimit`.
 ///   `report.history` holds \f$ |\Phi| \f$ relative to its first value as `residual`
 /// \throws std::invalid_argument as check_finite(), with rigid modes as check_problem()

@@ -162,7 +162,7 @@ ContactState lemke(const ContactProblem& problem, const SolverOptions& options) 
   if (!problem.law.pair.empty() || problem.resultant.size() > 0) {
     if (problem.resultant.size() > 0) check_problem(problem);
     const ScaledProblem scaled = equilibrate_any(problem);
-    if (auto away = pulled_away(problem, scaled)) return *away;
+    if (auto away = infeasible_resultant(problem, scaled)) return *away;
     Iterate iterate = first_iterate(scaled);
     follow_pivots(scaled, options, iterate);
     return finished(problem, scaled, std::move(iterate));

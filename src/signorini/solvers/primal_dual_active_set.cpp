@@ -149,7 +149,7 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   const bool floats = problem.resultant.size() > 0;
   const ScaledProblem scaled =
       !frictional || floats ? equilibrate(problem) : equilibrate_any(problem);
-  if (auto away = pulled_away(problem, scaled)) return *away;
+  if (auto away = infeasible_resultant(problem, scaled)) return *away;
   const Index asked = options.iteration_limit;
   const Index own_limit = frictional ? exchange_limit : most_exchanges(scaled);
   const Index limit = asked > 0 ? std::min(asked, frictional ? asked : own_limit) : own_limit;

@@ -37,7 +37,7 @@ namespace signorini {
 /// \param problem  any, F positive semidefinite
 /// \param options  `iteration_limit` for the exchange with all pairs and quasi_active_set() together; 0 stands for 10 n_c + 10
 ///   and what that takes, with friction for 50 exchanges, after which nothing else comes if there is a limit
-/// \return `Solved` with forces and gaps >= 0; `Infeasible` with `escape` if no forces balance r; otherwise what the
+/// \return `Solved` with forces and gaps >= 0; `Infeasible` with `unbounded_direction` if no forces balance r; otherwise what the
 ///   last method says. `iterations` and `history` are those of all methods, one behind the other, with all
 ///   pairs; `factorisations` has those of every second pair as well
 /// \throws std::invalid_argument as check_problem(); where pairs have friction and there are no rigid modes, as check_finite(): F

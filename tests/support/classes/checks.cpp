@@ -139,7 +139,7 @@ std::string check_farkas(const ContactProblem& problem, const VectorXd& y) {
   return text("proves infeasibility with d.y = ", work);
 }
 
-std::string check_escape(const ContactProblem& problem, const VectorXd& amplitude) {
+std::string check_unbounded_direction(const ContactProblem& problem, const VectorXd& amplitude) {
   if (amplitude.size() != problem.resultant.size() || !amplitude.allFinite())
     return "proves that the body escapes with no amplitude for each rigid mode";
   const Index n = problem.free_gap.size();

@@ -24,8 +24,8 @@ std::string check_farkas(const signorini::ContactProblem& problem, const Eigen::
 
 /// A proof that no forces balance the load: an amplitude a whose motion opens each gap by at least mu times its
 /// slip, while the load works more than cohesion can take up, \f$ -r^T a > \sum c_i |slip_i| \f$.
-std::string check_escape(const signorini::ContactProblem& problem,
-                         const Eigen::VectorXd& amplitude);
+std::string check_unbounded_direction(const signorini::ContactProblem& problem,
+                                      const Eigen::VectorXd& amplitude);
 
 /// A state that is called feasible: no overlap, no tension, gaps and forces that belong together.
 std::string check_feasible(const signorini::Certificate& certificate);

@@ -51,7 +51,8 @@ std::string judge(const Instance& instance, const Report& report, bool must,
 std::string judge(const Instance& instance, const ContactState& state, bool must) {
   const auto proof = [&]() -> std::string {
     if (state.infeasibility.size() > 0) return check_farkas(instance.problem, state.infeasibility);
-    if (state.escape.size() > 0) return check_escape(instance.problem, state.escape);
+    if (state.unbounded_direction.size() > 0)
+      return check_unbounded_direction(instance.problem, state.unbounded_direction);
     return "says infeasible, but proves nothing";
   };
   return judge(
