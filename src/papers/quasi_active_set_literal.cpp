@@ -150,8 +150,9 @@ bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap,
     report_.factorisations += state.report.factorisations;
     if (state.report.status == SolveStatus::Infeasible) {
       report_.status = SolveStatus::Infeasible;
-      way_.state.infeasibility.setZero(scaled_.free.size());
-      way_.state.infeasibility(rows) = scaled_.scale(rows).cwiseProduct(state.infeasibility);
+      way_.state.farkas_certificate.setZero(scaled_.free.size());
+      way_.state.farkas_certificate(rows) =
+          scaled_.scale(rows).cwiseProduct(state.farkas_certificate);
     } else {
       report_.status = SolveStatus::Breakdown;
     }
@@ -214,7 +215,7 @@ void LiteralMethod::judge() {
   ActiveSetSolution best;
   if (!solve(tight(now_), scaled_.free, best)) {
     report_ = so_far;
-    way_.state.infeasibility.resize(0);
+    way_.state.farkas_certificate.resize(0);
     return;
   }
   report_ = so_far;
@@ -234,7 +235,7 @@ QuasiActiveRun LiteralMethod::run() {
   const std::vector<Index> closed =
       report_.status == SolveStatus::Solved ? way_.state.active : pressed(now_.force);
   way_.state = finished(problem_, scaled_, now_, statuses_of(closed, now_.force.size()),
-                        std::move(report_), std::move(way_.state.infeasibility));
+                        std::move(report_), std::move(way_.state.farkas_certificate));
   return std::move(way_);
 }
 

@@ -44,7 +44,7 @@ VectorXd SimplexFace::forces() const {
   return force;
 }
 
-VectorXd SimplexFace::infeasibility() const {
+VectorXd SimplexFace::farkas_certificate() const {
   return numbers_->scaled.scale.cwiseProduct(numbers_->method.proof());
 }
 

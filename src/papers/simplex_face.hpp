@@ -21,13 +21,13 @@ class SimplexFace {
   /// The force of the new pair grows from zero and the others yield so that their gaps stay closed,
   /// until its own gap is closed too; a vertex whose force vanishes on the way is dropped.
   /// \param vertex  a pair outside of W whose gap is negative under the present forces
-  /// \return false if nothing ends this: then infeasibility() proves that the gaps contradict
+  /// \return false if nothing ends this: then farkas_certificate() proves that the gaps contradict
   bool add(Eigen::Index vertex);
 
   /// \return lambda `n_c` [force], 0 outside of W
   [[nodiscard]] Eigen::VectorXd forces() const;
   /// \return after add() returned false: y `n_c` >= 0 with G y = 0 and d^T y < 0
-  [[nodiscard]] Eigen::VectorXd infeasibility() const;
+  [[nodiscard]] Eigen::VectorXd farkas_certificate() const;
   /// \return factorisations: one, which is updated from there on, or none
   [[nodiscard]] Eigen::Index factorisations() const;
 

@@ -73,7 +73,7 @@ ContactState unfinished(const ContactProblem& problem, const ScaledProblem& scal
     if (now.force(i) > 0) active.push_back(i);
   Eigen::VectorXd proof;
   if (report.status == SolveStatus::Infeasible)
-    proof = scaled.scale.cwiseProduct(run.infeasibility());
+    proof = scaled.scale.cwiseProduct(run.farkas_certificate());
   return finished(problem, scaled, now, statuses_of(active, now.force.size()), std::move(report),
                   std::move(proof));
 }
@@ -155,7 +155,7 @@ ContactState surrogate_dual(const ContactProblem& problem, WeightRule rule,
   report.factorisations += run.factorisations();
   if (run.end() == WeightEnd::Unbounded)
     report.status =
-        is_proof(unit, run.infeasibility()) ? SolveStatus::Infeasible : SolveStatus::Breakdown;
+        is_proof(unit, run.farkas_certificate()) ? SolveStatus::Infeasible : SolveStatus::Breakdown;
   return unfinished(problem, scaled, run, std::move(report));
 }
 

@@ -102,7 +102,7 @@ bool WeightIteration::take_in(Index vertex) {
     weights_ = face_.forces();
     return true;
   }
-  infeasibility_ = face_.infeasibility();
+  infeasibility_ = face_.farkas_certificate();
   return stop(WeightEnd::Unbounded);
 }
 // [face step]

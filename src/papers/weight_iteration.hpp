@@ -46,7 +46,7 @@ class WeightIteration {
   /// \return why step() returned false
   [[nodiscard]] WeightEnd end() const { return end_; }
   /// \return if Unbounded: y `n_c` >= 0 with G y = 0 and d^T y < 0
-  [[nodiscard]] const Eigen::VectorXd& infeasibility() const { return infeasibility_; }
+  [[nodiscard]] const Eigen::VectorXd& farkas_certificate() const { return infeasibility_; }
   /// \return factorisations of the last rule
   [[nodiscard]] Eigen::Index factorisations() const { return face_.factorisations(); }
 

@@ -82,20 +82,20 @@ TEST_CASE("the road mends a claim that is wrong, but no claim that runs in circl
 TEST_CASE("what is proved of a corrected problem is not proved of the one that was posed",
           "[certified_solve]") {
   ContactState proved = claim(SolveStatus::Infeasible, Eigen::Vector2d(0, 0), {});
-  proved.infeasibility = Eigen::Vector2d(1, 1);
+  proved.farkas_certificate = Eigen::Vector2d(1, 1);
   const MatrixXd walls =
       (MatrixXd(2, 2) << 1, 0, -1, 0).finished();  // closer than the body is wide
   const CertifiedSolution first = certified(pull, walls, Eigen::Vector2d(-1, -1), {proved});
   CHECK(first.state.report.status == SolveStatus::Infeasible);
-  CHECK(first.state.infeasibility == VectorXd::Ones(2));
+  CHECK(first.state.farkas_certificate == VectorXd::Ones(2));
   const CertifiedSolution feigned = certified(pull, step, Eigen::Vector2d::Zero(), {proved});
   CHECK(feigned.state.report.status == SolveStatus::Breakdown);  // A^T y is not 0
-  CHECK(feigned.state.infeasibility.size() == 0);
+  CHECK(feigned.state.farkas_certificate.size() == 0);
   const CertifiedSolution second =
       certified(pull, step, Eigen::Vector2d::Zero(),
                 {claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}), proved});
   CHECK(second.state.report.status == SolveStatus::Breakdown);
-  CHECK(second.state.infeasibility.size() == 0);
+  CHECK(second.state.farkas_certificate.size() == 0);
   ContactState escaped = claim(SolveStatus::Infeasible, Eigen::Vector2d(0, 0), {});
   escaped.unbounded_direction = VectorXd::Ones(1);
   const CertifiedSolution third =

@@ -102,12 +102,12 @@ TEST_CASE("neither a solution nor a proof that a solver claims is believed unsee
   claim = {};
   claim.refined = {VectorXd::Zero(1), {}, Eigen::Vector2d::Zero()};
   claim.report.status = SolveStatus::Infeasible;
-  claim.infeasibility = Eigen::Vector2d(1, 1);
+  claim.farkas_certificate = Eigen::Vector2d(1, 1);
   CHECK(solve(impossible, recites).report.status == SolveStatus::Infeasible);
   for (const Eigen::Vector2d& wrong : {Eigen::Vector2d(-1, -1), Eigen::Vector2d(0, 0)}) {
-    claim.infeasibility = wrong;
+    claim.farkas_certificate = wrong;
     CHECK(solve(impossible, recites).report.status == SolveStatus::Breakdown);
-    CHECK(solve(impossible, recites).infeasibility.size() == 0);
+    CHECK(solve(impossible, recites).farkas_certificate.size() == 0);
   }
   claim.report.status = SolveStatus::Solved;
   CHECK(solve(impossible, recites).report.status == SolveStatus::Breakdown);

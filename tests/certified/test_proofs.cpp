@@ -21,13 +21,13 @@ TEST_CASE("overlaps that a rigid motion opens prove nothing", "[active_set][floa
   const Matrix2d G = (Matrix2d() << 1, -1, -1, 1).finished();  // pressing both pairs moves nothing
   const Vector2d both(1, 1);
   ContactProblem problem{G, Vector2d(-1, -1)};
-  CHECK(refutes(problem, both));
+  CHECK(verify_farkas(problem, both));
   problem.resultant = Eigen::VectorXd::Constant(1, 2);
   problem.rigid = both;
-  CHECK_FALSE(refutes(problem, both));  // a = 1 opens both pairs, and forces of 1 balance r
+  CHECK_FALSE(verify_farkas(problem, both));  // a = 1 opens both pairs, and forces of 1 balance r
   problem.resultant.setZero();
   problem.rigid = Vector2d(1, -1);
-  CHECK(refutes(problem, both));  // what opens one pair closes the other
+  CHECK(verify_farkas(problem, both));  // what opens one pair closes the other
 }
 
 TEST_CASE("gaps that no forces open are refuted for asymmetric matrices, and no others",
@@ -43,7 +43,7 @@ TEST_CASE("gaps that no forces open are refuted for asymmetric matrices, and no 
     MatrixXd M = whole(n, n, -3, 3);
     // Whatever M is, forces and gaps of their own make a problem whose gaps can be opened.
     const Eigen::VectorXd open = whole(n, 1, 0, 2) - M * whole(n, 1, 0, 2);
-    CHECK(contradiction(equilibrate_any({M, open})).size() == 0);
+    CHECK(farkas_certificate(equilibrate_any({M, open})).size() == 0);
     // The weighted sum of the gaps is below 0, and no force lifts it.
     const Eigen::VectorXd y = whole(n, 1, 0, 2);
     Index last = 0;
@@ -53,11 +53,11 @@ TEST_CASE("gaps that no forces open are refuted for asymmetric matrices, and no 
     d(last) -= std::max(0.0, std::ceil((y.dot(d) + 1) / y(last)));
     const ContactProblem never{M, d};
     if (is_symmetric(never)) continue;
-    CHECK(refutes(never, contradiction(equilibrate_any(never))));
+    CHECK(verify_farkas(never, farkas_certificate(equilibrate_any(never))));
     CHECK(enumerate(never).report.status == SolveStatus::Infeasible);
     const ContactState path = lemke(never);
     CHECK(path.report.status == SolveStatus::Infeasible);
-    CHECK(refutes(never, path.infeasibility));
+    CHECK(verify_farkas(never, path.farkas_certificate));
   }
 }
 

@@ -118,8 +118,8 @@ TEST_CASE("one system that nothing solves does not spoil the word on the other",
   two.g(1) = -two.g(0) - 1;
   const CertifiedSolution both = end_of(beside(one, two, 1));
   CHECK(both.state.report.status == SolveStatus::Infeasible);
-  REQUIRE(both.state.infeasibility.size() == 6);
-  CHECK(both.state.infeasibility.head(3).isZero(0));
-  CHECK(both.state.infeasibility(3) > 0);
+  REQUIRE(both.state.farkas_certificate.size() == 6);
+  CHECK(both.state.farkas_certificate.head(3).isZero(0));
+  CHECK(both.state.farkas_certificate(3) > 0);
   CHECK(end_of(beside(two, one, 1)).state.report.status == SolveStatus::Infeasible);
 }

@@ -126,7 +126,7 @@ TEST_CASE("a trait excuses a failure, and nothing else does", "[conformance][jud
 TEST_CASE("the judge checks a proof of infeasibility", "[conformance][judge]") {
   const auto proof = [](const ContactProblem& problem, const VectorXd& y) {
     ContactState made = says<SolveStatus::Infeasible>(problem, {});
-    made.infeasibility = y;
+    made.farkas_certificate = y;
     return made;
   };
   static const auto make = proof;

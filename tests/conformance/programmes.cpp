@@ -40,7 +40,7 @@ TEST_CASE("every solver: rows that contradict each other are not solved, and ref
     CAPTURE(solver.name);
     CHECK(solution.report.status != SolveStatus::Solved);
     if (solution.report.status == SolveStatus::Infeasible)
-      CHECK(solution.infeasibility.size() == 2);
+      CHECK(solution.farkas_certificate.size() == 2);
   }
 }
 

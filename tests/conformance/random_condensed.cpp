@@ -54,10 +54,10 @@ TEST_CASE("the judge of random condensed problems finds what is wrong", "[confor
   CHECK(verdict(grazing, state) == Verdict::Wrong);
   state.report.status = SolveStatus::Infeasible;
   CHECK(verdict(wedged, state) == Verdict::Wrong);
-  state.infeasibility = Eigen::Vector2d(1, 1);
+  state.farkas_certificate = Eigen::Vector2d(1, 1);
   CHECK(verdict(wedged, state) == Verdict::Refuted);
   CHECK(verdict(grazing, state) == Verdict::Wrong);
-  state.infeasibility = Eigen::Vector2d(1, 0.9);
+  state.farkas_certificate = Eigen::Vector2d(1, 0.9);
   CHECK(verdict(wedged, state) == Verdict::Wrong);
   state.report.status = SolveStatus::Breakdown;
   CHECK(verdict(wedged, state) == Verdict::Failed);

@@ -37,8 +37,8 @@ void check_proof(const Posed& posed, const ContactState& state) {
     CHECK(moved.head(pairs).minCoeff() >= -1e-12 * size);
     CHECK(problem.resultant.dot(state.unbounded_direction) < 0);
   } else {
-    REQUIRE(state.infeasibility.size() == pairs);
-    const VectorXd& y = state.infeasibility;
+    REQUIRE(state.farkas_certificate.size() == pairs);
+    const VectorXd& y = state.farkas_certificate;
     const MatrixXd F = problem.compliance.transpose();
     const VectorXd moved = F * y;
     CHECK(y.minCoeff() >= 0);

@@ -137,7 +137,7 @@ TEST_CASE("restricted entry stalls on a pair written twice with two gaps, and sa
   const ContactProblem twice{Eigen::MatrixXd::Ones(2, 2), Vector2d(-1, -2)};
   const ContactState state = linear_programme(twice);
   CHECK(state.report.status == SolveStatus::Breakdown);
-  CHECK(state.infeasibility.size() == 0);
+  CHECK(state.farkas_certificate.size() == 0);
   CHECK(enumerate(twice).report.status == SolveStatus::Solved);
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("prices prove that gaps contradict each other", "[linear_programme]") 
   const Vector2d d(-1, -0.25);
   const ContactState state = linear_programme({G, d});
   REQUIRE(state.report.status == SolveStatus::Infeasible);
-  const VectorXd& y = state.infeasibility;
+  const VectorXd& y = state.farkas_certificate;
   REQUIRE(y.size() == 2);
   CHECK((y.array() >= 0).all());
   CHECK((G * y).norm() <= 1e-15 * y.norm());

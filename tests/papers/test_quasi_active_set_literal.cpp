@@ -134,9 +134,9 @@ TEST_CASE("a set of pairs that contradict each other is proved infeasible", "[li
   G << 1, -1, -1, 1;
   const ContactState state = quasi_active_set_literal({G, Vector2d(-1, -0.5)});
   REQUIRE(state.report.status == SolveStatus::Infeasible);
-  REQUIRE(state.infeasibility.size() == 2);
-  CHECK((G * state.infeasibility).norm() < 1e-15);
-  CHECK(state.infeasibility.dot(Vector2d(-1, -0.5)) < 0);
+  REQUIRE(state.farkas_certificate.size() == 2);
+  CHECK((G * state.farkas_certificate).norm() < 1e-15);
+  CHECK(state.farkas_certificate.dot(Vector2d(-1, -0.5)) < 0);
   // The same walls, of which only one is violated at a time: the loop never ends, and says so.
   CHECK(quasi_active_set_literal({G, Vector2d(-1, 0.5)}).report.status ==
         SolveStatus::IterationLimit);

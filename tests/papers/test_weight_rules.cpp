@@ -106,7 +106,7 @@ TEST_CASE("contradictory gaps are proven by weights that yield nowhere", "[surro
       continue;
     }
     ++found;
-    const VectorXd& y = state.infeasibility;
+    const VectorXd& y = state.farkas_certificate;
     REQUIRE(y.size() == n);
     CHECK(y.minCoeff() >= 0);
     CHECK(d.dot(y) < 0);

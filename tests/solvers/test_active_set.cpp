@@ -193,14 +193,14 @@ TEST_CASE("pairs that depend on each other are solved, or refuted with a proof",
   const ContactProblem wedged{G, Eigen::Vector2d(-1, -0.5)};
   for (const ContactState& state : {primal_dual_active_set(wedged), enumerate(wedged)}) {
     CHECK(state.report.status == SolveStatus::Infeasible);
-    REQUIRE(state.infeasibility.size() == 2);
-    CHECK(state.infeasibility(0) > 0);
-    CHECK(state.infeasibility(0) == Approx(state.infeasibility(1)).epsilon(1e-15));
+    REQUIRE(state.farkas_certificate.size() == 2);
+    CHECK(state.farkas_certificate(0) > 0);
+    CHECK(state.farkas_certificate(0) == Approx(state.farkas_certificate(1)).epsilon(1e-15));
   }
   const ContactState rigid =
       primal_dual_active_set({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Constant(1, -1)});
   CHECK(rigid.report.status == SolveStatus::Infeasible);
-  CHECK(rigid.infeasibility.size() == 1);
+  CHECK(rigid.farkas_certificate.size() == 1);
 }
 
 TEST_CASE("enumeration prefers the set with fewest pairs and passes over singular ones",

@@ -56,8 +56,8 @@ TEST_CASE("gaps that contradict each other are proved to, with rigid modes too",
   const ContactProblem problem{MatrixXd::Zero(2, 2), Vector2d(-1, -1), {}, {},
                                Vector2d(1, -1),      VectorXd::Zero(1)};
   const ContactState state = solve(problem, find_solver("linear_programme"));
-  REQUIRE(state.infeasibility.size() == 2);
-  CHECK((problem.rigid.transpose() * state.infeasibility).norm() <= 1e-15);
+  REQUIRE(state.farkas_certificate.size() == 2);
+  CHECK((problem.rigid.transpose() * state.farkas_certificate).norm() <= 1e-15);
 }
 
 TEST_CASE("without rigid modes it is the contact problem", "[floating]") {

@@ -55,7 +55,7 @@ TEST_CASE("what can be solved but for rounding is not called infeasible", "[foun
   const ContactProblem problem = read("found/lcp_311.txt");
   const ContactState sure = enumerate(problem);
   CHECK(sure.report.status != SolveStatus::Infeasible);
-  CHECK(sure.infeasibility.size() == 0);
+  CHECK(sure.farkas_certificate.size() == 0);
   for (const Method method : {Method(quasi_active_set), Method(primal_dual_active_set)}) {
     const ContactState state = method(problem, {});
     REQUIRE(state.report.status == SolveStatus::Solved);
@@ -118,25 +118,25 @@ TEST_CASE("a proof that nothing solves a problem is checked on its own data", "[
   G << 1, -1, -1, 1;
   const Vector2d y(1, 1);
   const ContactProblem wedged{G, Vector2d(-1, 0.5)};
-  CHECK(refutes(wedged, y));
-  CHECK_FALSE(refutes(wedged, VectorXd()));
-  CHECK_FALSE(refutes(wedged, Vector2d(1, -1)));                        // a negative weight
-  CHECK_FALSE(refutes(wedged, Vector2d(1, 0.999)));                     // G y is not 0
-  CHECK_FALSE(refutes(ContactProblem{G, Vector2d(-1, 1)}, y));          // the gaps sum to 0
-  CHECK_FALSE(refutes(ContactProblem{G, Vector2d(-1, 1 - 1e-15)}, y));  // but for rounding
-  CHECK_FALSE(refutes(ContactProblem{Matrix2d(-G), Vector2d(1, -0.5)},
-                      Vector2d(0, 0)));  // nothing is summed
+  CHECK(verify_farkas(wedged, y));
+  CHECK_FALSE(verify_farkas(wedged, VectorXd()));
+  CHECK_FALSE(verify_farkas(wedged, Vector2d(1, -1)));                        // a negative weight
+  CHECK_FALSE(verify_farkas(wedged, Vector2d(1, 0.999)));                     // G y is not 0
+  CHECK_FALSE(verify_farkas(ContactProblem{G, Vector2d(-1, 1)}, y));          // the gaps sum to 0
+  CHECK_FALSE(verify_farkas(ContactProblem{G, Vector2d(-1, 1 - 1e-15)}, y));  // but for rounding
+  CHECK_FALSE(verify_farkas(ContactProblem{Matrix2d(-G), Vector2d(1, -0.5)},
+                            Vector2d(0, 0)));  // nothing is summed
   // Rows that are not quite opposite: a force of 1e5 opens both.
   G(0, 0) += 1e-5;
-  CHECK_FALSE(refutes(ContactProblem{G, Vector2d(-1, 0.5)}, y));
+  CHECK_FALSE(verify_farkas(ContactProblem{G, Vector2d(-1, 0.5)}, y));
   // Forces that only close gaps cannot lift their sum; from the other side they could.
   const Matrix2d closing = (Matrix2d() << 0, -1, 1, 0).finished();
-  CHECK(refutes(ContactProblem{closing, Vector2d(-1, 5)}, Vector2d(1, 0)));
-  CHECK_FALSE(refutes(ContactProblem{closing.transpose(), Vector2d(-1, 5)}, Vector2d(1, 0)));
+  CHECK(verify_farkas(ContactProblem{closing, Vector2d(-1, 5)}, Vector2d(1, 0)));
+  CHECK_FALSE(verify_farkas(ContactProblem{closing.transpose(), Vector2d(-1, 5)}, Vector2d(1, 0)));
   // Neither units nor the scale of a row matter.
   G(0, 0) = 1;
   const Vector2d row(1e-8, 1e8);
-  CHECK(refutes(with_rows({G, Vector2d(-1, 0.5)}, row), y.cwiseQuotient(row)));
+  CHECK(verify_farkas(with_rows({G, Vector2d(-1, 0.5)}, row), y.cwiseQuotient(row)));
 }
 
 TEST_CASE("a claim without a proof that holds is withdrawn", "[found][proof]") {
@@ -152,7 +152,7 @@ TEST_CASE("a claim without a proof that holds is withdrawn", "[found][proof]") {
   };
   CHECK(claimed({}).report.status == SolveStatus::Breakdown);
   CHECK(claimed(Vector2d(1, 0.5)).report.status == SolveStatus::Breakdown);
-  CHECK(claimed(Vector2d(1, 0.5)).infeasibility.size() == 0);
+  CHECK(claimed(Vector2d(1, 0.5)).farkas_certificate.size() == 0);
   CHECK(claimed(Vector2d(2, 2)).report.status == SolveStatus::Infeasible);
 }
 

@@ -87,11 +87,11 @@ TEST_CASE("gap rows that contradict each other are proved to", "[goldfarb_idnani
   G << 1, -1, -1, 1;
   const ContactState state = goldfarb_idnani(ContactProblem{G, Vector2d(-1, -0.5)});
   CHECK(state.report.status == SolveStatus::Infeasible);
-  CHECK((state.infeasibility - Vector2d(0.5, 0.5)).norm() < 1e-15);
+  CHECK((state.farkas_certificate - Vector2d(0.5, 0.5)).norm() < 1e-15);
   const ContactState fixed = goldfarb_idnani(
       ContactProblem{MatrixXd::Zero(1, 1), VectorXd::Constant(1, -1)});  // nothing moves the pair
   CHECK(fixed.report.status == SolveStatus::Infeasible);
-  CHECK(fixed.infeasibility == VectorXd::Ones(1));
+  CHECK(fixed.farkas_certificate == VectorXd::Ones(1));
 }
 
 TEST_CASE("nearly parallel pairs, with forces that are large and nearly cancel",

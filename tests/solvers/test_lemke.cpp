@@ -193,7 +193,7 @@ TEST_CASE("a limit on pivots is kept, and a bad covering vector refused", "[lemk
   const ContactState state = lemke(murty(6), {7});
   CHECK(state.report.status == SolveStatus::IterationLimit);
   CHECK(state.report.iterations == 7);
-  CHECK(state.infeasibility.size() == 0);
+  CHECK(state.farkas_certificate.size() == 0);
   CHECK_THROWS_AS(lemke(fathi(2), vector({1, 0})), std::invalid_argument);
   CHECK_THROWS_AS(lemke(fathi(2), vector({1, 1, 1})), std::invalid_argument);
 }

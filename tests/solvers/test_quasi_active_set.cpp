@@ -100,7 +100,7 @@ TEST_CASE("programmes with 4000 small whole numbers are solved or refuted with a
     }
     REQUIRE(solution.report.status == SolveStatus::Infeasible);
     // y >= 0 with A^T y = 0 and g.y < 0: no u has A u <= g.
-    const VectorXd& y = solution.infeasibility;
+    const VectorXd& y = solution.farkas_certificate;
     REQUIRE(y.size() == programme.A.rows());
     CHECK(y.minCoeff() >= 0);
     CHECK((programme.A.transpose() * y).norm() <= 1e-12 * y.norm());

@@ -160,8 +160,9 @@ Verdict verdict(const RandomCondensed& problem, const ContactState& state) {
       return problem.feasible && certify(problem.problem, state).holds() ? Verdict::Solved
                                                                          : Verdict::Wrong;
     case SolveStatus::Infeasible:
-      return !problem.feasible && holds(problem.problem, state.infeasibility) ? Verdict::Refuted
-                                                                              : Verdict::Wrong;
+      return !problem.feasible && holds(problem.problem, state.farkas_certificate)
+                 ? Verdict::Refuted
+                 : Verdict::Wrong;
     case SolveStatus::Feasible:
     case SolveStatus::Ray:
     case SolveStatus::Jump:

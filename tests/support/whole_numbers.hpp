@@ -57,7 +57,7 @@ inline bool agrees_with_enumeration(const signorini::ContactProblem& problem,
     return true;
   }
   if (sure.report.status == signorini::SolveStatus::Infeasible)
-    CHECK(proves_infeasible(problem, state.infeasibility));
+    CHECK(proves_infeasible(problem, state.farkas_certificate));
   return false;
 }
 

@@ -54,12 +54,13 @@ DenseSolution grow_active_set(const DenseProgramme& programme, Index limit,
   solution.active = sorted_rows(method.basis(), rows.equations);
   solution.report.status = status;
   if (status == SolveStatus::Infeasible) {
-    solution.infeasibility.setZero(rows.count);
+    solution.farkas_certificate.setZero(rows.count);
     for (Index i = 0; i < rows.count; ++i)
-      if (method.proof()(i) != 0) solution.infeasibility(i) = method.proof()(i) / data.norms()(i);
-    if (!proves_infeasible(programme, solution.infeasibility, solution.refined.displacement)) {
+      if (method.proof()(i) != 0)
+        solution.farkas_certificate(i) = method.proof()(i) / data.norms()(i);
+    if (!proves_infeasible(programme, solution.farkas_certificate, solution.refined.displacement)) {
       solution.report.status = SolveStatus::Breakdown;
-      solution.infeasibility.resize(0);
+      solution.farkas_certificate.resize(0);
     }
   } else if (status == SolveStatus::Solved) {  // what is negative is of rounding size
     for (Index i = rows.equations; i < rows.count; ++i)

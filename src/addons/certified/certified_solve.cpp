@@ -208,12 +208,12 @@ void CertifiedSolve::take_over(const ContactState& claim, bool corrected) {
   state.doubt = claim.doubt;
   state.reason = claim.reason;
   state.unbounded_direction = claim.unbounded_direction;
-  state.infeasibility = claim.infeasibility;
+  state.farkas_certificate = claim.farkas_certificate;
   // What is proved of the corrected problem is not proved of the one that was posed.
   if (corrected && claim.report.status == SolveStatus::Infeasible) {
     state.report.status = SolveStatus::Breakdown;
     state.unbounded_direction.resize(0);
-    state.infeasibility.resize(0);
+    state.farkas_certificate.resize(0);
   }
 }
 
@@ -279,11 +279,11 @@ void CertifiedSolve::conclude() {
     state.report.status = SolveStatus::Solved;
     state.reason.clear();
     state.unbounded_direction.resize(0);
-    state.infeasibility.resize(0);
-  } else if (state.infeasibility.size() > 0 &&
-             !proves_infeasible(programme_, state.infeasibility, now_.displacement)) {
+    state.farkas_certificate.resize(0);
+  } else if (state.farkas_certificate.size() > 0 &&
+             !proves_infeasible(programme_, state.farkas_certificate, now_.displacement)) {
     state.report.status = SolveStatus::Breakdown;
-    state.infeasibility.resize(0);
+    state.farkas_certificate.resize(0);
   } else if (state.report.status == SolveStatus::Solved) {
     state.report.status = SolveStatus::Breakdown;
     state.reason =

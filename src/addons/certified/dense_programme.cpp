@@ -96,9 +96,9 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
     solution.gap.tail(state.gap.size()) = state.gap;
     solution.refined.force.setZero(data.count());
     solution.refined.force.tail(state.force.size()) = state.force;
-    if (state.infeasibility.size() > 0) {
-      solution.infeasibility.setZero(data.count());
-      solution.infeasibility.tail(state.infeasibility.size()) = state.infeasibility;
+    if (state.farkas_certificate.size() > 0) {
+      solution.farkas_certificate.setZero(data.count());
+      solution.farkas_certificate.tail(state.farkas_certificate.size()) = state.farkas_certificate;
     }
     solution.refined.displacement =
         condensed.free_displacement -
@@ -106,7 +106,8 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
     if (solution.report.status != SolveStatus::Solved) {
       const ActiveSetFactor equations = basis_of(data, {});
       data.balance(equations, solution.refined);
-      if (solution.infeasibility.size() > 0) data.balance(equations, solution.infeasibility);
+      if (solution.farkas_certificate.size() > 0)
+        data.balance(equations, solution.farkas_certificate);
       return solution;
     }
     ActiveSetFactor basis = basis_of(data, solution.active);
@@ -186,9 +187,9 @@ DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
     solution = std::move(*other);
   }
   if (solution.report.status == SolveStatus::Infeasible &&
-      !proves_infeasible(programme, solution.infeasibility, solution.refined.displacement)) {
+      !proves_infeasible(programme, solution.farkas_certificate, solution.refined.displacement)) {
     solution.report.status = SolveStatus::Breakdown;
-    solution.infeasibility.resize(0);
+    solution.farkas_certificate.resize(0);
   }
   if (solution.report.status == SolveStatus::Feasible && !balanced(programme, solution.refined))
     solution.report.status = SolveStatus::Breakdown;

@@ -34,7 +34,7 @@ struct DenseSolution {
   PrimalDual refined;                       ///< u in two parts, and lambda `m`
   Eigen::VectorXd gap;                      ///< g - A u `m`, 0 in closed rows
   std::vector<Eigen::Index> active;         ///< closed rows of inequalities, in increasing order
-  Eigen::VectorXd infeasibility;            ///< as for proves_infeasible(), `m` or empty
+  Eigen::VectorXd farkas_certificate;       ///< as for proves_infeasible(), `m` or empty
   Report report;                            ///< how the solver got there
   Certificate certificate = uncertified();  ///< of `refined`, from the original K, p, A, g
 };

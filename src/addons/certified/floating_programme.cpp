@@ -134,7 +134,7 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
   dense.report = std::move(end.state.report);
   dense.active = std::move(end.state.active);
   dense.gap = std::move(end.state.gap);
-  dense.infeasibility = std::move(end.state.infeasibility);
+  dense.farkas_certificate = std::move(end.state.farkas_certificate);
   dense.certificate = end.certificate;
   dense.refined = std::move(end.solution);
   if (dense.refined.displacement.size() > 0)

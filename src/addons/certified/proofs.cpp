@@ -152,7 +152,8 @@ VectorXd posed_unbounded_direction(const ContactProblem& problem, const ScaledPr
 
 }  // namespace
 
-VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& active, Index pair) {
+VectorXd farkas_certificate(const ScaledProblem& problem, const std::vector<Index>& active,
+                            Index pair) {
   ScaledProblem pressed = problem;
   pressed.free = problem.compliance.col(pair);
   if (problem.rigid.cols() > 0) pressed.resultant = -problem.rigid.row(pair).transpose();
@@ -161,11 +162,11 @@ VectorXd contradiction(const ScaledProblem& problem, const std::vector<Index>& a
   VectorXd y = held.force.head(problem.pairs()).cwiseMax(0.0);  // what is no rounding shows in G y
   y(pair) = 1;
   y /= y.sum();
-  if (!refutes(as_posed(problem), y)) return {};
+  if (!verify_farkas(as_posed(problem), y)) return {};
   return problem.scale.head(y.size()).cwiseProduct(y);
 }
 
-VectorXd contradiction(const ScaledProblem& problem) {
+VectorXd farkas_certificate(const ScaledProblem& problem) {
   const Index n = problem.pairs();
   ConeGenerators gaps{MatrixXd(2 * n, n),
                       VectorXd::Constant(2 * n, std::numeric_limits<double>::infinity()),
@@ -176,7 +177,7 @@ VectorXd contradiction(const ScaledProblem& problem) {
   y = (y.array() > rounding).select(y, 0.0);  // what is no rounding shows in F^T y
   if (y.isZero(0)) return {};
   y /= y.sum();
-  return refutes(as_posed(problem), y) ? VectorXd(problem.scale.cwiseProduct(y)) : VectorXd();
+  return verify_farkas(as_posed(problem), y) ? VectorXd(problem.scale.cwiseProduct(y)) : VectorXd();
 }
 
 VectorXd unbounded_direction(const ScaledProblem& problem) {

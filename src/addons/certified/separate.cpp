@@ -86,7 +86,7 @@ void Separate::put_into(CertifiedSolution& whole, CertifiedSolution part, Index 
   const ContactState& now = part.state;
   put(now.force, gaps_, pairs(), all.force);
   put(now.gap, gaps_, pairs(), all.gap);
-  put(now.infeasibility, gaps_, pairs(), all.infeasibility);
+  put(now.farkas_certificate, gaps_, pairs(), all.farkas_certificate);
   put(now.friction, slips_, slips, all.friction);
   put(now.slip, slips_, slips, all.slip);
   put(now.amplitude, parts_.modes, modes, all.amplitude);
@@ -132,7 +132,7 @@ CertifiedSolution separate_solutions(const QuadraticProgramme& programme,
     ContactState none;
     none.report = std::move(state.report);
     none.reason = std::move(state.reason);
-    none.infeasibility = std::move(state.infeasibility);
+    none.farkas_certificate = std::move(state.farkas_certificate);
     none.unbounded_direction = std::move(state.unbounded_direction);
     return {{}, std::move(none)};
   }

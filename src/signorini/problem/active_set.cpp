@@ -184,14 +184,15 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
     state.amplitude = solution.amplitude.size() > 0 ? VectorXd(scaled.inverse * solution.amplitude)
                                                     : VectorXd::Zero(problem.resultant.size());
   state.report = std::move(report);
-  state.infeasibility = std::move(proof);
+  state.farkas_certificate = std::move(proof);
   if (state.report.status == SolveStatus::Solved && !certify(problem, state).holds()) {
     state.report.status = SolveStatus::Breakdown;
     state.reason = "the end of the method does not hold in the units of the problem";
   }
-  if (state.report.status == SolveStatus::Infeasible && !refutes(problem, state.infeasibility)) {
+  if (state.report.status == SolveStatus::Infeasible &&
+      !verify_farkas(problem, state.farkas_certificate)) {
     state.report.status = SolveStatus::Breakdown;
-    state.infeasibility.resize(0);
+    state.farkas_certificate.resize(0);
   }
   return state;
 }

@@ -223,7 +223,7 @@ void name_slides(const FrictionLaw& law, ContactState& state);
 /// \param report   how the solver got there
 /// \param proof    that nothing solves the problem, in its units, or empty
 /// \return the state, `Breakdown` instead of `Solved` if the certificate is worse than 1e-12, and instead of
-///   `Infeasible`, without the proof, if that does not hold by refutes()
+///   `Infeasible`, without the proof, if that does not hold by verify_farkas()
 [[nodiscard]] ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
                                     const ActiveSetSolution& solution,
                                     const std::vector<ContactStatus>& statuses, Report report,

@@ -173,7 +173,7 @@ inline constexpr double proof_rounding = 1e3 * epsilon;
 /// \param problem  as it was posed, or any M and q
 /// \param y        `n_c`, or of another size, which proves nothing
 /// \return whether it does
-[[nodiscard]] bool refutes(const ContactProblem& problem, const Eigen::VectorXd& y);
+[[nodiscard]] bool verify_farkas(const ContactProblem& problem, const Eigen::VectorXd& y);
 
 /// The forces that are missing in the equilibrium, summed in twice the working precision.
 /// \param programme  K, p, A

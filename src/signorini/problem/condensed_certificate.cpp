@@ -168,7 +168,7 @@ Certificate certify(const ContactProblem& problem, const ContactState& state) {
       Claim{stacked(state.force, state.friction), stacked(state.gap, state.slip), state.amplitude});
 }
 
-bool refutes(const ContactProblem& problem, const VectorXd& y) {
+bool verify_farkas(const ContactProblem& problem, const VectorXd& y) {
   const VectorXd& d = problem.free_gap;
   if (y.size() != d.size() || y.size() == 0 || !y.allFinite() || (y.array() < 0).any())
     return false;

@@ -176,7 +176,7 @@ struct ContactState {
   std::string reason = {};  ///< what stopped the solver, in words; may be empty
   /// Proof that nothing solves the problem, or empty: y `n_c` >= 0 with G y = 0 and d^T y < 0. For any
   /// forces, \f$ y^T(d + G\lambda) = d^T y < 0 \f$, so some gap stays negative.
-  Eigen::VectorXd infeasibility = {};
+  Eigen::VectorXd farkas_certificate = {};
   /// Proof that no forces balance r, or empty: the body would move along a `n_r` for ever, see unbounded_direction().
   Eigen::VectorXd unbounded_direction = {};
 };

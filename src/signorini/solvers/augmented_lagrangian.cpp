@@ -81,7 +81,7 @@ ContactState augmented_lagrangian(const ContactProblem& problem, const Solver& s
   last.force = now.force;
   last.movement = now.gap;
   VectorXd proof;
-  if (now.infeasibility.size() > 0) proof = scaled.scale.cwiseProduct(now.infeasibility);
+  if (now.farkas_certificate.size() > 0) proof = scaled.scale.cwiseProduct(now.farkas_certificate);
   return finished(problem, scaled, last, statuses_of(now.active, pairs), std::move(report),
                   std::move(proof));
 }

@@ -25,7 +25,7 @@ Eigen::VectorXd proof(const ScaledProblem& scaled) {
   for (unsigned set = 0; set < (1U << n); ++set)
     for (Index pair = 0; pair < n; ++pair) {
       if ((set >> pair & 1U) != 0) continue;
-      Eigen::VectorXd y = contradiction(scaled, members(set, n), pair);
+      Eigen::VectorXd y = farkas_certificate(scaled, members(set, n), pair);
       if (y.size() > 0) return y;
     }
   return {};
@@ -57,7 +57,7 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
   }
   Eigen::VectorXd y;
   if (report.status != SolveStatus::Solved)
-    y = scaled.symmetric ? proof(scaled) : contradiction(scaled);
+    y = scaled.symmetric ? proof(scaled) : farkas_certificate(scaled);
   if (y.size() > 0) report.status = SolveStatus::Infeasible;
   return finished(problem, scaled, best, statuses_of(best_active, n), std::move(report),
                   std::move(y));

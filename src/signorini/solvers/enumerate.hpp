@@ -19,7 +19,7 @@ inline constexpr Eigen::Index largest_enumeration = 12;
 ///
 /// \param problem  of at most 12 pairs
 /// \param options  not used: every set that could be better than the best so far is tried
-/// \return `Solved`; `Infeasible` if no set fits and there is a proof that refutes(); otherwise `Breakdown`
+/// \return `Solved`; `Infeasible` if no set fits and there is a proof that passes verify_farkas(); otherwise `Breakdown`
 /// \throws std::invalid_argument if there are more than 12 pairs, or as check_finite()
 [[nodiscard]] ContactState enumerate(const ContactProblem& problem,
                                      const SolverOptions& options = {});

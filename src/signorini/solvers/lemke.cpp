@@ -26,7 +26,7 @@ Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direct
     if (support.empty()) break;
     const Index pair = support.front();
     support.erase(support.begin());
-    Eigen::VectorXd y = contradiction(scaled, support, pair);
+    Eigen::VectorXd y = farkas_certificate(scaled, support, pair);
     if (y.size() > 0) return y;
   }
   return {};
@@ -94,7 +94,7 @@ End ray(const ScaledProblem& scaled, const Dictionary& dictionary, Index enterin
   report.status = SolveStatus::Ray;
   Eigen::VectorXd direction;
   End end = last_point(scaled, dictionary, entering, report, direction);
-  end.proof = scaled.symmetric ? proof(scaled, direction) : contradiction(scaled);
+  end.proof = scaled.symmetric ? proof(scaled, direction) : farkas_certificate(scaled);
   if (end.proof.size() > 0) end.report.status = SolveStatus::Infeasible;
   return end;
 }

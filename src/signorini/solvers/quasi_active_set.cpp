@@ -39,8 +39,8 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit, DualAct
   for (Index round = 0;; ++round) {
     report.status = method.run();
     if (report.status == SolveStatus::Infeasible) {
-      proof = contradiction(scaled, method.basis().rows(), method.pressed());
-      if (proof.size() == 0 && refutes(as_posed(scaled), method.proof()))
+      proof = farkas_certificate(scaled, method.basis().rows(), method.pressed());
+      if (proof.size() == 0 && verify_farkas(as_posed(scaled), method.proof()))
         proof = scaled.scale.cwiseProduct(method.proof());
       if (proof.size() > 0) break;
       method.pass_over();

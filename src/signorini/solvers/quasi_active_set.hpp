@@ -29,7 +29,7 @@ namespace signorini {
 ///
 /// \param problem  G positive semidefinite, and d
 /// \param options  `iteration_limit` 0 stands for 10 n_c + 100
-/// \return `Solved`, `Infeasible` with `infeasibility`, `IterationLimit`, or `Breakdown` if rounding
+/// \return `Solved`, `Infeasible` with `farkas_certificate`, `IterationLimit`, or `Breakdown` if rounding
 ///   leaves no way on
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ContactState quasi_active_set(const ContactProblem& problem,

@@ -50,7 +50,8 @@ std::string judge(const Instance& instance, const Report& report, bool must,
 
 std::string judge(const Instance& instance, const ContactState& state, bool must) {
   const auto proof = [&]() -> std::string {
-    if (state.infeasibility.size() > 0) return check_farkas(instance.problem, state.infeasibility);
+    if (state.farkas_certificate.size() > 0)
+      return check_farkas(instance.problem, state.farkas_certificate);
     if (state.unbounded_direction.size() > 0)
       return check_unbounded_direction(instance.problem, state.unbounded_direction);
     return "says infeasible, but proves nothing";
@@ -63,8 +64,8 @@ std::string judge(const Instance& instance, const ContactState& state, bool must
 std::string judge(const Instance& instance, const DenseSolution& solution, bool must) {
   const auto certificate = [&] { return certify(*instance.programme, solution.refined); };
   const auto proof = [&]() -> std::string {  // with equations it has rows that G does not have
-    if (instance.programme->equations > 0 || solution.infeasibility.size() == 0) return {};
-    return check_farkas(instance.problem, solution.infeasibility);
+    if (instance.programme->equations > 0 || solution.farkas_certificate.size() == 0) return {};
+    return check_farkas(instance.problem, solution.farkas_certificate);
   };
   return judge(
       instance, solution.report, must, proof,
