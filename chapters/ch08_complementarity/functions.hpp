@@ -71,26 +71,26 @@ struct Until {
   double part = 0;
 };
 
-/// Newton's method with full steps for phi(gap_i, reach * force_i) = 0.
+/// Newton's method with full steps for phi(gap_i, force_scale * force_i) = 0.
 /// \param problem  G and d
 /// \param phi      any of the functions
 /// \param force    where it starts
 /// \param until    when it ends
-/// \param reach    what a unit of force counts as [length/force]; 1 takes the numbers as they are
+/// \param force_scale    what a unit of force counts as [length/force]; 1 takes the numbers as they are
 /// \return all iterates, 60 steps at most
 // [newton]
 inline NewtonRun newton(const ContactProblem& problem, const ComplementarityFunction& phi,
-                        Eigen::VectorXd force, const Until& until, double reach = 1) {
+                        Eigen::VectorXd force, const Until& until, double force_scale = 1) {
   NewtonRun run;
   for (int k = 0; k <= 60; ++k) {
     const Eigen::VectorXd gap = problem.free_gap + problem.compliance * force;
     Eigen::VectorXd residual = gap;
     Eigen::MatrixXd J = problem.compliance;
     for (Eigen::Index i = 0; i < force.size(); ++i) {
-      const ComplementaritySlope slope = phi.slope(gap(i), reach * force(i));
-      residual(i) = phi.value(gap(i), reach * force(i));
+      const ComplementaritySlope slope = phi.slope(gap(i), force_scale * force(i));
+      residual(i) = phi.value(gap(i), force_scale * force(i));
       J.row(i) *= slope.a;
-      J(i, i) += slope.b * reach;
+      J(i, i) += slope.b * force_scale;
     }
     run.forces.push_back(force);
     run.residuals.push_back(residual.cwiseAbs().maxCoeff());

@@ -31,7 +31,7 @@ ContactProblem measured_in(const Units& u, const ContactProblem& problem) {
   return {problem.compliance * (u.length / u.force), problem.free_gap * u.length};
 }
 
-double reach_of(const ContactProblem& problem) {  // the gap that forces 1 everywhere make
+double force_scale_of(const ContactProblem& problem) {  // the gap that forces 1 everywhere make
   return problem.compliance.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
@@ -44,9 +44,10 @@ void units(const ProgramOptions& run, Results& results) {
   Eigen::Vector3d worst(0, 0, 0);
   for (const Units& u : systems) {
     const ContactProblem problem = measured_in(u, pressed_cylinder());
-    const NewtonRun ways[] = {newton(problem, functions[0], none, {1e-8, 0}),
-                              newton(problem, functions[0], none, {0, 1e-8}),
-                              newton(problem, functions[0], none, {0, 1e-8}, reach_of(problem))};
+    const NewtonRun ways[] = {
+        newton(problem, functions[0], none, {1e-8, 0}),
+        newton(problem, functions[0], none, {0, 1e-8}),
+        newton(problem, functions[0], none, {0, 1e-8}, force_scale_of(problem))};
     const auto error = [&](const VectorXd& force) {
       return (force / u.force - exact).cwiseAbs().maxCoeff() / exact.maxCoeff();
     };
@@ -59,8 +60,8 @@ void units(const ProgramOptions& run, Results& results) {
     }
     table.row(row);
     if (&u != &systems.front() && &u != &systems.back() && &u != &systems[4]) continue;
-    for (const double reach : {1.0, reach_of(problem)}) {
-      const NewtonRun way = newton(problem, functions[0], none, {0, 1e-12}, reach);
+    for (const double force_scale : {1.0, force_scale_of(problem)}) {
+      const NewtonRun way = newton(problem, functions[0], none, {0, 1e-12}, force_scale);
       for (std::size_t k = 0; k <= way.steps(); ++k)
         figure.row({static_cast<double>(k), way.residuals[k], error(way.forces[k])});
       figure.blank_line();

@@ -25,11 +25,11 @@ struct Way {
   std::vector<double> residuals;  // |Phi| at the start and after each step, over that at the start
 };
 
-// 1. phi(d + G lambda, reach lambda) = 0 with few unknowns. `reach` is the gap that forces 1 on all pairs make.
+// 1. phi(d + G lambda, force_scale lambda) = 0 with few unknowns. `force_scale` is the gap that forces 1 on all pairs make.
 /// \PaperEq{LinEtAl, 28}
 Way condensed_newton(const ContactProblem& problem) {
   const Eigen::MatrixXd& G = problem.compliance;
-  const double reach = G.cwiseAbs().rowwise().sum().maxCoeff();
+  const double force_scale = G.cwiseAbs().rowwise().sum().maxCoeff();
   Way way{Eigen::VectorXd::Zero(problem.free_gap.size()), {}};
   double first = 0;
   for (int k = 0; k <= 60; ++k) {
@@ -37,10 +37,10 @@ Way condensed_newton(const ContactProblem& problem) {
     Eigen::VectorXd phi = gap;
     Eigen::MatrixXd J = G;
     for (Eigen::Index i = 0; i < gap.size(); ++i) {
-      const auto slope = fischer_burmeister_slope(gap(i), reach * way.force(i));
-      phi(i) = fischer_burmeister(gap(i), reach * way.force(i));
+      const auto slope = fischer_burmeister_slope(gap(i), force_scale * way.force(i));
+      phi(i) = fischer_burmeister(gap(i), force_scale * way.force(i));
       J.row(i) *= slope.a;
-      J(i, i) += slope.b * reach;
+      J(i, i) += slope.b * force_scale;
     }
     if (k == 0) first = phi.norm();
     way.residuals.push_back(phi.norm() / first);

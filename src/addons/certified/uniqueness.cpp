@@ -117,7 +117,7 @@ bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<Conta
     const ActiveSetSolution now = solve_active_set(problem, statuses);
     if (is_another(problem, statuses, now, solution)) return true;
     const std::vector<ContactStatus> before = statuses;
-    predict(problem, now, reach(problem), statuses);
+    predict(problem, now, force_scale(problem), statuses);
     statuses[static_cast<std::size_t>(pair)] = kept;
     Index changes = 0;
     for (std::size_t i = 0; i < statuses.size(); ++i) changes += statuses[i] != before[i] ? 1 : 0;

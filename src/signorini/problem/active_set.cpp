@@ -64,14 +64,16 @@ std::vector<Index> closed_pairs(const std::vector<ContactStatus>& statuses) {
   return closed;
 }
 
-Index predict(const ScaledProblem& problem, const ActiveSetSolution& solution, double reach,
+Index predict(const ScaledProblem& problem, const ActiveSetSolution& solution, double force_scale,
               std::vector<ContactStatus>& statuses) {
   const Index pairs = problem.pairs();
   const std::vector<ContactStatus> last = statuses;
   const bool exact = solution.movement_rounding.size() == 0;
   const auto rounding = [&](Index row) { return exact ? 0 : solution.movement_rounding(row); };
-  const double force_rounding = exact ? 0 : reach * solution.force_rounding;
-  const auto pressed = [&](Index i) { return reach * solution.force(i) - solution.movement(i); };
+  const double force_rounding = exact ? 0 : force_scale * solution.force_rounding;
+  const auto pressed = [&](Index i) {
+    return force_scale * solution.force(i) - solution.movement(i);
+  };
   for (Index i = 0; i < pairs; ++i) {
     const bool closed = exact || last[at(i)] == ContactStatus::Open ? pressed(i) > rounding(i)
                                                                     : pressed(i) >= -force_rounding;
@@ -82,8 +84,8 @@ Index predict(const ScaledProblem& problem, const ActiveSetSolution& solution, d
     if (statuses[at(i)] == ContactStatus::Open) continue;
     const Index row = static_cast<Index>(k);
     const double mu = problem.law.coefficient(row);
-    const double bound = mu * std::max(pressed(i), 0.0) + reach * problem.law.cohesion(row);
-    statuses[at(i)] = closed_pair_status(last[at(i)], reach * solution.force(pairs + row),
+    const double bound = mu * std::max(pressed(i), 0.0) + force_scale * problem.law.cohesion(row);
+    statuses[at(i)] = closed_pair_status(last[at(i)], force_scale * solution.force(pairs + row),
                                          solution.movement(pairs + row), bound,
                                          (1 + mu) * force_rounding, rounding(pairs + row));
   }

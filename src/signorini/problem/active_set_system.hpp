@@ -160,11 +160,11 @@ struct ActiveSetSolution {
 /// [\ref AlartCurnier1991]. Of an active-set solution, what rounding may have done decides nothing.
 /// \param problem  scaled
 /// \param solution  any numbers; without roundings these count as 0
-/// \param reach    forces count reach times against gaps and slips
+/// \param force_scale    forces count force_scale times against gaps and slips
 /// \param[in,out] statuses  `n_c`: what was assumed, and then what the numbers say
 /// \return how many entries of `statuses` changed
-Eigen::Index predict(const ScaledProblem& problem, const ActiveSetSolution& solution, double reach,
-                     std::vector<ContactStatus>& statuses);
+Eigen::Index predict(const ScaledProblem& problem, const ActiveSetSolution& solution,
+                     double force_scale, std::vector<ContactStatus>& statuses);
 
 /// Whether an active-set solution is a solution: no force is tensile, no pair overlaps, friction keeps its bound and resists,
 /// all beyond rounding; and rounding is so small that certify() agrees. It does not where a system passed

@@ -167,7 +167,7 @@ inline constexpr double proof_rounding = 1e3 * epsilon;
 /// and amplitudes sum to \f$ y^T(d + F f + R a) \le d^T y < 0 \f$. A symmetric F is positive semidefinite but for rounding, so
 /// that F y = 0 is asked. Computed numbers give F^T y but for rounding, allowed here to
 /// be 1e3 epsilon of the largest that it could be; so the forces that lift the sum to zero, at least
-/// \f$ -d^T y / \max_i (F^T y)_i \f$, must be out of reach as well: beyond \f$ 1/\sqrt{\epsilon} \f$ times the
+/// \f$ -d^T y / \max_i (F^T y)_i \f$, must be out of force_scale as well: beyond \f$ 1/\sqrt{\epsilon} \f$ times the
 /// one that closes the deepest free overlap alone, all in the units of equilibrate(). And d^T y must exceed what
 /// rounding did to d. The same is asked of a programme by proves_infeasible().
 /// \param problem  as it was posed, or any M and q

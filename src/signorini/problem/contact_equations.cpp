@@ -18,13 +18,14 @@ MatrixXd in_balance(const ScaledProblem& problem) {
   MatrixXd projected = F - U * (U.transpose() * F);
   projected -= (projected * U).eval() * U.transpose();
   const double rounding = static_cast<double>(F.rows() + 1) * epsilon;
-  if (reach(projected) <= rounding * reach(F)) projected.setZero();  // only rigid motions
+  if (force_scale(projected) <= rounding * force_scale(F))
+    projected.setZero();  // only rigid motions
   return projected;
 }
 
 /// The factor on forces; where no force strains anything, that of the grounded body.
-double reach_of(const ScaledProblem& problem, const MatrixXd& compliance) {
-  return reach(compliance.isZero(0) ? problem.compliance : compliance);
+double force_scale_of(const ScaledProblem& problem, const MatrixXd& compliance) {
+  return force_scale(compliance.isZero(0) ? problem.compliance : compliance);
 }
 
 // The law: phi(tau + b, phi(b - tau, -slip)) = 0.
@@ -62,10 +63,10 @@ ContactEquations::ContactEquations(const ScaledProblem& problem, const Formulati
       in_balance_(problem.rigid.cols() > 0 && form.reading == Reading::Mended),
       compliance_(in_balance_ ? in_balance(problem) : problem.compliance),
       free_(problem.free),
-      reach_(form.reading == Reading::Mended ? reach_of(problem, compliance_) : 1),
+      force_scale_(form.reading == Reading::Mended ? force_scale_of(problem, compliance_) : 1),
       movement_(problem.free.size()),
       cohesion_(VectorXd::Zero(slips())) {
-  compliance_ /= reach_;
+  compliance_ /= force_scale_;
   if (!in_balance_) return;
   const MatrixXd& U = problem.rigid;
   free_ += problem.compliance * (U * problem.resultant);
@@ -74,7 +75,7 @@ ContactEquations::ContactEquations(const ScaledProblem& problem, const Formulati
 
 VectorXd ContactEquations::unknowns(const ActiveSetSolution& solution) {
   VectorXd x = VectorXd::Zero(size());
-  x.head(rows()) = reach_ * solution.force;
+  x.head(rows()) = force_scale_ * solution.force;
   x.segment(rows(), modes()) = solution.amplitude;
   if (in_balance_)
     x.segment(rows(), modes()) +=
@@ -85,7 +86,7 @@ VectorXd ContactEquations::unknowns(const ActiveSetSolution& solution) {
 }
 
 void ContactEquations::read(const VectorXd& x, ActiveSetSolution& solution) const {
-  solution.force = x.head(rows()) / reach_;
+  solution.force = x.head(rows()) / force_scale_;
   solution.movement = movement_;
   solution.amplitude = x.segment(rows(), modes());
   if (in_balance_)
@@ -104,7 +105,7 @@ void ContactEquations::choose_closed(const VectorXd& x) {
   move(x);
   for (Index k = 0; k < slips(); ++k) {
     const bool carries = form_.reading == Reading::AsPrinted || x(pair(k)) > movement_(pair(k));
-    cohesion_(k) = carries ? reach_ * problem_.law.cohesion(k) : 0;
+    cohesion_(k) = carries ? force_scale_ * problem_.law.cohesion(k) : 0;
   }
 }
 
@@ -122,7 +123,7 @@ void ContactEquations::evaluate(const VectorXd& x, VectorXd& residual) {
   for (Index i = 0; i < pairs(); ++i) residual(i) = fischer_burmeister(movement_(i), x(i));
   if (modes() > 0) {
     auto balance = residual.segment(rows(), modes());
-    balance = -reach_ * problem_.resultant;
+    balance = -force_scale_ * problem_.resultant;
     balance.noalias() += problem_.rigid.transpose() * x.head(rows());
   }
   form_.evaluate(*this, x, residual);

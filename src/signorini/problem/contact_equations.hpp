@@ -83,7 +83,7 @@ class ContactEquations {
   /// \return gaps and slips where evaluate() was called last
   [[nodiscard]] const Eigen::VectorXd& movement() const { return movement_; }
   /// \return what one unit of scaled force counts in x
-  [[nodiscard]] double reach() const { return reach_; }
+  [[nodiscard]] double force_scale() const { return force_scale_; }
   /// \param x  all unknowns
   /// \param k  a slip
   /// \return the bound b of its friction force
@@ -99,9 +99,9 @@ class ContactEquations {
   const ScaledProblem& problem_;
   const Formulation& form_;
   const bool in_balance_;       ///< whether movements are those of forces in balance
-  Eigen::MatrixXd compliance_;  ///< F, or P F P, over reach
+  Eigen::MatrixXd compliance_;  ///< F, or P F P, over force_scale
   Eigen::VectorXd free_;
-  double reach_;
+  double force_scale_;
   Eigen::VectorXd movement_;
   Eigen::VectorXd cohesion_;  ///< of the slips whose pairs are taken as closed
 };

@@ -97,13 +97,13 @@ ContactProblem as_posed(const ScaledProblem& problem) {
           problem.resultant};
 }
 
-double reach(const MatrixXd& compliance) {
+double force_scale(const MatrixXd& compliance) {
   const double sum = compliance.size() == 0 ? 0 : compliance.cwiseAbs().rowwise().sum().maxCoeff();
   return sum > 0 ? sum : 1;
 }
 
-double reach(const ScaledProblem& problem) {
-  if (problem.sparse.size() == 0) return reach(problem.compliance);
+double force_scale(const ScaledProblem& problem) {
+  if (problem.sparse.size() == 0) return force_scale(problem.compliance);
   const double sum = (problem.sparse.cwiseAbs() * VectorXd::Ones(problem.free.size())).maxCoeff();
   return sum > 0 ? sum : 1;
 }

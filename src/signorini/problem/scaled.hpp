@@ -55,10 +55,10 @@ struct ScaledProblem {
 /// pairs open a gap by.
 /// \param compliance  F of a scaled problem
 /// \return the sum, 1 if that is 0 [-]
-[[nodiscard]] double reach(const Eigen::MatrixXd& compliance);
+[[nodiscard]] double force_scale(const Eigen::MatrixXd& compliance);
 
 /// \param problem  scaled
 /// \return the same, by the entries that are not 0 where there are few
-[[nodiscard]] double reach(const ScaledProblem& problem);
+[[nodiscard]] double force_scale(const ScaledProblem& problem);
 
 }  // namespace signorini

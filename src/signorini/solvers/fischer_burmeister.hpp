@@ -18,7 +18,7 @@ namespace signorini {
 ///
 /// All is done on the equilibrated problem, where gap and force have one unit: with a length against a
 /// force the steps would depend on the choice of units. There, a force counts as the gap that such
-/// forces on all pairs make: phi(gap, reach * lambda) with the largest row sum of |G| as reach. Without
+/// forces on all pairs make: phi(gap, force_scale * lambda) with the largest row sum of |G| as force_scale. Without
 /// that factor the steps grow with the number of pairs, for a beam of 200 pairs from 15 to 55.
 ///
 /// Newton's method ends near the solution, not on it: as soon as two iterates agree on which pairs

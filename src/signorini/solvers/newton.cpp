@@ -86,11 +86,11 @@ class Newton {
 };
 
 /// What statuses say is closed, the pairs whose force exceeds their gap most first.
-ActiveSet clearest_first(const ScaledProblem& problem, const Iterate& iterate, double reach,
+ActiveSet clearest_first(const ScaledProblem& problem, const Iterate& iterate, double force_scale,
                          const std::vector<ContactStatus>& statuses) {
   ActiveSet set = active_set(statuses, problem.law);
   if (!problem.law.pair.empty()) return set;
-  const VectorXd excess = reach * iterate.solution.force - iterate.solution.movement;
+  const VectorXd excess = force_scale * iterate.solution.force - iterate.solution.movement;
   std::stable_sort(set.closed.begin(), set.closed.end(),
                    [&](Index i, Index j) { return excess(i) > excess(j); });
   return set;
@@ -109,13 +109,13 @@ void open_idle_pairs(const ScaledProblem& problem, Iterate& iterate) {
 
 /// The exact end from the statuses of an iterate, or from those which that end asks for: of a pair that touches
 /// without force, rounding decides the side.
-bool ends(const ScaledProblem& problem, double reach, Iterate& iterate) {
+bool ends(const ScaledProblem& problem, double force_scale, Iterate& iterate) {
   std::vector<ContactStatus> statuses = iterate.statuses;
   ActiveSetSolution start = iterate.solution;
   const bool frictional = !problem.law.pair.empty();
   if (!frictional) start.force.setZero();
   for (int trial = 0; trial < (problem.symmetric ? 2 : 1); ++trial) {
-    const ActiveSet set = clearest_first(problem, iterate, reach, statuses);
+    const ActiveSet set = clearest_first(problem, iterate, force_scale, statuses);
     iterate.report.factorisations += set.closed.empty() ? 0 : 1;
     ActiveSetSolution end = solve_active_set(problem, set, &start);
     const std::vector<ContactStatus> closed =
@@ -128,7 +128,7 @@ bool ends(const ScaledProblem& problem, double reach, Iterate& iterate) {
       return true;
     }
     statuses = closed;
-    if (!end.solvable || predict(problem, end, reach, statuses) == 0) return false;
+    if (!end.solvable || predict(problem, end, force_scale, statuses) == 0) return false;
   }
   return false;
 }
@@ -142,9 +142,9 @@ Iterate first_iterate(const ScaledProblem& problem) {
   ActiveSetSolution& now = iterate.solution;
   now.force.setZero(problem.free.size());
   now.amplitude.setZero(U.cols());
-  double unit = reach(problem);
+  double unit = force_scale(problem);
   if (U.cols() > 0) {
-    unit = ContactEquations(problem, nested_friction).reach();
+    unit = ContactEquations(problem, nested_friction).force_scale();
     now.force = U * problem.resultant;
     now.amplitude = -U.transpose() * (problem.free + problem.compliance * now.force);
   } else if (!problem.law.pair.empty() && problem.symmetric && problem.sparse.size() == 0) {
@@ -186,7 +186,7 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
 void follow_newton(const ScaledProblem& problem, const Formulation& form, Index limit,
                    Iterate& iterate) {
   ContactEquations equations(problem, form);
-  const double unit = equations.reach();
+  const double unit = equations.force_scale();
   VectorXd x = equations.unknowns(iterate.solution);
   Newton newton(equations, x);
   Report& report = iterate.report;

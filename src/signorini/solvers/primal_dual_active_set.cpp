@@ -96,7 +96,7 @@ void put_apart(const ScaledProblem& problem, Iterate& iterate) {
 }  // namespace
 
 void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& iterate) {
-  const double unit = reach(problem);
+  const double unit = force_scale(problem);
   const bool frictional = !problem.law.pair.empty();
   const bool plain = !frictional && problem.rigid.cols() == 0;
   std::set<std::vector<ContactStatus>> seen;
