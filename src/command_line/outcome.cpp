@@ -177,7 +177,7 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
     outcome.slip = std::move(state.slip);
     outcome.contact_status = std::move(state.contact_status);
     outcome.uniqueness = state.uniqueness;
-    outcome.doubt = state.doubt;
+    outcome.uniqueness_warning = state.uniqueness_warning;
   };
   return each(slips > 0 ? friction_solvers() : solvers(), asked, pairs,
               kind == Matrix::Asymmetric && slips == 0, tolerance, run);

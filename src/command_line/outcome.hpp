@@ -28,7 +28,7 @@ struct Outcome {
   Eigen::VectorXd slip;      ///< tangential movements of a friction problem
   std::vector<signorini::ContactStatus> contact_status;               ///< of its pairs
   signorini::Uniqueness uniqueness = signorini::Uniqueness::Unknown;  ///< of its solution
-  signorini::Doubt doubt = {};                                        ///< if that is doubtful
+  signorini::UniquenessWarning uniqueness_warning = {};               ///< if that is doubtful
   std::vector<Eigen::Index> frictional_pairs = {};       ///< pairs of the friction forces
   std::vector<signorini::ForceRange> undetermined = {};  ///< forces that could as well be others
   Eigen::VectorXd unknowns;                              ///< x of a quadratic programme

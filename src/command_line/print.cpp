@@ -106,13 +106,14 @@ void print_motions(std::ostream& out, const std::vector<ContactStatus>& statuses
 }
 
 /// What speaks for other solutions.
-void print_doubt(std::ostream& out, const Outcome& outcome) {
+void print_uniqueness_warning(std::ostream& out, const Outcome& outcome) {
   out << "there are other solutions: the determinant of ";
-  if (outcome.doubt.pair < 0)
+  if (outcome.uniqueness_warning.pair < 0)
     out << "the pairs that slide";
   else
-    out << "pair " << outcome.doubt.pair + 1;  // as the table counts
-  out << ", 1 without friction, is " << number(outcome.doubt.determinant, "%.6g") << '\n';
+    out << "pair " << outcome.uniqueness_warning.pair + 1;  // as the table counts
+  out << ", 1 without friction, is " << number(outcome.uniqueness_warning.determinant, "%.6g")
+      << '\n';
 }
 
 /// Whether there are other solutions, and what speaks for them: the pair counts from 1 as in the table, 0 being all
@@ -124,8 +125,8 @@ void write_uniqueness(Json& json, const Outcome& outcome) {
              : outcome.uniqueness == Uniqueness::Proved ? "proved"
                                                         : "unknown");
   if (!doubtful) return;
-  json.key("doubt").object().key("pair").value(outcome.doubt.pair + 1);
-  json.key("determinant").value(outcome.doubt.determinant).end();
+  json.key("doubt").object().key("pair").value(outcome.uniqueness_warning.pair + 1);
+  json.key("determinant").value(outcome.uniqueness_warning.determinant).end();
 }
 
 /// The solvers and the verdict. \param solution  adds what an accepted solution consists of
@@ -195,7 +196,7 @@ void print(std::ostream& out, const std::string& title, const FiledProblem& file
   if (filed.has_friction()) {
     if (n <= largest_printed) print_friction(out, *solution);
     print_motions(out, solution->contact_status);
-    if (solution->uniqueness == Uniqueness::Doubtful) print_doubt(out, *solution);
+    if (solution->uniqueness == Uniqueness::Doubtful) print_uniqueness_warning(out, *solution);
   } else if (n <= largest_printed) {
     print_columns(out, "force z", solution->force, "gap w", solution->gap);
   }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "addons/checks/doubts.hpp"
+#include "addons/checks/warnings.hpp"
 #include "addons/files/scene_file.hpp"
 #include "addons/frontal/backend.hpp"
 #include "addons/prediction/prediction.hpp"

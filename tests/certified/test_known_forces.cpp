@@ -39,19 +39,19 @@ TEST_CASE("the worst rounding is found where its signs are not in turns", "[cert
   REQUIRE(end.state.report.status == SolveStatus::Solved);
   CHECK(end.certificate.holds(1e-12));
   const double worst = (0.25 * stiff + 0.75) * epsilon * place.sum();
-  CHECK(end.doubt.share > 0.5 * worst);
-  CHECK(end.doubt.share < 1.001 * worst);
-  CHECK(end.doubt.pair >= 0);
+  CHECK(end.force_uncertainty.share > 0.5 * worst);
+  CHECK(end.force_uncertainty.share < 1.001 * worst);
+  CHECK(end.force_uncertainty.pair >= 0);
 }
 
 TEST_CASE("forces of pairs that differ by no pattern are known to rounding", "[certified_solve]") {
   const CertifiedSolution end = end_of(1, Vector4d(1, 2, 3, 5));
   REQUIRE(end.state.report.status == SolveStatus::Solved);
-  CHECK(end.doubt.share == Approx(5 * epsilon).epsilon(1e-12));
-  CHECK(end.doubt.pair == 3);
+  CHECK(end.force_uncertainty.share == Approx(5 * epsilon).epsilon(1e-12));
+  CHECK(end.force_uncertainty.pair == 3);
 }
 
 // Nothing is known of forces that would need more digits than there are.
 TEST_CASE("no force is less known than not at all", "[certified_solve]") {
-  CHECK(end_of(0x1p52, Vector4d(1, 2, 3, 5)).doubt.share == 1);
+  CHECK(end_of(0x1p52, Vector4d(1, 2, 3, 5)).force_uncertainty.share == 1);
 }

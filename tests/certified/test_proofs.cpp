@@ -115,7 +115,7 @@ TEST_CASE("a determinant of the wrong sign warns of other solutions", "[active_s
                                                 : Uniqueness::Unknown));
     if (contact_status != ContactStatus::SlipForward) continue;
     // det [1 -2 mu; -2 1] = 1 - 4 mu with mu the friction of the first alone: -3, and none from mu = 1/4 down.
-    const Doubt found = doubt(scaled, both, end);
+    const UniquenessWarning found = uniqueness_warning(scaled, both, end);
     CHECK(found.pair == 0);
     CHECK(found.determinant == Approx(-3).epsilon(1e-14).margin(0));
   }

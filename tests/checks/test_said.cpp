@@ -73,7 +73,7 @@ TEST_CASE("a pair in doubt is called by the number of its node in its own body",
     const Index node =
         model.pairs.node[static_cast<std::size_t>(pair)] - model.bodies[1].first_node;
     const auto x = model.bodies[1].mesh.nodes.row(node);
-    const std::string words = doubt_in_words(model, {pair, -0.25});
+    const std::string words = uniqueness_warning_in_words(model, {pair, -0.25});
     CAPTURE(words);
     CHECK(words.find(text("pair ", pair, " of node ", node, " of body 'upper' at (", x.x(), ", ",
                           x.y(), ')')) != std::string::npos);

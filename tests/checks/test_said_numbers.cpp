@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "addons/certified/end_words.hpp"
-#include "addons/checks/fit_doubts.hpp"
+#include "addons/checks/fit_warnings.hpp"
 #include "addons/effects/fit.hpp"
 #include "catch_compat.hpp"
 #include "support/doubtful_scenes.hpp"
@@ -78,11 +78,11 @@ TEST_CASE("a length is compared with the thinner of two bodies", "[said][fit]") 
   const Scene scene = held_blocks(named_block("lower", {0, 0}, {2, 1}, 2, 1),
                                   named_block("upper", {0, 1}, {2, 3}, 2, 3));
   const Model model = built(scene);
-  const auto doubt = [&](double length) {
-    return doubt_of_fit(scene.contacts[0], model.bodies, "interference", length);
+  const auto warning = [&](double length) {
+    return fit_warning(scene.contacts[0], model.bodies, "interference", length);
   };
-  CHECK(doubt(0.9).empty());
-  CHECK_THAT(doubt(2), ContainsSubstring("2 is more than the thinner body is thick there, 1."));
+  CHECK(warning(0.9).empty());
+  CHECK_THAT(warning(2), ContainsSubstring("2 is more than the thinner body is thick there, 1."));
 }
 
 TEST_CASE("a gap that was closed is compared with the smaller of two bodies", "[said][fit]") {
@@ -92,21 +92,21 @@ TEST_CASE("a gap that was closed is compared with the smaller of two bodies", "[
   solution.contact.force = Eigen::VectorXd::Unit(model.pairs.initial_gap.size(), 2);
   solution.contact.active = {2};
   model.pairs.initial_gap(2) = 20;
-  const std::vector<std::string> doubts = doubts_of_closed_gaps(model, solution);
-  REQUIRE(doubts.size() == 1);
-  CHECK_THAT(doubts[0], ContainsSubstring("closed a gap of 20, 4 times the size of 'upper'"));
+  const std::vector<std::string> warnings = closed_gap_warnings(model, solution);
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0], ContainsSubstring("closed a gap of 20, 4 times the size of 'upper'"));
 }
 
 TEST_CASE("gaps and overlaps that cancel are no gaps of nothing", "[said][fit]") {
   const Scene scene = doubtful("edges with more sag than clearance");
   const Model model = built(scene);
   Pairs pairs = model.pairs;
-  const auto doubt = [&] { return doubt_of_sag(scene.contacts[0], model.bodies, pairs); };
-  CHECK_FALSE(doubt().empty());
+  const auto warning = [&] { return sag_warning(scene.contacts[0], model.bodies, pairs); };
+  CHECK_FALSE(warning().empty());
   pairs.initial_gap.setZero();
   pairs.initial_gap(0) = 1;
   pairs.initial_gap(1) = -1;
-  CHECK(doubt().empty());
+  CHECK(warning().empty());
 }
 
 TEST_CASE("the corners of a source are counted, not its nodes", "[said]") {

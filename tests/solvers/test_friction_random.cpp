@@ -121,9 +121,11 @@ TEST_CASE("the warning names the pair, its determinant and the friction from whi
       REQUIRE(state.report.status == SolveStatus::Solved);
       const bool several = mu > 2.5;
       CHECK((state.uniqueness == Uniqueness::Doubtful) == several);
-      CHECK(state.doubt.pair == (several ? 0 : -1));
-      CHECK(state.doubt.determinant == Approx(several ? 1 - mu * k : 1).epsilon(1e-13).margin(0));
-      if (several) CHECK(mu / (1 - state.doubt.determinant) == Approx(1 / k).epsilon(1e-13));
+      CHECK(state.uniqueness_warning.pair == (several ? 0 : -1));
+      CHECK(state.uniqueness_warning.determinant ==
+            Approx(several ? 1 - mu * k : 1).epsilon(1e-13).margin(0));
+      if (several)
+        CHECK(mu / (1 - state.uniqueness_warning.determinant) == Approx(1 / k).epsilon(1e-13));
     }
 }
 
@@ -134,12 +136,13 @@ TEST_CASE("without the friction of the pair that is named, beyond its share, the
   for (int sample = 0; sample < 1500; ++sample) {
     ContactProblem problem = random_friction(random, 2 + sample % 4, 8);
     const ContactState solution = friction_solvers().front().solve(problem, {});
-    if (solution.report.status != SolveStatus::Solved || solution.doubt.pair < 0) continue;
+    if (solution.report.status != SolveStatus::Solved || solution.uniqueness_warning.pair < 0)
+      continue;
     const std::vector<ContactStatus> statuses = all_statuses(solution);
     if (!solve_active_set(equilibrate(problem), statuses).reversed) continue;
     ++named;
-    double& mu = problem.law.coefficient(solution.doubt.pair);
-    const double critical = mu / (1 - solution.doubt.determinant);
+    double& mu = problem.law.coefficient(solution.uniqueness_warning.pair);
+    const double critical = mu / (1 - solution.uniqueness_warning.determinant);
     CAPTURE(sample, mu, critical);
     mu = 1.000001 * critical;
     CHECK(solve_active_set(equilibrate(problem), statuses).reversed);

@@ -94,7 +94,7 @@ Scene confined(double pressure) {
   return scene;
 }
 
-void add_mesh_doubts(std::vector<DoubtfulScene>& all) {
+void add_mesh_warnings(std::vector<DoubtfulScene>& all) {
   const Mesh whole = merged(
       together(named_block("block", {0, 0}, {2, 2}, 4, 4), named_block("", {2, 0}, {2, 2}, 4, 4)));
   const std::vector<Support> both = {fixed("bottom"), fixed("bottom2")};
@@ -123,7 +123,7 @@ void add_mesh_doubts(std::vector<DoubtfulScene>& all) {
                  pressed(hanging_block(1), both)});
 }
 
-void add_load_doubts(std::vector<DoubtfulScene>& all) {
+void add_load_warnings(std::vector<DoubtfulScene>& all) {
   const Scene sound = with(block(), [](Scene& s) {
     s.bodies[0].loads.edges.push_back(
         traction("top", [](const Vector2d& x) { return Vector2d(0, x.x() - 2); }));  // a moment
@@ -160,7 +160,7 @@ void add_load_doubts(std::vector<DoubtfulScene>& all) {
                  sound});
 }
 
-void add_contact_doubts(std::vector<DoubtfulScene>& all) {
+void add_contact_warnings(std::vector<DoubtfulScene>& all) {
   const Scene beam = cantilever("q4_incompatible", 20, 2);
   const Scene blocks = stacked_blocks();
   all.push_back({"an obstacle listed twice",
@@ -247,7 +247,7 @@ Scene pin_in_bush(Eigen::Index pin_edges, Eigen::Index bush_edges) {
   return scene;
 }
 
-void add_fit_doubts(std::vector<DoubtfulScene>& all) {
+void add_fit_warnings(std::vector<DoubtfulScene>& all) {
   const auto on_floor = [](double gap, double adjust, double interference) {
     return with(confined(1), [=](Scene& s) {
       s.contacts[0].target = half_plane({0, -gap}, {0, 1});
@@ -313,10 +313,10 @@ void add_limits(std::vector<DoubtfulScene>& all) {
 
 std::vector<DoubtfulScene> doubtful_scenes() {
   std::vector<DoubtfulScene> all;
-  add_mesh_doubts(all);
-  add_load_doubts(all);
-  add_contact_doubts(all);
-  add_fit_doubts(all);
+  add_mesh_warnings(all);
+  add_load_warnings(all);
+  add_contact_warnings(all);
+  add_fit_warnings(all);
   add_limits(all);
   return all;
 }

@@ -205,7 +205,7 @@ void CertifiedSolve::take_over(const ContactState& claim, bool corrected) {
     return;
   }
   state.uniqueness = claim.uniqueness;
-  state.doubt = claim.doubt;
+  state.uniqueness_warning = claim.uniqueness_warning;
   state.reason = claim.reason;
   state.unbounded_direction = claim.unbounded_direction;
   state.farkas_certificate = claim.farkas_certificate;
@@ -275,7 +275,7 @@ void CertifiedSolve::conclude() {
         end_.certificate = certificate;
       }
     }
-    end_.doubt = force_doubt(data_, kept_, end_.solution, statuses_);
+    end_.force_uncertainty = force_uncertainty(data_, kept_, end_.solution, statuses_);
     state.report.status = SolveStatus::Solved;
     state.reason.clear();
     state.unbounded_direction.resize(0);

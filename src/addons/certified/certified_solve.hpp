@@ -32,7 +32,7 @@ struct CertifiedSolution {
   /// The same forces, gaps, slips and amplitudes, what the pairs do, and the report
   ContactState state;
   Certificate certificate = uncertified();  ///< of `solution`, from the original data
-  ForceDoubt doubt = {};                    ///< of a solution, from force_doubt()
+  ForceUncertainty force_uncertainty = {};  ///< of a solution, from force_uncertainty()
 };
 
 /// Solves the condensed problem, refines what the solver claims, and looks at all signs again.

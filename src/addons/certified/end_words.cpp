@@ -140,20 +140,20 @@ std::string unbounded_direction_in_words(const Model& model, const VectorXd& unb
   return joined(in_words(model.modes, unbounded_direction), "; ");
 }
 
-std::string doubt_in_words(const Model& model, const Doubt& doubt) {
+std::string uniqueness_warning_in_words(const Model& model, const UniquenessWarning& figure) {
   const std::string warning =
       "friction: there are other solutions of the same loads, this is one of them";
   const FrictionLaw& law = model.law;
-  const auto found = std::find(law.pair.begin(), law.pair.end(), doubt.pair);
+  const auto found = std::find(law.pair.begin(), law.pair.end(), figure.pair);
   if (found == law.pair.end())
     return text(warning,
                 ": the determinant of the pairs that slide, normalised to 1 without friction, is ",
-                doubt.determinant, ", and below 0 there are several");
+                figure.determinant, ", and below 0 there are several");
   const double mu = law.coefficient(found - law.pair.begin());
-  return text(warning, ": the determinant of ", pair_in_words(model, doubt.pair),
-              ", normalised to 1 without its friction, is ", doubt.determinant,
+  return text(warning, ": the determinant of ", pair_in_words(model, figure.pair),
+              ", normalised to 1 without its friction, is ", figure.determinant,
               ", and several solutions begin below 0, from a friction coefficient of ",
-              mu / (1 - doubt.determinant), " on; there it is ", mu);
+              mu / (1 - figure.determinant), " on; there it is ", mu);
 }
 
 std::string ray_in_words(const Model& model) {
@@ -175,18 +175,18 @@ std::string ray_in_words(const Model& model) {
               hold);
 }
 
-std::string force_doubt_in_words(const Model& model, const ForceDoubt& doubt) {
+std::string force_uncertainty_in_words(const Model& model, const ForceUncertainty& figure) {
   const std::string contact =
       model.contacts.empty()
           ? ""
           : text("contact '",
-                 model.contacts[model.contact_of[static_cast<std::size_t>(doubt.pair)]], "': ");
+                 model.contacts[model.contact_of[static_cast<std::size_t>(figure.pair)]], "': ");
   const std::string share =
-      doubt.share < 0.99
-          ? text("known only to ", number(100 * doubt.share, "%.2g"), " % of the largest")
+      figure.share < 0.99
+          ? text("known only to ", number(100 * figure.share, "%.2g"), " % of the largest")
           : std::string("not known at all");
   return text(contact, "contact forces of single pairs are ", share, ", such as that of ",
-              pair_in_words(model, doubt.pair),
+              pair_in_words(model, figure.pair),
               ": the gaps are rounded, and some pattern of forces moves hardly more than that, "
               "mostly plus and minus in turns where a stiff source presses on a softer side. "
               "Loads and forces still balance; take the softer or coarser side as source");

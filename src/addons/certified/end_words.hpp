@@ -17,9 +17,10 @@ namespace signorini {
 
 /// The warning of several solutions: which pair it rests on, and from which friction on it holds.
 /// \param model  that was solved
-/// \param doubt  of its solution, see doubt()
+/// \param figure  of its solution, see uniqueness_warning()
 /// \return a sentence
-[[nodiscard]] std::string doubt_in_words(const Model& model, const Doubt& doubt);
+[[nodiscard]] std::string uniqueness_warning_in_words(const Model& model,
+                                                      const UniquenessWarning& figure);
 
 /// What is known where Lemke's method ran off along a ray, and the way out.
 ///
@@ -31,9 +32,10 @@ namespace signorini {
 
 /// The note on forces that rounding of the gaps may have moved.
 /// \param model  that was solved
-/// \param doubt  of its forces, see force_doubt()
+/// \param figure  of its forces, see force_uncertainty()
 /// \return a sentence, with contact, pair, percent and the way out
-[[nodiscard]] std::string force_doubt_in_words(const Model& model, const ForceDoubt& doubt);
+[[nodiscard]] std::string force_uncertainty_in_words(const Model& model,
+                                                     const ForceUncertainty& figure);
 
 /// The note on pairs whose forces are not determined.
 /// \param model     that was solved

@@ -85,8 +85,9 @@ bool Estimate::idle(const VectorXd& force) const {
 
 }  // namespace
 
-ForceDoubt force_doubt(const RefinementData& data, const RefinedSolution& refined,
-                       const PrimalDual& solution, std::vector<ContactStatus> statuses) {
+ForceUncertainty force_uncertainty(const RefinementData& data, const RefinedSolution& refined,
+                                   const PrimalDual& solution,
+                                   std::vector<ContactStatus> statuses) {
   const double most = largest(solution.force);
   if (!refined.system || most == 0) return {};
   const VectorXd rounding = movement_rounding(data.programme, solution);
@@ -118,22 +119,22 @@ ForceDoubt force_doubt(const RefinementData& data, const RefinedSolution& refine
   Rows repeated;
   std::set_difference(set.closed.begin(), set.closed.end(), rows.begin(), rows.end(),
                       std::back_inserter(repeated));
-  ForceDoubt doubt;
+  ForceUncertainty uncertainty;
   VectorXd force = estimate.worst();
-  doubt.share = std::min(1.0, largest(force) / most);
-  if (estimate.idle(force)) doubt.share = 0;
+  uncertainty.share = std::min(1.0, largest(force) / most);
+  if (estimate.idle(force)) uncertainty.share = 0;
   if (!repeated.empty()) {
     const VectorXd other = estimate.beside(repeated);
     if (!estimate.idle(other)) {
       force = other;
-      doubt.share = 1;
+      uncertainty.share = 1;
     }
   }
-  if (!(doubt.share > 0)) return {};
-  force.cwiseAbs().maxCoeff(&doubt.pair);
-  if (const Index slip = doubt.pair - static_cast<Index>(statuses.size()); slip >= 0)
-    doubt.pair = data.scaled.law.pair[static_cast<std::size_t>(slip)];
-  return doubt;
+  if (!(uncertainty.share > 0)) return {};
+  force.cwiseAbs().maxCoeff(&uncertainty.pair);
+  if (const Index slip = uncertainty.pair - static_cast<Index>(statuses.size()); slip >= 0)
+    uncertainty.pair = data.scaled.law.pair[static_cast<std::size_t>(slip)];
+  return uncertainty;
 }
 
 }  // namespace signorini

@@ -10,7 +10,7 @@
 namespace signorini {
 
 /// What rounding of the gaps may have done to the forces.
-struct ForceDoubt {
+struct ForceUncertainty {
   Eigen::Index pair = -1;  ///< whose force, or friction force, it may have moved most; -1 if none
   double share = 0;  ///< by how much, of the largest force [-], from 0 to 1: nothing is known of it
 };
@@ -32,8 +32,9 @@ struct ForceDoubt {
 /// \param solution  u and forces `n_c + n_s`, as refined
 /// \param statuses   `n_c` that iterative_refinement() was given
 /// \return pair and share
-[[nodiscard]] ForceDoubt force_doubt(const RefinementData& data, const RefinedSolution& refined,
-                                     const PrimalDual& solution,
-                                     std::vector<ContactStatus> statuses);
+[[nodiscard]] ForceUncertainty force_uncertainty(const RefinementData& data,
+                                                 const RefinedSolution& refined,
+                                                 const PrimalDual& solution,
+                                                 std::vector<ContactStatus> statuses);
 
 }  // namespace signorini

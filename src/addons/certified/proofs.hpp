@@ -95,7 +95,8 @@ namespace signorini {
 /// \param statuses   `n_c` of the solution
 /// \param solution  a confirmed one that is `Doubtful`
 /// \return pair and determinant
-[[nodiscard]] Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-                          const ActiveSetSolution& solution);
+[[nodiscard]] UniquenessWarning uniqueness_warning(const ScaledProblem& problem,
+                                                   const std::vector<ContactStatus>& statuses,
+                                                   const ActiveSetSolution& solution);
 
 }  // namespace signorini

@@ -95,13 +95,15 @@ void Separate::put_into(CertifiedSolution& whole, CertifiedSolution part, Index 
   all.contact_status.resize(at(slips), ContactStatus::Open);
   for (std::size_t k = 0; k < now.contact_status.size(); ++k)
     all.contact_status[at(slips_[k])] = now.contact_status[k];
-  const bool first_doubt =
+  const bool first_warning =
       now.uniqueness == Uniqueness::Doubtful && all.uniqueness != Uniqueness::Doubtful;
-  if (first_doubt) all.doubt = now.doubt;
-  if (first_doubt && now.doubt.pair >= 0) all.doubt.pair = gaps_[at(now.doubt.pair)];
+  if (first_warning) all.uniqueness_warning = now.uniqueness_warning;
+  if (first_warning && now.uniqueness_warning.pair >= 0)
+    all.uniqueness_warning.pair = gaps_[at(now.uniqueness_warning.pair)];
   if (!parts_.rows.empty()) all.uniqueness = std::max(all.uniqueness, now.uniqueness);
-  if (part.doubt.share > whole.doubt.share)
-    whole.doubt = {gaps_[at(part.doubt.pair)], part.doubt.share};
+  if (part.force_uncertainty.share > whole.force_uncertainty.share)
+    whole.force_uncertainty = {gaps_[at(part.force_uncertainty.pair)],
+                               part.force_uncertainty.share};
   const SolveStatus before = all.report.status;
   append(all.report, now.report);
   if (before != SolveStatus::Solved)

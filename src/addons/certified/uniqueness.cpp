@@ -23,14 +23,14 @@ double own_determinant(const ScaledProblem& problem, Index k) {
                  problem.compliance(pair, pair);
 }
 
-/// The doubt that a determinant of the wrong sign is. If the friction of pair i is multiplied by k, column i of the
+/// The warning that a determinant of the wrong sign gives. If the friction of pair i is multiplied by k, column i of the
 /// matrix M loses (1 - k) b, and by Cramer's rule its determinant is 1 - (1 - k) (M^-1 b)_i times what it was.
-Doubt doubt_of_set(const ScaledProblem& problem, const ActiveSet& set) {
+UniquenessWarning warning_of_set(const ScaledProblem& problem, const ActiveSet& set) {
   const std::vector<Index>& rows = set.closed;
   const MatrixXd M = closing_matrix(problem, rows, set);
   const MatrixXd smooth = closing_matrix(problem, rows, ActiveSet{rows});
   const LuFactor factor(M);
-  Doubt most;
+  UniquenessWarning most;
   double largest_share = 1;
   for (const SlidingPair& pair : set.sliding) {
     const Index column = std::find(rows.begin(), rows.end(), pair.gap) - rows.begin();
@@ -165,10 +165,11 @@ Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactSta
   return only ? Uniqueness::Proved : Uniqueness::Unknown;
 }
 
-Doubt doubt(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
-            const ActiveSetSolution& solution) {
-  if (solution.reversed) return doubt_of_set(problem, active_set(statuses, problem.law));
-  Doubt least;
+UniquenessWarning uniqueness_warning(const ScaledProblem& problem,
+                                     const std::vector<ContactStatus>& statuses,
+                                     const ActiveSetSolution& solution) {
+  if (solution.reversed) return warning_of_set(problem, active_set(statuses, problem.law));
+  UniquenessWarning least;
   for (Index k = 0; k < problem.law.coefficient.size(); ++k)
     if (const double own = own_determinant(problem, k); own < least.determinant)
       least = {problem.law.pair[static_cast<std::size_t>(k)], own};

@@ -1,5 +1,5 @@
 /// \file
-/// How the two sides of a contact stand to each other, for those who doubt that it is meant so.
+/// How the two sides of a contact stand to each other, for warnings.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

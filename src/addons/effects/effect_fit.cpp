@@ -52,8 +52,8 @@ void price_fit(const Scene& scene, Plan& draft, Fit length, const std::string& n
     pose(std::isfinite(given) && given >= 0, what, " must be a length >= 0, got ", given);
     if (given <= 0) continue;
     draft.on.push_back(text(what, ": ", given));
-    std::string doubt = doubt_of_fit(contact, draft.bodies, name, given);
-    if (!doubt.empty()) draft.notes.push_back(std::move(doubt));
+    std::string warning = fit_warning(contact, draft.bodies, name, given);
+    if (!warning.empty()) draft.notes.push_back(std::move(warning));
   }
 }
 
@@ -77,8 +77,8 @@ std::string fit(const ContactSpec& contact, Pairs& pairs) {
   return words;
 }
 
-std::string doubt_of_fit(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
-                         const std::string& name, double length) {
+std::string fit_warning(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
+                        const std::string& name, double length) {
   double thin = thickness(bodies, contact.source);
   if (const Side* target = std::get_if<Side>(&contact.target))
     thin = std::min(thin, thickness(bodies, *target));

@@ -21,8 +21,8 @@ namespace signorini {
 /// \param name     of the length
 /// \param length   its `adjust` or `interference` [length]
 /// \return a note if the length is more; else empty
-[[nodiscard]] std::string doubt_of_fit(const ContactSpec& contact,
-                                       const std::vector<BodyModel>& bodies,
-                                       const std::string& name, double length);
+[[nodiscard]] std::string fit_warning(const ContactSpec& contact,
+                                      const std::vector<BodyModel>& bodies, const std::string& name,
+                                      double length);
 
 }  // namespace signorini

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "addons/checks/doubts.hpp"
+#include "addons/checks/warnings.hpp"
 #include "addons/files/kinds.hpp"
 #include "addons/files/scene_keys.hpp"
 #include "signorini/core/text_reader.hpp"

@@ -148,12 +148,12 @@ enum class Uniqueness {
   Doubtful  ///< others exist: a sign proves it, or one was found, see uniqueness()
 };
 
-/// The pair that a warning of several solutions rests on, see doubt().
+/// The pair that a warning of several solutions rests on, see uniqueness_warning().
 ///
 /// The determinant of the equations of the pairs that slide is linear in the mu of each of them. Divided by its value
 /// without the friction of this pair, it is \f$ 1 - \mu/\mu_c \f$: it changes its sign, and several solutions begin, at
 /// \f$ \mu_c = \mu / (1 - determinant) \f$.
-struct Doubt {
+struct UniquenessWarning {
   Eigen::Index pair =
       -1;  ///< its number; -1 if there is no warning, or it is of all sliding pairs together
   double determinant = 1;  ///< normalised as above, or by that without any friction [-]; < 0 warns
@@ -172,7 +172,7 @@ struct ContactState {
   std::vector<ContactStatus> contact_status = {};  ///< `n_s` what these pairs do
   Eigen::VectorXd amplitude = {};                  ///< a `n_r`
   Uniqueness uniqueness = Uniqueness::Unknown;     ///< of a solution with friction
-  Doubt doubt = {};                                ///< what `Doubtful` rests on
+  UniquenessWarning uniqueness_warning = {};       ///< what `Doubtful` rests on
   std::string reason = {};  ///< what stopped the solver, in words; may be empty
   /// Proof that nothing solves the problem, or empty: y `n_c` >= 0 with G y = 0 and d^T y < 0. For any
   /// forces, \f$ y^T(d + G\lambda) = d^T y < 0 \f$, so some gap stays negative.

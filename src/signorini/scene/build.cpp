@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "addons/checks/doubts.hpp"
+#include "addons/checks/warnings.hpp"
 #include "signorini/core/bytes.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "addons/checks/contact_doubts.hpp"
-#include "addons/checks/fit_doubts.hpp"
+#include "addons/checks/contact_warnings.hpp"
+#include "addons/checks/fit_warnings.hpp"
 #include "addons/effects/fit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -54,9 +54,9 @@ void price_contact(const Scene& scene, Plan& draft) {
     const std::string what = describe(draft.bodies, contact);
     Pairs found = pair_up(contact, draft.bodies, sliding);
     const Eigen::VectorXd gap = found.initial_gap;
-    for (std::string& note : doubts_of_places(contact, draft.bodies, found))
+    for (std::string& note : contact_warnings(contact, draft.bodies, found))
       draft.notes.push_back(std::move(note));
-    std::string sag = doubt_of_sag(contact, draft.bodies, found);
+    std::string sag = sag_warning(contact, draft.bodies, found);
     if (!sag.empty()) draft.notes.push_back(std::move(sag));
     const std::string fitted = fit(contact, found);
     const Gaps gaps =

@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "addons/checks/doubts.hpp"
+#include "addons/checks/warnings.hpp"
 #include "signorini/core/bytes.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/regions.hpp"
@@ -137,7 +137,7 @@ void plan_unknowns(const Scene& scene, Plan& plan) {
   plan.unknowns = joined(unknowns);
   plan.modes = rigid_modes(plan.bodies);
   for (const BodyModel& body : plan.bodies)
-    for (std::string& note : doubts_of_mesh(scene, body)) plan.notes.push_back(std::move(note));
+    for (std::string& note : mesh_warnings(scene, body)) plan.notes.push_back(std::move(note));
 }
 
 /// Rows of A, of gaps and of slips.
@@ -198,7 +198,7 @@ Plan plan(const Scene& scene) {
     check_pairs(plan);
   });
   for (const Body& body : scene.bodies)
-    for (std::string& note : doubts_of_loads(body)) plan.notes.push_back(std::move(note));
+    for (std::string& note : load_warnings(body)) plan.notes.push_back(std::move(note));
   if (plan.gaps.A.rows() > 0)
     plan.on.push_back(
         text("solver ", plan.solver.name, " on the condensed problem, certified from K, p, A, g"));

@@ -9,8 +9,8 @@
 #include "addons/certified/end_words.hpp"
 #include "addons/certified/proofs.hpp"
 #include "addons/certified/undetermined.hpp"
-#include "addons/checks/doubts.hpp"
-#include "addons/checks/fit_doubts.hpp"
+#include "addons/checks/fit_warnings.hpp"
+#include "addons/checks/warnings.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -127,10 +127,10 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   solution.displacements = displacements_of_bodies(model, refined.displacement);
   solution.refined = std::move(refined);
   if (solution.contact.report.status != SolveStatus::Solved) return;
-  for (std::string& note : doubts_of_solution(model, solution))
+  for (std::string& note : solution_warnings(model, solution))
     solution.notes.push_back(std::move(note));
   note_shared_forces(model, solution);
-  for (std::string& note : doubts_of_closed_gaps(model, solution))
+  for (std::string& note : closed_gap_warnings(model, solution))
     solution.notes.push_back(std::move(note));
 }
 
@@ -221,9 +221,9 @@ Solution solve(const Model& model, const Condensed& condensed, const Solver& sol
   solution.certificate = end.certificate;
   const ContactState& contact = solution.contact;
   if (contact.uniqueness == Uniqueness::Doubtful && contact.report.status == SolveStatus::Solved)
-    solution.notes.push_back(doubt_in_words(model, contact.doubt));
-  if (contact.report.status == SolveStatus::Solved && end.doubt.share > known_well)
-    solution.notes.push_back(force_doubt_in_words(model, end.doubt));
+    solution.notes.push_back(uniqueness_warning_in_words(model, contact.uniqueness_warning));
+  if (contact.report.status == SolveStatus::Solved && end.force_uncertainty.share > known_well)
+    solution.notes.push_back(force_uncertainty_in_words(model, end.force_uncertainty));
   if (contact.report.status == SolveStatus::Ray) solution.contact.reason = ray_in_words(model);
   solution.unbounded_direction = unbounded_direction_in_words(model, contact.unbounded_direction);
   if (contact.unbounded_direction.size() > 0 && !model.law.pair.empty() && model.parts.empty())

@@ -179,7 +179,7 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
   if (iterate.confirmed && !scaled.law.pair.empty() && scaled.symmetric)
     state.uniqueness = uniqueness(scaled, iterate.statuses, iterate.solution);
   if (state.uniqueness == Uniqueness::Doubtful)
-    state.doubt = doubt(scaled, iterate.statuses, iterate.solution);
+    state.uniqueness_warning = uniqueness_warning(scaled, iterate.statuses, iterate.solution);
   return state;
 }
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "addons/checks/doubts.hpp"
+#include "addons/checks/warnings.hpp"
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/scene/readings.hpp"
@@ -20,7 +20,7 @@ using namespace signorini_test;
 namespace {
 
 /// Of each note that a sound scene does not have.
-const char* const doubts[] = {
+const char* const warnings[] = {
     "loose pieces",           "coincide with others",   "hang on the side",
     "zero everywhere",        "no force and no moment", "no node of the boundary faces",
     "can open or close",      "lie behind the target",  "no pair carries a force",
@@ -46,7 +46,7 @@ std::string lines(const std::vector<std::string>& notes) {
 
 }  // namespace
 
-TEST_CASE("a doubtful scene is told, a sound one is not", "[doubts]") {
+TEST_CASE("a doubtful scene is told, a sound one is not", "[warnings]") {
   for (const DoubtfulScene& doubtful : doubtful_scenes()) {
     CAPTURE(doubtful.mistake);
     const auto planned = [&] { return plan(doubtful.scene).notes; };
@@ -69,11 +69,12 @@ TEST_CASE("a doubtful scene is told, a sound one is not", "[doubts]") {
     const Solution sound = solve(doubtful.sound);
     CAPTURE(lines(sound.notes));
     CHECK(sound.contact.report.status == SolveStatus::Solved);
-    for (const char* doubt : doubts) CHECK_FALSE(tells(sound.notes, {doubt}));
+    for (const char* warning : warnings) CHECK_FALSE(tells(sound.notes, {warning}));
   }
 }
 
-TEST_CASE("doubts have the same words in other units, but for the numbers of places", "[doubts]") {
+TEST_CASE("doubts have the same words in other units, but for the numbers of places",
+          "[warnings]") {
   for (const double pressure : {3.6, 360.0, 3.6e6}) {
     const auto kinds = [&](const Units& units) {
       const std::vector<std::string> notes =
@@ -92,7 +93,8 @@ TEST_CASE("doubts have the same words in other units, but for the numbers of pla
 }
 
 // u = (x, y) G^T: every strain measure has a closed form, on cells of any shape.
-TEST_CASE("strain and rotation of a linear displacement are exact on distorted cells", "[doubts]") {
+TEST_CASE("strain and rotation of a linear displacement are exact on distorted cells",
+          "[warnings]") {
   for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
     Scene scene;
     Body& body = scene.bodies[0];
@@ -111,7 +113,7 @@ TEST_CASE("strain and rotation of a linear displacement are exact on distorted c
     const double rotation = 0.03 * 180 / std::acos(-1.0);
     for (const double factor : {1 - 1e-9, 1 + 1e-9}) {
       const auto notes = [&](const SmallLimits& limits) {
-        return doubts_of_solution(model, solution, limits);
+        return solution_warnings(model, solution, limits);
       };
       CHECK(notes({factor * strain, 90, 1}).empty() == (factor > 1));
       CHECK(notes({1, factor * rotation, 1}).empty() == (factor > 1));
@@ -119,7 +121,7 @@ TEST_CASE("strain and rotation of a linear displacement are exact on distorted c
   }
 }
 
-TEST_CASE("in axial symmetry a hoop strain counts", "[doubts]") {
+TEST_CASE("in axial symmetry a hoop strain counts", "[warnings]") {
   Scene scene = signorini_test::cantilever("q4_incompatible", 4, 2);
   scene.contacts.clear();
   Ledger ledger;
@@ -127,12 +129,12 @@ TEST_CASE("in axial symmetry a hoop strain counts", "[doubts]") {
   Solution solution = solve(model, condense(model, ledger), ledger);
   solution.displacements[0].setZero();
   solution.displacements[0].col(0).setConstant(1);  // at the radii 0 to 50
-  CHECK(doubts_of_solution(model, solution).empty());
+  CHECK(solution_warnings(model, solution).empty());
   model.bodies[0].material.base.state = PlaneState::Axial;
-  CHECK(tells(doubts_of_solution(model, solution), {"strain 16 %", "cell 0"}));  // at 6.25
+  CHECK(tells(solution_warnings(model, solution), {"strain 16 %", "cell 0"}));  // at 6.25
 }
 
-TEST_CASE("the pressure is compared with the softer body, whichever side it is", "[doubts]") {
+TEST_CASE("the pressure is compared with the softer body, whichever side it is", "[warnings]") {
   for (const std::size_t soft : {0, 1}) {
     Scene scene = two_blocks(named_block("lower", {-1, -1}, {2, 1}, 4, 2),
                              named_block("upper", {-1, 0}, {2, 1}, 4, 2));
@@ -151,7 +153,7 @@ TEST_CASE("the pressure is compared with the softer body, whichever side it is",
   }
 }
 
-TEST_CASE("faces of a crack that may touch are meant", "[doubts]") {
+TEST_CASE("faces of a crack that may touch are meant", "[warnings]") {
   const Mesh mesh = split_block(0.5, 2);
   Scene scene;
   scene.bodies[0].mesh = mesh;
@@ -179,10 +181,10 @@ TEST_CASE("faces of a crack that may touch are meant", "[doubts]") {
   CHECK(solution.contact.report.status == SolveStatus::Solved);
   CHECK(solution.contact.force.sum() > 0);
   CAPTURE(lines(solution.notes));
-  for (const char* doubt : doubts) CHECK_FALSE(tells(solution.notes, {doubt}));
+  for (const char* warning : warnings) CHECK_FALSE(tells(solution.notes, {warning}));
 }
 
-TEST_CASE("pressure around a closed boundary has no resultant and is meant", "[doubts]") {
+TEST_CASE("pressure around a closed boundary has no resultant and is meant", "[warnings]") {
   Scene scene;
   AnnulusSpec ring;
   ring.cells_angle = 24;
@@ -201,7 +203,7 @@ TEST_CASE("pressure around a closed boundary has no resultant and is meant", "[d
 }
 
 TEST_CASE("contacts that share sides are one contact twice, those that share a node are not",
-          "[doubts]") {
+          "[warnings]") {
   Scene scene = cantilever("q4_incompatible", 20, 2);
   const double all = solve(scene).contact.force.sum();
   Mesh& mesh = scene.bodies[0].mesh;
@@ -223,7 +225,7 @@ TEST_CASE("contacts that share sides are one contact twice, those that share a n
   CHECK_NOTHROW(plan(scene));
 }
 
-TEST_CASE("an error tells the notes as well", "[doubts]") {
+TEST_CASE("an error tells the notes as well", "[warnings]") {
   Scene scene = cantilever("q4", 10, 2);
   scene.bodies[0].material.state = PlaneState::Strain;
   scene.bodies[0].material.poisson_ratio = 0.45;
@@ -242,7 +244,7 @@ TEST_CASE("an error tells the notes as well", "[doubts]") {
 }
 
 // Bodies, loads and contacts of random scenes are sound; how large their loads are is left to chance.
-TEST_CASE("random scenes raise no doubt but of what they have", "[doubts][random]") {
+TEST_CASE("random scenes raise no doubt but of what they have", "[warnings][random]") {
   for (const RandomScenes kind : {RandomScenes::Frictionless, RandomScenes::Frictional})
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
       CAPTURE(seed);
@@ -251,10 +253,10 @@ TEST_CASE("random scenes raise no doubt but of what they have", "[doubts][random
       const std::string error = problem_message([&] { notes = plan(drawn.scene).notes; });
       for (const char* cause : {"same sides", "in front of the"})
         CHECK_THAT(error, !ContainsSubstring(cause));
-      for (const char* doubt : doubts)
-        if (doubt != std::string("zero everywhere") &&
-            doubt != std::string("straight edges of the target"))
-          CHECK_FALSE(tells(notes, {doubt}));
+      for (const char* warning : warnings)
+        if (warning != std::string("zero everywhere") &&
+            warning != std::string("straight edges of the target"))
+          CHECK_FALSE(tells(notes, {warning}));
       const auto idle = [](const EdgeLoad& load) { return load.pressure == 0 && !load.traction; };
       bool has_idle = false;
       for (const Body& body : drawn.scene.bodies)
@@ -263,7 +265,7 @@ TEST_CASE("random scenes raise no doubt but of what they have", "[doubts][random
     }
 }
 
-TEST_CASE("an error tells every note once, however many tell them", "[doubts]") {
+TEST_CASE("an error tells every note once, however many tell them", "[warnings]") {
   const std::vector<std::string> one = {"soft"}, both = {"soft", "thin"};
   const std::string told = signorini_test::problem_message(
       [&] { telling(both, [&] { telling(one, [] { throw ProblemError("it fails"); }); }); });

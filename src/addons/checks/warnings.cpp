@@ -1,4 +1,4 @@
-#include "addons/checks/doubts.hpp"
+#include "addons/checks/warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -240,14 +240,14 @@ std::string exceeded(const Model& model, const Solution& solution, const SmallLi
 
 }  // namespace
 
-std::vector<std::string> doubts_of_mesh(const Scene& scene, const BodyModel& body) {
+std::vector<std::string> mesh_warnings(const Scene& scene, const BodyModel& body) {
   Notes notes;
   note_pieces(body.mesh, body.pieces, notes);
   note_loose_nodes(scene, body.mesh, notes);
   return notes;
 }
 
-std::vector<std::string> doubts_of_loads(const Body& body) {
+std::vector<std::string> load_warnings(const Body& body) {
   Notes notes;
   for (const EdgeLoad& load : body.loads.edges)
     note_edge_load(body.mesh, load, depth_of(body.material), notes);
@@ -263,8 +263,8 @@ std::vector<std::string> doubts_of_loads(const Body& body) {
   return notes;
 }
 
-std::vector<std::string> doubts_of_solution(const Model& model, const Solution& solution,
-                                            const SmallLimits& limits) {
+std::vector<std::string> solution_warnings(const Model& model, const Solution& solution,
+                                           const SmallLimits& limits) {
   Notes notes;
   const Eigen::VectorXd& force = solution.contact.force;
   if (force.size() > 0 && force.maxCoeff() <= 0) {

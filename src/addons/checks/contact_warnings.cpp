@@ -1,4 +1,4 @@
-#include "addons/checks/contact_doubts.hpp"
+#include "addons/checks/contact_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,8 +69,8 @@ bool pair_the_same(const ContactSpec& one, const ContactSpec& two,
 }
 
 /// Of an obstacle: its normal must point towards the body.
-std::string doubt_of_obstacle(const Obstacle& obstacle, const std::string& what,
-                              const Surface& source, const Pairs& pairs) {
+std::string obstacle_warning(const Obstacle& obstacle, const std::string& what,
+                             const Surface& source, const Pairs& pairs) {
   const Eigen::VectorXd cosine = facing(pairs, source);
   Index turned = 0;
   const double most = cosine.maxCoeff(&turned);
@@ -90,8 +90,8 @@ std::string doubt_of_obstacle(const Obstacle& obstacle, const std::string& what,
       "of the obstacle points");
 }
 
-std::string doubt_of_passage(const std::string& what, const Surface& source, const Surface& target,
-                             const Pairs& pairs) {
+std::string passage_warning(const std::string& what, const Surface& source, const Surface& target,
+                            const Pairs& pairs) {
   const bool overlap = (pairs.initial_gap.array() < -gap_rounding(pairs)).any();
   if (pairs.unpaired.empty() && !overlap) return "";
   const PassedNodes passed = passed_nodes(source, target);
@@ -104,7 +104,7 @@ std::string doubt_of_passage(const std::string& what, const Surface& source, con
 }
 
 /// How far a side turns at a node, if that is too far for one pair with one normal and one pressure.
-std::string doubt_of_turn(const std::string& what, const Surface& source) {
+std::string turn_warning(const std::string& what, const Surface& source) {
   // A side of twelve edges turns by as much, and rounding does not decide about it.
   const double too_far = std::cos(pi / 6) - 16 * direction_rounding(source.mesh);
   std::map<Index, Eigen::Vector2d> normals;
@@ -141,7 +141,7 @@ void check_listed_once(const Scene& scene, const std::vector<BodyModel>& bodies)
            "boundaries have no side in common");
 }
 
-std::vector<std::string> doubts_of_places(const ContactSpec& contact,
+std::vector<std::string> contact_warnings(const ContactSpec& contact,
                                           const std::vector<BodyModel>& bodies,
                                           const Pairs& pairs) {
   const std::string what = describe(bodies, contact);
@@ -154,9 +154,9 @@ std::vector<std::string> doubts_of_places(const ContactSpec& contact,
   const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target);
   notes.push_back(
       obstacle != nullptr
-          ? doubt_of_obstacle(*obstacle, what, source, pairs)
-          : doubt_of_passage(what, source, surface(bodies, std::get<Side>(contact.target)), pairs));
-  notes.push_back(doubt_of_turn(what, source));
+          ? obstacle_warning(*obstacle, what, source, pairs)
+          : passage_warning(what, source, surface(bodies, std::get<Side>(contact.target)), pairs));
+  notes.push_back(turn_warning(what, source));
   notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());
   return notes;
 }

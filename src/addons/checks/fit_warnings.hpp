@@ -14,14 +14,14 @@ namespace signorini {
 /// \param bodies   of the scene
 /// \param pairs    of the contact as the meshes give them, before fit()
 /// \return a note if that is more than the mean gap and than what the contact adjusts or presses by; else empty
-[[nodiscard]] std::string doubt_of_sag(const ContactSpec& contact,
-                                       const std::vector<BodyModel>& bodies, const Pairs& pairs);
+[[nodiscard]] std::string sag_warning(const ContactSpec& contact,
+                                      const std::vector<BodyModel>& bodies, const Pairs& pairs);
 
 /// Compares gaps that were closed with the sizes of bodies.
 /// \param model     that was solved
 /// \param solution  of it, Solved
 /// \return a note on a pair that carries a force and has closed a gap larger than the smaller of its bodies; else none
-[[nodiscard]] std::vector<std::string> doubts_of_closed_gaps(const Model& model,
-                                                             const Solution& solution);
+[[nodiscard]] std::vector<std::string> closed_gap_warnings(const Model& model,
+                                                           const Solution& solution);
 
 }  // namespace signorini

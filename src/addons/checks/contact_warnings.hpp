@@ -23,7 +23,7 @@ void check_listed_once(const Scene& scene, const std::vector<BodyModel>& bodies)
 ///   faces
 /// \throws ProblemError if the normal of an obstacle points into it: no node is in front of it, and some look
 ///   the same way
-[[nodiscard]] std::vector<std::string> doubts_of_places(const ContactSpec& contact,
+[[nodiscard]] std::vector<std::string> contact_warnings(const ContactSpec& contact,
                                                         const std::vector<BodyModel>& bodies,
                                                         const Pairs& pairs);
 

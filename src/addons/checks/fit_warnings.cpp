@@ -1,4 +1,4 @@
-#include "addons/checks/fit_doubts.hpp"
+#include "addons/checks/fit_warnings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +61,8 @@ std::size_t smallest(const Model& model, const std::vector<double>& sizes, Index
 
 }  // namespace
 
-std::string doubt_of_sag(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
-                         const Pairs& pairs) {
+std::string sag_warning(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
+                        const Pairs& pairs) {
   const Side* side = std::get_if<Side>(&contact.target);
   if (side == nullptr || pairs.initial_gap.size() == 0) return "";
   const Surface source = surface(bodies, contact.source);
@@ -85,7 +85,7 @@ std::string doubt_of_sag(const ContactSpec& contact, const std::vector<BodyModel
               "nodes, take finer edges or quadratic cells, or adjust gaps by the sag");
 }
 
-std::vector<std::string> doubts_of_closed_gaps(const Model& model, const Solution& solution) {
+std::vector<std::string> closed_gap_warnings(const Model& model, const Solution& solution) {
   std::vector<double> sizes;
   for (const BodyModel& body : model.bodies) sizes.push_back(size_of(body.mesh));
   double farthest = 1;
