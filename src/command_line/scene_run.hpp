@@ -83,7 +83,7 @@ struct SceneRun {
   /// \throws signorini::ProblemError as the action, with the line and the notes so far
   template <typename Action>
   auto step(const Action& action) const -> decltype(action()) {
-    return signorini::at_file(file, [&] { return signorini::telling(notes(), action); });
+    return signorini::at_file(file, [&] { return signorini::with_context(notes(), action); });
   }
 };
 

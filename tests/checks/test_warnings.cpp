@@ -267,8 +267,9 @@ TEST_CASE("random scenes raise no doubt but of what they have", "[warnings][rand
 
 TEST_CASE("an error tells every note once, however many tell them", "[warnings]") {
   const std::vector<std::string> one = {"soft"}, both = {"soft", "thin"};
-  const std::string told = signorini_test::problem_message(
-      [&] { telling(both, [&] { telling(one, [] { throw ProblemError("it fails"); }); }); });
+  const std::string told = signorini_test::problem_message([&] {
+    with_context(both, [&] { with_context(one, [] { throw ProblemError("it fails"); }); });
+  });
   CHECK(told == "it fails. Note: soft; thin");
   CHECK(with_notes("it fails", {}) == "it fails");
   CHECK(without_notes(told) == "it fails");

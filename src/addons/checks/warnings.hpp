@@ -46,7 +46,7 @@ namespace signorini {
 /// \return what it returns
 /// \throws ProblemError as the action, with the notes
 template <typename Action>
-auto telling(const std::vector<std::string>& notes, Action&& action) {
+auto with_context(const std::vector<std::string>& notes, Action&& action) {
   try {
     return action();
   } catch (const ProblemError& error) {

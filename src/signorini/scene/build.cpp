@@ -30,7 +30,7 @@ Model build(Plan plan, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "assembly");
   Model model;
   LinearSystem system =
-      telling(plan.notes, [&] { return assemble_all(plan.bodies, plan.unknowns.count); });
+      with_context(plan.notes, [&] { return assemble_all(plan.bodies, plan.unknowns.count); });
   model.programme.stiffness.swap(system.stiffness);
   model.programme.load.swap(system.load);
   model.programme.A.resize(0, plan.unknowns.count);
@@ -40,7 +40,7 @@ Model build(Plan plan, Ledger& ledger) {
   model.solver = std::move(plan.solver);
   model.backend = std::move(plan.backend);
   model.notes = std::move(plan.notes);
-  telling(model.notes, [&] {
+  with_context(model.notes, [&] {
     for (const Effect* effect : plan.effects)
       if (effect->add != nullptr) effect->add(plan, model);
   });

@@ -193,7 +193,7 @@ Plan plan(const Scene& scene) {
   plan.gaps.pairs.sliding.resize(0, components);
   plan.solver = scene.solver;
   plan.backend = scene.backend;
-  telling(plan.notes, [&] {
+  with_context(plan.notes, [&] {
     plan_effects(scene, plan);
     check_pairs(plan);
   });

@@ -177,7 +177,7 @@ void move_freely(const Model& model, VectorXd free_displacement, Condensed& cond
 }
 
 Condensed condense(const Model& model, Ledger& ledger) {
-  Condensed condensed{telling(model.notes, [&] { return factor(model, ledger); }), {}, {}};
+  Condensed condensed{with_context(model.notes, [&] { return factor(model, ledger); }), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
   ledger.count("operations of one solve", one_solve(condensed));
   ContactProblem& problem = condensed.problem;
