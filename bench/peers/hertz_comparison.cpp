@@ -45,8 +45,8 @@ void judge(const HertzCase& now, Answer& answer) {
   const LineContact theory = now.problem.theory();
   const RimForces& rim = answer.rim;
   const Eigen::VectorXd weight = rim_of(now).weight;
-  pose(static_cast<Eigen::Index>(rim.x.size()) == weight.size(), "it has forces at ", rim.x.size(),
-       " nodes, the rim has ", weight.size());
+  require_input(static_cast<Eigen::Index>(rim.x.size()) == weight.size(), "it has forces at ",
+                rim.x.size(), " nodes, the rim has ", weight.size());
   std::vector<double> pressure(rim.x.size());
   for (std::size_t k = 0; k < pressure.size(); ++k)
     pressure[k] = rim.force[k] / weight(static_cast<Eigen::Index>(k));

@@ -17,7 +17,7 @@ using Eigen::Index;
 /// Lines of a file that a program wrote.
 std::vector<std::string> lines_of(const std::filesystem::path& file) {
   std::ifstream in(file);
-  pose(in.good(), "it wrote no ", file.filename().string());
+  require_input(in.good(), "it wrote no ", file.filename().string());
   std::vector<std::string> lines;
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
@@ -38,11 +38,12 @@ RimForces read_columns(const std::filesystem::path& file, std::size_t x, std::si
   for (const std::string& line : lines_of(file)) {
     if (line.empty() || line[0] == '#' || line[0] == 'x') continue;
     const std::vector<double> row = fields(line);
-    pose(row.size() > std::max(x, force), file.filename().string(), ": a line has too few columns");
+    require_input(row.size() > std::max(x, force), file.filename().string(),
+                  ": a line has too few columns");
     rim.x.push_back(row[x]);
     rim.force.push_back(row[force]);
   }
-  pose(!rim.x.empty(), file.filename().string(), " has no rows");
+  require_input(!rim.x.empty(), file.filename().string(), " has no rows");
   return rim;
 }
 
@@ -123,12 +124,12 @@ RimForces read_frd(const HertzCase& now, const std::string& name) {
   for (const auto& [node, pressure] : frd.pressure) {
     if (pressure == 0) continue;
     const auto at = frd.place.find(node);
-    pose(at != frd.place.end(), name, ".frd: node ", node, " with a pressure is nowhere");
+    require_input(at != frd.place.end(), name, ".frd: node ", node, " with a pressure is nowhere");
     Index k = 0;
     const double distance =
         (rim.place.rowwise() - at->second.transpose()).rowwise().norm().minCoeff(&k);
-    pose(distance <= 0.1 * rim.weight(k), name, ".frd: node ", node,
-         " with a pressure is not on the rim");
+    require_input(distance <= 0.1 * rim.weight(k), name, ".frd: node ", node,
+                  " with a pressure is not on the rim");
     sum[static_cast<std::size_t>(k)] += pressure;
     ++faces[static_cast<std::size_t>(k)];
   }

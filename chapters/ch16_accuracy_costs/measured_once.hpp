@@ -16,8 +16,8 @@ inline std::string committed(const std::string& name) {
   std::ifstream file(std::string(SIGNORINI_CHAPTER_DATA "/") + name);
   std::ostringstream content;
   content << file.rdbuf();
-  signorini::pose(file && !content.str().empty(), "chapter 16: expected the measurements ", name,
-                  " beside its programs");
+  signorini::require_input(file && !content.str().empty(), "chapter 16: expected the measurements ",
+                           name, " beside its programs");
   return content.str();
 }
 

@@ -73,8 +73,8 @@ inline Posed pose_text(const std::string& content, const Exhibit& exhibit) {
     return posed;
   }
   const ProblemFile file = parse_problem(content, exhibit.file.string());
-  pose((exhibit.command == "qp") == std::holds_alternative<TwoSidedProgramme>(file),
-       exhibit.file.string(), ": not what its command takes");
+  require_input((exhibit.command == "qp") == std::holds_alternative<TwoSidedProgramme>(file),
+                exhibit.file.string(), ": not what its command takes");
   if (exhibit.command == "qp") {
     posed.rows = std::get<TwoSidedProgramme>(file);
     posed.form = one_sided(posed.rows);

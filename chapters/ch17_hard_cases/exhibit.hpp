@@ -51,7 +51,7 @@ struct Exhibit {
 /// \return the exhibit
 /// \throws signorini::ProblemError if a statement is missing, unknown or cannot be read
 inline Exhibit read_exhibit(const std::filesystem::path& file, std::string content) {
-  using signorini::pose;
+  using signorini::require_input;
   Exhibit exhibit;
   exhibit.file = file;
   exhibit.room = file.parent_path().filename().string();
@@ -63,7 +63,8 @@ inline Exhibit read_exhibit(const std::filesystem::path& file, std::string conte
     const std::string value = colon == std::string::npos ? "" : line.substr(colon + 2);
     const auto part = [&](const std::string& mark) {  // before and after a mark
       const std::size_t at = value.find(mark);
-      pose(at != std::string::npos, file.string(), ": expected '", mark, "' in '", line, "'");
+      require_input(at != std::string::npos, file.string(), ": expected '", mark, "' in '", line,
+                    "'");
       return std::pair(value.substr(0, at), value.substr(at + mark.size()));
     };
     if (key == "symptom") {
@@ -76,8 +77,8 @@ inline Exhibit read_exhibit(const std::filesystem::path& file, std::string conte
       std::istringstream words(value);
       std::string program, path;
       words >> program >> exhibit.command >> path;
-      pose(path == "tests/hard/" + exhibit.room + "/" + file.filename().string(), file.string(),
-           ": its command is about ", path);
+      require_input(path == "tests/hard/" + exhibit.room + "/" + file.filename().string(),
+                    file.string(), ": its command is about ", path);
     } else if (key == "naive") {
       if (value.rfind("none, ", 0) != 0)
         exhibit.naive.push_back({part(" -> ").first, part(" -> ").second});
@@ -85,7 +86,8 @@ inline Exhibit read_exhibit(const std::filesystem::path& file, std::string conte
       exhibit.status = value.substr(0, value.find(" \""));
       for (std::size_t at = value.find('"'); at != std::string::npos;) {
         const std::size_t end = value.find('"', at + 1);
-        pose(end != std::string::npos, file.string(), ": a quotation has no end in '", line, "'");
+        require_input(end != std::string::npos, file.string(), ": a quotation has no end in '",
+                      line, "'");
         exhibit.words.push_back(value.substr(at + 1, end - at - 1));
         at = value.find('"', end + 1);
       }
@@ -95,18 +97,18 @@ inline Exhibit read_exhibit(const std::filesystem::path& file, std::string conte
       std::string within;
       std::istringstream numbers(rest);
       numbers >> bound.value >> within >> bound.within;
-      pose(numbers && within == "within", file.string(), ": expected NUMBER within NUMBER in '",
-           line, "'");
+      require_input(numbers && within == "within", file.string(),
+                    ": expected NUMBER within NUMBER in '", line, "'");
       exhibit.bounds.push_back(bound);
     } else {
       throw signorini::ProblemError(file.string() + ": unknown statement '" + key + "'");
     }
   }
-  pose(!exhibit.symptom.empty() && !exhibit.cause.empty() && !exhibit.source.empty() &&
-           !exhibit.command.empty() && !exhibit.status.empty(),
-       file.string(), ": symptom, cause, ours, source and command must be stated");
-  pose(exhibit.status != "solved" || !exhibit.bounds.empty(), file.string(),
-       ": what is solved has a bound");
+  require_input(!exhibit.symptom.empty() && !exhibit.cause.empty() && !exhibit.source.empty() &&
+                    !exhibit.command.empty() && !exhibit.status.empty(),
+                file.string(), ": symptom, cause, ours, source and command must be stated");
+  require_input(exhibit.status != "solved" || !exhibit.bounds.empty(), file.string(),
+                ": what is solved has a bound");
   return exhibit;
 }
 

@@ -45,8 +45,8 @@ inline double quantity(const std::string& name, const Answer& answer) {
     if (name == "least " + word) return values.minCoeff();
     if (name.rfind(word + " ", 0) == 0) {
       const Index i = std::stol(name.substr(word.size() + 1));
-      signorini::pose(i >= 0 && i < values.size(), "quantity ", name, ": there are ",
-                      values.size());
+      signorini::require_input(i >= 0 && i < values.size(), "quantity ", name, ": there are ",
+                               values.size());
       return values(i);
     }
   }

@@ -9,7 +9,7 @@
 using namespace signorini;
 
 int main(int argc, char** argv) try {
-  pose(argc == 2, "expected one scene file, got ", argc - 1);
+  require_input(argc == 2, "expected one scene file, got ", argc - 1);
   SceneFile file = read_scene(argv[1]);
   at_file(file, [&] {
     // 1. The pressure grows with a history, in a hundred steps.

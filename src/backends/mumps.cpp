@@ -45,7 +45,8 @@ class MumpsFactor {
   MumpsFactor& operator=(MumpsFactor&&) = delete;
 
   [[nodiscard]] VectorXd solve(const Eigen::Ref<const VectorXd>& load) const {
-    require(number_ == newest, "back end mumps: this factor is gone, a newer one has its place");
+    require_argument(number_ == newest,
+                     "back end mumps: this factor is gone, a newer one has its place");
     VectorXd both(load.size() + rows_.rows());
     both << load, VectorXd::Zero(rows_.rows());
     Processes::all().solve(both);
@@ -80,8 +81,8 @@ int MumpsFactor::newest = 0;
 
 Factor factored(const Stiffness& K, Ledger& ledger) {
   const Processes& processes = Processes::all();
-  require(processes.rank() == 0, "back end mumps: process 0 factors, this is process ",
-          processes.rank(), ", which helps: see Team::help");
+  require_argument(processes.rank() == 0, "back end mumps: process 0 factors, this is process ",
+                   processes.rank(), ", which helps: see Team::help");
   if (K.matrix.cols() == 0) return frontal().factor(K, ledger);  // MUMPS takes no empty matrix
   if (!K.matrix.coeffs().allFinite()) refuse(K, "mumps");
   const auto factor = std::make_shared<MumpsFactor>(K, ledger);

@@ -17,10 +17,11 @@ struct Section {
 };
 
 Section section_of(const BeamOnFoundation& beam) {
-  require(beam.length > 0 && beam.height > 0 && beam.width > 0 && beam.youngs_modulus > 0 &&
-              beam.gap > 0 && beam.pressure >= 0,
-          "beam: length, height, width, modulus and gap must be positive and the pressure not "
-          "negative");
+  require_argument(
+      beam.length > 0 && beam.height > 0 && beam.width > 0 && beam.youngs_modulus > 0 &&
+          beam.gap > 0 && beam.pressure >= 0,
+      "beam: length, height, width, modulus and gap must be positive and the pressure not "
+      "negative");
   const double area = beam.width * beam.height;
   const double G = beam.youngs_modulus / (2 * (1 + beam.poisson_ratio));
   return {beam.youngs_modulus * area * beam.height * beam.height / 12, 5.0 / 6.0 * G * area,

@@ -10,8 +10,9 @@ namespace signorini {
 namespace {
 
 void check(const SqueezedDisc& disc) {
-  require(disc.radius > 0 && disc.force > 0, "disc: radius and force must be positive, got ",
-          disc.radius, " and ", disc.force);
+  require_argument(disc.radius > 0 && disc.force > 0,
+                   "disc: radius and force must be positive, got ", disc.radius, " and ",
+                   disc.force);
 }
 
 }  // namespace
@@ -26,8 +27,8 @@ Eigen::Vector3d line_loaded_disc_stress(const SqueezedDisc& disc, double x, doub
                                         double offset) {
   const double strength = brazilian_strength(disc);
   const double R = disc.radius;
-  require(std::abs(offset) < R && std::hypot(x, y) <= R * (1 + 1e-12), "disc of radius ", R,
-          ": loads at x = ", offset, " or the point (", x, ", ", y, ") lie outside");
+  require_argument(std::abs(offset) < R && std::hypot(x, y) <= R * (1 + 1e-12), "disc of radius ",
+                   R, ": loads at x = ", offset, " or the point (", x, ", ", y, ") lie outside");
   const double half = std::sqrt((R - offset) * (R + offset));
   const double uniform = strength * half / R;
   Eigen::Vector3d stress(uniform, uniform, 0);
@@ -35,7 +36,8 @@ Eigen::Vector3d line_loaded_disc_stress(const SqueezedDisc& disc, double x, doub
     const double across = x - offset;
     const double depth = half - side * y;
     const double r2 = across * across + depth * depth;
-    require(r2 > 0, "disc of radius ", R, ": the point (", x, ", ", y, ") lies under a load");
+    require_argument(r2 > 0, "disc of radius ", R, ": the point (", x, ", ", y,
+                     ") lies under a load");
     const double radial =
         -2 * disc.force / pi * depth / (r2 * r2);  // all the stress of a line load
     stress += radial * Eigen::Vector3d(across * across, depth * depth, -side * across * depth);
@@ -47,9 +49,9 @@ Eigen::Vector3d arc_loaded_disc_stress(const SqueezedDisc& disc, double half_ang
                                        double y) {
   check(disc);
   const double rho2 = (x * x + y * y) / (disc.radius * disc.radius);
-  require(half_angle > 0 && half_angle <= pi / 2 && rho2 < 1, "disc of radius ", disc.radius,
-          ": need half an arc in (0, pi/2] and a point inside, got ", half_angle, " and (", x, ", ",
-          y, ")");
+  require_argument(half_angle > 0 && half_angle <= pi / 2 && rho2 < 1, "disc of radius ",
+                   disc.radius, ": need half an arc in (0, pi/2] and a point inside, got ",
+                   half_angle, " and (", x, ", ", y, ")");
   const double theta = std::atan2(x, y);
   const std::complex<double> ahead = std::polar(1.0, 2 * (half_angle + theta));
   const std::complex<double> behind = std::polar(1.0, 2 * (half_angle - theta));

@@ -20,16 +20,17 @@ double shape(double b, double c, double x) {
 }  // namespace
 
 double slip_limit(const PartialSlip& slip) {
-  require(slip.half_width > 0 && slip.peak_pressure > 0 && slip.friction_coefficient > 0,
-          "partial slip: half-width, pressure and friction coefficient must be positive, got ",
-          slip.half_width, ", ", slip.peak_pressure, ", ", slip.friction_coefficient);
+  require_argument(
+      slip.half_width > 0 && slip.peak_pressure > 0 && slip.friction_coefficient > 0,
+      "partial slip: half-width, pressure and friction coefficient must be positive, got ",
+      slip.half_width, ", ", slip.peak_pressure, ", ", slip.friction_coefficient);
   return slip.friction_coefficient * pi * slip.half_width * slip.peak_pressure / 2;
 }
 
 double stick_half_width(const PartialSlip& slip, double force) {
   const double limit = slip_limit(slip);
-  require(std::abs(force) <= limit, "partial slip: the force ", force, " is beyond the limit ",
-          limit, ", nothing holds it");
+  require_argument(std::abs(force) <= limit, "partial slip: the force ", force,
+                   " is beyond the limit ", limit, ", nothing holds it");
   return slip.half_width * std::sqrt(1 - std::abs(force) / limit);
 }
 
@@ -40,8 +41,8 @@ double slip_traction(const PartialSlip& slip, double force, double x) {
 }
 
 double slip_traction_back(const PartialSlip& slip, double turned, double force, double x) {
-  require(turned >= 0 && std::abs(force) <= turned, "partial slip: the force ", force,
-          " must lie between minus and plus ", turned, ", where it turned");
+  require_argument(turned >= 0 && std::abs(force) <= turned, "partial slip: the force ", force,
+                   " must lie between minus and plus ", turned, ", where it turned");
   const double c = stick_half_width(slip, (turned - force) / 2);
   return slip_traction(slip, turned, x) -
          2 * slip.friction_coefficient * slip.peak_pressure * shape(slip.half_width, c, x);

@@ -12,10 +12,11 @@ namespace {
 
 void check(const RigidStrip& strip) {
   const double a = strip.half_width;
-  require(a > 0 && strip.force > 0 && 2 * std::abs(strip.eccentricity) <= a,
-          "rigid strip: half-width and force must be positive and the load within half of the "
-          "half-width, got ",
-          a, ", ", strip.force, ", ", strip.eccentricity);
+  require_argument(
+      a > 0 && strip.force > 0 && 2 * std::abs(strip.eccentricity) <= a,
+      "rigid strip: half-width and force must be positive and the load within half of the "
+      "half-width, got ",
+      a, ", ", strip.force, ", ", strip.eccentricity);
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ double rigid_strip_force(const RigidStrip& strip, double from, double to) {
 
 double rigid_strip_rotation(const RigidStrip& strip, double modulus) {
   check(strip);
-  require(modulus > 0, "rigid strip: modulus must be positive, got ", modulus);
+  require_argument(modulus > 0, "rigid strip: modulus must be positive, got ", modulus);
   return 4 * strip.force * strip.eccentricity /
          (pi * modulus * strip.half_width * strip.half_width);
 }
@@ -47,7 +48,7 @@ double rigid_strip_rotation(const RigidStrip& strip, double modulus) {
 Eigen::Vector3d rigid_strip_stress(const RigidStrip& strip, double x, double depth) {
   check(strip);
   const double a = strip.half_width;
-  require(
+  require_argument(
       depth >= 0 && (depth > 0 || std::abs(x) != a),
       "rigid strip: need a depth that is not negative, on the surface away from the edges, got ",
       depth, " at x = ", x);

@@ -10,9 +10,9 @@ namespace signorini {
 namespace {
 
 void check(const LineContact& contact) {
-  require(contact.radius > 0 && contact.modulus > 0 && contact.force > 0,
-          "line contact: radius, modulus and force must be positive, got ", contact.radius, ", ",
-          contact.modulus, ", ", contact.force);
+  require_argument(contact.radius > 0 && contact.modulus > 0 && contact.force > 0,
+                   "line contact: radius, modulus and force must be positive, got ", contact.radius,
+                   ", ", contact.modulus, ", ", contact.force);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ double hertz_pressure(const LineContact& contact, double x) {
 }
 
 Eigen::Vector3d hertz_stress(const LineContact& contact, double x, double depth) {
-  require(depth >= 0, "line contact: depth must not be negative, got ", depth);
+  require_argument(depth >= 0, "line contact: depth must not be negative, got ", depth);
   const double b = hertz_half_width(contact);
   const double X = x / b;
   const double z = depth / b;
@@ -57,8 +57,8 @@ LargestShear hertz_largest_shear(const LineContact& contact) {
 }
 
 double disc_approach(const LineContact& contact, double modulus, double radius) {
-  require(modulus > 0 && radius > 0, "disc: modulus and radius must be positive, got ", modulus,
-          " and ", radius);
+  require_argument(modulus > 0 && radius > 0, "disc: modulus and radius must be positive, got ",
+                   modulus, " and ", radius);
   const double b = hertz_half_width(contact);
   return contact.force / (pi * modulus) * (2 * std::log(4 * radius / b) - 1);
 }

@@ -64,19 +64,21 @@ struct Fit {
 
 Fit fitted(const std::vector<double>& x, const std::vector<double>& pressure, double inner,
            Footprint footprint) {
-  require(x.size() == pressure.size(), "Hertz fit: ", x.size(), " nodes and ", pressure.size(),
-          " pressures");
-  require(inner > 0 && inner <= 1, "Hertz fit: inner part must lie in (0, 1], got ", inner);
+  require_argument(x.size() == pressure.size(), "Hertz fit: ", x.size(), " nodes and ",
+                   pressure.size(), " pressures");
+  require_argument(inner > 0 && inner <= 1, "Hertz fit: inner part must lie in (0, 1], got ",
+                   inner);
   Fit fit{{}, std::numeric_limits<double>::infinity()};
   for (std::size_t round = 0; round <= x.size(); ++round) {
     const int before = fit.line.nodes;
     if (round > 0) fit.reach = inner * std::sqrt(fit.line.height / fit.line.slope);
     fit.line = fit_line(x, pressure, fit.reach, footprint);
     const Line& line = fit.line;
-    require(line.nodes >= 2 && line.slope > 0 && line.height > 0, "Hertz fit: the pressure of ",
-            line.nodes,
-            " nodes is no ellipse: this contact does not press as Hertz's does, for which ask for "
-            "force or displacement, or has too few nodes");
+    require_argument(
+        line.nodes >= 2 && line.slope > 0 && line.height > 0, "Hertz fit: the pressure of ",
+        line.nodes,
+        " nodes is no ellipse: this contact does not press as Hertz's does, for which ask for "
+        "force or displacement, or has too few nodes");
     if (line.nodes == before) break;
   }
   return fit;
@@ -86,7 +88,7 @@ Fit fitted(const std::vector<double>& x, const std::vector<double>& pressure, do
 std::vector<double> moments(const std::vector<double>& x, Trace trace, Footprint footprint) {
   std::vector<double> moment;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    require(i == 0 || x[i] > x[i - 1], "half-width: nodes must come in rising order");
+    require_argument(i == 0 || x[i] > x[i - 1], "half-width: nodes must come in rising order");
     double share = 0, beyond = 0;  // of the edges around the node
     const auto edge = [&](std::size_t other) {
       const double length = std::abs(x[other] - x[i]);
@@ -107,15 +109,15 @@ struct Moments {
 };
 
 Moments moments_of(const std::vector<double>& force, const std::vector<double>& moment) {
-  require(moment.size() == force.size(), "half-width: ", moment.size(), " nodes and ", force.size(),
-          " forces");
+  require_argument(moment.size() == force.size(), "half-width: ", moment.size(), " nodes and ",
+                   force.size(), " forces");
   Moments of;
   for (std::size_t i = 0; i < force.size(); ++i) {
     of.sum += force[i];
     of.second += force[i] * moment[i];
   }
-  require(of.sum > 0, "half-width: the sum of the forces must be positive, got ", of.sum);
-  require(of.second > 0, "half-width: more nodes in the contact are needed");
+  require_argument(of.sum > 0, "half-width: the sum of the forces must be positive, got ", of.sum);
+  require_argument(of.second > 0, "half-width: more nodes in the contact are needed");
   return of;
 }
 

@@ -10,17 +10,17 @@ namespace signorini {
 namespace {
 
 void check(const Indenter& indenter) {
-  require(indenter.modulus > 0 && indenter.size > 0 &&
-              (indenter.shape != IndenterShape::RoundedPunch || indenter.flat > 0),
-          "indenter: modulus, size and, of a rounded punch, flat must be positive, got ",
-          indenter.modulus, ", ", indenter.size, ", ", indenter.flat);
+  require_argument(indenter.modulus > 0 && indenter.size > 0 &&
+                       (indenter.shape != IndenterShape::RoundedPunch || indenter.flat > 0),
+                   "indenter: modulus, size and, of a rounded punch, flat must be positive, got ",
+                   indenter.modulus, ", ", indenter.size, ", ", indenter.flat);
 }
 
 void check(const Indenter& indenter, double half_width) {
   check(indenter);
   const double least = indenter.shape == IndenterShape::RoundedPunch ? indenter.flat : 0;
-  require(half_width > least, "indenter: the half-width must be larger than ", least, ", got ",
-          half_width);
+  require_argument(half_width > least, "indenter: the half-width must be larger than ", least,
+                   ", got ", half_width);
 }
 
 /// x ln|y| with the limit 0 at x = 0.
@@ -79,7 +79,7 @@ double indentation_load(const Indenter& indenter, double half_width) {
 
 double indentation_half_width(const Indenter& indenter, double load) {
   check(indenter);
-  require(load > 0, "indenter: the load must be positive, got ", load);
+  require_argument(load > 0, "indenter: the load must be positive, got ", load);
   const double low = indenter.shape == IndenterShape::RoundedPunch ? indenter.flat : 0;
   double high = low > 0 ? 2 * low : 1;
   while (indentation_load(indenter, high) < load) high *= 2;

@@ -8,18 +8,19 @@
 namespace signorini {
 
 double pin_clearance_over_load(double half_angle, double stiffness_ratio) {
-  require(half_angle > 0 && half_angle < pi && stiffness_ratio > 0,
-          "pin: need a contact angle between 0 and pi and a positive ratio of moduli, got ",
-          half_angle, " and ", stiffness_ratio);
+  require_argument(
+      half_angle > 0 && half_angle < pi && stiffness_ratio > 0,
+      "pin: need a contact angle between 0 and pi and a positive ratio of moduli, got ", half_angle,
+      " and ", stiffness_ratio);
   const double b = std::tan(half_angle / 2);
   const double b2 = b * b;
   return (1 - stiffness_ratio * (std::log1p(b2) + 2 * b2 * b2)) / (pi * b2 * (1 + b2));
 }
 
 double pin_contact_angle(const PinInPlate& pin) {
-  require(pin.hole_radius > 0 && pin.force > 0 && pin.plate_modulus > 0 &&
-              pin.contact_modulus > 0 && pin.clearance >= 0,
-          "pin: radius, force and moduli must be positive and the clearance not negative");
+  require_argument(pin.hole_radius > 0 && pin.force > 0 && pin.plate_modulus > 0 &&
+                       pin.contact_modulus > 0 && pin.clearance >= 0,
+                   "pin: radius, force and moduli must be positive and the clearance not negative");
   const double wanted = pin.contact_modulus * pin.clearance / pin.force;
   const double ratio = pin.contact_modulus / pin.plate_modulus;
   const auto touches = [&](double angle) { return pin_clearance_over_load(angle, ratio) > wanted; };

@@ -14,11 +14,11 @@ struct Lame {
 Lame lame(const Ring& ring, const RingPressure& load, double r) {
   const double a = ring.inner_radius;
   const double b = ring.outer_radius;
-  require(a >= 0 && b > a && ring.modulus > 0,
-          "ring: need 0 <= inner < outer radius and a positive ", "modulus, got ", a, ", ", b, ", ",
-          ring.modulus);
-  require(r >= a * (1 - 1e-12) && r <= b * (1 + 1e-12) && (r > 0 || a == 0), "ring from ", a,
-          " to ", b, ": no radius ", r);
+  require_argument(a >= 0 && b > a && ring.modulus > 0,
+                   "ring: need 0 <= inner < outer radius and a positive ", "modulus, got ", a, ", ",
+                   b, ", ", ring.modulus);
+  require_argument(r >= a * (1 - 1e-12) && r <= b * (1 + 1e-12) && (r > 0 || a == 0), "ring from ",
+                   a, " to ", b, ": no radius ", r);
   const double area = (b - a) * (b + a);
   return {(load.inside * a * a - load.outside * b * b) / area,
           (load.inside - load.outside) * a * a * b * b / area};
@@ -58,7 +58,8 @@ NestedPressure nested_pressure(const NestedRings& rings) {
 // [nested]
 
 double closing_pressure(const NestedRings& rings) {
-  require(rings.inner.inner_radius > 0, "closing pressure: the inner ring has no inner rim");
+  require_argument(rings.inner.inner_radius > 0,
+                   "closing pressure: the inner ring has no inner rim");
   const double wanted =
       ring_clearance(rings) +
       ring_displacement(rings.outer, {0, rings.pressure_outside}, rings.outer.inner_radius);

@@ -37,11 +37,12 @@ double target_of(const std::string& word) {
   std::string digits = percent ? word.substr(0, word.size() - 1) : word;
   if (percent && !digits.empty() && digits.back() == ' ') digits.pop_back();
   const std::optional<double> value = positive(digits);
-  pose(value.has_value(), "--accuracy: expected a part above 0, such as 0.5% or 0.005, got ",
-       in_quotes(word));
+  require_input(value.has_value(),
+                "--accuracy: expected a part above 0, such as 0.5% or 0.005, got ",
+                in_quotes(word));
   const double part = percent ? *value / 100 : *value;
-  pose(part < 1, "--accuracy: expected less than 100%, got ", in_quotes(word),
-       !percent && *value < 100 ? text("; did you mean '", word, "%'?") : "");
+  require_input(part < 1, "--accuracy: expected less than 100%, got ", in_quotes(word),
+                !percent && *value < 100 ? text("; did you mean '", word, "%'?") : "");
   return part;
 }
 
@@ -71,18 +72,20 @@ AccuracyRun understood(const AccuracyWish& wish, const SceneRun& run) {
   };
   if (!wish.unknowns.empty()) {
     const std::optional<double> most = positive(wish.unknowns);
-    pose(most.has_value(), "--unknowns: expected a number above 0, got ", in_quotes(wish.unknowns));
+    require_input(most.has_value(), "--unknowns: expected a number above 0, got ",
+                  in_quotes(wish.unknowns));
     accuracy.wanted.most_unknowns = static_cast<Eigen::Index>(std::min(1e15, *most));
     const Eigen::Index first = count_unknowns(run.plan.bodies);
-    pose(first <= accuracy.wanted.most_unknowns, "--unknowns: the mesh of ", run.file.name, " has ",
-         first, " already, more than ", in_quotes(wish.unknowns),
-         "; allow more, or begin with a coarser mesh");
+    require_input(first <= accuracy.wanted.most_unknowns, "--unknowns: the mesh of ", run.file.name,
+                  " has ", first, " already, more than ", in_quotes(wish.unknowns),
+                  "; allow more, or begin with a coarser mesh");
   } else {
     accuracy.wanted.most_seconds = unasked_seconds;
   }
-  pose(!run.file.scene.path, "--accuracy: ", run.file.name,
-       " has load steps, and the error of a path is not estimated; leave the option or the steps "
-       "out");
+  require_input(
+      !run.file.scene.path, "--accuracy: ", run.file.name,
+      " has load steps, and the error of a path is not estimated; leave the option or the steps "
+      "out");
   if (!wish.goal.empty()) {
     accuracy.wanted.goal = goal_in_words(wish.goal, run.plan);
     return accuracy;

@@ -45,14 +45,15 @@ Drafts::~Drafts() {
 void Drafts::add(const std::string& file) {
   std::error_code unseen;
   const fs::file_status status = fs::status(file, unseen);
-  pose(!fs::exists(status) || fs::is_regular_file(status), "cannot write '", file,
-       "': this is no plain file");
+  require_input(!fs::exists(status) || fs::is_regular_file(status), "cannot write '", file,
+                "': this is no plain file");
   const std::string ending = fs::path(file).extension().string();
-  pose(ending != ".toml" && ending != ".msh" && ending != ".geo" && whole(file) != whole(read_),
-       "cannot write '", file, "': results do not replace scenes and meshes, take another name");
+  require_input(
+      ending != ".toml" && ending != ".msh" && ending != ".geo" && whole(file) != whole(read_),
+      "cannot write '", file, "': results do not replace scenes and meshes, take another name");
   for (const Entry& other : entries_)
-    pose(whole(other.file) != whole(file), "cannot write '", file,
-         "' twice: give every result a file of its own");
+    require_input(whole(other.file) != whole(file), "cannot write '", file,
+                  "' twice: give every result a file of its own");
   entries_.push_back({file});
 }
 
@@ -118,7 +119,7 @@ void Drafts::publish(const std::function<void()>& write) {
     if (!failed) fs::rename(entry.draft, entry.file, failed);
     entry.published = !failed;
     if (failed) take_back();
-    pose(!failed, "cannot write '", entry.file.string(), "' (", failed.message(), ')');
+    require_input(!failed, "cannot write '", entry.file.string(), "' (", failed.message(), ')');
   }
   for (Entry& done : entries_) {
     if (!done.before.empty()) forget(done.before);

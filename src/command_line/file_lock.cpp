@@ -35,15 +35,16 @@ FileLock::FileLock(const fs::path& file)
   for (struct stat status = {}; status.st_nlink == 0;) {
     descriptor_ = opened(name_);
     const int error = errno;
-    pose(descriptor_ >= 0 || error != EWOULDBLOCK, "cannot write '", file.string(),
-         "': another run is writing it. Let that one end first, or give this run files of its own");
+    require_input(
+        descriptor_ >= 0 || error != EWOULDBLOCK, "cannot write '", file.string(),
+        "': another run is writing it. Let that one end first, or give this run files of its own");
     const std::string reason = std::generic_category().message(error);
     std::error_code unseen;
-    pose(descriptor_ >= 0 || !fs::exists(fs::symlink_status(name_, unseen)), "cannot write '",
-         file.string(), "': its lock '", name_.string(), "' cannot be opened (", reason,
-         "); remove that if no other run writes");
-    pose(descriptor_ >= 0, "cannot write '", file.string(), "' (", reason,
-         "): give a folder that exists, has room and may be written to");
+    require_input(descriptor_ >= 0 || !fs::exists(fs::symlink_status(name_, unseen)),
+                  "cannot write '", file.string(), "': its lock '", name_.string(),
+                  "' cannot be opened (", reason, "); remove that if no other run writes");
+    require_input(descriptor_ >= 0, "cannot write '", file.string(), "' (", reason,
+                  "): give a folder that exists, has room and may be written to");
     fstat(descriptor_, &status);
     if (status.st_nlink == 0) close(descriptor_);
   }

@@ -48,8 +48,9 @@ std::vector<Outcome> candidates(const std::vector<Solver>& family, const std::st
   const auto chosen = std::find_if(all.begin(), all.end(), [&](const Outcome& outcome) {
     return asked.empty() ? outcome.why.empty() : asked == outcome.solver->name;
   });
-  pose(chosen != all.end() || asked.empty(), "--solver: ", asked,
-       " does not take such problems; expected one of ", names(all), ", or all of them: all");
+  require_input(chosen != all.end() || asked.empty(), "--solver: ", asked,
+                " does not take such problems; expected one of ", names(all),
+                ", or all of them: all");
   return chosen == all.end() ? all : std::vector<Outcome>{*chosen};
 }
 
@@ -190,8 +191,8 @@ std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::st
   if (form.definite)
     static_cast<void>(condense(form.programme));
   else
-    pose(semidefinite_solution(form.programme, solvers().front(), {}).has_value(),
-         not_strictly_convex(form.programme));
+    require_input(semidefinite_solution(form.programme, solvers().front(), {}).has_value(),
+                  not_strictly_convex(form.programme));
   const Index pairs = static_cast<Index>(form.rows.size()) - form.programme.equations;
   return each(solvers(), asked, pairs, false, tolerance, [&](Outcome& outcome) {
     const DenseSolution solution = solve(form.programme, *outcome.solver);

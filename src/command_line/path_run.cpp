@@ -90,18 +90,18 @@ std::string content_if_any(const std::string& file) {
 
 /// Refuses to go on in a file of other steps. \param right  whether it is that of the state
 void check_begun(bool right, const std::string& file, const PathState& from) {
-  pose(right, file, ": this file has not the ", from.steps, " steps until time ",
-       shortest(from.time),
-       " after which --from goes on; give the one that they were written to, "
-       "or a name that is new");
+  require_input(right, file, ": this file has not the ", from.steps, " steps until time ",
+                shortest(from.time),
+                " after which --from goes on; give the one that they were written to, "
+                "or a name that is new");
 }
 
 void append(const std::string& file, const std::string& lines) {
   std::ofstream out(file, std::ios::binary | std::ios::app);
   out << lines;
   out.close();
-  pose(static_cast<bool>(out), "cannot write '", file,
-       "': give a folder that has room and may be written to");
+  require_input(static_cast<bool>(out), "cannot write '", file,
+                "': give a folder that has room and may be written to");
 }
 
 Index solves_of(const Ledger& ledger) {
@@ -203,9 +203,9 @@ PathFiles::PathFiles(const SceneRun& run, const std::string& read)
 void PathFiles::go_on(SceneRun& run, const std::string& file) {
   run.from = read_state(content_of(file), file);
   const double end = run.file.scene.path->times.back();
-  pose(run.from.time < end, file, ": this state is that of time ", run.from.time,
-       ", but the load steps of ", run.file.name, " end at ", end,
-       ": nothing is left to solve. Add [[steps]] to go on");
+  require_input(run.from.time < end, file, ": this state is that of time ", run.from.time,
+                ", but the load steps of ", run.file.name, " end at ", end,
+                ": nothing is left to solve. Add [[steps]] to go on");
   if (!wanted_.csv.empty()) keep_table(run.from);
   if (!wanted_.vtu.empty()) keep_fields(run.from, collection(wanted_.vtu));
 }

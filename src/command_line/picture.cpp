@@ -221,8 +221,8 @@ class Passing {
 
 PictureKind picture_kind(const std::string& file) {
   const std::string ending = std::filesystem::path(file).extension().string();
-  pose(ending == ".svg" || ending == ".png", "--plot: expected a file .svg or .png, got '", file,
-       '\'');
+  require_input(ending == ".svg" || ending == ".png", "--plot: expected a file .svg or .png, got '",
+                file, '\'');
   return ending == ".svg" ? PictureKind::Svg : PictureKind::Png;
 }
 
@@ -238,12 +238,13 @@ void draw(const std::filesystem::path& file, PictureKind kind, const SceneRun& r
   while (std::getline(said, first) && first.find_first_not_of(" \t\r") == std::string::npos) {
   }
   constexpr int not_found = 127 << 8;
-  pose(status != not_found,
-       "--plot: there is no gnuplot; install it, such as the package gnuplot-nox, or leave the "
-       "picture out");
+  require_input(
+      status != not_found,
+      "--plot: there is no gnuplot; install it, such as the package gnuplot-nox, or leave the "
+      "picture out");
   std::error_code failed;
-  pose(status == 0 && std::filesystem::file_size(file, failed) > 0 && !failed,
-       "--plot: gnuplot could not draw: ", first.empty() ? "no picture" : first);
+  require_input(status == 0 && std::filesystem::file_size(file, failed) > 0 && !failed,
+                "--plot: gnuplot could not draw: ", first.empty() ? "no picture" : first);
 }
 
 }  // namespace command_line

@@ -102,7 +102,7 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
 std::string content_of(const std::string& file) {
   if (file == "-") {
     std::string content{std::istreambuf_iterator<char>(std::cin), {}};
-    pose(!std::cin.bad(), standard_input, ": cannot be read");
+    require_input(!std::cin.bad(), standard_input, ": cannot be read");
     return content;
   }
   return file_content(file, std::max(largest_scene_file, largest_problem_file));

@@ -49,8 +49,8 @@ ProblemFile read(const Request& request, const std::string& command) {
     return parse_problem(content, request.name());
   });
   const char* const wanted = command_of(file);
-  pose(command == wanted, request.name(), ": this is a ", command_line::taken_by(wanted),
-       "; run: signorini ", wanted, " ", request.file);
+  require_input(command == wanted, request.name(), ": this is a ", command_line::taken_by(wanted),
+                "; run: signorini ", wanted, " ", request.file);
   return file;
 }
 
@@ -184,14 +184,15 @@ int solve_scene(const Request& request, const Team* team) {
   if (!request.output.plot.empty()) output.plot = request.output.plot;
   if (!request.output.state.empty()) output.state = request.output.state;
   if (!output.plot.empty()) static_cast<void>(command_line::picture_kind(output.plot));
-  pose(!request.accuracy.target.empty() || request.accuracy.goal.empty(),
-       "--goal: say how accurate it is to be, as in --accuracy 0.5%");
-  pose(!request.accuracy.target.empty() || request.accuracy.unknowns.empty(),
-       "--unknowns: says how far --accuracy may refine; give it one, as in --accuracy 0.5%");
+  require_input(!request.accuracy.target.empty() || request.accuracy.goal.empty(),
+                "--goal: say how accurate it is to be, as in --accuracy 0.5%");
+  require_input(
+      !request.accuracy.target.empty() || request.accuracy.unknowns.empty(),
+      "--unknowns: says how far --accuracy may refine; give it one, as in --accuracy 0.5%");
   if (run.file.scene.path && request.accuracy.target.empty()) return solve_path(request, team, run);
-  pose(run.file.scene.path || (output.state.empty() && request.from.empty()),
-       output.state.empty() ? "--from" : "--state", ": ", run.file.name,
-       " has no load steps: leave it out, or give the scene [[steps]]");
+  require_input(run.file.scene.path || (output.state.empty() && request.from.empty()),
+                output.state.empty() ? "--from" : "--state", ": ", run.file.name,
+                " has no load steps: leave it out, or give the scene [[steps]]");
   if (!request.accuracy.target.empty()) return solve_accurately(request, team, run);
   command_line::Drafts drafts(command_line::files_of(output), request.file);
   command_line::solve_scene(run);
@@ -212,18 +213,20 @@ int solve_with_backend(const Request& request, std::function<void(int)>& end) {
   }();
   if (backend.team == nullptr) {
     const int processes = command_line::launched().size;
-    pose(processes == 1, "--backend ", backend.name, ": it works on one process, here are ",
-         processes, ", and each would solve the same and write the same files: start signorini ",
-         "without mpirun, or give --backend mumps");
+    require_input(processes == 1, "--backend ", backend.name,
+                  ": it works on one process, here are ", processes,
+                  ", and each would solve the same and write the same files: start signorini ",
+                  "without mpirun, or give --backend mumps");
     return solve_scene(request, nullptr);
   }
   const Team team = backend.team();
   if (team.rank > 0) return command_line::help(team, request.file);
   end = team.end;
-  pose(team.size == 1 || request.accuracy.target.empty(), "--accuracy: the ", team.size,
-       " processes that --backend ", backend.name,
-       " works on share the meshes of the scene file, and not finer ones: refine on one process, "
-       "without mpirun, or leave the option out and solve a finer mesh");
+  require_input(
+      team.size == 1 || request.accuracy.target.empty(), "--accuracy: the ", team.size,
+      " processes that --backend ", backend.name,
+      " works on share the meshes of the scene file, and not finer ones: refine on one process, "
+      "without mpirun, or leave the option out and solve a finer mesh");
   return solve_scene(request, &team);
 }
 
@@ -241,8 +244,8 @@ double tolerance_of(const std::string& word) {
   double value = 0;
   const char* const end = word.data() + word.size();
   const auto [rest, failed] = std::from_chars(word.data(), end, value);
-  pose(failed == std::errc() && rest == end && value > 0 && std::isfinite(value),
-       "--tolerance: expected a number above 0, got '", word, '\'');
+  require_input(failed == std::errc() && rest == end && value > 0 && std::isfinite(value),
+                "--tolerance: expected a number above 0, got '", word, '\'');
   return value;
 }
 
@@ -288,7 +291,7 @@ int run(int argc, char** argv, std::function<void(int)>& end) {
   if (app.count("--list") > 0 || !command_line::has_backend(request.backend))
     command_line::become_whole(argv);
   if (answered(app)) return solved;
-  pose(!app.get_subcommands().empty(), expected);
+  require_input(!app.get_subcommands().empty(), expected);
   const std::string command = app.get_subcommands().front()->get_name();
   const bool scene = command == "plan" || command == "solve";
   request.tolerance = tolerance_of(request.tolerance_text);

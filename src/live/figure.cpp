@@ -15,7 +15,7 @@
 namespace live {
 
 using signorini::Json;
-using signorini::pose;
+using signorini::require_input;
 
 Control slider(std::string name, std::string label, double value, double least, double most,
                double step) {
@@ -25,7 +25,7 @@ Control slider(std::string name, std::string label, double value, double least, 
 Control choice(std::string name, std::string label, const std::string& value,
                std::vector<std::string> choices) {
   const auto at = std::find(choices.begin(), choices.end(), value);
-  signorini::require(at != choices.end(), "choice: ", name, " has no choice ", value);
+  signorini::require_argument(at != choices.end(), "choice: ", name, " has no choice ", value);
   const auto place = static_cast<double>(at - choices.begin());
   const auto last = static_cast<double>(choices.size() - 1);
   return {std::move(name), std::move(label), place, 0, last, 1, std::move(choices)};
@@ -43,7 +43,7 @@ Request::Request(const std::vector<Control>& controls, const std::string& words)
   std::istringstream in(words);
   for (std::string word; in >> word;) {
     const std::size_t equals = word.find('=');
-    pose(equals != std::string::npos, "expected control=value, got '", word, "'");
+    require_input(equals != std::string::npos, "expected control=value, got '", word, "'");
     const std::string value = word.substr(equals + 1);
     const Control& control = signorini::find_member(controls, word.substr(0, equals), "control");
     const auto at = std::find(control.choices.begin(), control.choices.end(), value);
@@ -51,12 +51,12 @@ Request::Request(const std::vector<Control>& controls, const std::string& words)
     if (control.choices.empty()) {
       std::istringstream digits(value);
       digits >> number;
-      pose(digits && digits.eof() && number >= control.least && number <= control.most,
-           control.name, ": expected a number from ", control.least, " to ", control.most,
-           ", got '", value, "'");
+      require_input(digits && digits.eof() && number >= control.least && number <= control.most,
+                    control.name, ": expected a number from ", control.least, " to ", control.most,
+                    ", got '", value, "'");
     } else {
-      pose(at != control.choices.end(), control.name, ": unknown choice '", value, "'",
-           signorini::suggestion(value, control.choices));
+      require_input(at != control.choices.end(), control.name, ": unknown choice '", value, "'",
+                    signorini::suggestion(value, control.choices));
     }
     values_[control.name] = number;
   }

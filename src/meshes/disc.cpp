@@ -14,34 +14,38 @@ using Eigen::Index;
 using Eigen::Vector2d;
 
 void check(const DiscSpec& spec) {
-  require(spec.radius > 0 && std::isfinite(spec.radius) && spec.centre.allFinite(), "make_disc '",
-          spec.name, "': radius must be positive, got ", spec.radius);
-  require(spec.core > 0 && spec.core < 1, "make_disc '", spec.name,
-          "': core must be above 0 and below 1, got ", spec.core);
-  require(spec.core_roundness >= 0 && spec.core_roundness < 1, "make_disc '", spec.name,
-          "': core_roundness must be at least 0 and below 1, got ", spec.core_roundness);
+  require_argument(spec.radius > 0 && std::isfinite(spec.radius) && spec.centre.allFinite(),
+                   "make_disc '", spec.name, "': radius must be positive, got ", spec.radius);
+  require_argument(spec.core > 0 && spec.core < 1, "make_disc '", spec.name,
+                   "': core must be above 0 and below 1, got ", spec.core);
+  require_argument(spec.core_roundness >= 0 && spec.core_roundness < 1, "make_disc '", spec.name,
+                   "': core_roundness must be at least 0 and below 1, got ", spec.core_roundness);
   // Else the diagonals of the layers, which become rounder outwards, would run inwards at the rim.
-  require(2 * spec.core < 1 + spec.core_roundness, "make_disc '", spec.name, "': a core of ",
-          spec.core, " needs a core_roundness above ", 2 * spec.core - 1, ", got ",
-          spec.core_roundness);
-  require(spec.core_cells > 0 && spec.layers > 0, "make_disc '", spec.name,
-          "': core_cells and layers must be at least 1, got ", spec.core_cells, " and ",
-          spec.layers);
-  require(spec.layer_grading > 0 && std::isfinite(spec.layer_grading), "make_disc '", spec.name,
-          "': layer_grading must be positive, got ", spec.layer_grading);
+  require_argument(2 * spec.core < 1 + spec.core_roundness, "make_disc '", spec.name,
+                   "': a core of ", spec.core, " needs a core_roundness above ", 2 * spec.core - 1,
+                   ", got ", spec.core_roundness);
+  require_argument(spec.core_cells > 0 && spec.layers > 0, "make_disc '", spec.name,
+                   "': core_cells and layers must be at least 1, got ", spec.core_cells, " and ",
+                   spec.layers);
+  require_argument(spec.layer_grading > 0 && std::isfinite(spec.layer_grading), "make_disc '",
+                   spec.name, "': layer_grading must be positive, got ", spec.layer_grading);
 }
 
 void check(const PressedDiscSpec& spec) {
-  require(spec.radius > 0 && std::isfinite(spec.radius) && spec.pole.allFinite(),
-          "make_pressed_disc '", spec.name, "': radius must be positive, got ", spec.radius);
-  require(spec.core.minCoeff() > 0 && spec.core.maxCoeff() < spec.radius / 2, "make_pressed_disc '",
-          spec.name, "': width and depth of the core must be above 0 and below half the radius, ",
-          spec.radius / 2, ", got ", spec.core.x(), " and ", spec.core.y());
-  require(spec.core_columns > 0 && spec.core_rows > 0 && spec.layers > 0, "make_pressed_disc '",
-          spec.name, "': core_columns, core_rows and layers must be at least 1, got ",
-          spec.core_columns, ", ", spec.core_rows, " and ", spec.layers);
-  require(spec.layer_grading > 0 && std::isfinite(spec.layer_grading), "make_pressed_disc '",
-          spec.name, "': layer_grading must be positive, got ", spec.layer_grading);
+  require_argument(spec.radius > 0 && std::isfinite(spec.radius) && spec.pole.allFinite(),
+                   "make_pressed_disc '", spec.name, "': radius must be positive, got ",
+                   spec.radius);
+  require_argument(spec.core.minCoeff() > 0 && spec.core.maxCoeff() < spec.radius / 2,
+                   "make_pressed_disc '", spec.name,
+                   "': width and depth of the core must be above 0 and below half the radius, ",
+                   spec.radius / 2, ", got ", spec.core.x(), " and ", spec.core.y());
+  require_argument(spec.core_columns > 0 && spec.core_rows > 0 && spec.layers > 0,
+                   "make_pressed_disc '", spec.name,
+                   "': core_columns, core_rows and layers must be at least 1, got ",
+                   spec.core_columns, ", ", spec.core_rows, " and ", spec.layers);
+  require_argument(spec.layer_grading > 0 && std::isfinite(spec.layer_grading),
+                   "make_pressed_disc '", spec.name, "': layer_grading must be positive, got ",
+                   spec.layer_grading);
 }
 
 /// The part of a disc whose lower right quarter is given, with its centre at x = 0, y = `level`.

@@ -14,33 +14,37 @@ namespace {
 using Eigen::Index;
 
 void check(const HalfSpaceSpec& spec) {
-  require(spec.core.minCoeff() > 0, "make_half_space '", spec.name,
-          "': width and depth of the core must be positive, got ", spec.core.x(), " and ",
-          spec.core.y());
-  require(spec.width > spec.core.x() && std::isfinite(spec.width), "make_half_space '", spec.name,
-          "': width must be above that of the core, ", spec.core.x(), ", got ", spec.width);
-  require(spec.depth > spec.core.y() && std::isfinite(spec.depth), "make_half_space '", spec.name,
-          "': depth must be above that of the core, ", spec.core.y(), ", got ", spec.depth);
-  require(spec.core_columns > 0 && spec.core_rows > 0 && spec.layers > 0, "make_half_space '",
-          spec.name, "': core_columns, core_rows and layers must be at least 1, got ",
-          spec.core_columns, ", ", spec.core_rows, " and ", spec.layers);
-  require(spec.layer_grading > 0 && std::isfinite(spec.layer_grading), "make_half_space '",
-          spec.name, "': layer_grading must be positive, got ", spec.layer_grading);
+  require_argument(spec.core.minCoeff() > 0, "make_half_space '", spec.name,
+                   "': width and depth of the core must be positive, got ", spec.core.x(), " and ",
+                   spec.core.y());
+  require_argument(spec.width > spec.core.x() && std::isfinite(spec.width), "make_half_space '",
+                   spec.name, "': width must be above that of the core, ", spec.core.x(), ", got ",
+                   spec.width);
+  require_argument(spec.depth > spec.core.y() && std::isfinite(spec.depth), "make_half_space '",
+                   spec.name, "': depth must be above that of the core, ", spec.core.y(), ", got ",
+                   spec.depth);
+  require_argument(spec.core_columns > 0 && spec.core_rows > 0 && spec.layers > 0,
+                   "make_half_space '", spec.name,
+                   "': core_columns, core_rows and layers must be at least 1, got ",
+                   spec.core_columns, ", ", spec.core_rows, " and ", spec.layers);
+  require_argument(spec.layer_grading > 0 && std::isfinite(spec.layer_grading), "make_half_space '",
+                   spec.name, "': layer_grading must be positive, got ", spec.layer_grading);
 }
 
 void check(const EdgeBlockSpec& spec) {
-  require(spec.edge > 0 && spec.width > spec.edge && std::isfinite(spec.width), "make_edge_block '",
-          spec.name, "': need 0 < edge < width, got ", spec.edge, " and ", spec.width);
-  require(spec.depth > 0 && std::isfinite(spec.depth), "make_edge_block '", spec.name,
-          "': depth must be positive, got ", spec.depth);
-  require(spec.cells_under > 0 && spec.cells_beside > 1 && spec.cells_deep > 1, "make_edge_block '",
-          spec.name,
-          "': cells_under must be at least 1, cells_beside and cells_deep at least 2, got ",
-          spec.cells_under, ", ", spec.cells_beside, " and ", spec.cells_deep);
+  require_argument(spec.edge > 0 && spec.width > spec.edge && std::isfinite(spec.width),
+                   "make_edge_block '", spec.name, "': need 0 < edge < width, got ", spec.edge,
+                   " and ", spec.width);
+  require_argument(spec.depth > 0 && std::isfinite(spec.depth), "make_edge_block '", spec.name,
+                   "': depth must be positive, got ", spec.depth);
+  require_argument(
+      spec.cells_under > 0 && spec.cells_beside > 1 && spec.cells_deep > 1, "make_edge_block '",
+      spec.name, "': cells_under must be at least 1, cells_beside and cells_deep at least 2, got ",
+      spec.cells_under, ", ", spec.cells_beside, " and ", spec.cells_deep);
   for (const double grading :
        {spec.grading_under, spec.grading_beside.value_or(1), spec.grading_deep.value_or(1)})
-    require(grading > 0 && std::isfinite(grading), "make_edge_block '", spec.name,
-            "': gradings must be positive, got ", grading);
+    require_argument(grading > 0 && std::isfinite(grading), "make_edge_block '", spec.name,
+                     "': gradings must be positive, got ", grading);
 }
 
 }  // namespace

@@ -14,13 +14,13 @@ using Eigen::Index;
 using std::string_literals::operator""s;
 
 void check(const PlateWithHoleSpec& spec) {
-  require(spec.hole_radius > 0 && spec.size.allFinite() && spec.centre.allFinite() &&
-              spec.size.minCoeff() > 2 * spec.hole_radius,
-          "make_plate_with_hole '", spec.name, "': the hole of radius ", spec.hole_radius,
-          " must fit into the plate of ", spec.size.x(), " x ", spec.size.y());
-  require(spec.cells_angle > 0 && spec.cells_radius > 0, "make_plate_with_hole '", spec.name,
-          "': need at least one cell in each direction, got ", spec.cells_angle, " x ",
-          spec.cells_radius);
+  require_argument(spec.hole_radius > 0 && spec.size.allFinite() && spec.centre.allFinite() &&
+                       spec.size.minCoeff() > 2 * spec.hole_radius,
+                   "make_plate_with_hole '", spec.name, "': the hole of radius ", spec.hole_radius,
+                   " must fit into the plate of ", spec.size.x(), " x ", spec.size.y());
+  require_argument(spec.cells_angle > 0 && spec.cells_radius > 0, "make_plate_with_hole '",
+                   spec.name, "': need at least one cell in each direction, got ", spec.cells_angle,
+                   " x ", spec.cells_radius);
 }
 
 /// Where a ray from the middle of a rectangle meets its sides.
@@ -49,9 +49,10 @@ void meet_corners(const PlateWithHoleSpec& spec, const Eigen::VectorXd& directio
       if (better > 1e-9) nearest = i;  // not by rounding
     }
     const bool at_end = nearest == 0 || nearest == directions.size() - 1;
-    require(nearest != before && !at_end, "make_plate_with_hole '", spec.name,
-            "': ", spec.cells_angle, " cells along the hole leave no ray for the corner at ",
-            angle * 180 / pi, " degrees; give more cells or other rays");
+    require_argument(nearest != before && !at_end, "make_plate_with_hole '", spec.name,
+                     "': ", spec.cells_angle,
+                     " cells along the hole leave no ray for the corner at ", angle * 180 / pi,
+                     " degrees; give more cells or other rays");
     outer.row(nearest) << std::copysign(half.x(), std::cos(angle)),
         std::copysign(half.y(), std::sin(angle));
     before = nearest;

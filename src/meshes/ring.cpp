@@ -18,26 +18,26 @@ double opening(Sector sector) {
 
 Eigen::VectorXd ray_directions(const Eigen::VectorXd& rays, Index cells, Sector sector) {
   const double last = opening(sector);
-  require(cells > 0 && (rays.size() == 0 || rays.size() == cells + 1),
-          "rays: need at least one cell along the angle and one ray more than cells, got ", cells,
-          " cells and ", rays.size(), " rays");
+  require_argument(cells > 0 && (rays.size() == 0 || rays.size() == cells + 1),
+                   "rays: need at least one cell along the angle and one ray more than cells, got ",
+                   cells, " cells and ", rays.size(), " rays");
   const Eigen::VectorXd even = Eigen::VectorXd::LinSpaced(cells + 1, 0, last);
   const Eigen::VectorXd& given = rays.size() == 0 ? even : rays;
   const Eigen::VectorXd step = given.tail(cells) - given.head(cells);
-  require(step.minCoeff() > 0 && step.maxCoeff() < pi && std::abs(given(0)) < 1e-12 &&
-              std::abs(given(cells) - last) < 1e-12,
-          "rays: directions must increase from 0 to ", last,
-          " in steps below half a turn; they run from ", given(0), " to ", given(cells),
-          " in steps of ", step.minCoeff(), " to ", step.maxCoeff());
+  require_argument(step.minCoeff() > 0 && step.maxCoeff() < pi && std::abs(given(0)) < 1e-12 &&
+                       std::abs(given(cells) - last) < 1e-12,
+                   "rays: directions must increase from 0 to ", last,
+                   " in steps below half a turn; they run from ", given(0), " to ", given(cells),
+                   " in steps of ", step.minCoeff(), " to ", step.maxCoeff());
   Eigen::VectorXd directions(2 * cells + 1);
   for (Index i = 0; i <= 2 * cells; ++i) directions(i) = at_half(given, i);
   return directions;
 }
 
 Eigen::VectorXd rays_by_quadrant(const std::vector<Index>& cells) {
-  require((cells.size() == 1 || cells.size() == 2 || cells.size() == 4) &&
-              *std::min_element(cells.begin(), cells.end()) > 0,
-          "rays_by_quadrant: need at least one cell in each of 1, 2 or 4 quadrants");
+  require_argument((cells.size() == 1 || cells.size() == 2 || cells.size() == 4) &&
+                       *std::min_element(cells.begin(), cells.end()) > 0,
+                   "rays_by_quadrant: need at least one cell in each of 1, 2 or 4 quadrants");
   Eigen::VectorXd rays(std::accumulate(cells.begin(), cells.end(), Index{1}));
   Index ray = 0;
   for (std::size_t quadrant = 0; quadrant < cells.size(); ++quadrant)
@@ -70,13 +70,13 @@ Mesh make_ring_of_rays(const std::string& name, const NodeArray& inner, const No
 }
 
 Mesh make_annulus(const AnnulusSpec& spec) {
-  require(spec.inner_radius > 0 && spec.outer_radius > spec.inner_radius &&
-              std::isfinite(spec.outer_radius) && spec.centre.allFinite(),
-          "make_annulus '", spec.name, "': need 0 < inner radius < outer radius, got ",
-          spec.inner_radius, " and ", spec.outer_radius);
-  require(spec.cells_angle > 0 && spec.cells_radius > 0, "make_annulus '", spec.name,
-          "': need at least one cell in each direction, got ", spec.cells_angle, " x ",
-          spec.cells_radius);
+  require_argument(spec.inner_radius > 0 && spec.outer_radius > spec.inner_radius &&
+                       std::isfinite(spec.outer_radius) && spec.centre.allFinite(),
+                   "make_annulus '", spec.name, "': need 0 < inner radius < outer radius, got ",
+                   spec.inner_radius, " and ", spec.outer_radius);
+  require_argument(spec.cells_angle > 0 && spec.cells_radius > 0, "make_annulus '", spec.name,
+                   "': need at least one cell in each direction, got ", spec.cells_angle, " x ",
+                   spec.cells_radius);
   const Eigen::VectorXd directions = ray_directions(spec.rays, spec.cells_angle, spec.sector);
   NodeArray inner(directions.size(), 2);
   NodeArray outer(directions.size(), 2);
@@ -90,9 +90,9 @@ Mesh make_annulus(const AnnulusSpec& spec) {
 }
 
 double similar_cells(double outer_over_inner, Index cells_radius) {
-  require(outer_over_inner > 1 && std::isfinite(outer_over_inner) && cells_radius > 0,
-          "similar_cells: need a ratio of radii above 1 and at least one cell, got ",
-          outer_over_inner, " and ", cells_radius);
+  require_argument(outer_over_inner > 1 && std::isfinite(outer_over_inner) && cells_radius > 0,
+                   "similar_cells: need a ratio of radii above 1 and at least one cell, got ",
+                   outer_over_inner, " and ", cells_radius);
   const double n = static_cast<double>(cells_radius);
   return std::pow(outer_over_inner, (n - 1) / n);
 }

@@ -44,7 +44,8 @@ double share_flat(double x) { return 0.5 + std::asin(std::clamp(x, -1.0, 1.0)) /
 }  // namespace
 
 KnownProgramme rosen_suzuki(Index n, Index m, std::uint64_t seed) {
-  require(n > 0 && m > 0, "rosen_suzuki: sizes must be positive, got n = ", n, ", m = ", m);
+  require_argument(n > 0 && m > 0, "rosen_suzuki: sizes must be positive, got n = ", n,
+                   ", m = ", m);
   Random random(seed);
   KnownProgramme known;
   DenseProgramme& programme = known.programme;
@@ -71,7 +72,7 @@ KnownProgramme rosen_suzuki(Index n, Index m, std::uint64_t seed) {
 }
 
 Indentation half_plane_indentation(Index n, Punch punch) {
-  require(n > 0, "half_plane_indentation: needs at least one pair, got n = ", n);
+  require_argument(n > 0, "half_plane_indentation: needs at least one pair, got n = ", n);
   const double h = 2.0 / static_cast<double>(n);
   const double far = 2;  // where the displacement is taken as zero
   const auto integral = [far](double s) {
@@ -104,14 +105,15 @@ Indentation half_plane_indentation(Index n, Punch punch) {
 }
 
 ContactProblem fathi(Index n) {
-  require(n > 0, "fathi: needs at least one pair, got n = ", n);
+  require_argument(n > 0, "fathi: needs at least one pair, got n = ", n);
   Eigen::MatrixXd L = Eigen::MatrixXd::Identity(n, n);
   L.triangularView<Eigen::StrictlyLower>().setConstant(2);
   return {L * L.transpose(), Eigen::VectorXd::Constant(n, -1)};
 }
 
 ContactProblem murty(Index n) {
-  require(n > 0 && n <= 50, "murty: n must be from 1 to 50, so that 2^n is exact, got ", n);
+  require_argument(n > 0 && n <= 50, "murty: n must be from 1 to 50, so that 2^n is exact, got ",
+                   n);
   ContactProblem problem{Eigen::MatrixXd::Identity(n, n), Eigen::VectorXd(n)};
   problem.compliance.triangularView<Eigen::StrictlyUpper>().setConstant(2);
   for (Index i = 0; i < n; ++i)

@@ -52,9 +52,9 @@ double snapped(double value, const std::vector<double>& levels, double tolerance
 
 std::string deformed_cells_csv(const Mesh& mesh, const NodeArray& displacements,
                                const Eigen::Ref<const Eigen::VectorXd>& value, double scale) {
-  require(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_cells(),
-          "deformed_cells_csv: need ", mesh.n_nodes(), " displacements and ", mesh.n_cells(),
-          " values, got ", displacements.rows(), " and ", value.size());
+  require_argument(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_cells(),
+                   "deformed_cells_csv: need ", mesh.n_nodes(), " displacements and ",
+                   mesh.n_cells(), " values, got ", displacements.rows(), " and ", value.size());
   const NodeArray moved = mesh.nodes + scale * displacements;
   const double size = moved.cwiseAbs().maxCoeff();
   const double largest = value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0;
@@ -74,11 +74,12 @@ std::string deformed_cells_csv(const Mesh& mesh, const NodeArray& displacements,
 std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
                                const Eigen::Ref<const Eigen::VectorXd>& value,
                                const std::vector<double>& levels, double scale) {
-  require(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_nodes(),
-          "deformed_bands_csv: need ", mesh.n_nodes(), " displacements and values, got ",
-          displacements.rows(), " and ", value.size());
-  require(std::adjacent_find(levels.begin(), levels.end(), std::greater_equal<>()) == levels.end(),
-          "deformed_bands_csv: every level must be above the one before it");
+  require_argument(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_nodes(),
+                   "deformed_bands_csv: need ", mesh.n_nodes(), " displacements and values, got ",
+                   displacements.rows(), " and ", value.size());
+  require_argument(
+      std::adjacent_find(levels.begin(), levels.end(), std::greater_equal<>()) == levels.end(),
+      "deformed_bands_csv: every level must be above the one before it");
   const NodeArray moved = mesh.nodes + scale * displacements;
   const double tolerance = 1e-9 * (value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0);
   std::vector<double> limits = levels;
@@ -120,9 +121,9 @@ std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
 
 std::string deformed_zero_line_csv(const Mesh& mesh, const NodeArray& displacements,
                                    const Eigen::Ref<const Eigen::VectorXd>& value, double scale) {
-  require(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_nodes(),
-          "deformed_zero_line_csv: need ", mesh.n_nodes(), " displacements and values, got ",
-          displacements.rows(), " and ", value.size());
+  require_argument(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_nodes(),
+                   "deformed_zero_line_csv: need ", mesh.n_nodes(),
+                   " displacements and values, got ", displacements.rows(), " and ", value.size());
   const NodeArray moved = mesh.nodes + scale * displacements;
   const double rounding = 1e-12 * (value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0);
   Table line({"x", "y"});

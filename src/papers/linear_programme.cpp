@@ -217,11 +217,11 @@ std::vector<ContactState> incremental_linear_programme(const ContactProblem& pro
                                                        const SolverOptions& options) {
   check_plain(problem, "incremental_linear_programme");
   ScaledProblem scaled = equilibrate(problem);
-  require(initial_gap.size() == problem.free_gap.size() && initial_gap.allFinite(),
-          "incremental_linear_programme: need ", problem.free_gap.size(),
-          " finite initial gaps, got ", initial_gap.size());
-  require(increments > 0, "incremental_linear_programme: need at least 1 increment, got ",
-          increments);
+  require_argument(initial_gap.size() == problem.free_gap.size() && initial_gap.allFinite(),
+                   "incremental_linear_programme: need ", problem.free_gap.size(),
+                   " finite initial gaps, got ", initial_gap.size());
+  require_argument(increments > 0, "incremental_linear_programme: need at least 1 increment, got ",
+                   increments);
   std::vector<ContactState> states;
   for (Index k = 1; k <= increments; ++k) {
     const double t = static_cast<double>(k) / static_cast<double>(increments);

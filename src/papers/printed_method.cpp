@@ -23,7 +23,7 @@ PrintedMethod printed_method(const ContactProblem& problem) {
   PrintedMethod run;
   run.all = run_quasi_active_set_literal(problem);
   run.one = run_quasi_active_set_literal(problem, {}, QuasiActiveRows::MostViolated);
-  require(!run.all.steps.empty(), "printed_method: no pair overlaps without contact");
+  require_argument(!run.all.steps.empty(), "printed_method: no pair overlaps without contact");
   run.group = run.all.steps.front().quasi_active;
   const ContactProblem part{problem.compliance(run.group, run.group), problem.free_gap(run.group)};
   run.weights = weight_supports(part, WeightRule::FullyCorrective, no_limit);
@@ -45,8 +45,8 @@ bool solved_in_one_step(const ContactProblem& problem, const ContactState& solut
 }
 
 Table outer_steps(const QuasiActiveRun& run, const Eigen::VectorXd& at) {
-  require(at.size() == run.state.gap.size(), "outer_steps: need ", run.state.gap.size(),
-          " positions, one per pair, got ", at.size());
+  require_argument(at.size() == run.state.gap.size(), "outer_steps: need ", run.state.gap.size(),
+                   " positions, one per pair, got ", at.size());
   Table table({"step", "at", "quasi_active", "closed"});
   for (std::size_t k = 0; k < run.steps.size(); ++k)
     for (const Index pair : run.steps[k].violated)
@@ -59,8 +59,8 @@ Table inner_steps(const std::vector<std::vector<Index>>& supports, const Eigen::
   Table table({"step", "at", "joins"});
   for (std::size_t k = 0; k < supports.size(); ++k)
     for (const Index pair : supports[k]) {
-      require(pair < at.size(), "inner_steps: pair ", pair, " has no position, there are ",
-              at.size());
+      require_argument(pair < at.size(), "inner_steps: pair ", pair, " has no position, there are ",
+                       at.size());
       table.row({static_cast<double>(k), at(pair), k == 0 ? 1 : 1 - is_in(supports[k - 1], pair)});
     }
   return table;

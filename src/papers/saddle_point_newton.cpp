@@ -155,9 +155,9 @@ Iteration summary(const Units& units, const Point& point, const std::vector<bool
 VectorXd start(const QuadraticProgramme& programme, const SaddlePointOptions& options) {
   const Index pairs = programme.initial_gap.size();
   if (options.start_force.size() == 0) return VectorXd::Zero(pairs);
-  require(options.start_force.size() == pairs && options.start_force.allFinite(),
-          "saddle_point_newton: need ", pairs, " finite forces to start from, got ",
-          options.start_force.size());
+  require_argument(options.start_force.size() == pairs && options.start_force.allFinite(),
+                   "saddle_point_newton: need ", pairs, " finite forces to start from, got ",
+                   options.start_force.size());
   return options.start_force;
 }
 

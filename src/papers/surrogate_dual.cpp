@@ -18,10 +18,11 @@ using Eigen::Index;
 void check_sizes(const char* function, const ContactProblem& problem,
                  const Eigen::VectorXd& weights) {
   const Index n = problem.free_gap.size();
-  require(problem.compliance.rows() == n && problem.compliance.cols() == n && weights.size() == n,
-          function, ": G, d and weights must belong to the same pairs, got G ",
-          problem.compliance.rows(), " x ", problem.compliance.cols(), ", d ", n, ", weights ",
-          weights.size());
+  require_argument(
+      problem.compliance.rows() == n && problem.compliance.cols() == n && weights.size() == n,
+      function, ": G, d and weights must belong to the same pairs, got G ",
+      problem.compliance.rows(), " x ", problem.compliance.cols(), ", d ", n, ", weights ",
+      weights.size());
 }
 
 /// Pairs in use whose force exceeds their gap, the largest force first.
@@ -82,7 +83,7 @@ ContactState unfinished(const ContactProblem& problem, const ScaledProblem& scal
 
 double lagrangian(const QuadraticProgramme& programme, const Eigen::VectorXd& displacement,
                   const Eigen::VectorXd& force) {
-  require(
+  require_argument(
       displacement.size() == programme.load.size() && force.size() == programme.initial_gap.size(),
       "lagrangian: expects ", programme.load.size(), " displacements and ",
       programme.initial_gap.size(), " forces, got ", displacement.size(), " and ", force.size());

@@ -53,8 +53,8 @@ void by_hand(const Scene& scene) {
   check_element(mesh, element);
   const Unknowns unknowns = number_unknowns(mesh, body.supports);
   const std::vector<MeshPiece> parts = pieces(mesh);
-  pose(parts.size() == 1 && loose_nodes(mesh).empty(), "the body hangs together badly");
-  pose(free_motions(mesh, parts, unknowns).empty(), "the body is loose");
+  require_input(parts.size() == 1 && loose_nodes(mesh).empty(), "the body hangs together badly");
+  require_input(free_motions(mesh, parts, unknowns).empty(), "the body is loose");
   const Surface source{mesh, contact.source.boundary};
   GapOptions options;
   options.n_nodes = mesh.n_nodes();
@@ -87,8 +87,8 @@ void by_hand(const Scene& scene) {
 
 int main(int argc, char** argv) try {
   const std::string way = argc > 1 ? argv[1] : "";
-  pose(way == "hand" || way == "scene" || way == "named",
-       "absent_effects hand|scene|named [CELLS]");
+  require_input(way == "hand" || way == "scene" || way == "named",
+                "absent_effects hand|scene|named [CELLS]");
   const Eigen::Index cells = argc > 2 ? std::stol(argv[2]) : 6;
   const Scene scene = signorini_test::cantilever("q4_incompatible", 10 * cells, cells);
   if (way == "hand") {

@@ -213,8 +213,8 @@ DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
 bool proves_infeasible(const QuadraticProgramme& programme, const VectorXd& y, const VectorXd& u,
                        Index equations) {
   const Index m = y.size();
-  require(u.size() == programme.load.size(), "proves_infeasible: need ", programme.load.size(),
-          " displacements, got ", u.size());
+  require_argument(u.size() == programme.load.size(), "proves_infeasible: need ",
+                   programme.load.size(), " displacements, got ", u.size());
   if (m == 0 || m > programme.initial_gap.size() || m < equations || !y.allFinite() ||
       (y.tail(m - equations).array() < 0).any())
     return false;

@@ -23,16 +23,18 @@ using Eigen::VectorXd;
 void check(const DenseProgramme& programme, const MatrixXd& N) {
   const Index n = programme.load.size();
   const Index m = programme.initial_gap.size();
-  require(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
-              programme.A.rows() == m && programme.A.cols() == n && N.rows() == n,
-          "floating programme: K must be ", n, " x ", n, ", A ", m, " x ", n, " and N have ", n,
-          " rows, got ", programme.stiffness.rows(), " x ", programme.stiffness.cols(), ", ",
-          programme.A.rows(), " x ", programme.A.cols(), " and ", N.rows());
-  require(programme.equations == 0, "floating programme: equations have no place here, got ",
-          programme.equations);
-  require(programme.stiffness.allFinite() && programme.load.allFinite() &&
-              programme.A.allFinite() && programme.initial_gap.allFinite() && N.allFinite(),
-          "floating programme: K, p, A, g and N must be finite");
+  require_argument(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
+                       programme.A.rows() == m && programme.A.cols() == n && N.rows() == n,
+                   "floating programme: K must be ", n, " x ", n, ", A ", m, " x ", n,
+                   " and N have ", n, " rows, got ", programme.stiffness.rows(), " x ",
+                   programme.stiffness.cols(), ", ", programme.A.rows(), " x ", programme.A.cols(),
+                   " and ", N.rows());
+  require_argument(programme.equations == 0,
+                   "floating programme: equations have no place here, got ", programme.equations);
+  require_argument(programme.stiffness.allFinite() && programme.load.allFinite() &&
+                       programme.A.allFinite() && programme.initial_gap.allFinite() &&
+                       N.allFinite(),
+                   "floating programme: K, p, A, g and N must be finite");
 }
 
 /// Square roots of the diagonal of K: one unit for all unknowns. Where K has nothing, their mean.
@@ -48,17 +50,19 @@ MatrixXd orthonormal_modes(const MatrixXd& K, const MatrixXd& N, const VectorXd&
   for (Index j = 0; j < N.cols(); ++j) {
     const VectorXd stretched = (K * N.col(j)).cwiseQuotient(scale);
     const VectorXd size = (K.cwiseAbs() * N.col(j).cwiseAbs()).cwiseQuotient(scale);
-    pose(stretched.norm() <= 1e3 * rounding * size.norm() && N.col(j).norm() > 0,
-         "floating programme: column ", j + 1, " of the null vectors is no rigid mode: K N is ",
-         size.norm() > 0 ? stretched.norm() / size.norm() : 0,
-         " of its terms, expected rounding; give vectors with K N = 0");
+    require_input(stretched.norm() <= 1e3 * rounding * size.norm() && N.col(j).norm() > 0,
+                  "floating programme: column ", j + 1,
+                  " of the null vectors is no rigid mode: K N is ",
+                  size.norm() > 0 ? stretched.norm() / size.norm() : 0,
+                  " of its terms, expected rounding; give vectors with K N = 0");
   }
   MatrixXd modes = scale.asDiagonal() * N;
   for (Index j = 0; j < N.cols(); ++j) modes.col(j).normalize();
   if (N.cols() == 0) return modes;
   ColumnSpan span = column_span(modes, rounding);
-  pose(span.rank == N.cols(), "floating programme: the ", N.cols(),
-       " null vectors are dependent, of rank ", span.rank, "; leave out those that repeat others");
+  require_input(span.rank == N.cols(), "floating programme: the ", N.cols(),
+                " null vectors are dependent, of rank ", span.rank,
+                "; leave out those that repeat others");
   return span.basis;
 }
 
@@ -107,10 +111,11 @@ FloatingCondensed condense(const DenseProgramme& programme, const MatrixXd& null
   FloatingCondensed condensed{CholeskyFactor(grounded), {}, {}};
   const VectorXd pivots = condensed.factor.lower().diagonal().cwiseAbs2();
   const double tiny = static_cast<double>(diagonal.size() + 1) * epsilon;
-  pose(condensed.factor.positive() && (pivots.array() > tiny * diagonal.array()).all(),
-       "floating programme: K with ", null_vectors.cols(),
-       " grounded modes is not positive definite; the body can move in more ways than the null "
-       "vectors say, or K is indefinite");
+  require_input(
+      condensed.factor.positive() && (pivots.array() > tiny * diagonal.array()).all(),
+      "floating programme: K with ", null_vectors.cols(),
+      " grounded modes is not positive definite; the body can move in more ways than the null "
+      "vectors say, or K is indefinite");
   condensed.free_displacement = condensed.factor.solve(programme.load);
   MatrixXd half = programme.A.transpose();
   solve_lower_columns(condensed.factor.lower(), half);

@@ -19,18 +19,19 @@ double reach(double stretch, double weight) { return weight > 0 ? stretch / weig
 void check(const DenseProgramme& programme) {
   const Index n = programme.load.size();
   const Index m = programme.initial_gap.size();
-  require(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
-              programme.A.rows() == m && programme.A.cols() == n,
-          "quadratic programme: K must be ", n, " x ", n, " and A ", m, " x ", n, ", got ",
-          programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
-          programme.A.rows(), " x ", programme.A.cols());
-  require(programme.equations >= 0 && programme.equations <= m,
-          "quadratic programme: equations must be 0 to ", m, ", got ", programme.equations);
+  require_argument(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
+                       programme.A.rows() == m && programme.A.cols() == n,
+                   "quadratic programme: K must be ", n, " x ", n, " and A ", m, " x ", n, ", got ",
+                   programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
+                   programme.A.rows(), " x ", programme.A.cols());
+  require_argument(programme.equations >= 0 && programme.equations <= m,
+                   "quadratic programme: equations must be 0 to ", m, ", got ",
+                   programme.equations);
   // A sum is finite only if every term is.
-  require(std::isfinite(programme.stiffness.sum() * 0) && std::isfinite(programme.A.sum() * 0) &&
-              std::isfinite(programme.load.sum() * 0) &&
-              std::isfinite(programme.initial_gap.sum() * 0),
-          "quadratic programme: K, p, A and g, and their sums, must be finite");
+  require_argument(
+      std::isfinite(programme.stiffness.sum() * 0) && std::isfinite(programme.A.sum() * 0) &&
+          std::isfinite(programme.load.sum() * 0) && std::isfinite(programme.initial_gap.sum() * 0),
+      "quadratic programme: K, p, A and g, and their sums, must be finite");
 }
 
 /// What each equation adds to K: along its own row as much as the unknowns of the row resist together, so that it swamps none of

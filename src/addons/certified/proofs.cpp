@@ -193,8 +193,8 @@ VectorXd unbounded_direction(const ScaledProblem& problem) {
 }
 
 double balanced_share(const ContactProblem& problem, const VectorXd& before) {
-  require(before.size() == problem.resultant.size(), "balanced_share: the load has ",
-          problem.resultant.size(), " resultants, but what it grows from ", before.size());
+  require_argument(before.size() == problem.resultant.size(), "balanced_share: the load has ",
+                   problem.resultant.size(), " resultants, but what it grows from ", before.size());
   const Index pairs = problem.free_gap.size();
   double share = 1;
   for (ContactProblem now = problem;;) {

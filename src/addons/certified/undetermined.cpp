@@ -122,12 +122,13 @@ double SharedForces::width() const {
 std::vector<SharedForces> undetermined_forces(const Carried& carried, double work) {
   const Index rows = carried.force.size();
   const Index pairs = static_cast<Index>(carried.statuses.size());
-  require(carried.effect.cols() == rows && carried.movement.size() == rows &&
-              carried.rounding.size() == rows &&
-              pairs + static_cast<Index>(carried.law.pair.size()) == rows,
-          "undetermined_forces: need ", rows, " columns, movements and roundings for ", rows,
-          " forces of ", pairs, " pairs and ", carried.law.pair.size(), " slips, got ",
-          carried.effect.cols(), ", ", carried.movement.size(), " and ", carried.rounding.size());
+  require_argument(carried.effect.cols() == rows && carried.movement.size() == rows &&
+                       carried.rounding.size() == rows &&
+                       pairs + static_cast<Index>(carried.law.pair.size()) == rows,
+                   "undetermined_forces: need ", rows, " columns, movements and roundings for ",
+                   rows, " forces of ", pairs, " pairs and ", carried.law.pair.size(),
+                   " slips, got ", carried.effect.cols(), ", ", carried.movement.size(), " and ",
+                   carried.rounding.size());
   const FreeForces free(carried);
   std::vector<SharedForces> groups;
   for (SharedForces& group : free.groups()) {

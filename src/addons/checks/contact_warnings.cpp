@@ -75,7 +75,7 @@ std::string obstacle_warning(const Obstacle& obstacle, const std::string& what,
   Index turned = 0;
   const double most = cosine.maxCoeff(&turned);
   constexpr double aside = 1e-6;  // a cosine that says neither
-  pose(
+  require_input(
       most <= aside || pairs.initial_gap.maxCoeff() > gap_rounding(pairs), what,
       ": no node of the boundary is in front of the ", obstacle.name, ", and at node ",
       pairs.node[static_cast<std::size_t>(turned)], ", (", pairs.position(turned, 0), ", ",
@@ -134,11 +134,12 @@ void check_listed_once(const Scene& scene, const std::vector<BodyModel>& bodies)
   const std::vector<ContactSpec>& contacts = scene.contacts;
   for (std::size_t two = 1; two < contacts.size(); ++two)
     for (std::size_t one = 0; one < two; ++one)
-      pose(!pair_the_same(contacts[one], contacts[two], bodies), "contacts ", one + 1, " and ",
-           two + 1, " of the scene are about the same sides: the ", describe(bodies, contacts[one]),
-           ", and the ", describe(bodies, contacts[two]),
-           ". Each would carry a part of the pressure only: leave one of them out, or let their "
-           "boundaries have no side in common");
+      require_input(
+          !pair_the_same(contacts[one], contacts[two], bodies), "contacts ", one + 1, " and ",
+          two + 1, " of the scene are about the same sides: the ", describe(bodies, contacts[one]),
+          ", and the ", describe(bodies, contacts[two]),
+          ". Each would carry a part of the pressure only: leave one of them out, or let their "
+          "boundaries have no side in common");
 }
 
 std::vector<std::string> contact_warnings(const ContactSpec& contact,

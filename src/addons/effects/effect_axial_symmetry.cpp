@@ -18,9 +18,10 @@ void check_side(const Plan& draft, const Side& side) {
   };
   for (const CellSide& part : boundary(mesh, side.boundary)) {
     const std::vector<Eigen::Index> nodes = mesh.side_nodes(part);
-    pose(!on_axis(nodes.front()) || !on_axis(nodes.back()), "contact on '", side.boundary, "' of '",
-         mesh.name,
-         "': it lies on the axis x = 0, where a body of revolution has no surface; leave it out");
+    require_input(
+        !on_axis(nodes.front()) || !on_axis(nodes.back()), "contact on '", side.boundary, "' of '",
+        mesh.name,
+        "': it lies on the axis x = 0, where a body of revolution has no surface; leave it out");
   }
 }
 
@@ -28,8 +29,8 @@ void check_side(const Plan& draft, const Side& side) {
 /// unknowns has held what lies on the axis.
 void price_revolution(const Scene& scene, Plan& draft) {
   for (const Body& body : scene.bodies) {
-    pose(is_axial(body), "body '", body.mesh.name,
-         "' is plane, but another body of the scene is axially symmetric: all must be");
+    require_input(is_axial(body), "body '", body.mesh.name,
+                  "' is plane, but another body of the scene is axially symmetric: all must be");
     draft.on.push_back(text("axial symmetry of '", body.mesh.name,
                             "': x is the radius, forces are those of the whole circle, ",
                             axis_nodes(body.mesh).size(), " nodes on the axis"));

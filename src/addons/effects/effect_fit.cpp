@@ -49,7 +49,7 @@ void price_fit(const Scene& scene, Plan& draft, Fit length, const std::string& n
   for (const ContactSpec& contact : scene.contacts) {
     const double given = (contact.*length).value_or(0);
     const std::string what = text(name, " of the ", describe(draft.bodies, contact));
-    pose(std::isfinite(given) && given >= 0, what, " must be a length >= 0, got ", given);
+    require_input(std::isfinite(given) && given >= 0, what, " must be a length >= 0, got ", given);
     if (given <= 0) continue;
     draft.on.push_back(text(what, ": ", given));
     std::string warning = fit_warning(contact, draft.bodies, name, given);

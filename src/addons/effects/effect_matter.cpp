@@ -47,13 +47,14 @@ void price_temperature(const Scene& scene, Plan& draft) {
     if (!is_warm(scene.bodies[b])) continue;
     const Temperature& temperature = *scene.bodies[b].temperature;
     const std::string what = text("temperature of '", draft.bodies[b].mesh.name, "'");
-    pose(std::isfinite(temperature.uniform) && temperature.gradient.allFinite(), what,
-         ": must be finite, got ", temperature.uniform, " and the gradient (",
-         temperature.gradient.x(), ", ", temperature.gradient.y(), ')');
+    require_input(std::isfinite(temperature.uniform) && temperature.gradient.allFinite(), what,
+                  ": must be finite, got ", temperature.uniform, " and the gradient (",
+                  temperature.gradient.x(), ", ", temperature.gradient.y(), ')');
     MaterialField& field = draft.bodies[b].material;
-    pose(expands(field), what,
-         ": its material does not expand; give it a thermal expansion, or leave the temperature "
-         "out");
+    require_input(
+        expands(field), what,
+        ": its material does not expand; give it a thermal expansion, or leave the temperature "
+        "out");
     field.eigenstrain = expansion(temperature);
     std::string line = text(what, ": ", temperature.uniform, " more than without stress");
     if ((temperature.gradient.array() != 0).any())

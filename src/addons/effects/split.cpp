@@ -39,8 +39,8 @@ RowVector2d middle_of_diagonal(const Mesh& mesh, Index cell, int start) {
 std::vector<Piece> pieces_of(const Mesh& mesh, const std::vector<Index>& cells) {
   std::vector<Piece> pieces(static_cast<std::size_t>(mesh.n_cells()));
   for (const Index cell : cells) {
-    require(cell >= 0 && cell < mesh.n_cells(), "split: mesh '", mesh.name, "' has the cells 0 to ",
-            mesh.n_cells() - 1, ", got ", cell);
+    require_argument(cell >= 0 && cell < mesh.n_cells(), "split: mesh '", mesh.name,
+                     "' has the cells 0 to ", mesh.n_cells() - 1, ", got ", cell);
     if (mesh.corners(cell) == 4)
       pieces[static_cast<std::size_t>(cell)].start = shorter_diagonal(mesh, cell);
   }

@@ -36,9 +36,10 @@ Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, const Depth& dept
                                              const std::vector<Spring>& springs) {
   Triplets entries;
   for (const Spring& spring : springs) {
-    pose(spring.stiffness.allFinite() && spring.stiffness.minCoeff() >= 0, "springs at '",
-         spring.boundary, "' of '", mesh.name, "': a stiffness must be a number >= 0, got (",
-         spring.stiffness.x(), ", ", spring.stiffness.y(), ')');
+    require_input(spring.stiffness.allFinite() && spring.stiffness.minCoeff() >= 0, "springs at '",
+                  spring.boundary, "' of '", mesh.name,
+                  "': a stiffness must be a number >= 0, got (", spring.stiffness.x(), ", ",
+                  spring.stiffness.y(), ')');
     const std::vector<Index> nodes = nodes_at(mesh, spring.boundary, spring.only_at, "spring");
     if (spring.only_at)
       add(nodes.front(), nodes.front(), spring.stiffness, entries);

@@ -54,10 +54,11 @@ class Loop {
  public:
   Loop(Scene scene, const Accuracy& wanted) : wanted_(wanted) {
     run_.scene = std::move(scene);
-    pose(wanted.target > 0 && std::isfinite(wanted.target),
-         "accuracy: expected a target above 0, got ", wanted.target);
-    pose(!run_.scene.path,
-         "accuracy: the error of load steps is not estimated; leave the accuracy or the steps out");
+    require_input(wanted.target > 0 && std::isfinite(wanted.target),
+                  "accuracy: expected a target above 0, got ", wanted.target);
+    require_input(
+        !run_.scene.path,
+        "accuracy: the error of load steps is not estimated; leave the accuracy or the steps out");
   }
 
   AccurateSolution run(const std::function<void(const AccuracyRound&)>& observe) {

@@ -15,8 +15,8 @@ using Eigen::VectorXd;
 
 ActiveSet set_of(const Solution& solution, const ScaledProblem& scaled) {
   const ContactState& contact = solution.contact;
-  pose(contact.report.status == SolveStatus::Solved,
-       "estimate: the problem is not solved: ", to_string(contact.report.status));
+  require_input(contact.report.status == SolveStatus::Solved,
+                "estimate: the problem is not solved: ", to_string(contact.report.status));
   return active_set(all_statuses(contact), scaled.law);
 }
 
@@ -29,11 +29,12 @@ Dual::Dual(const Model& model, const Condensed& condensed, const Solution& solut
       scaled_(equilibrate(condensed.problem)),
       set_(set_of(solution, scaled_)) {
   const auto unique = [](bool holds) {
-    pose(holds,
-         "estimate: the contact forces of the closed pairs are not unique, as where there are more "
-         "of them than "
-         "nodes to press on, and have no error that could be estimated; use the gap operator "
-         "mortar, or fewer points");
+    require_input(
+        holds,
+        "estimate: the contact forces of the closed pairs are not unique, as where there are more "
+        "of them than "
+        "nodes to press on, and have no error that could be estimated; use the gap operator "
+        "mortar, or fewer points");
   };
   if (slides()) {
     transposed_ = LuFactor(closing_matrix(scaled_, set_.closed, set_).transpose());
@@ -112,7 +113,7 @@ double Dual::force_to_close(Index pair) const {
 double Dual::gap_without(Index pair) const {
   const std::vector<Index>& rows = set_.closed;
   const auto found = std::find(rows.begin(), rows.end(), pair);
-  require(found != rows.end(), "gap_without: pair ", pair, " is not closed");
+  require_argument(found != rows.end(), "gap_without: pair ", pair, " is not closed");
   VectorXd unit = VectorXd::Zero(static_cast<Index>(rows.size()));
   const Index own = found - rows.begin();
   unit(own) = 1;

@@ -52,8 +52,9 @@ MeshEdges edges(const Mesh& mesh) {
         k > 0 && sides[k].low == sides[k - 1].low && sides[k].high == sides[k - 1].high;
     if (second) {
       CellSide& other = result.sides.back()[1];
-      pose(other.cell < 0, "mesh '", mesh.name, "': more than two cells share the edge from node ",
-           sides[k].low, " to node ", sides[k].high, ", cell ", sides[k].side.cell, " among them");
+      require_input(other.cell < 0, "mesh '", mesh.name,
+                    "': more than two cells share the edge from node ", sides[k].low, " to node ",
+                    sides[k].high, ", cell ", sides[k].side.cell, " among them");
       other = sides[k].side;
     } else {
       result.sides.push_back({sides[k].side, CellSide{-1, 0}});
@@ -107,8 +108,9 @@ std::vector<Index> chords(const Mesh& mesh, const MeshEdges& edges) {
 
 std::vector<char> closed_under_halving(const Mesh& mesh, const MeshEdges& edges,
                                        std::vector<char> halved) {
-  require(halved.size() == edges.size(), "closed_under_halving: expected a mark for each of ",
-          edges.size(), " edges, got ", halved.size());
+  require_argument(halved.size() == edges.size(),
+                   "closed_under_halving: expected a mark for each of ", edges.size(),
+                   " edges, got ", halved.size());
   std::vector<Index> open;
   for (std::size_t edge = 0; edge < halved.size(); ++edge)
     if (halved[edge] != 0) open.push_back(static_cast<Index>(edge));

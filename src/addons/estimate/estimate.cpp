@@ -55,16 +55,18 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
                                 const Solution& solution, const std::vector<Goal>& goals,
                                 Ledger& ledger) {
   const Ledger::Phase phase(ledger, "estimate");
-  pose(model.path.times.empty(),
-       "estimate: the model has load steps, whose errors add up along the path; only that of a "
-       "scene solved in one step is "
-       "estimated: leave the path out, or compare with a finer mesh");
+  require_input(
+      model.path.times.empty(),
+      "estimate: the model has load steps, whose errors add up along the path; only that of a "
+      "scene solved in one step is "
+      "estimated: leave the path out, or compare with a finer mesh");
   const Dual dual(model, condensed, solution);
   for (std::size_t pair = 0; pair < model.pairs.node.size(); ++pair)
-    pose(model.pairs.node[pair] >= 0, "estimate: the pairs of ",
-         model.contacts[model.contact_of[pair]],
-         " are Gauss points with forces of their own, whose error is not estimated; use the gap "
-         "operator mortar or node_to_segment");
+    require_input(
+        model.pairs.node[pair] >= 0, "estimate: the pairs of ",
+        model.contacts[model.contact_of[pair]],
+        " are Gauss points with forces of their own, whose error is not estimated; use the gap "
+        "operator mortar or node_to_segment");
   const QuadraticProgramme& programme = model.programme;
   const Residuals residuals(programme, solution.refined);
   const std::vector<ContactEdge> edges = contact_edges(model);

@@ -6,8 +6,8 @@ namespace signorini {
 
 void check_fields(const Fields& fields) {
   for (const NodeArray& u : fields.displacements)
-    require(u.rows() == fields.mesh.n_nodes(), "recovery: need the displacements of ",
-            fields.mesh.n_nodes(), " nodes, got ", u.rows());
+    require_argument(u.rows() == fields.mesh.n_nodes(), "recovery: need the displacements of ",
+                     fields.mesh.n_nodes(), " nodes, got ", u.rows());
 }
 
 }  // namespace signorini

@@ -28,9 +28,9 @@ struct NodeSum {
 };
 
 NodeSum nodes_of(const Model& model, const Displacement& goal, const std::string& name) {
-  pose(goal.boundary.empty() != !goal.point.has_value(), "goal '", name,
-       "': a displacement is that of a boundary or of a point; give one of them, not ",
-       goal.boundary.empty() ? "none" : "both");
+  require_input(goal.boundary.empty() != !goal.point.has_value(), "goal '", name,
+                "': a displacement is that of a boundary or of a point; give one of them, not ",
+                goal.boundary.empty() ? "none" : "both");
   const std::size_t body = body_index(model.bodies, {goal.boundary, goal.body});
   const BodyModel& own = model.bodies[body];
   if (!goal.point) {
@@ -40,10 +40,11 @@ NodeSum nodes_of(const Model& model, const Displacement& goal, const std::string
   }
   const EdgePlace place = place_on_edge(own.mesh, *goal.point);
   for (const PointForce& force : own.loads.points)
-    pose(force.point != *goal.point || force.force(static_cast<int>(goal.axis)) == 0, "goal '",
-         name, "': a point force acts at this very point of body '", own.mesh.name,
-         "', where the displacement grows without bound as the mesh is refined; ask for another "
-         "point, or spread the force");
+    require_input(
+        force.point != *goal.point || force.force(static_cast<int>(goal.axis)) == 0, "goal '", name,
+        "': a point force acts at this very point of body '", own.mesh.name,
+        "', where the displacement grows without bound as the mesh is refined; ask for another "
+        "point, or spread the force");
   return {body, place.nodes, place.share.head(static_cast<Index>(place.nodes.size()))};
 }
 
@@ -87,11 +88,11 @@ void require_closed_to(const Profile& read, double half_width, const Goal& goal)
     for (std::size_t beside = k - std::min<std::size_t>(k, 2); beside < std::min(k + 3, x.size());
          ++beside)
       if (read.force[beside] > 0) reach = std::max(reach, std::abs(x[k]));
-  pose(half_width <= reach, "goal '", goal.name,
-       "': an ellipse of these forces has the half-width ", half_width,
-       ", and contact reaches only ", reach,
-       " from its middle: it does not press as Hertz's does; ask for its force or for a "
-       "displacement");
+  require_input(half_width <= reach, "goal '", goal.name,
+                "': an ellipse of these forces has the half-width ", half_width,
+                ", and contact reaches only ", reach,
+                " from its middle: it does not press as Hertz's does; ask for its force or for a "
+                "displacement");
 }
 
 /// Runs a reading of Hertz's contact, whose own errors blame its caller.
@@ -105,8 +106,8 @@ auto readable(const Goal& goal, Read&& read) {
 }
 
 void require_numbers(const Solution& solution, const Goal& goal) {
-  pose(solution.contact.report.status == SolveStatus::Solved, "goal '", goal.name,
-       "': the problem is not solved: ", to_string(solution.contact.report.status));
+  require_input(solution.contact.report.status == SolveStatus::Solved, "goal '", goal.name,
+                "': the problem is not solved: ", to_string(solution.contact.report.status));
 }
 
 /// The forces of one contact.
@@ -131,9 +132,9 @@ Resultant resultant(const Model& model, const Solution& solution, const ContactF
   force << contact.force, contact.friction;
   const Vector2d sum = direction.transpose() * force;
   const double size = sum.norm();
-  pose(size > std::sqrt(epsilon) * force.lpNorm<1>(), "goal '", name,
-       "': the forces of the contact balance each other, their resultant is ", size,
-       "; ask for its normal_force");
+  require_input(size > std::sqrt(epsilon) * force.lpNorm<1>(), "goal '", name,
+                "': the forces of the contact balance each other, their resultant is ", size,
+                "; ask for its normal_force");
   return {sum, direction * (sum / size)};
 }
 

@@ -48,14 +48,14 @@ Vector2d middle_of(const Plan& plan, const std::string& contact) {
 
 /// The contact that a goal is about: if it is named, or the only one.
 std::string contact_in_words(const std::string& word, const std::string& name, const Plan& plan) {
-  pose(!plan.contacts.empty(), "goal ", in_quotes(word), ": the scene has no contact");
-  pose(!name.empty() || plan.contacts.size() == 1, "goal ", in_quotes(word),
-       ": say which contact, as in ", in_quotes(word + ":" + plan.contacts.front()), "; there are ",
-       listed(plan.contacts));
+  require_input(!plan.contacts.empty(), "goal ", in_quotes(word), ": the scene has no contact");
+  require_input(!name.empty() || plan.contacts.size() == 1, "goal ", in_quotes(word),
+                ": say which contact, as in ", in_quotes(word + ":" + plan.contacts.front()),
+                "; there are ", listed(plan.contacts));
   bool known = name.empty();
   for (const std::string& contact : plan.contacts) known = known || contact == name;
-  pose(known, "goal ", in_quotes(word), ": unknown contact ", in_quotes(name),
-       suggestion(name, plan.contacts));
+  require_input(known, "goal ", in_quotes(word), ": unknown contact ", in_quotes(name),
+                suggestion(name, plan.contacts));
   return name;
 }
 
@@ -63,8 +63,8 @@ Goal displacement_in_words(const std::string& word, const std::string& place, co
   const std::size_t last = place.rfind('.');
   const std::size_t first = place.find('.');
   const std::string axis = last == std::string::npos ? "" : place.substr(last + 1);
-  pose((axis == "x" || axis == "y") && last > 0, "goal ", in_quotes(word),
-       ": expected displacement:BODY.boundary.x or displacement:BODY.boundary.y");
+  require_input((axis == "x" || axis == "y") && last > 0, "goal ", in_quotes(word),
+                ": expected displacement:BODY.boundary.x or displacement:BODY.boundary.y");
   Displacement goal;
   goal.axis = axis == "x" ? Axis::X : Axis::Y;
   if (first != last) goal.body = place.substr(0, first);
@@ -108,9 +108,10 @@ DefaultGoal default_goal(const Scene& scene, const Plan& plan) {
   if (plan.contacts.size() == 1)
     found.why = "equilibrium alone says what the contact force is, on any mesh";
   if (loaded(plan, found)) return found;
-  pose(!scene.contacts.empty(),
-       "the scene has neither contact nor a loaded boundary: say what is to be accurate, as in "
-       "displacement:BODY.boundary.y");
+  require_input(
+      !scene.contacts.empty(),
+      "the scene has neither contact nor a loaded boundary: say what is to be accurate, as in "
+      "displacement:BODY.boundary.y");
   const Side& source = scene.contacts.front().source;
   const BodyModel& body = plan.bodies[body_index(plan.bodies, source)];
   found.goal = displacement_of(body, source.boundary, Vector2d(0, 1));
@@ -123,9 +124,10 @@ Goal goal_in_words(const std::string& word, const Plan& plan) {
   const std::string name = colon == std::string::npos ? "" : word.substr(colon + 1);
   if (kind == "displacement") return displacement_in_words(word, name, plan);
   const std::vector<std::string> kinds = {"force", "normal_force", "peak", "width"};
-  pose(std::find(kinds.begin(), kinds.end(), kind) != kinds.end(), "unknown goal ", in_quotes(word),
-       suggestion(kind, {"force", "normal_force", "peak", "width", "displacement"}),
-       ". Expected force, normal_force, peak, width, or displacement:BODY.boundary.y");
+  require_input(std::find(kinds.begin(), kinds.end(), kind) != kinds.end(), "unknown goal ",
+                in_quotes(word),
+                suggestion(kind, {"force", "normal_force", "peak", "width", "displacement"}),
+                ". Expected force, normal_force, peak, width, or displacement:BODY.boundary.y");
   const std::string contact = contact_in_words(word, name, plan);
   if (kind == "force") return {word, ContactForce{contact}};
   if (kind == "normal_force") return {word, NormalForce{contact, {}}};

@@ -43,10 +43,10 @@ std::vector<Index> running_on(const std::vector<Index>& walk, bool ring, Index s
 std::vector<Index> pairs_of(const Model& model, const std::string& contact) {
   const auto found = std::find(model.contacts.begin(), model.contacts.end(), contact);
   const bool only = contact.empty() && model.contacts.size() == 1;
-  pose(only || found != model.contacts.end(),
-       contact.empty() ? text("a goal of contact must name one of several contacts: ")
-                       : text("there is no contact ", in_quotes(contact), " for a goal"),
-       contact.empty() ? listed(model.contacts) : suggestion(contact, model.contacts));
+  require_input(only || found != model.contacts.end(),
+                contact.empty() ? text("a goal of contact must name one of several contacts: ")
+                                : text("there is no contact ", in_quotes(contact), " for a goal"),
+                contact.empty() ? listed(model.contacts) : suggestion(contact, model.contacts));
   const std::size_t number = only ? 0 : at(found - model.contacts.begin());
   std::vector<Index> pairs;
   for (Index pair = 0; pair < model.pairs.weight.size(); ++pair)
@@ -61,15 +61,17 @@ ContactLine line_of(const Model& model, const std::string& contact, const Vector
   };
   Index nearest = -1;
   for (const Index pair : pairs) {
-    pose(model.pairs.node[at(pair)] >= 0,
-         "a width or a peak of pressure cannot be read from the pairs of ",
-         model.contacts[model.contact_of[at(pair)]],
-         ", which are Gauss points, whose forces are not unique; use the gap operator mortar or "
-         "node_to_segment");
+    require_input(
+        model.pairs.node[at(pair)] >= 0,
+        "a width or a peak of pressure cannot be read from the pairs of ",
+        model.contacts[model.contact_of[at(pair)]],
+        ", which are Gauss points, whose forces are not unique; use the gap operator mortar or "
+        "node_to_segment");
     if (nearest < 0 || away(pair) < away(nearest)) nearest = pair;
   }
-  pose(nearest >= 0,
-       "a width or a peak of pressure needs a contact that can close; none of its pairs can move");
+  require_input(
+      nearest >= 0,
+      "a width or a peak of pressure needs a contact that can close; none of its pairs can move");
   const Vector2d normal = model.pairs.normal.row(nearest).transpose().normalized();
   const Vector2d along(normal.y(), -normal.x());
   ContactLine line;

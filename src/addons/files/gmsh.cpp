@@ -32,9 +32,10 @@ void check_plane(const GmshRecords& file) {
   for (const GmshElement& cell : file.cells)
     for (std::size_t k = 0; k < cell.n_nodes; ++k) {
       const GmshNode& node = file.nodes[cell.nodes[k]];
-      pose(std::abs(node.position[2] - first[2]) <= 1e-9 * extent, file.name, ":", node.line,
-           ": expected z = ", first[2], " as of other nodes, got z = ", node.position[2],
-           "; turn the body into the plane of x and y");
+      require_input(std::abs(node.position[2] - first[2]) <= 1e-9 * extent, file.name, ":",
+                    node.line, ": expected z = ", first[2],
+                    " as of other nodes, got z = ", node.position[2],
+                    "; turn the body into the plane of x and y");
     }
 }
 
@@ -49,11 +50,11 @@ void check_names(const GmshRecords& file) {
   add(1, file.lines);
   add(2, file.cells);
   for (const auto& [group, name] : file.groups.names())
-    pose((group.first != 1 && group.first != 2) || borne.count(group) != 0, file.name,
-         ":1: nothing in the file is in the physical ", group.first == 1 ? "curve" : "surface",
-         " '", name,
-         "'; mesh it before saving, with Mesh.SaveAll = 0 (1 loses the groups in version",
-         " 2.2), or take the name away");
+    require_input((group.first != 1 && group.first != 2) || borne.count(group) != 0, file.name,
+                  ":1: nothing in the file is in the physical ",
+                  group.first == 1 ? "curve" : "surface", " '", name,
+                  "'; mesh it before saving, with Mesh.SaveAll = 0 (1 loses the groups in version",
+                  " 2.2), or take the name away");
 }
 
 /// Which cells are whose. Without physical surfaces all have the tag 0.
@@ -64,11 +65,12 @@ CellsByTag cells_by_tag(const GmshRecords& file) {
   for (std::size_t k = 0; k < file.cells.size(); ++k) {
     const GmshElement& cell = file.cells[k];
     const std::vector<std::int64_t>& tags = file.groups.tags(cell.groups);
-    pose(!grouped || !tags.empty(), file.name, ":", cell.line,
-         ": this cell is in no physical surface, though others are; put its surface into one, or "
-         "set Mesh.SaveAll = 0 to leave it out");
-    pose(tags.size() <= 1, file.name, ":", cell.line, ": this cell is in ", tags.size(),
-         " physical surfaces; each is a body of its own, leave it in one");
+    require_input(
+        !grouped || !tags.empty(), file.name, ":", cell.line,
+        ": this cell is in no physical surface, though others are; put its surface into one, or "
+        "set Mesh.SaveAll = 0 to leave it out");
+    require_input(tags.size() <= 1, file.name, ":", cell.line, ": this cell is in ", tags.size(),
+                  " physical surfaces; each is a body of its own, leave it in one");
     result[grouped ? tags.front() : 0].push_back(k);
   }
   return result;
@@ -104,30 +106,30 @@ std::vector<SurfacesOfBody> surfaces_of_bodies(const GmshRecords& file, const Gm
   for (const auto& [body, surfaces] : parts)
     for (const std::string& surface : surfaces) {
       const std::string& first = body_of.emplace(surface, body).first->second;
-      pose(first == body, file.name, ":1: the physical surface '", surface, "' is to be part of '",
-           first, "' and of '", body, "'; leave it in one");
+      require_input(first == body, file.name, ":1: the physical surface '", surface,
+                    "' is to be part of '", first, "' and of '", body, "'; leave it in one");
     }
   std::vector<SurfacesOfBody> bodies;
   std::set<std::string> names;
   for (auto& [tag, source] : cells_by_tag(file)) {
     const std::string surface = tag == 0 ? Mesh().name : file.groups.name(2, tag);
-    pose(names.insert(surface).second, file.name, ":", file.cells[source.front()].line,
-         ": two physical surfaces are named '", surface, "'; rename one");
+    require_input(names.insert(surface).second, file.name, ":", file.cells[source.front()].line,
+                  ": two physical surfaces are named '", surface, "'; rename one");
     const auto part = body_of.find(surface);
     const std::string& name = part == body_of.end() ? surface : part->second;
     auto body = std::find_if(bodies.begin(), bodies.end(),
                              [&](const SurfacesOfBody& one) { return one.name == name; });
     if (body == bodies.end()) body = bodies.insert(bodies.end(), {name, part != body_of.end()});
-    pose(body->has_parts == (part != body_of.end()), file.name, ":",
-         file.cells[source.front()].line, ": the physical surface '", surface,
-         "' and a body of several are both named '", name, "'; rename one");
+    require_input(body->has_parts == (part != body_of.end()), file.name, ":",
+                  file.cells[source.front()].line, ": the physical surface '", surface,
+                  "' and a body of several are both named '", name, "'; rename one");
     body->surfaces.emplace_back(surface, std::move(source));
   }
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "'" : ", '") + name + "'";
   for (const auto& [surface, body] : body_of)
-    pose(names.count(surface) != 0, file.name, ":1: there is no physical surface '", surface,
-         "' for the body '", body, "'; there are: ", known);
+    require_input(names.count(surface) != 0, file.name, ":1: there is no physical surface '",
+                  surface, "' for the body '", body, "'; there are: ", known);
   return bodies;
 }
 
@@ -147,9 +149,10 @@ GmshBody make_body(const GmshRecords& file, const SurfacesOfBody& surfaces) {
   for (const std::size_t number : body.source) {
     const GmshElement& element = file.cells[number];
     const auto per_side = [](const GmshElement& cell) { return 1 + cell.n_nodes / cell.corners; };
-    pose(per_side(element) == per_side(first), file.name, ":", element.line,
-         ": expected a cell of ", per_side(first), " nodes per side as in line ", first.line,
-         ", got ", per_side(element), "; save one body with one Mesh.ElementOrder");
+    require_input(per_side(element) == per_side(first), file.name, ":", element.line,
+                  ": expected a cell of ", per_side(first), " nodes per side as in line ",
+                  first.line, ", got ", per_side(element),
+                  "; save one body with one Mesh.ElementOrder");
     width = std::max(width, element.n_nodes);
   }
   body.file_nodes.setConstant(count, static_cast<Index>(width), -1);
@@ -179,7 +182,7 @@ GmshBody make_body(const GmshRecords& file, const SurfacesOfBody& surfaces) {
 std::vector<Mesh> parse_gmsh(std::string_view content, const std::string& name,
                              const GmshParts& parts) {
   const GmshRecords file = gmsh_records(content, name);
-  pose(
+  require_input(
       !file.cells.empty(), name,
       ":1: the file has no triangles or quadrilaterals; mesh the surfaces (gmsh -2) before saving");
   check_names(file);

@@ -39,12 +39,13 @@ void check_neighbours(const GmshRecords& file, const std::vector<GmshBody>& bodi
                       const FileSide& a, const FileSide& b) {
   const std::size_t line_a = line_of(file, bodies, a);
   const std::size_t line_b = line_of(file, bodies, b);
-  pose(a.forward != b.forward, file.name, ":", std::max(line_a, line_b),
-       ": this cell and that of line ", std::min(line_a, line_b),
-       " lie on the same side of an edge: they overlap, or the surface is in two physical groups");
-  pose(a.body != b.body || a.middle == b.middle, file.name, ":", std::max(line_a, line_b),
-       ": this cell and that of line ", std::min(line_a, line_b),
-       " share the ends of a side but not its middle node");
+  require_input(
+      a.forward != b.forward, file.name, ":", std::max(line_a, line_b),
+      ": this cell and that of line ", std::min(line_a, line_b),
+      " lie on the same side of an edge: they overlap, or the surface is in two physical groups");
+  require_input(a.body != b.body || a.middle == b.middle, file.name, ":", std::max(line_a, line_b),
+                ": this cell and that of line ", std::min(line_a, line_b),
+                " share the ends of a side but not its middle node");
 }
 
 /// All sides of all cells, sorted by their ends.
@@ -91,26 +92,28 @@ std::pair<std::vector<FileSide>::const_iterator, std::vector<FileSide>::const_it
   const auto b = static_cast<Index>(line.nodes[1]);
   const FileSide wanted{std::min(a, b), std::max(a, b), -1, true, 0, {0, 0}};
   const auto found = std::equal_range(sides.begin(), sides.end(), wanted, ends_before);
-  pose(found.first != found.second, file.name, ":", line.line, ": this line of '", curve,
-       "' is no side of a cell; put the surface beside it into a physical group, or take the curve "
-       "out of its group");
+  require_input(
+      found.first != found.second, file.name, ":", line.line, ": this line of '", curve,
+      "' is no side of a cell; put the surface beside it into a physical group, or take the curve "
+      "out of its group");
   const FileSide& one = *found.first;
   const FileSide& other = *(found.second - 1);
   const bool within = found.second - found.first == 2 && one.body == other.body;
   if (within &&
       part_of(bodies[one.body].mesh, one.side) != part_of(bodies[other.body].mesh, other.side))
     return {found.second, found.second};
-  pose(!within, file.name, ":", line.line, ": this line of '", curve,
-       "' lies within a body; make each part a physical surface, or take the curve out of its "
-       "group");
+  require_input(
+      !within, file.name, ":", line.line, ": this line of '", curve,
+      "' lies within a body; make each part a physical surface, or take the curve out of its "
+      "group");
   const Index middle = line.n_nodes == 3 ? static_cast<Index>(line.nodes[2]) : -1;
   for (auto side = found.first; side != found.second; ++side)
-    pose(side->middle == middle, file.name, ":", line.line, ": this line of '", curve, "' has ",
-         line.n_nodes, " nodes, and the side of the cell there has ",
-         side->middle < 0    ? "2"
-         : line.n_nodes == 2 ? "3"
-                             : "another middle node",
-         "; save all elements with the same Mesh.ElementOrder");
+    require_input(side->middle == middle, file.name, ":", line.line, ": this line of '", curve,
+                  "' has ", line.n_nodes, " nodes, and the side of the cell there has ",
+                  side->middle < 0    ? "2"
+                  : line.n_nodes == 2 ? "3"
+                                      : "another middle node",
+                  "; save all elements with the same Mesh.ElementOrder");
   return found;
 }
 
@@ -134,8 +137,8 @@ void add_boundaries(const GmshRecords& file, std::vector<GmshBody>& bodies) {
     for (const std::int64_t tag : file.groups.tags(line.groups)) {
       const std::string curve = file.groups.name(1, tag);
       const std::int64_t other = tags.emplace(curve, tag).first->second;
-      pose(other == tag, file.name, ":", line.line, ": physical curves ", other, " and ", tag,
-           " are both named '", curve, "'; rename one");
+      require_input(other == tag, file.name, ":", line.line, ": physical curves ", other, " and ",
+                    tag, " are both named '", curve, "'; rename one");
       const auto [begin, end] = sides_on(file, bodies, sides, line, curve);
       for (auto side = begin; side != end; ++side) found[side->body][tag].push_back(side->side);
     }

@@ -231,17 +231,18 @@ class SectionReader {
     for (const GmshNode& node : out_.nodes) order.emplace_back(node.tag, order.size());
     std::sort(order.begin(), order.end());
     for (std::size_t k = 1; k < order.size(); ++k)
-      pose(order[k].first != order[k - 1].first, out_.name, ":", out_.nodes[order[k].second].line,
-           ": node ", order[k].first, " stands here and in line ",
-           out_.nodes[order[k - 1].second].line, "; give each its own tag");
+      require_input(order[k].first != order[k - 1].first, out_.name, ":",
+                    out_.nodes[order[k].second].line, ": node ", order[k].first,
+                    " stands here and in line ", out_.nodes[order[k - 1].second].line,
+                    "; give each its own tag");
     for (std::vector<GmshElement>* elements : {&out_.lines, &out_.cells})
       for (GmshElement& element : *elements)
         for (std::size_t k = 0; k < element.n_nodes; ++k) {
           const std::pair<Whole, std::size_t> wanted = {element.nodes[k], 0};
           const auto place = std::lower_bound(order.begin(), order.end(), wanted);
-          pose(place != order.end() && place->first == wanted.first, out_.name, ":", element.line,
-               ": the element refers to node ", wanted.first, ", which '$Nodes' does not have",
-               GmshText::again);
+          require_input(place != order.end() && place->first == wanted.first, out_.name, ":",
+                        element.line, ": the element refers to node ", wanted.first,
+                        ", which '$Nodes' does not have", GmshText::again);
           element.nodes[k] = place->second;
         }
   }
@@ -256,7 +257,7 @@ class SectionReader {
 
 GmshRecords gmsh_records(std::string_view content, const std::string& name) {
   const std::string other = content.find("$MeshFormat") == content.npos ? other_kind(content) : "";
-  pose(other.empty(), name, ":1: this is ", other);
+  require_input(other.empty(), name, ":1: this is ", other);
   return SectionReader(content, name).read();
 }
 

@@ -60,7 +60,7 @@ Json& Json::array() {
 }
 
 Json& Json::end() {
-  require(!open_.empty(), "Json::end: nothing is open");
+  require_argument(!open_.empty(), "Json::end: nothing is open");
   const char bracket = open_.back();
   open_.pop_back();
   if (!first_) {
@@ -97,7 +97,7 @@ Json& Json::value(const std::vector<std::string>& values) {
 }
 
 std::string Json::text() const {
-  require(open_.empty(), "Json::text: ", open_.size(), " levels are still open");
+  require_argument(open_.empty(), "Json::text: ", open_.size(), " levels are still open");
   return out_ + "\n";
 }
 

@@ -51,8 +51,8 @@ const char* const joined_body = "the body of this file";
 const double degree = std::acos(-1.0) / 180;
 
 void check_size(double cells) {
-  require(cells <= largest_mesh, "a mesh of ", cells, " cells is too large; at most ", largest_mesh,
-          " are made");
+  require_argument(cells <= largest_mesh, "a mesh of ", cells, " cells is too large; at most ",
+                   largest_mesh, " are made");
 }
 
 double number(Index n) { return static_cast<double>(n); }
@@ -376,8 +376,9 @@ Kind<Mesh> gmsh() {
                 return mesh_of_surface(*table.origin, file, filed.surfaces.front());
               std::vector<Mesh> meshes = read_gmsh(file, parts);
               if (!parts.empty()) return mesh_named(meshes, joined_body);
-              pose(meshes.size() == 1, "the file has ", meshes.size(),
-                   " bodies: say which one with surface = \"NAME\"; there are: ", names_of(meshes));
+              require_input(
+                  meshes.size() == 1, "the file has ", meshes.size(),
+                  " bodies: say which one with surface = \"NAME\"; there are: ", names_of(meshes));
               return std::move(meshes.front());
             });
           }};

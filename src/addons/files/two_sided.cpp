@@ -68,7 +68,7 @@ OneSided one_sided(const TwoSidedProgramme& programme) {
     dense.initial_gap(k) = sign > 0 ? programme.upper(row) : -programme.lower(row);
   }
   const double least = convexity(programme.P, dense.A.topRows(equations));
-  pose(least >= -1, not_strictly_convex(dense));
+  require_input(least >= -1, not_strictly_convex(dense));
   form.definite = least > 1;
   return form;
 }
@@ -85,8 +85,8 @@ double objective(const TwoSidedProgramme& programme, const PrimalDual& solution)
   const VectorXd& x = solution.displacement;
   const VectorXd& low = solution.displacement_low;
   const Index n = programme.q.size();
-  require(x.size() == n && (low.size() == 0 || low.size() == n), "objective: expected ", n,
-          " unknowns, got ", x.size());
+  require_argument(x.size() == n && (low.size() == 0 || low.size() == n), "objective: expected ", n,
+                   " unknowns, got ", x.size());
   ExactSum sum(programme.r);
   for (Index i = 0; i < n; ++i) {
     ExactSum slope(programme.q(i));  // of the objective half-way from 0 to x
@@ -103,9 +103,9 @@ double objective(const TwoSidedProgramme& programme, const PrimalDual& solution)
 }
 
 VectorXd multipliers(const OneSided& form, const VectorXd& force, Index count) {
-  require(static_cast<std::size_t>(force.size()) == form.rows.size(),
-          "multipliers: expected one force for each of ", form.rows.size(), " rows, got ",
-          force.size());
+  require_argument(static_cast<std::size_t>(force.size()) == form.rows.size(),
+                   "multipliers: expected one force for each of ", form.rows.size(), " rows, got ",
+                   force.size());
   VectorXd y = VectorXd::Zero(count);
   for (Index k = 0; k < force.size(); ++k) {
     const auto [row, sign] = form.rows[static_cast<std::size_t>(k)];

@@ -164,8 +164,9 @@ FrontalFactor::FrontalFactor(const Matrix& stiffness, const SeparatorTree& tree,
     return text(unknown, describe ? " (" + describe(unknown) + ")" : "");
   };
   for (const Index unknown : grounded)
-    require(unknown >= 0 && unknown < stiffness.cols(),
-            "FrontalFactor: grounded unknowns are 0 to ", stiffness.cols() - 1, ", got ", unknown);
+    require_argument(unknown >= 0 && unknown < stiffness.cols(),
+                     "FrontalFactor: grounded unknowns are 0 to ", stiffness.cols() - 1, ", got ",
+                     unknown);
   const Eigen::Map<const VectorXd> values(stiffness.valuePtr(), stiffness.nonZeros());
   if (!values.allFinite())
     throw ProblemError(text("stiffness matrix has an entry that is no finite number at unknown ",
@@ -204,8 +205,8 @@ FrontalFactor::Columns FrontalFactor::columns(const Front& front) const {
 FrontalFactor::Part FrontalFactor::part(const std::vector<Index>& unknowns) const {
   Part part;
   for (const Index unknown : unknowns) {
-    require(unknown >= 0 && unknown < size(), "FrontalFactor::part: unknowns are 0 to ", size() - 1,
-            ", got ", unknown);
+    require_argument(unknown >= 0 && unknown < size(), "FrontalFactor::part: unknowns are 0 to ",
+                     size() - 1, ", got ", unknown);
     part.places.push_back(fronts_.place[static_cast<std::size_t>(unknown)]);
     part.fronts.push_back(fronts_.front_at(part.places.back()));
   }
@@ -247,15 +248,15 @@ void FrontalFactor::backward(VectorXd& x, const std::vector<int>& fronts) const 
 }
 
 VectorXd FrontalFactor::solve(const Eigen::Ref<const VectorXd>& load) const {
-  require(load.size() == size(), "FrontalFactor::solve: load must have ", size(),
-          " entries (one per unknown), got ", load.size());
+  require_argument(load.size() == size(), "FrontalFactor::solve: load must have ", size(),
+                   " entries (one per unknown), got ", load.size());
   return solve(whole_, load);
 }
 
 VectorXd FrontalFactor::solve(const Part& part, const Eigen::Ref<const VectorXd>& load) const {
   const Index count = static_cast<Index>(part.places.size());
-  require(load.size() == count, "FrontalFactor::solve: load must have ", count,
-          " entries (one per unknown of the part), got ", load.size());
+  require_argument(load.size() == count, "FrontalFactor::solve: load must have ", count,
+                   " entries (one per unknown of the part), got ", load.size());
   VectorXd x(size());  // of which only what the fronts know is ever looked at
   for (const int number : part.fronts) {
     const Front& front = fronts_.front(number);

@@ -34,11 +34,11 @@ bool is_of(const SeparatorTree& tree, Index n) {
 }  // namespace
 
 Fronts fronts_of(const Matrix& matrix, const SeparatorTree& tree) {
-  require(matrix.rows() == matrix.cols() && matrix.isCompressed(),
-          "fronts_of: need a square matrix after makeCompressed(), got ", matrix.rows(), " x ",
-          matrix.cols());
-  require(is_of(tree, matrix.cols()), "fronts_of: need a tree with each of the ", matrix.cols(),
-          " unknowns once, got one of ", tree.order.size());
+  require_argument(matrix.rows() == matrix.cols() && matrix.isCompressed(),
+                   "fronts_of: need a square matrix after makeCompressed(), got ", matrix.rows(),
+                   " x ", matrix.cols());
+  require_argument(is_of(tree, matrix.cols()), "fronts_of: need a tree with each of the ",
+                   matrix.cols(), " unknowns once, got one of ", tree.order.size());
   Fronts fronts;
   fronts.order = tree.order;
   fronts.place.resize(tree.order.size());
@@ -107,8 +107,8 @@ StackPlan Fronts::update_stack() const {
 }
 
 RowPaths row_paths(const Fronts& fronts, const Matrix& A) {
-  require(A.cols() == fronts.size(), "row_paths: A must have ", fronts.size(),
-          " columns (one per unknown), got ", A.cols());
+  require_argument(A.cols() == fronts.size(), "row_paths: A must have ", fronts.size(),
+                   " columns (one per unknown), got ", A.cols());
   RowPaths paths;
   paths.rows.resize(fronts.all.size());
   std::vector<int> seen(static_cast<std::size_t>(A.rows()), -1);

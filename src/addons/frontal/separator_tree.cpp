@@ -235,12 +235,12 @@ class Dissection {
 }  // namespace
 
 SeparatorTree separator_tree(const Matrix& matrix, const Positions& positions) {
-  require(matrix.rows() == matrix.cols() && matrix.isCompressed(),
-          "separator_tree: need a square matrix after makeCompressed(), got ", matrix.rows(), " x ",
-          matrix.cols());
-  require(positions.rows() == 0 || positions.rows() == matrix.cols(),
-          "separator_tree: need one position per unknown or none, got ", positions.rows(),
-          " positions for ", matrix.rows(), " x ", matrix.cols());
+  require_argument(matrix.rows() == matrix.cols() && matrix.isCompressed(),
+                   "separator_tree: need a square matrix after makeCompressed(), got ",
+                   matrix.rows(), " x ", matrix.cols());
+  require_argument(positions.rows() == 0 || positions.rows() == matrix.cols(),
+                   "separator_tree: need one position per unknown or none, got ", positions.rows(),
+                   " positions for ", matrix.rows(), " x ", matrix.cols());
   const Groups groups = grouped(matrix);
   return std::move(Dissection(groups, positions).tree);
 }

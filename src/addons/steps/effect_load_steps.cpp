@@ -17,22 +17,23 @@ using Eigen::VectorXd;
 
 void check_increasing(const std::vector<double>& times, const std::string& what) {
   for (std::size_t k = 0; k < times.size(); ++k) {
-    pose(std::isfinite(times[k]), what, ": every time must be finite, got ", times[k]);
-    pose(k == 0 || times[k] > times[k - 1], what, ": times must increase, but ", times[k],
-         " follows ", times[k > 0 ? k - 1 : 0]);
+    require_input(std::isfinite(times[k]), what, ": every time must be finite, got ", times[k]);
+    require_input(k == 0 || times[k] > times[k - 1], what, ": times must increase, but ", times[k],
+                  " follows ", times[k > 0 ? k - 1 : 0]);
   }
 }
 
 void check_path(const Path& path) {
-  pose(!path.times.empty(), "load steps: expected the time of one step or more, got none");
+  require_input(!path.times.empty(), "load steps: expected the time of one step or more, got none");
   check_increasing(path.times, "load steps");
-  pose(path.times.front() > 0, "load steps: the first step ends at time ", path.times.front(),
-       ", but steps begin at 0: a step needs a time > 0");
-  pose(path.halvings >= 0, "load steps: halvings must be >= 0, got ", path.halvings);
+  require_input(path.times.front() > 0, "load steps: the first step ends at time ",
+                path.times.front(), ", but steps begin at 0: a step needs a time > 0");
+  require_input(path.halvings >= 0, "load steps: halvings must be >= 0, got ", path.halvings);
   std::map<std::string, int> seen;
   for (const History& history : path.histories) {
-    pose(!history.name.empty(), "a history of load steps needs a name that loads can refer to");
-    pose(++seen[history.name] == 1, "two histories are called '", history.name, "'");
+    require_input(!history.name.empty(),
+                  "a history of load steps needs a name that loads can refer to");
+    require_input(++seen[history.name] == 1, "two histories are called '", history.name, "'");
     check_history(history);
   }
 }
@@ -188,19 +189,19 @@ void add_parts(Plan& plan, Model& model) {
 
 void check_history(const History& history) {
   const std::string what = "history '" + history.name + "'";
-  pose(!history.times.empty() && history.times.size() == history.values.size(), what,
-       ": expected as many values as times, at least one, got ", history.times.size(),
-       " times and ", history.values.size(), " values");
+  require_input(!history.times.empty() && history.times.size() == history.values.size(), what,
+                ": expected as many values as times, at least one, got ", history.times.size(),
+                " times and ", history.values.size(), " values");
   check_increasing(history.times, what);
   for (const double value : history.values)
-    pose(std::isfinite(value), what, ": every value must be finite, got ", value);
+    require_input(std::isfinite(value), what, ": every value must be finite, got ", value);
 }
 
 double factor_of(const Path& path, const LoadPart& part, double time) {
   for (const History& history : path.histories)
     if (history.name == part.history) return history.at(time);
-  pose(part.history.empty(), "no history of the path is called '", part.history,
-       "', which a part of the loads follows");
+  require_input(part.history.empty(), "no history of the path is called '", part.history,
+                "', which a part of the loads follows");
   return 1;  // it is always there
 }
 

@@ -47,8 +47,8 @@ void add_scaled(double factor, const Eigenstrain& part, Eigenstrain& sum) {
 }
 
 void check_steps(const Model& model, const char* function) {
-  pose(!model.parts.empty(), function,
-       ": the scene has no load steps; give its `path` times, or use solve()");
+  require_input(!model.parts.empty(), function,
+                ": the scene has no load steps; give its `path` times, or use solve()");
 }
 
 /// Whether the numbers of a state are those of a model.
@@ -61,11 +61,12 @@ void check_sizes(const PathState& state, const Model& model) {
                         state.increment.size() + state.dissipation.size() +
                         solution.displacement.size() + solution.displacement_low.size() +
                         solution.rigid.size() + solution.force.size();
-    pose(state.time == 0 && sizes == 0,
-         "a state before the first step is empty and of time 0, but "
-         "this one is of time ",
-         state.time, " and has ", sizes,
-         " numbers: go on from one that an observer or read_state() got, or from PathState()");
+    require_input(
+        state.time == 0 && sizes == 0,
+        "a state before the first step is empty and of time 0, but "
+        "this one is of time ",
+        state.time, " and has ", sizes,
+        " numbers: go on from one that an observer or read_state() got, or from PathState()");
     return;
   }
   const Index n = model.unknowns.count;
@@ -76,13 +77,15 @@ void check_sizes(const PathState& state, const Model& model) {
       (solution.displacement_low.size() == 0 || solution.displacement_low.size() == n) &&
       (solution.rigid.size() == 0 || solution.rigid.size() == n) &&
       solution.force.size() == pairs + slips;
-  pose(fits, "the state at time ", state.time, " is of another scene: it has ",
-       solution.displacement.size(), " unknowns, ", state.contact_status.size(), " pairs and ",
-       state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ", slips);
-  pose(state.steps > 0 && std::isfinite(state.time) && state.slip.allFinite() &&
-           state.increment.allFinite() && state.dissipation.allFinite(),
-       "the state after step ", state.steps, " at time ", state.time,
-       " has numbers that are not finite or steps below 0: go on from one that was solved");
+  require_input(fits, "the state at time ", state.time, " is of another scene: it has ",
+                solution.displacement.size(), " unknowns, ", state.contact_status.size(),
+                " pairs and ", state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ",
+                slips);
+  require_input(
+      state.steps > 0 && std::isfinite(state.time) && state.slip.allFinite() &&
+          state.increment.allFinite() && state.dissipation.allFinite(),
+      "the state after step ", state.steps, " at time ", state.time,
+      " has numbers that are not finite or steps below 0: go on from one that was solved");
 }
 
 /// Lets the slips of a model count from where they were.
@@ -140,11 +143,12 @@ void check_state(const PathState& state, Model& model) {
   set_time(state.time, model);
   forget_slip(state.slip - state.increment, model);
   const Certificate certificate = certify(model.programme, state.solution, model.law);
-  pose(certificate.holds(), "the state at time ", state.time,
-       " is of another scene, or what comes before time ", shortest(state.time),
-       " was changed, but only what comes later may: its displacements and forces do not solve "
-       "this one then (",
-       certificate, "). Go on with the scene that it was saved from, or start anew");
+  require_input(
+      certificate.holds(), "the state at time ", state.time,
+      " is of another scene, or what comes before time ", shortest(state.time),
+      " was changed, but only what comes later may: its displacements and forces do not solve "
+      "this one then (",
+      certificate, "). Go on with the scene that it was saved from, or start anew");
 }
 
 CondensedPath condense_path(const Model& model, Ledger& ledger) {
@@ -194,8 +198,8 @@ std::optional<PathTotals> totals(const PathState* state) {
 Step step(const PathState& past, double time, Model& model, CondensedPath& path, Ledger ledger) {
   check_steps(model, "step");
   check_sizes(past, model);
-  pose(time > past.time, "load step: it must end after time ", past.time,
-       ", where the last one ended, got ", time);
+  require_input(time > past.time, "load step: it must end after time ", past.time,
+                ", where the last one ended, got ", time);
   // [step]
   set_time(time, model);  // loads, temperatures and given displacements of that time
   const VectorXd given =
@@ -216,8 +220,8 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
 }
 
 PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathState& from) {
-  pose(scene.path.has_value(),
-       "solve_steps: the scene has no load steps; give its `path` times, or use solve()");
+  require_input(scene.path.has_value(),
+                "solve_steps: the scene has no load steps; give its `path` times, or use solve()");
   Ledger ledger;
   Model model = build(scene, ledger);
   check_state(from, model);

@@ -83,7 +83,7 @@ std::optional<double> first_change(const PathState& past, const ContactProblem& 
 }
 
 Solution solve_to_limit(const Scene& scene) {
-  pose(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
+  require_input(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);

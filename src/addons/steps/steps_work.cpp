@@ -60,10 +60,10 @@ void WorkMeter::add(const Model& model, const Step& step) {
   const VectorXd pushed = contact_forces(model, force);
   const VectorXd interference = interference_now(model, step.state.time);
   const bool first = bodies_.empty();
-  pose(!first || step.state.steps == 1,
-       "WorkMeter: sums begin at rest without loads, with step 1 of "
-       "a path, got step ",
-       step.state.steps, ": add every step from the beginning");
+  require_input(!first || step.state.steps == 1,
+                "WorkMeter: sums begin at rest without loads, with step 1 of "
+                "a path, got step ",
+                step.state.steps, ": add every step from the beginning");
   VectorXd moved(2 * count_nodes(model.bodies));
   work_.strain = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {

@@ -10,12 +10,12 @@ FrictionBound coulomb(const Friction& friction, double weight) {
 }
 
 FrictionBound tresca(const Friction& friction, double weight) {
-  pose(friction.coefficient == 0, "Tresca's law has no coefficient of friction, got ",
-       friction.coefficient,
-       ": its bound is the cohesion, whatever presses; leave the coefficient "
-       "out, or take the law 'coulomb', which has both");
-  pose(friction.cohesion > 0, "Tresca's law needs a cohesion, got ", friction.cohesion,
-       ": give the largest shear traction of sides that touch");
+  require_input(friction.coefficient == 0, "Tresca's law has no coefficient of friction, got ",
+                friction.coefficient,
+                ": its bound is the cohesion, whatever presses; leave the coefficient "
+                "out, or take the law 'coulomb', which has both");
+  require_input(friction.cohesion > 0, "Tresca's law needs a cohesion, got ", friction.cohesion,
+                ": give the largest shear traction of sides that touch");
   return {0, friction.cohesion * weight};
 }
 

@@ -68,11 +68,12 @@ Array below_dense(const Array& upper, const Array& lower) {
 void check_not_supported(const Surface& source, const std::set<Index>& held) {
   for (const CellSide& side : boundary(source.mesh, source.boundary)) {
     const std::vector<Index> nodes = source.mesh.side_nodes(side);
-    pose(held.count(nodes.front()) == 0 || held.count(nodes.back()) == 0, "contact boundary '",
-         source.boundary, "' is also held by a support: nodes ", nodes.front(), " and ",
-         nodes.back(),
-         " cannot move along the target's normal. Take the support or the contact off this "
-         "boundary");
+    require_input(
+        held.count(nodes.front()) == 0 || held.count(nodes.back()) == 0, "contact boundary '",
+        source.boundary, "' is also held by a support: nodes ", nodes.front(), " and ",
+        nodes.back(),
+        " cannot move along the target's normal. Take the support or the contact off this "
+        "boundary");
   }
 }
 
@@ -89,9 +90,9 @@ std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openi
       continue;
     }
     const double gap = pairs.initial_gap(pair) + opening.held;
-    pose(gap >= -rounding, what, ": the pair at (", pairs.position(pair, 0), ", ",
-         pairs.position(pair, 1), ") is held by supports and overlaps by ", -gap,
-         ". Move one of the two sides or release the node");
+    require_input(gap >= -rounding, what, ": the pair at (", pairs.position(pair, 0), ", ",
+                  pairs.position(pair, 1), ") is held by supports and overlaps by ", -gap,
+                  ". Move one of the two sides or release the node");
     held.insert(pairs.node[static_cast<std::size_t>(pair)]);
   }
   held.erase(-1);

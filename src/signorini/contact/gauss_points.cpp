@@ -21,8 +21,8 @@ double share_of(const SideCurve& side, const GaussPoint& gauss, const Depth& dep
 }  // namespace
 
 Pairs gauss_points(const Surface& source, const Surface& target, const GapOptions& options) {
-  pose(options.points >= 0 && options.points <= 6,
-       "gauss_points: there are rules of 1 to 6 points (0: two), got ", options.points);
+  require_input(options.points >= 0 && options.points <= 6,
+                "gauss_points: there are rules of 1 to 6 points (0: two), got ", options.points);
   const Interface interface(source, target, options);
   std::vector<PairPoint> points;
   std::vector<double> weights;

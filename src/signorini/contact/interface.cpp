@@ -19,9 +19,9 @@ Vector2d mean_normal(const Surface& surface) {
 
 void check_columns(const Surface& surface, const GapOptions& options) {
   const Eigen::Index last = surface.first_node + surface.mesh.n_nodes();
-  require(surface.first_node >= 0 && last <= options.n_nodes, "gap operator: the body '",
-          surface.mesh.name, "' has the nodes ", surface.first_node, " to ", last - 1,
-          " of all bodies, but options.n_nodes is ", options.n_nodes);
+  require_argument(surface.first_node >= 0 && last <= options.n_nodes, "gap operator: the body '",
+                   surface.mesh.name, "' has the nodes ", surface.first_node, " to ", last - 1,
+                   " of all bodies, but options.n_nodes is ", options.n_nodes);
 }
 
 std::string names(const Interface& interface) {
@@ -42,8 +42,8 @@ Interface::Interface(const Surface& source_side, const Surface& target_side,
       depth(options.depth) {
   check_columns(source, options);
   check_columns(target, options);
-  require(depth.factor > 0 && std::isfinite(depth.factor),
-          "gap operator: the thickness must be positive, got ", depth.factor);
+  require_argument(depth.factor > 0 && std::isfinite(depth.factor),
+                   "gap operator: the thickness must be positive, got ", depth.factor);
 }
 
 Projection Interface::closest(const AnchoredPoint& x, const Vector2d& normal) const {
@@ -62,9 +62,10 @@ void Interface::check_paired(std::size_t n_pairs) const {
   if (n_pairs > 0) return;
   const Vector2d a = mean_normal(source);
   const Vector2d b = mean_normal(target);
-  pose(a.dot(b) <= 0.5 * a.norm() * b.norm() || a.dot(b) == 0, names(*this),
-       ": both face the same way, so that neither can touch the other. Take the boundary of one "
-       "body that looks towards the other body");
+  require_input(
+      a.dot(b) <= 0.5 * a.norm() * b.norm() || a.dot(b) == 0, names(*this),
+      ": both face the same way, so that neither can touch the other. Take the boundary of one "
+      "body that looks towards the other body");
   throw ProblemError(text(names(*this),
                           ": no point of the first faces the second; it lies beside it or behind "
                           "it. Move one of the bodies, or check which boundaries are meant"));

@@ -33,8 +33,9 @@ void collect(const SourceEdge& edge, const EdgeSamples& samples, std::vector<Pai
 }  // namespace
 
 Pairs mortar(const Surface& source, const Surface& target, const GapOptions& options) {
-  pose(options.points >= 0 && options.points <= 16,
-       "mortar: there are rules of 1 to 16 points (0: its own choice), got ", options.points);
+  require_input(options.points >= 0 && options.points <= 16,
+                "mortar: there are rules of 1 to 16 points (0: its own choice), got ",
+                options.points);
   const Interface interface(source, target, options);
   const bool cut = options.quadrature == Quadrature::Segments;
   const bool curved =

@@ -12,8 +12,8 @@ namespace signorini {
 using Eigen::Index;
 
 Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const GapOptions& options) {
-  pose(static_cast<bool>(obstacle.look), "obstacle '", obstacle.name,
-       "': cannot be looked at; make it with half_plane, disc, hole or profile");
+  require_input(static_cast<bool>(obstacle.look), "obstacle '", obstacle.name,
+                "': cannot be looked at; make it with half_plane, disc, hole or profile");
   Pairs pairs;
   const std::vector<Index> idle = nodes_without_share(source.mesh, source.boundary, options.depth);
   std::vector<Index> kept;
@@ -36,10 +36,11 @@ Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const Ga
   for (Index pair = 0; pair < n_pairs; ++pair) {
     const Index node = pairs.node[static_cast<std::size_t>(pair)];
     const ObstacleContact seen = obstacle.look(pairs.position.row(pair).transpose());
-    pose(std::isfinite(seen.gap) && seen.normal.allFinite(), "obstacle '", obstacle.name,
-         "': the gap at node ", node, " is not finite, but it must be wherever the body may be");
-    pose(std::abs(seen.normal.norm() - 1) < 1e-8, "obstacle '", obstacle.name,
-         "': the normal at node ", node, " must have length 1, got ", seen.normal.norm());
+    require_input(std::isfinite(seen.gap) && seen.normal.allFinite(), "obstacle '", obstacle.name,
+                  "': the gap at node ", node,
+                  " is not finite, but it must be wherever the body may be");
+    require_input(std::abs(seen.normal.norm() - 1) < 1e-8, "obstacle '", obstacle.name,
+                  "': the normal at node ", node, " must have length 1, got ", seen.normal.norm());
     pairs.initial_gap(pair) = seen.gap;
     pairs.normal.row(pair) = seen.normal.transpose();
     const Index column = 2 * (source.first_node + node);

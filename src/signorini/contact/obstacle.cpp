@@ -12,15 +12,15 @@ ObstacleContact seen_from(const Eigen::Vector2d& x, const Eigen::Vector2d& centr
                           const std::string& name) {
   const Eigen::Vector2d arm = x - centre;
   const double distance = arm.norm();
-  pose(distance > 0, "obstacle '", name, "': the point (", x.x(), ", ", x.y(),
-       ") lies in its centre, where no normal exists");
+  require_input(distance > 0, "obstacle '", name, "': the point (", x.x(), ", ", x.y(),
+                ") lies in its centre, where no normal exists");
   return {distance, arm / distance};
 }
 
 /// A circle that the body lies outside of (side 1) or inside of (side -1).
 Obstacle circle(const char* name, const Eigen::Vector2d& centre, double radius, double side) {
-  pose(radius > 0 && std::isfinite(radius) && centre.allFinite(), "obstacle '", name,
-       "': the radius must be positive, got ", radius);
+  require_input(radius > 0 && std::isfinite(radius) && centre.allFinite(), "obstacle '", name,
+                "': the radius must be positive, got ", radius);
   return {name, [name, centre, radius, side](const Eigen::Vector2d& x) {
             const ObstacleContact seen = seen_from(x, centre, name);
             return ObstacleContact{side * seen.gap - side * radius, side * seen.normal};
@@ -30,9 +30,10 @@ Obstacle circle(const char* name, const Eigen::Vector2d& centre, double radius, 
 }  // namespace
 
 Obstacle half_plane(const Eigen::Vector2d& point, const Eigen::Vector2d& normal) {
-  pose(point.allFinite() && normal.allFinite() && normal.stableNorm() > 0,
-       "obstacle 'half plane': needs a finite point and a normal of positive length, got (",
-       normal.x(), ", ", normal.y(), ')');
+  require_input(
+      point.allFinite() && normal.allFinite() && normal.stableNorm() > 0,
+      "obstacle 'half plane': needs a finite point and a normal of positive length, got (",
+      normal.x(), ", ", normal.y(), ')');
   const Eigen::Vector2d n = normal.stableNormalized();
   return {"half plane",
           [point, n](const Eigen::Vector2d& x) {
@@ -51,8 +52,9 @@ Obstacle hole(const Eigen::Vector2d& centre, double radius) {
 
 Obstacle pin_in_hole(const Eigen::Vector2d& hole_centre, double clearance,
                      const Eigen::Vector2d& shift) {
-  pose(hole_centre.allFinite() && shift.allFinite() && std::isfinite(clearance),
-       "obstacle 'pin': centre, clearance and shift must be finite, got the clearance ", clearance);
+  require_input(hole_centre.allFinite() && shift.allFinite() && std::isfinite(clearance),
+                "obstacle 'pin': centre, clearance and shift must be finite, got the clearance ",
+                clearance);
   return {"pin",
           [hole_centre, clearance, shift](const Eigen::Vector2d& x) {
             const Eigen::Vector2d n = seen_from(x, hole_centre, "pin").normal;
@@ -63,12 +65,12 @@ Obstacle pin_in_hole(const Eigen::Vector2d& hole_centre, double clearance,
 
 Obstacle profile(const std::function<double(double)>& height,
                  const std::function<double(double)>& slope) {
-  require(height && slope, "profile: needs a height and a slope");
+  require_argument(height && slope, "profile: needs a height and a slope");
   return {"profile", [height, slope](const Eigen::Vector2d& x) {
             const double f = height(x.x());
             const double df = slope(x.x());
-            pose(std::isfinite(f) && std::isfinite(df), "obstacle 'profile': height ", f,
-                 " and slope ", df, " at x = ", x.x(), " must be finite");
+            require_input(std::isfinite(f) && std::isfinite(df), "obstacle 'profile': height ", f,
+                          " and slope ", df, " at x = ", x.x(), " must be finite");
             const double root = std::hypot(df, 1.0);
             const Eigen::Vector2d normal(-df / root, 1 / root);
             return ObstacleContact{normal.y() * (x.y() - f), normal};

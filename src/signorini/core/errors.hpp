@@ -31,21 +31,21 @@ template <typename... Parts>
   return stream.str();
 }
 
-/// Checks what a caller must get right.
+/// Checks an argument, which the caller must get right.
 /// \param ok     what must hold
 /// \param parts  of the message: the function, what it expects, what it got
 /// \throws std::invalid_argument with the parts as text() unless `ok`
 template <typename... Parts>
-void require(bool ok, const Parts&... parts) {
+void require_argument(bool ok, const Parts&... parts) {
   if (!ok) throw std::invalid_argument(text(parts...));
 }
 
-/// Checks that a problem is posed rightly.
+/// Checks input, which the user of a program must get right.
 /// \param ok     what must hold
 /// \param parts  of the message: what is wrong, what was found, what to change
 /// \throws ProblemError with the parts as text() unless `ok`
 template <typename... Parts>
-void pose(bool ok, const Parts&... parts) {
+void require_input(bool ok, const Parts&... parts) {
   if (!ok) throw ProblemError(text(parts...));
 }
 

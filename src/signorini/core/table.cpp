@@ -21,8 +21,8 @@ std::string joined(const std::vector<std::string>& cells, const char* separator)
 std::string number(double value, const char* format) {
   std::array<char, 64> buffer{};
   const int length = std::snprintf(buffer.data(), buffer.size(), format, value);
-  require(length >= 0 && length < static_cast<int>(buffer.size()),
-          "number: cannot print with the format '", format, "'");
+  require_argument(length >= 0 && length < static_cast<int>(buffer.size()),
+                   "number: cannot print with the format '", format, "'");
   return buffer.data();
 }
 
@@ -43,8 +43,8 @@ std::string shortest(double value) {
 Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
 
 void Table::row(std::vector<std::string> cells) {
-  require(cells.size() == columns_.size(), "Table::row: need ", columns_.size(), " cells (",
-          joined(columns_, ", "), "), got ", cells.size());
+  require_argument(cells.size() == columns_.size(), "Table::row: need ", columns_.size(),
+                   " cells (", joined(columns_, ", "), "), got ", cells.size());
   rows_.push_back(std::move(cells));
 }
 
@@ -72,12 +72,12 @@ std::string Table::csv(const std::string& tolerance) const {
 }
 
 Table table_of(const std::vector<Column>& columns) {
-  require(!columns.empty(), "table_of: need at least one column");
+  require_argument(!columns.empty(), "table_of: need at least one column");
   std::vector<std::string> names;
   for (const Column& column : columns) {
-    require(column.values.size() == columns.front().values.size(), "table_of: column '",
-            column.name, "' has ", column.values.size(), " rows, '", columns.front().name, "' has ",
-            columns.front().values.size());
+    require_argument(column.values.size() == columns.front().values.size(), "table_of: column '",
+                     column.name, "' has ", column.values.size(), " rows, '", columns.front().name,
+                     "' has ", columns.front().values.size());
     names.push_back(column.name);
   }
   Table table(std::move(names));

@@ -167,17 +167,18 @@ void TextReader::fail(const std::string& why) const {
 std::string file_content(const std::filesystem::path& file, std::size_t most) {
   std::error_code failed;
   const std::filesystem::file_status status = std::filesystem::status(file, failed);
-  pose(std::filesystem::exists(status), file.string(), ": there is no such file");
-  pose(!std::filesystem::is_directory(status), file.string(),
-       ": this is a folder; name a file in it");
-  pose(std::filesystem::is_regular_file(status), file.string(), ": this is not a plain file");
+  require_input(std::filesystem::exists(status), file.string(), ": there is no such file");
+  require_input(!std::filesystem::is_directory(status), file.string(),
+                ": this is a folder; name a file in it");
+  require_input(std::filesystem::is_regular_file(status), file.string(),
+                ": this is not a plain file");
   const std::uintmax_t bytes = std::filesystem::file_size(file, failed);
-  pose(!failed && bytes <= most, file.string(), ": expected at most ", most, " bytes, got ",
-       failed ? failed.message() : std::to_string(bytes));
+  require_input(!failed && bytes <= most, file.string(), ": expected at most ", most,
+                " bytes, got ", failed ? failed.message() : std::to_string(bytes));
   std::ifstream in(file, std::ios::binary);
   std::string content(static_cast<std::size_t>(bytes), '\0');
   in.read(content.data(), static_cast<std::streamsize>(bytes));
-  pose(static_cast<bool>(in), file.string(), ": cannot be read; look at its permissions");
+  require_input(static_cast<bool>(in), file.string(), ": cannot be read; look at its permissions");
   return content;
 }
 

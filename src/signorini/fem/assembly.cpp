@@ -18,9 +18,10 @@ using Eigen::Index;
 void check_unfolded(const Cell& cell) {
   if (cell.element.n_nodes <= 4) return;  // for straight sides the corners decide, see check_mesh()
   for (const GaussPoint& at : gauss_cell(cell.element))
-    pose(jacobian(cell.element.shape(at.xi, at.eta), cell.body.arms).determinant > 0, "mesh '",
-         cell.mesh.name, "': cell ", cell.number,
-         " folds over itself: move the middle nodes of its sides closer to the straight lines");
+    require_input(
+        jacobian(cell.element.shape(at.xi, at.eta), cell.body.arms).determinant > 0, "mesh '",
+        cell.mesh.name, "': cell ", cell.number,
+        " folds over itself: move the middle nodes of its sides closer to the straight lines");
 }
 
 void add_body_force(const Mesh& mesh, const Element& element, const MaterialField& material,
@@ -31,8 +32,8 @@ void add_body_force(const Mesh& mesh, const Element& element, const MaterialFiel
       const CellScalars N = cell.element.shape(point.local.x(), point.local.y()).value;
       const Eigen::Vector2d position = cell.body.position(N);
       const Eigen::Vector2d f = force(position);
-      pose(f.allFinite(), "body force on '", mesh.name, "': not finite at (", position.x(), ", ",
-           position.y(), "), but it must be at every point of the body");
+      require_input(f.allFinite(), "body force on '", mesh.name, "': not finite at (", position.x(),
+                    ", ", position.y(), "), but it must be at every point of the body");
       for (Index k = 0; k < cell.element.n_nodes; ++k)
         load.row(cell.node(k)) += point.volume * N(k) * f.transpose();
     }
@@ -45,8 +46,9 @@ void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, N
     const Eigen::Vector2d inward(-at.tangent.y(), at.tangent.x());  // body on the left
     Eigen::Vector2d force = edge.pressure * inward;
     if (edge.traction) force += edge.traction(position) * at.tangent.norm();
-    pose(force.allFinite(), "load on '", edge.boundary, "' of '", mesh.name, "': not finite at (",
-         position.x(), ", ", position.y(), "), but it must be at every point of the boundary");
+    require_input(force.allFinite(), "load on '", edge.boundary, "' of '", mesh.name,
+                  "': not finite at (", position.x(), ", ", position.y(),
+                  "), but it must be at every point of the boundary");
     Index k = 0;
     for (const Index node : at.side.nodes())
       load.row(node) += depth.at(position.x()) * at.weight * at.N(k++) * force.transpose();
@@ -116,9 +118,9 @@ const char* usual_element(Index size) {
 
 void check_element(const Mesh& mesh, const Element& element) {
   const Index size = largest_cell(mesh);
-  pose(size == element.n_nodes, "mesh '", mesh.name, "' has cells of ", size,
-       " nodes, but the element ", element.name, " needs ", element.n_nodes, "; take ",
-       usual_element(size), " or another mesh");
+  require_input(size == element.n_nodes, "mesh '", mesh.name, "' has cells of ", size,
+                " nodes, but the element ", element.name, " needs ", element.n_nodes, "; take ",
+                usual_element(size), " or another mesh");
 }
 
 const Element& element_for(const Mesh& mesh, const std::string& name) {
@@ -147,8 +149,8 @@ std::vector<EdgePlace> places_of(const Mesh& mesh, const std::vector<PointForce>
   Edge edge(mesh);
   std::vector<EdgePlace> places;
   for (const PointForce& load : loads) {
-    pose(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(), ", ",
-         load.point.y(), "): not finite, but its components must be numbers");
+    require_input(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(),
+                  ", ", load.point.y(), "): not finite, but its components must be numbers");
     places.push_back((load.force.array() == 0).all() ? EdgePlace{{}, {0, 0, 0}}
                                                      : edge.place(load.point));
   }
@@ -219,8 +221,8 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const MaterialFi
 
 NodeArray internal_forces(const Mesh& mesh, const Element& element, const MaterialField& material,
                           const NodeArray& displacements) {
-  require(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
-          " displacements (one per node), got ", displacements.rows());
+  require_argument(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
+                   " displacements (one per node), got ", displacements.rows());
   NodeArray forces = NodeArray::Zero(mesh.n_nodes(), 2);
   if (material.eigenstrain) forces -= eigenstrain_forces(mesh, element, material);
   visit_cells(mesh, element, material, [&](const Cell& cell) {
@@ -261,8 +263,8 @@ std::vector<Index> nodes_without_share(const Mesh& mesh, const std::string& name
 }
 
 NodeArray expand(const Unknowns& unknowns, const Eigen::Ref<const Eigen::VectorXd>& values) {
-  require(values.size() == unknowns.count, "expand: need ", unknowns.count,
-          " values (one per unknown), got ", values.size());
+  require_argument(values.size() == unknowns.count, "expand: need ", unknowns.count,
+                   " values (one per unknown), got ", values.size());
   NodeArray all = unknowns.held;
   for (Index node = 0; node < all.rows(); ++node)
     for (int axis = 0; axis < 2; ++axis)

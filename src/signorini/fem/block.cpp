@@ -22,9 +22,9 @@ Mesh block_of(const std::string& name, const Eigen::VectorXd& x, const Eigen::Ve
 }  // namespace
 
 Eigen::VectorXd graded_steps(Index n, double grading) {
-  require(n > 0, "graded_steps: need at least one step, got ", n);
-  require(grading > 0 && std::isfinite(grading), "graded_steps: grading must be positive, got ",
-          grading);
+  require_argument(n > 0, "graded_steps: need at least one step, got ", n);
+  require_argument(grading > 0 && std::isfinite(grading),
+                   "graded_steps: grading must be positive, got ", grading);
   Eigen::VectorXd position = Eigen::VectorXd::LinSpaced(n + 1, 0, 1);
   if (n == 1 || grading == 1) return position;
   const double ratio = std::pow(grading, 1 / static_cast<double>(n - 1));
@@ -34,11 +34,12 @@ Eigen::VectorXd graded_steps(Index n, double grading) {
 }
 
 Mesh make_block(const BlockSpec& spec) {
-  require(spec.size.minCoeff() > 0 && spec.size.allFinite() && spec.corner.allFinite(),
-          "make_block '", spec.name, "': width and height must be positive, got ", spec.size.x(),
-          " x ", spec.size.y());
-  require(spec.cells_x > 0 && spec.cells_y > 0, "make_block '", spec.name,
-          "': need at least one cell in each direction, got ", spec.cells_x, " x ", spec.cells_y);
+  require_argument(spec.size.minCoeff() > 0 && spec.size.allFinite() && spec.corner.allFinite(),
+                   "make_block '", spec.name, "': width and height must be positive, got ",
+                   spec.size.x(), " x ", spec.size.y());
+  require_argument(spec.cells_x > 0 && spec.cells_y > 0, "make_block '", spec.name,
+                   "': need at least one cell in each direction, got ", spec.cells_x, " x ",
+                   spec.cells_y);
   const Eigen::VectorXd x =
       spec.corner.x() + spec.size.x() * graded_steps(spec.cells_x, spec.grading_x).array();
   const Eigen::VectorXd y =
@@ -52,16 +53,16 @@ Mesh block(const std::string& name, const Eigen::Vector2d& corner, const Eigen::
 }
 
 Eigen::VectorXd stretched(double start, const std::vector<Stretch>& stretches) {
-  require(!stretches.empty(), "stretched: need at least one stretch");
+  require_argument(!stretches.empty(), "stretched: need at least one stretch");
   Index cells = 0;
   for (std::size_t s = 0; s < stretches.size(); ++s) {
     const double begin = s == 0 ? start : stretches[s - 1].end;
     const Stretch& part = stretches[s];
-    require(part.end > begin && std::isfinite(part.end - begin), "stretched: stretch ", s,
-            " begins at ", begin, " and must end beyond, got ", part.end);
-    require(part.cells > 0 && part.grading > 0 && std::isfinite(part.grading),
-            "stretched: stretch ", s, " needs at least one cell and a positive grading, got ",
-            part.cells, " and ", part.grading);
+    require_argument(part.end > begin && std::isfinite(part.end - begin), "stretched: stretch ", s,
+                     " begins at ", begin, " and must end beyond, got ", part.end);
+    require_argument(
+        part.cells > 0 && part.grading > 0 && std::isfinite(part.grading), "stretched: stretch ", s,
+        " needs at least one cell and a positive grading, got ", part.cells, " and ", part.grading);
     cells += part.cells;
   }
   Eigen::VectorXd positions(cells + 1);
@@ -79,9 +80,10 @@ Eigen::VectorXd stretched(double start, const std::vector<Stretch>& stretches) {
 }
 
 double grading_from(double length, Index cells, double first) {
-  require(cells > 1 && first > 0 && first < length && std::isfinite(length),
-          "grading_from: need at least 2 cells and a first cell shorter than the line, got ", cells,
-          " cells, the first of ", first, " on a line of ", length);
+  require_argument(
+      cells > 1 && first > 0 && first < length && std::isfinite(length),
+      "grading_from: need at least 2 cells and a first cell shorter than the line, got ", cells,
+      " cells, the first of ", first, " on a line of ", length);
   // Cells grow by the factor e^t, and their sum with t.
   const double n = static_cast<double>(cells);
   const auto fits = [&](double t) {
@@ -97,12 +99,13 @@ double grading_from(double length, Index cells, double first) {
 Mesh make_graded_block(const std::string& name, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                        MeshOrder order) {
   const auto check = [&](char axis, const Eigen::VectorXd& lines) {
-    require(lines.size() > 1, "make_graded_block '", name, "': need at least 2 lines of ", axis,
-            ", got ", lines.size());
+    require_argument(lines.size() > 1, "make_graded_block '", name, "': need at least 2 lines of ",
+                     axis, ", got ", lines.size());
     for (Index i = 0; i < lines.size(); ++i)
-      require(std::isfinite(lines(i)) && (i == 0 || lines(i) > lines(i - 1)), "make_graded_block '",
-              name, "': positions of ", axis, " must increase, but number ", i, " is ", lines(i),
-              i == 0 ? "" : text(" after ", lines(i - 1)));
+      require_argument(std::isfinite(lines(i)) && (i == 0 || lines(i) > lines(i - 1)),
+                       "make_graded_block '", name, "': positions of ", axis,
+                       " must increase, but number ", i, " is ", lines(i),
+                       i == 0 ? "" : text(" after ", lines(i - 1)));
   };
   check('x', x);
   check('y', y);

@@ -66,8 +66,9 @@ template <typename Visit>
 void visit_cells(const Mesh& mesh, const Element& element, const MaterialField& material,
                  Visit&& visit) {
   const std::size_t known = material.number_of.size();
-  require(known == 0 || known == static_cast<std::size_t>(mesh.n_cells()), "cells of '", mesh.name,
-          "': there are ", mesh.n_cells(), ", but the materials are those of ", known);
+  require_argument(known == 0 || known == static_cast<std::size_t>(mesh.n_cells()), "cells of '",
+                   mesh.name, "': there are ", mesh.n_cells(), ", but the materials are those of ",
+                   known);
   const std::vector<Elasticity> D = elasticity_matrices(material);
   const Depth depth = depth_of(material);
   const Element& triangle = element.corners() == 3 ? element : triangle_beside(mesh);

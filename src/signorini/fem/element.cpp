@@ -79,7 +79,7 @@ const std::vector<GaussPoint>& gauss_line(int n) {
     for (int m = 4; m <= 16; ++m) made[static_cast<std::size_t>(m - 1)] = legendre_rule(m);
     return made;
   }();
-  require(n >= 1 && n <= 16, "gauss_line: rules have 1 to 16 points, got ", n);
+  require_argument(n >= 1 && n <= 16, "gauss_line: rules have 1 to 16 points, got ", n);
   return rules[static_cast<std::size_t>(n - 1)];
 }
 
@@ -92,7 +92,7 @@ const std::vector<GaussPoint>& gauss_square(int n) {
     return rule;
   };
   static const std::vector<GaussPoint> rules[] = {product(2), product(3)};
-  require(n == 2 || n == 3, "gauss_square: rules have 2 x 2 or 3 x 3 points, got n = ", n);
+  require_argument(n == 2 || n == 3, "gauss_square: rules have 2 x 2 or 3 x 3 points, got n = ", n);
   return rules[n - 2];
 }
 
@@ -112,7 +112,7 @@ const std::vector<GaussPoint>& gauss_triangle(int n) {
     three((8 - root - place) / 18, (620 - share) / 7440, made[1]);
     return made;
   }();
-  require(n == 3 || n == 6, "gauss_triangle: rules have 3 or 6 points, got ", n);
+  require_argument(n == 3 || n == 6, "gauss_triangle: rules have 3 or 6 points, got ", n);
   return rules[n == 3 ? 0 : 1];
 }
 

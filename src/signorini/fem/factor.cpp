@@ -9,8 +9,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 VectorXd Factor::solve(const Eigen::Ref<const VectorXd>& load) const {
-  require(load.size() == size(), "Factor::solve: load must have ", size(),
-          " entries (one per unknown), got ", load.size());
+  require_argument(load.size() == size(), "Factor::solve: load must have ", size(),
+                   " entries (one per unknown), got ", load.size());
   return solve_(load);
 }
 
@@ -20,8 +20,8 @@ std::optional<Factor::Part> Factor::part(const std::vector<Index>& unknowns) con
 }
 
 Eigen::MatrixXd Factor::compliance(const Rows& A, Ledger& ledger) const {
-  require(A.cols() == size(), "Factor::compliance: A must have ", size(),
-          " columns (one per unknown), got ", A.cols());
+  require_argument(A.cols() == size(), "Factor::compliance: A must have ", size(),
+                   " columns (one per unknown), got ", A.cols());
   return compliance_(A, ledger);
 }
 

@@ -40,43 +40,45 @@ std::ostream& operator<<(std::ostream& out, const Corners& corners) {
 void check_node_numbers(const Mesh& mesh) {
   const Eigen::Index n = mesh.n_nodes();
   const Eigen::Index width = mesh.cells.cols();
-  pose(width == 3 || width == 4 || width == 6 || width == 8, "mesh '", mesh.name,
-       "': cells must have 3 or 4 nodes, or 6 or 8, got ", width);
-  pose(mesh.n_cells() > 0, "mesh '", mesh.name,
-       "' has no cells: make it with a generator, or read it from a file with surfaces");
+  require_input(width == 3 || width == 4 || width == 6 || width == 8, "mesh '", mesh.name,
+                "': cells must have 3 or 4 nodes, or 6 or 8, got ", width);
+  require_input(mesh.n_cells() > 0, "mesh '", mesh.name,
+                "' has no cells: make it with a generator, or read it from a file with surfaces");
   for (Eigen::Index node = 0; node < n; ++node)
-    pose(mesh.nodes.row(node).allFinite(), "mesh '", mesh.name, "': the position (",
-         mesh.nodes(node, 0), ", ", mesh.nodes(node, 1), ") of node ", node,
-         " is not finite, but it must be two numbers");
+    require_input(mesh.nodes.row(node).allFinite(), "mesh '", mesh.name, "': the position (",
+                  mesh.nodes(node, 0), ", ", mesh.nodes(node, 1), ") of node ", node,
+                  " is not finite, but it must be two numbers");
   std::vector<char> used(static_cast<std::size_t>(n), 0);
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
     const Eigen::Index size = mesh.cell_size(cell);
     for (Eigen::Index k = 0; k < size; ++k) {
       const Eigen::Index node = mesh.cells(cell, k);
-      pose(node >= 0 && node < n, "mesh '", mesh.name, "': cell ", cell, " refers to node ", node,
-           ", but the nodes are 0 to ", n - 1);
+      require_input(node >= 0 && node < n, "mesh '", mesh.name, "': cell ", cell,
+                    " refers to node ", node, ", but the nodes are 0 to ", n - 1);
       used[static_cast<std::size_t>(node)] = 1;
     }
     for (Eigen::Index k = size; k < width; ++k)
-      pose(mesh.cells(cell, k) == -1, "mesh '", mesh.name, "': cell ", cell,
-           ", a triangle in rows of ", width, ", must have -1 after its ", size, " nodes, got ",
-           mesh.cells(cell, k));
+      require_input(mesh.cells(cell, k) == -1, "mesh '", mesh.name, "': cell ", cell,
+                    ", a triangle in rows of ", width, ", must have -1 after its ", size,
+                    " nodes, got ", mesh.cells(cell, k));
   }
   for (Eigen::Index node = 0; node < n; ++node)
-    pose(used[static_cast<std::size_t>(node)] != 0, "mesh '", mesh.name, "': node ", node,
-         " belongs to no cell; leave it out");
+    require_input(used[static_cast<std::size_t>(node)] != 0, "mesh '", mesh.name, "': node ", node,
+                  " belongs to no cell; leave it out");
   for (const auto& [name, sides] : mesh.boundaries) {
-    pose(!sides.empty(), "mesh '", mesh.name, "': the boundary '", name,
-         "' has no sides; give it some, or leave it out");
+    require_input(!sides.empty(), "mesh '", mesh.name, "': the boundary '", name,
+                  "' has no sides; give it some, or leave it out");
     std::set<std::pair<Eigen::Index, int>> seen;
     for (const CellSide& side : sides) {
       const bool has_cell = side.cell >= 0 && side.cell < mesh.n_cells();
       const int n_sides = has_cell ? mesh.corners(side.cell) : 4;
-      pose(has_cell && side.side >= 0 && side.side < n_sides, "mesh '", mesh.name,
-           "': the boundary '", name, "' refers to side ", side.side, " of cell ", side.cell,
-           ", but the cells are 0 to ", mesh.n_cells() - 1, " with sides 0 to ", n_sides - 1);
-      pose(seen.insert({side.cell, side.side}).second, "mesh '", mesh.name, "': the boundary '",
-           name, "' lists side ", side.side, " of cell ", side.cell, " twice");
+      require_input(has_cell && side.side >= 0 && side.side < n_sides, "mesh '", mesh.name,
+                    "': the boundary '", name, "' refers to side ", side.side, " of cell ",
+                    side.cell, ", but the cells are 0 to ", mesh.n_cells() - 1, " with sides 0 to ",
+                    n_sides - 1);
+      require_input(seen.insert({side.cell, side.side}).second, "mesh '", mesh.name,
+                    "': the boundary '", name, "' lists side ", side.side, " of cell ", side.cell,
+                    " twice");
     }
   }
 }
@@ -89,9 +91,9 @@ void check_midpoints(const Mesh& mesh, Eigen::Index cell) {
     const Eigen::RowVector2d along = mesh.nodes.row(mesh.cells(cell, (s + 1) % n)) - a;
     const Eigen::RowVector2d middle = mesh.nodes.row(mesh.cells(cell, n + s)) - a;
     const double t = middle.dot(along) / along.squaredNorm();
-    pose(t > 0.25 && t < 0.75, "mesh '", mesh.name, "': cell ", cell,
-         " has the middle node of side ", s, " at ", t,
-         " of the side; it must lie between 0.25 and 0.75");
+    require_input(t > 0.25 && t < 0.75, "mesh '", mesh.name, "': cell ", cell,
+                  " has the middle node of side ", s, " at ", t,
+                  " of the side; it must lie between 0.25 and 0.75");
   }
 }
 
@@ -102,10 +104,10 @@ void check_midpoints(const Mesh& mesh, Eigen::Index cell) {
 template <typename... Parts>
 void check_digits(const Mesh& mesh, double away, double size, const Parts&... something) {
   const double rounding = epsilon * away;
-  pose(rounding <= 1e-6 * size, "mesh '", mesh.name,
-       "' has lost its digits: so far from the origin its coordinates are rounded to ", rounding,
-       ", expected at most a millionth of ", something..., ", which is ", size,
-       ". Move the bodies near the origin");
+  require_input(rounding <= 1e-6 * size, "mesh '", mesh.name,
+                "' has lost its digits: so far from the origin its coordinates are rounded to ",
+                rounding, ", expected at most a millionth of ", something..., ", which is ", size,
+                ". Move the bodies near the origin");
 }
 
 }  // namespace
@@ -148,9 +150,10 @@ MeshQuality check_mesh(const Mesh& mesh) {
     for (std::size_t s = 0; s < sides.size(); ++s) {
       const std::vector<Eigen::Index> ends = mesh.side_nodes(sides[s]);
       const double length = (mesh.nodes.row(ends.front()) - mesh.nodes.row(ends.back())).norm();
-      pose(length > no_length, "mesh '", mesh.name, "': side ", s, " of the boundary '", name,
-           "' (cell ", sides[s].cell, ") has zero length: its end nodes ", ends.front(), " and ",
-           ends.back(), " coincide; leave the side out, or move a node");
+      require_input(length > no_length, "mesh '", mesh.name, "': side ", s, " of the boundary '",
+                    name, "' (cell ", sides[s].cell, ") has zero length: its end nodes ",
+                    ends.front(), " and ", ends.back(),
+                    " coincide; leave the side out, or move a node");
     }
   MeshQuality quality{1, 1};
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
@@ -170,11 +173,12 @@ MeshQuality check_mesh(const Mesh& mesh) {
       longest = std::max(longest, side);
     }
     const double flat = 16 * epsilon * longest * size;
-    pose(lowest > flat, "mesh '", mesh.name, "': cell ", cell,
-         highest < -flat
-             ? " is inverted (its corners run clockwise)"
-             : " is degenerate (a corner of 180 degrees or more, or two corners in one place)",
-         ": corners ", Corners{mesh, cell}, "; list them anticlockwise, or move a node");
+    require_input(
+        lowest > flat, "mesh '", mesh.name, "': cell ", cell,
+        highest < -flat
+            ? " is inverted (its corners run clockwise)"
+            : " is degenerate (a corner of 180 degrees or more, or two corners in one place)",
+        ": corners ", Corners{mesh, cell}, "; list them anticlockwise, or move a node");
     check_digits(mesh, away, lowest / longest, "the height of cell ", cell);
     check_midpoints(mesh, cell);
     quality.smallest_jacobian_ratio = std::min(quality.smallest_jacobian_ratio, lowest / highest);

@@ -40,9 +40,9 @@ std::vector<Index> nodes_at(const Mesh& mesh, const std::string& boundary,
   std::vector<Index> nodes = boundary_nodes(mesh, boundary);
   if (!only_at) return nodes;
   const Index found = nearest(mesh, nodes, *only_at);
-  pose(distance(mesh, found, *only_at) <= position_rounding(mesh), what, " on '", boundary,
-       "': no node lies at (", only_at->x(), ", ", only_at->y(), "); the nearest, ",
-       describe(mesh, found));
+  require_input(distance(mesh, found, *only_at) <= position_rounding(mesh), what, " on '", boundary,
+                "': no node lies at (", only_at->x(), ", ", only_at->y(), "); the nearest, ",
+                describe(mesh, found));
   return {found};
 }
 
@@ -53,13 +53,14 @@ Edge::Edge(const Mesh& mesh) : mesh_(mesh) {}
 EdgePlace Edge::place(const Vector2d& point) {
   const double rounding = position_rounding(mesh_);
   const std::string at = text("point (", point.x(), ", ", point.y(), ") of '", mesh_.name, "': ");
-  pose(point.allFinite(), at, "is not finite; give the place of a node, or one on the edge");
+  require_input(point.allFinite(), at,
+                "is not finite; give the place of a node, or one on the edge");
   std::vector<Index> nodes;
   for (Index node = 0; node < mesh_.n_nodes(); ++node)
     if (distance(mesh_, node, point) <= rounding) nodes.push_back(node);
-  pose(nodes.size() <= 1, at, "nodes ", nodes.empty() ? 0 : nodes.front(), " and ",
-       nodes.empty() ? 0 : nodes.back(),
-       " both lie there and are not joined. Choose a place beside them");
+  require_input(nodes.size() <= 1, at, "nodes ", nodes.empty() ? 0 : nodes.front(), " and ",
+                nodes.empty() ? 0 : nodes.back(),
+                " both lie there and are not joined. Choose a place beside them");
   if (!nodes.empty()) return {std::move(nodes), {1, 0, 0}};
 
   if (sides_.empty())
@@ -70,7 +71,8 @@ EdgePlace Edge::place(const Vector2d& point) {
     if ((side.point(xi) - point).norm() <= rounding)
       places.push_back({side.nodes(), side.shape(xi).value});
   }
-  pose(places.size() <= 1, at, "lies on two sides that are not joined. Choose another place");
+  require_input(places.size() <= 1, at,
+                "lies on two sides that are not joined. Choose another place");
   if (!places.empty()) return places.front();
   nodes.resize(static_cast<std::size_t>(mesh_.n_nodes()));
   std::iota(nodes.begin(), nodes.end(), Index{0});

@@ -16,10 +16,11 @@ const std::vector<Index>& region(const Mesh& mesh, const std::string& name) {
     throw ProblemError(text("mesh '", mesh.name, "' has no region '", name,
                             "'; it has: ", known.empty() ? "none" : known));
   }
-  pose(!found->second.empty(), "mesh '", mesh.name, "': the region '", name, "' has no cells");
+  require_input(!found->second.empty(), "mesh '", mesh.name, "': the region '", name,
+                "' has no cells");
   for (const Index cell : found->second)
-    pose(cell >= 0 && cell < mesh.n_cells(), "mesh '", mesh.name, "': the region '", name,
-         "' refers to cell ", cell, ", but the cells are 0 to ", mesh.n_cells() - 1);
+    require_input(cell >= 0 && cell < mesh.n_cells(), "mesh '", mesh.name, "': the region '", name,
+                  "' refers to cell ", cell, ", but the cells are 0 to ", mesh.n_cells() - 1);
   return found->second;
 }
 
@@ -33,8 +34,9 @@ Mesh with_region(Mesh mesh, const std::string& name, const Eigen::Vector2d& low,
     if ((middle.array() >= low.array()).all() && (middle.array() <= high.array()).all())
       cells.push_back(cell);
   }
-  pose(!cells.empty(), "region '", name, "' of '", mesh.name, "': no cell has its middle in (",
-       low.x(), ", ", low.y(), ") to (", high.x(), ", ", high.y(), ')');
+  require_input(!cells.empty(), "region '", name, "' of '", mesh.name,
+                "': no cell has its middle in (", low.x(), ", ", low.y(), ") to (", high.x(), ", ",
+                high.y(), ')');
   mesh.regions[name] = std::move(cells);
   return mesh;
 }

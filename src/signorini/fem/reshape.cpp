@@ -33,19 +33,19 @@ std::vector<Index> numbers_after_joining(const Mesh& first, const std::string& a
   const std::vector<Index> line = boundary_nodes(first, along);
   std::vector<Index> other = boundary_nodes(second, opposite);
   std::reverse(other.begin(), other.end());  // both keep their body on the left
-  pose(line.size() == other.size(), "joined: '", first.name, "' has ", line.size(), " nodes on '",
-       along, "', but '", second.name, "' has ", other.size(), " on '", opposite,
-       "'; they must be the same");
+  require_input(line.size() == other.size(), "joined: '", first.name, "' has ", line.size(),
+                " nodes on '", along, "', but '", second.name, "' has ", other.size(), " on '",
+                opposite, "'; they must be the same");
   const double size =
       std::max(first.nodes.cwiseAbs().maxCoeff(), second.nodes.cwiseAbs().maxCoeff());
   std::vector<Index> number(static_cast<std::size_t>(second.n_nodes()), -1);
   for (std::size_t k = 0; k < line.size(); ++k) {
     const Eigen::RowVector2d here = first.nodes.row(line[k]);
     const Eigen::RowVector2d there = second.nodes.row(other[k]);
-    pose((here - there).norm() <= 1e-12 * size, "joined: node ", k, " on '", along, "' of '",
-         first.name, "' is at (", here.x(), ", ", here.y(), "), but its partner on '", opposite,
-         "' of '", second.name, "' is at (", there.x(), ", ", there.y(),
-         "); they must be in one place");
+    require_input((here - there).norm() <= 1e-12 * size, "joined: node ", k, " on '", along,
+                  "' of '", first.name, "' is at (", here.x(), ", ", here.y(),
+                  "), but its partner on '", opposite, "' of '", second.name, "' is at (",
+                  there.x(), ", ", there.y(), "); they must be in one place");
     number[static_cast<std::size_t>(other[k])] = line[k];
   }
   Index next = first.n_nodes();
@@ -95,19 +95,19 @@ Mesh renamed(Mesh mesh, const std::string& from, const std::string& to) {
   const std::vector<CellSide> sides = boundary(mesh, from);
   mesh.boundaries.erase(from);
   std::vector<CellSide>& target = mesh.boundaries[to];
-  pose(target.empty() || last_node(mesh, target) == first_node(mesh, sides) ||
-           last_node(mesh, sides) == first_node(mesh, target),
-       "renamed: mesh '", mesh.name, "' has a boundary '", to, "' already, and '", from,
-       "' neither begins where it ends nor ends where it begins; take another name");
+  require_input(target.empty() || last_node(mesh, target) == first_node(mesh, sides) ||
+                    last_node(mesh, sides) == first_node(mesh, target),
+                "renamed: mesh '", mesh.name, "' has a boundary '", to, "' already, and '", from,
+                "' neither begins where it ends nor ends where it begins; take another name");
   lengthen(mesh, sides, target);
   return mesh;
 }
 
 Mesh joined(Mesh first, const std::string& along, const Mesh& second, const std::string& opposite) {
   const auto per_side = [](const Mesh& mesh) { return mesh.order() == MeshOrder::Linear ? 2 : 3; };
-  pose(first.order() == second.order(), "joined: sides of '", first.name, "' have ",
-       per_side(first), " nodes, those of '", second.name, "' have ", per_side(second),
-       "; they must be alike");
+  require_input(first.order() == second.order(), "joined: sides of '", first.name, "' have ",
+                per_side(first), " nodes, those of '", second.name, "' have ", per_side(second),
+                "; they must be alike");
   const std::vector<Index> number = numbers_after_joining(first, along, second, opposite);
   const Index old_nodes = first.n_nodes();
   const Index old_cells = first.n_cells();

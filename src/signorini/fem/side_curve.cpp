@@ -150,8 +150,8 @@ std::map<Index, NodeOnSide> nodes_on_sides(const std::vector<SideCurve>& sides) 
 std::vector<SideCurve> side_curves(const Mesh& mesh, const std::string& boundary) {
   std::vector<SideCurve> sides;
   for (const CellSide& side : signorini::boundary(mesh, boundary)) sides.emplace_back(mesh, side);
-  pose(!sides.empty(), "mesh '", mesh.name, "': the boundary '", boundary,
-       "' has no sides; give it some, or leave it out");
+  require_input(!sides.empty(), "mesh '", mesh.name, "': the boundary '", boundary,
+                "' has no sides; give it some, or leave it out");
   return sides;
 }
 

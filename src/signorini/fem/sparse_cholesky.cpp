@@ -33,8 +33,9 @@ void check_entries(const Stiffness& K) {
 Matrix with_springs(const Stiffness& K) {
   Matrix held = K.matrix;
   for (const Index unknown : K.grounded) {
-    require(unknown >= 0 && unknown < held.cols(), "sparse_cholesky: grounded unknowns are 0 to ",
-            held.cols() - 1, ", got ", unknown);
+    require_argument(unknown >= 0 && unknown < held.cols(),
+                     "sparse_cholesky: grounded unknowns are 0 to ", held.cols() - 1, ", got ",
+                     unknown);
     held.coeffRef(unknown, unknown) *= 2;
   }
   return held;

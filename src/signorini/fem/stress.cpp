@@ -36,8 +36,8 @@ Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const Cell
 template <typename Visit>
 void visit_stresses(const Mesh& mesh, const Element& element, const MaterialField& material,
                     const NodeArray& displacements, Visit&& visit) {
-  require(displacements.rows() == mesh.n_nodes(), "stress: need the displacements of ",
-          mesh.n_nodes(), " nodes, got ", displacements.rows());
+  require_argument(displacements.rows() == mesh.n_nodes(), "stress: need the displacements of ",
+                   mesh.n_nodes(), " nodes, got ", displacements.rows());
   const Eigenstrain& eigenstrain = material.eigenstrain;
   PointStrains free;
   PointStress stress;
@@ -112,8 +112,9 @@ StressArray cell_stress(const Mesh& mesh, const Element& element, const Material
 
 double strain_energy(const Mesh& mesh, const Element& element, const MaterialField& material,
                      const NodeArray& displacements) {
-  require(displacements.rows() == mesh.n_nodes(), "strain_energy: need the displacements of ",
-          mesh.n_nodes(), " nodes, got ", displacements.rows());
+  require_argument(displacements.rows() == mesh.n_nodes(),
+                   "strain_energy: need the displacements of ", mesh.n_nodes(), " nodes, got ",
+                   displacements.rows());
   double energy = 0;
   visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
     const CellVector u = gathered(cell, displacements);

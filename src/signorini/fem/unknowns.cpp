@@ -22,9 +22,9 @@ Axis normal_axis(const Mesh& mesh, const std::string& name) {
   }
   const Eigen::RowVector2d extent = high - low;
   const double flat = 1e3 * epsilon * mesh.nodes.cwiseAbs().maxCoeff();
-  pose(extent.minCoeff() <= flat && extent.maxCoeff() > flat, "support 'symmetric' on '", name,
-       "': the boundary must be straight and parallel to an axis, but it spans ", extent.x(), " x ",
-       extent.y());
+  require_input(extent.minCoeff() <= flat && extent.maxCoeff() > flat, "support 'symmetric' on '",
+                name, "': the boundary must be straight and parallel to an axis, but it spans ",
+                extent.x(), " x ", extent.y());
   return extent.x() < extent.y() ? Axis::X : Axis::Y;
 }
 
@@ -78,7 +78,7 @@ std::vector<Index> axis_nodes(const Mesh& mesh) {
   std::vector<Index> nodes;
   for (Index node = 0; node < mesh.n_nodes(); ++node) {
     const double radius = mesh.nodes(node, 0);
-    pose(
+    require_input(
         radius >= -rounding, "mesh '", mesh.name, "': node ", node, " lies at (", radius, ", ",
         mesh.nodes(node, 1),
         "), but in axial symmetry x is the radius: take the half of the cross-section with x >= 0");
@@ -97,22 +97,22 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports,
   for (const Support& support : supports) {
     bool held[2] = {support.holds_x, support.holds_y};
     if (support.normal_only) held[normal_axis(mesh, support.boundary) == Axis::X ? 0 : 1] = true;
-    pose(static_cast<bool>(support.displacement), "support on '", support.boundary,
-         "': has no displacement; make it with fixed, symmetric or prescribed");
+    require_input(static_cast<bool>(support.displacement), "support on '", support.boundary,
+                  "': has no displacement; make it with fixed, symmetric or prescribed");
     for (const Index node : nodes_at(mesh, support.boundary, support.only_at, "support")) {
       const Eigen::Vector2d value = support.displacement(mesh.nodes.row(node).transpose());
       for (int axis = 0; axis < 2; ++axis) {
         if (!held[axis]) continue;
-        pose(std::isfinite(value(axis)), "support on '", support.boundary,
-             "': the displacement given at node ", node,
-             " is not finite, but it must be a number at every node");
-        pose(unknowns.number(node, axis) == 0 || unknowns.held(node, axis) == value(axis),
-             "support on '", support.boundary, "': node ", node, " gets the displacement ",
-             value(axis), " in direction ", axis == 0 ? 'x' : 'y',
-             std::binary_search(on_axis.begin(), on_axis.end(), node) && axis == 0
-                 ? ", but it lies on the axis of the body, which gives it "
-                 : ", but another support gives it ",
-             unknowns.held(node, axis), ": leave one of them out");
+        require_input(std::isfinite(value(axis)), "support on '", support.boundary,
+                      "': the displacement given at node ", node,
+                      " is not finite, but it must be a number at every node");
+        require_input(unknowns.number(node, axis) == 0 || unknowns.held(node, axis) == value(axis),
+                      "support on '", support.boundary, "': node ", node, " gets the displacement ",
+                      value(axis), " in direction ", axis == 0 ? 'x' : 'y',
+                      std::binary_search(on_axis.begin(), on_axis.end(), node) && axis == 0
+                          ? ", but it lies on the axis of the body, which gives it "
+                          : ", but another support gives it ",
+                      unknowns.held(node, axis), ": leave one of them out");
         unknowns.number(node, axis) = -1;
         unknowns.held(node, axis) = value(axis);
       }

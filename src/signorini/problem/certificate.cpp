@@ -25,16 +25,16 @@ bool has_low(const PrimalDual& solution) { return solution.displacement_low.size
 void check_sizes(const QuadraticProgramme& programme, const PrimalDual& solution) {
   const Index n = programme.load.size();
   const Index pairs = programme.initial_gap.size();
-  require(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
-              programme.A.rows() == pairs && programme.A.cols() == n,
-          "certify: K must be ", n, " x ", n, " and A ", pairs, " x ", n, ", got ",
-          programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
-          programme.A.rows(), " x ", programme.A.cols());
-  require(solution.displacement.size() == n && solution.force.size() == pairs &&
-              (!has_low(solution) || solution.displacement_low.size() == n) &&
-              (solution.rigid.size() == 0 || solution.rigid.size() == n),
-          "certify: need ", n, " displacements and ", pairs, " forces, got ",
-          solution.displacement.size(), " and ", solution.force.size());
+  require_argument(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
+                       programme.A.rows() == pairs && programme.A.cols() == n,
+                   "certify: K must be ", n, " x ", n, " and A ", pairs, " x ", n, ", got ",
+                   programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
+                   programme.A.rows(), " x ", programme.A.cols());
+  require_argument(solution.displacement.size() == n && solution.force.size() == pairs &&
+                       (!has_low(solution) || solution.displacement_low.size() == n) &&
+                       (solution.rigid.size() == 0 || solution.rigid.size() == n),
+                   "certify: need ", n, " displacements and ", pairs, " forces, got ",
+                   solution.displacement.size(), " and ", solution.force.size());
 }
 
 /// u without its rigid part, as the sum of two vectors: those of the solution where they serve.
@@ -350,8 +350,9 @@ Eigen::VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solu
 Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                     Index equations) {
   check_sizes(programme, solution);
-  require(equations >= 0 && equations <= programme.initial_gap.size(),
-          "certify: equations must be 0 to ", programme.initial_gap.size(), ", got ", equations);
+  require_argument(equations >= 0 && equations <= programme.initial_gap.size(),
+                   "certify: equations must be 0 to ", programme.initial_gap.size(), ", got ",
+                   equations);
   return all_figures(programme, solution, {}, equations);
 }
 

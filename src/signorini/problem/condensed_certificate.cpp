@@ -136,16 +136,17 @@ Certificate certify(const ProblemBlocks& problem, const Claim& claim) {
   const Index modes = problem.resultant.size();
   const Index slips = static_cast<Index>(problem.law.pair.size());
   check_law(problem.law, rows - slips, slips);
-  require(problem.compliance.rows() == rows && problem.compliance.cols() == rows,
-          "certify: compliance must be ", rows, " x ", rows, ", got ", problem.compliance.rows(),
-          " x ", problem.compliance.cols());
-  require(problem.rigid.cols() == modes && (modes == 0 || problem.rigid.rows() == rows),
-          "certify: rigid must be ", rows, " x ", modes, ", got ", problem.rigid.rows(), " x ",
-          problem.rigid.cols());
-  require(claim.force.size() == rows && claim.movement.size() == rows &&
-              claim.amplitude.size() == modes,
-          "certify: need ", rows, " forces and movements and ", modes, " amplitudes, got ",
-          claim.force.size(), ", ", claim.movement.size(), " and ", claim.amplitude.size());
+  require_argument(problem.compliance.rows() == rows && problem.compliance.cols() == rows,
+                   "certify: compliance must be ", rows, " x ", rows, ", got ",
+                   problem.compliance.rows(), " x ", problem.compliance.cols());
+  require_argument(problem.rigid.cols() == modes && (modes == 0 || problem.rigid.rows() == rows),
+                   "certify: rigid must be ", rows, " x ", modes, ", got ", problem.rigid.rows(),
+                   " x ", problem.rigid.cols());
+  require_argument(claim.force.size() == rows && claim.movement.size() == rows &&
+                       claim.amplitude.size() == modes,
+                   "certify: need ", rows, " forces and movements and ", modes, " amplitudes, got ",
+                   claim.force.size(), ", ", claim.movement.size(), " and ",
+                   claim.amplitude.size());
   if (!problem.compliance.allFinite() || !problem.free.allFinite() || !problem.rigid.allFinite() ||
       !problem.resultant.allFinite() || !claim.force.allFinite() || !claim.movement.allFinite() ||
       !claim.amplitude.allFinite())
@@ -157,11 +158,11 @@ Certificate certify(const ContactProblem& problem, const ContactState& state) {
   const Index pairs = problem.free_gap.size();
   const Index slips = problem.free_slip.size();
   check_law(problem.law, pairs, slips);
-  require(state.force.size() == pairs && state.gap.size() == pairs &&
-              state.friction.size() == slips && state.slip.size() == slips,
-          "certify: need ", pairs, " forces and gaps and ", slips,
-          " friction forces and slips, got ", state.force.size(), ", ", state.gap.size(), ", ",
-          state.friction.size(), " and ", state.slip.size());
+  require_argument(state.force.size() == pairs && state.gap.size() == pairs &&
+                       state.friction.size() == slips && state.slip.size() == slips,
+                   "certify: need ", pairs, " forces and gaps and ", slips,
+                   " friction forces and slips, got ", state.force.size(), ", ", state.gap.size(),
+                   ", ", state.friction.size(), " and ", state.slip.size());
   return certify(
       ProblemBlocks{problem.compliance, free_movement(problem), problem.law, problem.rigid,
                     problem.resultant},

@@ -92,16 +92,17 @@ void check_finite(const ContactProblem& problem) {
   const Eigen::Index slips = problem.free_slip.size();
   const Eigen::Index n = pairs + slips;
   const Eigen::Index modes = problem.resultant.size();
-  require(F.rows() == n && F.cols() == n, "contact problem: compliance must be ", n, " x ", n,
-          " (one row per gap, then one per slip), got ", F.rows(), " x ", F.cols());
+  require_argument(F.rows() == n && F.cols() == n, "contact problem: compliance must be ", n, " x ",
+                   n, " (one row per gap, then one per slip), got ", F.rows(), " x ", F.cols());
   check_law(problem.law, pairs, slips);
-  require(problem.rigid.cols() == modes && (modes == 0 || problem.rigid.rows() == n),
-          "contact problem: rigid must be ", n, " x ", modes,
-          " (one row per gap and slip, one column per entry of resultant), got ",
-          problem.rigid.rows(), " x ", problem.rigid.cols());
-  require(F.allFinite() && problem.free_gap.allFinite() && problem.free_slip.allFinite() &&
-              problem.rigid.allFinite() && problem.resultant.allFinite(),
-          "contact problem: compliance, free_gap, free_slip, rigid and resultant must be finite");
+  require_argument(problem.rigid.cols() == modes && (modes == 0 || problem.rigid.rows() == n),
+                   "contact problem: rigid must be ", n, " x ", modes,
+                   " (one row per gap and slip, one column per entry of resultant), got ",
+                   problem.rigid.rows(), " x ", problem.rigid.cols());
+  require_argument(
+      F.allFinite() && problem.free_gap.allFinite() && problem.free_slip.allFinite() &&
+          problem.rigid.allFinite() && problem.resultant.allFinite(),
+      "contact problem: compliance, free_gap, free_slip, rigid and resultant must be finite");
   // Forces are quotients of these numbers and energies products of those: beyond, they would overflow.
   const double largest = 0x1p340;
   const double smallest = 1 / largest;
@@ -110,12 +111,12 @@ void check_finite(const ContactProblem& problem) {
   };
   for (Eigen::Index j = 0; j < n; ++j) {
     const bool gap = j < pairs;
-    require(fits(gap ? problem.free_gap(j) : problem.free_slip(j - pairs)) && fits(F(j, j)) &&
-                F.col(j).cwiseAbs().maxCoeff() <= largest &&
-                (gap || (fits(problem.law.coefficient(j - pairs)) &&
-                         fits(problem.law.cohesion(j - pairs)))),
-            "contact problem: ", gap ? "pair " : "slip ", gap ? j + 1 : j - pairs + 1,
-            " has numbers beyond 1e102 or below 1e-102 in magnitude; change the units");
+    require_argument(fits(gap ? problem.free_gap(j) : problem.free_slip(j - pairs)) &&
+                         fits(F(j, j)) && F.col(j).cwiseAbs().maxCoeff() <= largest &&
+                         (gap || (fits(problem.law.coefficient(j - pairs)) &&
+                                  fits(problem.law.cohesion(j - pairs)))),
+                     "contact problem: ", gap ? "pair " : "slip ", gap ? j + 1 : j - pairs + 1,
+                     " has numbers beyond 1e102 or below 1e-102 in magnitude; change the units");
   }
   const auto turns = [](double x) { return x == 0 || (x >= 0x1p-170 && x <= 0x1p170); };
   for (Eigen::Index j = 0; j < modes; ++j) {
@@ -126,7 +127,7 @@ void check_finite(const ContactProblem& problem) {
       most = std::max(most, size);
       if (F(i, i) == 0 && !turns(size)) scales = false;
     }
-    require(
+    require_argument(
         scales && turns(most) && turns(std::abs(problem.resultant(j))),
         "contact problem: rigid mode ", j + 1,
         " has numbers beyond 1e51 or below 1e-51 in magnitude; change its amplitude or the units");
@@ -134,20 +135,22 @@ void check_finite(const ContactProblem& problem) {
 }
 
 void check_law(const FrictionLaw& law, Eigen::Index pairs, Eigen::Index slips) {
-  require(static_cast<Eigen::Index>(law.pair.size()) == slips && law.coefficient.size() == slips &&
-              law.cohesion.size() == slips && slips <= pairs,
-          "friction: need a pair, a coefficient and a cohesion for each of ", slips, " slips of ",
-          pairs, " pairs, got ", law.pair.size(), ", ", law.coefficient.size(), " and ",
-          law.cohesion.size());
+  require_argument(static_cast<Eigen::Index>(law.pair.size()) == slips &&
+                       law.coefficient.size() == slips && law.cohesion.size() == slips &&
+                       slips <= pairs,
+                   "friction: need a pair, a coefficient and a cohesion for each of ", slips,
+                   " slips of ", pairs, " pairs, got ", law.pair.size(), ", ",
+                   law.coefficient.size(), " and ", law.cohesion.size());
   Eigen::Index last = -1;
   for (Eigen::Index k = 0; k < slips; ++k) {
     const Eigen::Index pair = law.pair[static_cast<std::size_t>(k)];
-    require(pair > last && pair < pairs, "friction: pairs must be in increasing order and below ",
-            pairs, ", got ", pair, " after ", last);
-    require(law.coefficient(k) >= 0 && law.cohesion(k) >= 0 && std::isfinite(law.coefficient(k)) &&
-                std::isfinite(law.cohesion(k)),
-            "friction: pair ", pair + 1, " has the coefficient ", law.coefficient(k),
-            " and the cohesion ", law.cohesion(k), "; both must be finite and >= 0");
+    require_argument(pair > last && pair < pairs,
+                     "friction: pairs must be in increasing order and below ", pairs, ", got ",
+                     pair, " after ", last);
+    require_argument(law.coefficient(k) >= 0 && law.cohesion(k) >= 0 &&
+                         std::isfinite(law.coefficient(k)) && std::isfinite(law.cohesion(k)),
+                     "friction: pair ", pair + 1, " has the coefficient ", law.coefficient(k),
+                     " and the cohesion ", law.cohesion(k), "; both must be finite and >= 0");
     last = pair;
   }
 }
@@ -160,14 +163,15 @@ void check_problem(const ContactProblem& problem) {
   check_finite(problem);
   const Eigen::MatrixXd& G = problem.compliance;
   if (G.rows() == 0) return;
-  require((G.diagonal().array() >= 0).all(),
-          "contact problem: compliance must be positive semidefinite, but "
-          "has the diagonal entry ",
-          G.diagonal().minCoeff());
+  require_argument((G.diagonal().array() >= 0).all(),
+                   "contact problem: compliance must be positive semidefinite, but "
+                   "has the diagonal entry ",
+                   G.diagonal().minCoeff());
   const double difference = asymmetry(G);
-  require(difference <= allowed_asymmetry,
-          "contact problem: compliance must be symmetric, but differs from its transpose by ",
-          difference, " of its diagonal");
+  require_argument(
+      difference <= allowed_asymmetry,
+      "contact problem: compliance must be symmetric, but differs from its transpose by ",
+      difference, " of its diagonal");
 }
 
 Eigen::VectorXd row_scales(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& rigid,
@@ -193,11 +197,11 @@ Eigen::VectorXd row_scales(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd&
 }
 
 void check_plain(const ContactProblem& problem, const char* solver) {
-  require(problem.law.pair.empty() && problem.free_slip.size() == 0, solver,
-          ": takes no friction, but ", problem.free_slip.size(),
-          " pairs rub; primal_dual_active_set, fischer_burmeister and lemke take it");
-  require(problem.resultant.size() == 0, solver, ": takes no rigid modes, got ",
-          problem.resultant.size(), "; solve(problem, solver) holds them by springs");
+  require_argument(problem.law.pair.empty() && problem.free_slip.size() == 0, solver,
+                   ": takes no friction, but ", problem.free_slip.size(),
+                   " pairs rub; primal_dual_active_set, fischer_burmeister and lemke take it");
+  require_argument(problem.resultant.size() == 0, solver, ": takes no rigid modes, got ",
+                   problem.resultant.size(), "; solve(problem, solver) holds them by springs");
 }
 
 FrictionLaw law_of_all(const Eigen::VectorXd& coefficient, const Eigen::VectorXd& cohesion) {

@@ -70,19 +70,19 @@ void add_friction(const Model& model, const Solution& solution,
 void check_solved(const Solution& solution, const std::optional<PathTotals>& totals,
                   const char* function) {
   const ContactState& contact = solution.contact;
-  require(contact.report.status == SolveStatus::Solved, function, ": the problem was not solved (",
-          to_string(contact.report.status), ')');
+  require_argument(contact.report.status == SolveStatus::Solved, function,
+                   ": the problem was not solved (", to_string(contact.report.status), ')');
   const std::size_t n_slips = contact.frictional_pairs.size();
-  require(contact.contact_status.size() == n_slips &&
-              contact.friction.size() == static_cast<Index>(n_slips) &&
-              contact.slip.size() == static_cast<Index>(n_slips),
-          function, ": expected friction, slip and motion of ", n_slips, " pairs, got ",
-          contact.friction.size(), ", ", contact.slip.size(), " and ",
-          contact.contact_status.size());
-  require(!totals || (totals->slip.size() == contact.friction.size() &&
-                      totals->dissipation.size() == contact.friction.size()),
-          function, ": the solution has ", contact.friction.size(),
-          " slips, but the state of its path ", totals ? totals->slip.size() : 0);
+  require_argument(contact.contact_status.size() == n_slips &&
+                       contact.friction.size() == static_cast<Index>(n_slips) &&
+                       contact.slip.size() == static_cast<Index>(n_slips),
+                   function, ": expected friction, slip and motion of ", n_slips, " pairs, got ",
+                   contact.friction.size(), ", ", contact.slip.size(), " and ",
+                   contact.contact_status.size());
+  require_argument(!totals || (totals->slip.size() == contact.friction.size() &&
+                               totals->dissipation.size() == contact.friction.size()),
+                   function, ": the solution has ", contact.friction.size(),
+                   " slips, but the state of its path ", totals ? totals->slip.size() : 0);
 }
 
 VectorXd shear_tractions(const Model& model, const Solution& solution) {

@@ -38,8 +38,8 @@ class Staging {
       const std::filesystem::path file = out_ / entry.path().filename();
       std::error_code failed;
       std::filesystem::rename(entry.path(), file, failed);
-      pose(!failed, "cannot write '", file.string(), "' (", failed.message(),
-           "): remove what is there, or give another folder with --out FOLDER");
+      require_input(!failed, "cannot write '", file.string(), "' (", failed.message(),
+                    "): remove what is there, or give another folder with --out FOLDER");
     }
   }
 
@@ -67,16 +67,18 @@ Command read(int argc, const char* const* argv, const std::vector<std::string>& 
     const std::string word = argv[k] == std::string("-h") ? "--help" : argv[k];
     if (word == "--out") {
       ++k;
-      pose(k < argc && argv[k][0] != '-', "--out needs a folder: --out FOLDER");
+      require_input(k < argc && argv[k][0] != '-', "--out needs a folder: --out FOLDER");
       command.out = argv[k];
     } else if (word.rfind('-', 0) == 0 || programs.empty()) {
-      pose(among(word, flags), "unknown option ", in_quotes(word),
-           ". Known options: --out FOLDER, ", joined(flags, ", "));
+      require_input(among(word, flags), "unknown option ", in_quotes(word),
+                    ". Known options: --out FOLDER, ", joined(flags, ", "));
       command.flags.insert(word);
     } else {
-      pose(among(word, programs), "no program ", in_quotes(word), suggestion(word, programs));
-      pose(command.program.empty(), "runs one program, or without a name all of them, got ",
-           in_quotes(command.program), " and ", in_quotes(word));
+      require_input(among(word, programs), "no program ", in_quotes(word),
+                    suggestion(word, programs));
+      require_input(command.program.empty(),
+                    "runs one program, or without a name all of them, got ",
+                    in_quotes(command.program), " and ", in_quotes(word));
       command.program = word;
     }
   }

@@ -23,11 +23,11 @@ std::string reason(int error) {
 Results::Results(std::string program) : program_(std::move(program)) {}
 
 void Results::add(const std::string& key, double value, const std::string& unit, Repeats repeats) {
-  require(!key.empty() && key.find_first_of(" \t\n") == std::string::npos,
-          "Results::add: a key must be one word, got '", key, "'");
+  require_argument(!key.empty() && key.find_first_of(" \t\n") == std::string::npos,
+                   "Results::add: a key must be one word, got '", key, "'");
   const bool known =
       std::any_of(lines_.begin(), lines_.end(), [&](const Line& l) { return l.key == key; });
-  require(!known, "Results::add: the key '", key, "' was added before");
+  require_argument(!known, "Results::add: the key '", key, "' was added before");
   lines_.push_back({key, value, unit, repeats});
 }
 
@@ -41,7 +41,7 @@ void Results::headline(const std::string& key, double reference, const std::stri
 double Results::value(const std::string& key) const {
   const auto known =
       std::find_if(lines_.begin(), lines_.end(), [&](const Line& l) { return l.key == key; });
-  require(known != lines_.end(), "Results::value: no key '", key, "' was added");
+  require_argument(known != lines_.end(), "Results::value: no key '", key, "' was added");
   return known->value;
 }
 
@@ -82,16 +82,16 @@ void write_file(const std::filesystem::path& file, const std::string& content) {
 void finish_printing() {
   errno = 0;
   std::cout.flush();
-  pose(std::cout.good(), "cannot write all that is to be printed", reason(errno),
-       ": send the output to a terminal, or to a file on a disk that has room");
+  require_input(std::cout.good(), "cannot write all that is to be printed", reason(errno),
+                ": send the output to a terminal, or to a file on a disk that has room");
 }
 
 void prepare_output_folder(const std::filesystem::path& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  pose(!failed && std::filesystem::is_directory(folder), "cannot make the output folder '",
-       folder.string(), "' (", failed ? failed.message() : "it is a file",
-       "): give another one with --out FOLDER");
+  require_input(!failed && std::filesystem::is_directory(folder), "cannot make the output folder '",
+                folder.string(), "' (", failed ? failed.message() : "it is a file",
+                "): give another one with --out FOLDER");
   const std::filesystem::path probe = folder / ".writable";
   write_file(probe, "");
   std::filesystem::remove(probe, failed);

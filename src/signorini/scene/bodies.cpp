@@ -54,8 +54,8 @@ void add_springs(const BodyModel& body, QuadraticProgramme& programme) {
 
 Eigen::SparseMatrix<double> stiffness_share(const std::vector<BodyModel>& bodies, int part,
                                             int parts) {
-  require(part >= 0 && part < parts, "stiffness_share: expected a share from 0 to ", parts - 1,
-          ", got ", part);
+  require_argument(part >= 0 && part < parts, "stiffness_share: expected a share from 0 to ",
+                   parts - 1, ", got ", part);
   std::vector<Eigen::SparseMatrix<double>> blocks;
   for (const BodyModel& body : bodies) {
     const Index first = body.mesh.n_cells() * part / parts;

@@ -100,8 +100,8 @@ void take_slips(const Scene& scene, Plan& draft) {
         !on_line_of_symmetry(scene, draft, static_cast<Index>(pair)))
       law.pair.push_back(static_cast<Index>(pair));
   if (law.pair.empty()) return;
-  pose(scene.solver.friction != Takes::No, "solver '", scene.solver.name,
-       "' takes no friction: take the default, '", Scene().solver.name, "'");
+  require_input(scene.solver.friction != Takes::No, "solver '", scene.solver.name,
+                "' takes no friction: take the default, '", Scene().solver.name, "'");
   take_bounds(scene, draft);
   draft.on.push_back(text("slips of ", law.pair.size(), " pairs"));
 }
@@ -117,7 +117,7 @@ void price_law(const Scene& scene, Plan& draft, Constant constant, const std::st
   for (const ContactSpec& contact : scene.contacts) {
     const double given = value(contact, constant);
     const std::string what = text(name, " of the ", describe(draft.bodies, contact));
-    pose(std::isfinite(given) && given >= 0, what, " must be a number >= 0, got ", given);
+    require_input(std::isfinite(given) && given >= 0, what, " must be a number >= 0, got ", given);
     if (given > 0) draft.on.push_back(text(what, ": ", given, law_in_words(*contact.friction)));
   }
   take_slips(scene, draft);

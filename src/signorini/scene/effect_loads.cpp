@@ -53,8 +53,9 @@ Effect edge_loads() {
             for (const Body& body : scene.bodies)
               for (const EdgeLoad& load : body.loads.edges) {
                 static_cast<void>(boundary(body.mesh, load.boundary));
-                pose(std::isfinite(load.pressure), "load on '", load.boundary, "': the pressure ",
-                     load.pressure, " is not finite, but it must be a number");
+                require_input(std::isfinite(load.pressure), "load on '", load.boundary,
+                              "': the pressure ", load.pressure,
+                              " is not finite, but it must be a number");
                 draft.on.push_back("load on '" + load.boundary + "' of '" + body.mesh.name + "'");
               }
           },

@@ -15,16 +15,17 @@ void price_motions(const Scene& scene, Plan& draft) {
     draft.on.push_back(in_words(mode) + ": only contact holds it, one amplitude");
   const NodalRows felt = contact_rows(draft.gaps, draft.law);
   const std::string loose = joined(motions_without_contact(felt, draft.modes), "; ");
-  pose(loose.empty(), loose,
-       scene.contacts.empty() ? ": add a support" : ", and no contact stops that: add a support");
+  require_input(
+      loose.empty(), loose,
+      scene.contacts.empty() ? ": add a support" : ", and no contact stops that: add a support");
 }
 
 }  // namespace
 
 Effect rigid_motions() {
   return {"rigid motions",
-          [](const Scene& /*scene*/, const Plan& draft) { return !draft.modes.empty(); }, price_motions,
-          [](Plan& plan, Model& model) { model.modes = std::move(plan.modes); }};
+          [](const Scene& /*scene*/, const Plan& draft) { return !draft.modes.empty(); },
+          price_motions, [](Plan& plan, Model& model) { model.modes = std::move(plan.modes); }};
 }
 
 }  // namespace signorini::effect

@@ -155,8 +155,9 @@ Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, 
     return node_to_obstacle(source, *obstacle, options);
   const Side& side = std::get<Side>(contact.target);
   const Depth other = depth_of(bodies[body_index(bodies, side)].material);
-  pose(depth.factor == other.factor, describe(bodies, contact), ": the bodies are ", depth.factor,
-       " and ", other.factor, " thick, but contact in the plane needs one thickness");
+  require_input(depth.factor == other.factor, describe(bodies, contact), ": the bodies are ",
+                depth.factor, " and ", other.factor,
+                " thick, but contact in the plane needs one thickness");
   return find_gap_operator(contact.gap_operator).pair(source, surface(bodies, side), options);
 }
 

@@ -17,22 +17,24 @@ namespace {
 using Eigen::Index;
 
 void check_names(const Scene& scene) {
-  pose(!scene.bodies.empty(), "a scene needs at least one body");
+  require_input(!scene.bodies.empty(), "a scene needs at least one body");
   std::set<std::string> names;
   for (const Body& body : scene.bodies)
-    pose(names.insert(body.mesh.name).second, "two bodies are called '", body.mesh.name,
-         "': give every mesh a name of its own");
-  pose(scene.solver.solve != nullptr && scene.backend.factor != nullptr,  // needed or not
-       "a scene's solver and back end must be members of their families, got one without a ",
-       "function: take find_solver(name) and find_backend(name), or leave the defaults");
+    require_input(names.insert(body.mesh.name).second, "two bodies are called '", body.mesh.name,
+                  "': give every mesh a name of its own");
+  require_input(
+      scene.solver.solve != nullptr && scene.backend.factor != nullptr,  // needed or not
+      "a scene's solver and back end must be members of their families, got one without a ",
+      "function: take find_solver(name) and find_backend(name), or leave the defaults");
 }
 
 /// Refuses what an add-on does that the program has not.
 void check_effects(const Scene& scene) {
   const auto check = [](bool wanted, const std::string& name, const char* function) {
     const auto named = [&name](const Effect& effect) { return effect.name == name; };
-    pose(!wanted || std::any_of(effects().begin(), effects().end(), named), "the scene has ", name,
-         ", which this program does not know: call ", function, "() before the scene is planned");
+    require_input(!wanted || std::any_of(effects().begin(), effects().end(), named),
+                  "the scene has ", name, ", which this program does not know: call ", function,
+                  "() before the scene is planned");
   };
   const char* const own = "register_effects";
   check(scene.path.has_value(), "load steps", "register_load_steps");
@@ -52,8 +54,8 @@ void check_effects(const Scene& scene) {
 void check_histories(const Scene& scene) {
   if (scene.path) return;
   const auto none = [](const std::string& what, const std::string& history) {
-    pose(history.empty(), what, " follows the history '", history,
-         "', but the scene has no load steps: give it a `path`, or leave the history out");
+    require_input(history.empty(), what, " follows the history '", history,
+                  "', but the scene has no load steps: give it a `path`, or leave the history out");
   };
   for (const Body& body : scene.bodies)
     each_history(body, [&](const std::string& history) {
@@ -174,8 +176,8 @@ void plan_effects(const Scene& scene, Plan& plan) {
 /// Refuses a solver that takes fewer pairs than there are.
 void check_pairs(const Plan& plan) {
   const std::string why = too_many(plan.solver, plan.gaps.A.rows());
-  pose(why.empty(), "solver '", plan.solver.name, "' ", why, ": take the default, '",
-       Scene().solver.name, "'");
+  require_input(why.empty(), "solver '", plan.solver.name, "' ", why, ": take the default, '",
+                Scene().solver.name, "'");
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace signorini {
 namespace {
 
 void require_forces(const Solution& solution) {
-  require(solution.contact.report.status == SolveStatus::Solved,
-          "forces on the nodes: the problem was not solved");
+  require_argument(solution.contact.report.status == SolveStatus::Solved,
+                   "forces on the nodes: the problem was not solved");
 }
 
 }  // namespace

@@ -65,8 +65,9 @@ class WorkAlong {
 
 Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
                            const Eigen::MatrixXd& null_vectors, double directions) {
-  require(A.cols() == null_vectors.rows() || null_vectors.cols() == 0, "rigid modes: A has ",
-          A.cols(), " columns and N ", null_vectors.rows(), " rows");
+  require_argument(A.cols() == null_vectors.rows() || null_vectors.cols() == 0,
+                   "rigid modes: A has ", A.cols(), " columns and N ", null_vectors.rows(),
+                   " rows");
   Eigen::MatrixXd R(A.rows(), null_vectors.cols());
   for (Index j = 0; j < R.cols(); ++j) {
     const Mode mode(null_vectors, j, directions);
@@ -96,11 +97,11 @@ void add_rigid_modes(const QuadraticProgramme& programme, const Eigen::MatrixXd&
                      ContactProblem& problem, double directions) {
   const Index n = programme.load.size();
   const Index rows = programme.A.rows();
-  require(programme.A.cols() == n && null_vectors.rows() == n, "rigid modes: A must be ", rows,
-          " x ", n, " and N have ", n, " rows, got ", rows, " x ", programme.A.cols(), " and ",
-          null_vectors.rows());
-  require(problem.compliance.rows() == rows, "rigid modes: expected a compliance of ", rows,
-          " rows, got ", problem.compliance.rows());
+  require_argument(programme.A.cols() == n && null_vectors.rows() == n, "rigid modes: A must be ",
+                   rows, " x ", n, " and N have ", n, " rows, got ", rows, " x ",
+                   programme.A.cols(), " and ", null_vectors.rows());
+  require_argument(problem.compliance.rows() == rows, "rigid modes: expected a compliance of ",
+                   rows, " rows, got ", problem.compliance.rows());
   problem.rigid = rigid_gaps(programme.A, null_vectors, directions);
   problem.resultant = rigid_resultant(programme.load, null_vectors, directions);
 }

@@ -275,7 +275,7 @@ void require_solved(const Solution& solution, const std::string& what) {
 }
 
 Solution solve(const Scene& scene) {
-  pose(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
+  require_input(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Condensed condensed = condense(model, ledger);

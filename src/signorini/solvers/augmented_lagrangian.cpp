@@ -91,8 +91,8 @@ ContactState augmented_lagrangian(const ContactProblem& problem, const Solver& s
 ContactState solve(const ContactProblem& problem, const Solver& solver,
                    const SolverOptions& options) {
   const bool floats = problem.resultant.size() > 0;
-  pose(problem.law.pair.empty() || solver.friction != Takes::No, "solver '", solver.name,
-       "' takes no friction: take '", primal_dual_active_set().name, "'");
+  require_input(problem.law.pair.empty() || solver.friction != Takes::No, "solver '", solver.name,
+                "' takes no friction: take '", primal_dual_active_set().name, "'");
   if (!floats || solver.rigid_modes || !problem.law.pair.empty()) {
     ContactState state = solver.solve(problem, options);
     const SolveStatus status = state.report.status;

@@ -36,8 +36,8 @@ Eigen::VectorXd proof(const ScaledProblem& scaled) {
 ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*options*/) {
   check_plain(problem, "enumerate");
   const Index n = problem.free_gap.size();
-  require(n <= largest_enumeration, "enumerate: accepts at most ", largest_enumeration,
-          " pairs, got ", n);
+  require_argument(n <= largest_enumeration, "enumerate: accepts at most ", largest_enumeration,
+                   " pairs, got ", n);
   const ScaledProblem scaled = equilibrate_any(problem);
   Report report;
   ActiveSetSolution best;

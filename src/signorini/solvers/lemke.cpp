@@ -151,9 +151,10 @@ ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& coverin
   check_plain(problem, "lemke with a covering vector");
   const ScaledProblem scaled = equilibrate_any(problem);
   const Index n = problem.free_gap.size();
-  require(covering.size() == n && covering.allFinite() && (covering.array() > 0).all(),
-          "lemke: the covering vector must have ", n, " positive entries, one per pair, got ",
-          covering.size(), covering.size() > 0 ? text(", the least ", covering.minCoeff()) : "");
+  require_argument(covering.size() == n && covering.allFinite() && (covering.array() > 0).all(),
+                   "lemke: the covering vector must have ", n,
+                   " positive entries, one per pair, got ", covering.size(),
+                   covering.size() > 0 ? text(", the least ", covering.minCoeff()) : "");
   return state_of(problem, scaled,
                   pivoted(scaled, scaled.scale.cwiseProduct(covering), limit_of(n, options)));
 }

@@ -13,8 +13,8 @@ LinearGaps profile_gaps(const signorini::NodeArray& points,
   for (Eigen::Index i = 0; i < n_c; ++i) {
     const double f = height(points(i, 0));
     const double df = slope(points(i, 0));
-    signorini::pose(std::isfinite(f) && std::isfinite(df), "profile_gaps: height ", f,
-                    " and slope ", df, " at x = ", points(i, 0), " must be finite");
+    signorini::require_input(std::isfinite(f) && std::isfinite(df), "profile_gaps: height ", f,
+                             " and slope ", df, " at x = ", points(i, 0), " must be finite");
     const double root = std::hypot(1.0, df);
     const Eigen::Vector2d normal(-df / root, 1 / root);  // out of the floor: n_y > 0
     // The root is in n_y already; eq. (2) as printed divides by it once more.

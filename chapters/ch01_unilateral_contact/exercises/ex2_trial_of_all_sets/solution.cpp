@@ -12,8 +12,8 @@ using Eigen::Index;
 Rest solve_by_trial(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& load,
                     const Eigen::MatrixXd& A, const Eigen::VectorXd& initial_gap) {
   const Index n_c = initial_gap.size();
-  signorini::require(n_c <= largest, "solve_by_trial: accepts at most ", largest, " pairs, got ",
-                     n_c);
+  signorini::require_argument(n_c <= largest, "solve_by_trial: accepts at most ", largest,
+                              " pairs, got ", n_c);
   // Without contact: u0 and the gaps d it leaves. A unit force on every pair: G.
   const signorini::CholeskyFactor K(stiffness);
   const Eigen::VectorXd u0 = K.solve(load);

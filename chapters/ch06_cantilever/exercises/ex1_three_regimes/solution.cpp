@@ -9,10 +9,11 @@ FoundationContact touch_foundation(const Cantilever& beam) {
   const double l = beam.length;
   const double w = beam.load;
   const double bending = beam.bending_stiffness;
-  signorini::require(l > 0 && bending > 0 && beam.gap >= 0,
-                     "touch_foundation: length and stiffness must be positive and the gap not "
-                     "negative, got ",
-                     l, ", ", bending, " and ", beam.gap);
+  signorini::require_argument(
+      l > 0 && bending > 0 && beam.gap >= 0,
+      "touch_foundation: length and stiffness must be positive and the gap not "
+      "negative, got ",
+      l, ", ", bending, " and ", beam.gap);
   const double tip_load = 8 * bending * beam.gap / (l * l * l * l);  // w l^4 / 8EI = g
   const double line_load = 9 * tip_load;                             // the slope at the tip is 0
   if (w <= tip_load) return {l, 0, 0};

@@ -39,12 +39,13 @@ double touchdown(const VectorXd& x, const VectorXd& pressure) {
 ContactLine contact_line(const VectorXd& position, const VectorXd& contact_force,
                          signorini::MeshOrder order, double thickness) {
   const Index n = position.size();
-  signorini::require(contact_force.size() == n, "contact_line: need ", n, " forces, got ",
-                     contact_force.size());
-  signorini::require(n >= 2 && (order == signorini::MeshOrder::Linear || n % 2 == 1),
-                     "contact_line: ", n, " nodes do not make complete edges");
-  signorini::require((position.tail(n - 1) - position.head(n - 1)).minCoeff() > 0 && thickness > 0,
-                     "contact_line: positions must increase and the thickness be positive");
+  signorini::require_argument(contact_force.size() == n, "contact_line: need ", n, " forces, got ",
+                              contact_force.size());
+  signorini::require_argument(n >= 2 && (order == signorini::MeshOrder::Linear || n % 2 == 1),
+                              "contact_line: ", n, " nodes do not make complete edges");
+  signorini::require_argument(
+      (position.tail(n - 1) - position.head(n - 1)).minCoeff() > 0 && thickness > 0,
+      "contact_line: positions must increase and the thickness be positive");
   const VectorXd pressure = contact_force.cwiseQuotient(weights(position, order, thickness));
   return {pressure, touchdown(position, pressure)};
 }

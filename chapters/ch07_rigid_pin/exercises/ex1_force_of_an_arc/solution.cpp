@@ -8,11 +8,11 @@ namespace ex7_1 {
 Eigen::Vector2d arc_force(const Eigen::VectorXd& angle, const Eigen::VectorXd& pressure,
                           double radius, double thickness) {
   const Eigen::Index n = angle.size();
-  signorini::require(n >= 2 && pressure.size() == n,
-                     "arc_force: need two angles or more and as many "
-                     "pressures, got ",
-                     n, " and ", pressure.size());
-  signorini::require(
+  signorini::require_argument(n >= 2 && pressure.size() == n,
+                              "arc_force: need two angles or more and as many "
+                              "pressures, got ",
+                              n, " and ", pressure.size());
+  signorini::require_argument(
       (angle.tail(n - 1) - angle.head(n - 1)).minCoeff() > 0 && radius > 0 && thickness > 0,
       "arc_force: angles must increase, radius and thickness be positive");
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();

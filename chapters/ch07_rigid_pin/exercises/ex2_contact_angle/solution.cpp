@@ -6,9 +6,9 @@
 namespace ex7_2 {
 
 ContactAngle half_contact_angle(double wanted, double stiffness_ratio) {
-  signorini::require(std::isfinite(wanted) && stiffness_ratio > 0,
-                     "half_contact_angle: need a finite number and a positive ratio, got ", wanted,
-                     " and ", stiffness_ratio);
+  signorini::require_argument(std::isfinite(wanted) && stiffness_ratio > 0,
+                              "half_contact_angle: need a finite number and a positive ratio, got ",
+                              wanted, " and ", stiffness_ratio);
   const double pi = std::acos(-1.0);
   if (wanted <= -2 * stiffness_ratio / pi) return {pi, 0};  // touches all round
   // x = ln b^2: angles near 0 and near pi are far apart on this scale, and b^4 never overflows.

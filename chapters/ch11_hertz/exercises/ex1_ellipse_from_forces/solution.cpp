@@ -44,12 +44,13 @@ double peak(const VectorXd& x, const VectorXd& p, double reach) {
 
 Ellipse ellipse_of_forces(const VectorXd& position, const VectorXd& force, double thickness) {
   const Index n = position.size();
-  signorini::require(force.size() == n, "ellipse_of_forces: need ", n, " forces, got ",
-                     force.size());
-  signorini::require((force.array() > 0).count() >= 3,
-                     "ellipse_of_forces: at least three nodes must carry a force");
-  signorini::require((position.tail(n - 1) - position.head(n - 1)).minCoeff() > 0 && thickness > 0,
-                     "ellipse_of_forces: positions must rise and the thickness be positive");
+  signorini::require_argument(force.size() == n, "ellipse_of_forces: need ", n, " forces, got ",
+                              force.size());
+  signorini::require_argument((force.array() > 0).count() >= 3,
+                              "ellipse_of_forces: at least three nodes must carry a force");
+  signorini::require_argument(
+      (position.tail(n - 1) - position.head(n - 1)).minCoeff() > 0 && thickness > 0,
+      "ellipse_of_forces: positions must rise and the thickness be positive");
   const double centre = force.dot(position) / force.sum();
   const VectorXd x = position.array() - centre;
   const VectorXd s = per_length(x, force);

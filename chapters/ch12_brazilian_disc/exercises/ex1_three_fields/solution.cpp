@@ -24,18 +24,22 @@ Vector3d along_ray(double force, const Vector2d& ray, const Vector2d& direction)
 Vector3d line_load_stress(double force, const Vector2d& foot, const Vector2d& direction,
                           const Vector2d& at) {
   const Vector2d ray = at - foot;
-  signorini::require(ray.norm() > 0, "line_load_stress: the stress under a force has no limit");
-  signorini::require(ray.dot(direction) >= 0, "line_load_stress: point above the half-plane");
+  signorini::require_argument(ray.norm() > 0,
+                              "line_load_stress: the stress under a force has no limit");
+  signorini::require_argument(ray.dot(direction) >= 0,
+                              "line_load_stress: point above the half-plane");
   return along_ray(force, ray, direction);
 }
 
 Vector3d disc_stress(double radius, double force, double angle, const Vector2d& at) {
-  signorini::require(radius > 0 && force > 0, "disc_stress: radius and force must be positive");
-  signorini::require(at.norm() <= radius * (1 + 1e-12), "disc_stress: point outside of the disc");
+  signorini::require_argument(radius > 0 && force > 0,
+                              "disc_stress: radius and force must be positive");
+  signorini::require_argument(at.norm() <= radius * (1 + 1e-12),
+                              "disc_stress: point outside of the disc");
   const Vector2d outward(std::sin(angle), std::cos(angle));
   const Vector2d first = at - radius * outward, second = at + radius * outward;
-  signorini::require(std::min(first.norm(), second.norm()) > 1e-12 * radius,
-                     "disc_stress: point under a load");
+  signorini::require_argument(std::min(first.norm(), second.norm()) > 1e-12 * radius,
+                              "disc_stress: point under a load");
   const double tension = force / (pi * radius);
   return along_ray(force, first, -outward) + along_ray(force, second, outward) +
          Vector3d(tension, tension, 0);

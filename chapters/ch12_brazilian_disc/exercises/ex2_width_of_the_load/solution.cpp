@@ -25,14 +25,14 @@ double loss_of(double a) { return (beyond_sine(2 * a) - beyond_sine(a)) / std::s
 }  // namespace
 
 double middle_tension(double half_angle) {
-  signorini::require(half_angle >= 0 && half_angle <= pi / 2,
-                     "middle_tension: alpha = ", half_angle, ", expected 0 to pi/2");
+  signorini::require_argument(half_angle >= 0 && half_angle <= pi / 2,
+                              "middle_tension: alpha = ", half_angle, ", expected 0 to pi/2");
   return half_angle == 0 ? 1 : 1 - loss_of(half_angle);
 }
 
 double widest_arc(double loss) {
-  signorini::require(loss >= 0 && loss <= 1 + pi / 2, "widest_arc: loss = ", loss,
-                     ", expected 0 to 1 + pi/2");
+  signorini::require_argument(loss >= 0 && loss <= 1 + pi / 2, "widest_arc: loss = ", loss,
+                              ", expected 0 to 1 + pi/2");
   if (loss == 0) return 0;
   double low = 0, high = pi / 2;
   while (true) {  // halves until no number is left between

@@ -7,8 +7,8 @@
 namespace ex13_1 {
 
 double force_between(double half_width, double load, double from, double to) {
-  signorini::require(half_width > 0, "force_between: half-width must be positive, got ",
-                     half_width);
+  signorini::require_argument(half_width > 0, "force_between: half-width must be positive, got ",
+                              half_width);
   const auto up_to = [&](double x) { return std::asin(std::clamp(x / half_width, -1.0, 1.0)); };
   return load / std::acos(-1.0) * (up_to(to) - up_to(from));
 }
@@ -16,11 +16,11 @@ double force_between(double half_width, double load, double from, double to) {
 double largest_deviation(const Eigen::VectorXd& position, const Eigen::VectorXd& force,
                          double half_width, double load, double within) {
   const Eigen::Index n = position.size();
-  signorini::require(force.size() == n, "largest_deviation: need ", n, " forces, got ",
-                     force.size());
+  signorini::require_argument(force.size() == n, "largest_deviation: need ", n, " forces, got ",
+                              force.size());
   for (Eigen::Index k = 1; k < n; ++k)
-    signorini::require(position(k) > position(k - 1),
-                       "largest_deviation: positions must increase, not so at ", k);
+    signorini::require_argument(position(k) > position(k - 1),
+                                "largest_deviation: positions must increase, not so at ", k);
   double worst = 0;
   for (Eigen::Index k = 0; k < n; ++k) {
     if (std::abs(position(k)) > within) continue;

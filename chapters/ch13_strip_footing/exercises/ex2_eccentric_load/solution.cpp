@@ -10,8 +10,9 @@ using namespace signorini;
 Rest come_to_rest(const Eigen::MatrixXd& compliance, const Eigen::VectorXd& position, double load,
                   double eccentricity) {
   const Eigen::Index n = position.size();
-  require(compliance.rows() == n && compliance.cols() == n, "come_to_rest: need a compliance of ",
-          n, " points, got ", compliance.rows(), "x", compliance.cols());
+  require_argument(compliance.rows() == n && compliance.cols() == n,
+                   "come_to_rest: need a compliance of ", n, " points, got ", compliance.rows(),
+                   "x", compliance.cols());
   ContactProblem problem{compliance, Eigen::VectorXd::Zero(n)};
   problem.rigid.resize(n, 2);
   problem.rigid.col(0).setConstant(-1);  // sinking closes every gap

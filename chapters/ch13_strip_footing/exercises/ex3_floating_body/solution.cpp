@@ -9,10 +9,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 Rest rest_of(const FloatingBody& body, Index held, const std::vector<Index>& closed) {
-  signorini::require(body.motion(held) != 0, "rest_of: the motion does not move unknown ", held);
+  signorini::require_argument(body.motion(held) != 0, "rest_of: the motion does not move unknown ",
+                              held);
   MatrixXd A = body.A(closed, Eigen::all);
   const VectorXd closes = A * body.motion;  // what the motion takes from each closed gap
-  signorini::pose((closes.array() != 0).any(), "no closed pair stops the motion of the body");
+  signorini::require_input((closes.array() != 0).any(),
+                           "no closed pair stops the motion of the body");
 
   MatrixXd K = body.stiffness;
   VectorXd p = body.load;

@@ -23,10 +23,11 @@ double displacement(const TwoRings& rings, double a, double b, double inside, do
 
 Closure press_lining(const TwoRings& rings, double pressure) {
   const auto [a, b, c, d, E, nu] = rings;
-  signorini::require(0 < a && a < b && b <= c && c < d && pressure >= 0,
-                     "press_lining: radii must grow from a > 0 to d and the pressure must not be "
-                     "negative, got ",
-                     a, ", ", b, ", ", c, ", ", d, " and ", pressure);
+  signorini::require_argument(
+      0 < a && a < b && b <= c && c < d && pressure >= 0,
+      "press_lining: radii must grow from a > 0 to d and the pressure must not be "
+      "negative, got ",
+      a, ", ", b, ", ", c, ", ", d, " and ", pressure);
   const double opens = displacement(rings, a, b, 1, 0, b);     // rim b per pressure inside
   const double back = -displacement(rings, a, b, 0, 1, b);     // rim b per pressure on it
   const double away = displacement(rings, c, d, b / c, 0, c);  // rim c per pressure on b

@@ -18,9 +18,9 @@ bool as_drawn(const FirstGaps& gaps, double drawn, double part) {
 }
 
 Eigen::Index sides_needed(double radius, double gap, double part) {
-  signorini::require(radius > 0 && gap > 0 && part > 0,
-                     "sides_needed: radius, gap and part must be positive, got ", radius, ", ", gap,
-                     " and ", part);
+  signorini::require_argument(radius > 0 && gap > 0 && part > 0,
+                              "sides_needed: radius, gap and part must be positive, got ", radius,
+                              ", ", gap, " and ", part);
   const double root = std::sqrt(part * gap / radius / 2);  // 1 - cos t = 2 sin^2(t/2)
   const double quarter = std::acos(0.0);
   if (root >= std::sin(quarter / 4)) return 1;

@@ -10,8 +10,9 @@ using Eigen::Index;
 
 std::vector<Pair> pairs_of(const signorini::SolvedScene& run) {
   const signorini::ContactState& state = run.solution.contact;
-  signorini::require(state.report.status == signorini::SolveStatus::Solved,
-                     "pairs_of: the scene is not solved but ", to_string(state.report.status));
+  signorini::require_argument(state.report.status == signorini::SolveStatus::Solved,
+                              "pairs_of: the scene is not solved but ",
+                              to_string(state.report.status));
   std::vector<Pair> pairs;
   for (Index i = 0; i < state.force.size(); ++i)
     pairs.push_back({run.model.pairs.position(i, 0), state.gap(i), state.force(i)});

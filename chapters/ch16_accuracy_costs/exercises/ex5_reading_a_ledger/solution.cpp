@@ -7,14 +7,14 @@ namespace ex16_5 {
 
 using signorini::Ledger;
 using signorini::LedgerEntry;
-using signorini::require;
+using signorini::require_argument;
 
 double over_plain(const Ledger& ledger) {
   const auto counted = [&](const char* path, const char* name) {
     return static_cast<double>(ledger.counted(path, name));
   };
   const double factor = counted("factor/numeric", "operations");
-  require(factor > 0, "over_plain: the ledger has no operations of a factor");
+  require_argument(factor > 0, "over_plain: the ledger has no operations of a factor");
   const double all =
       factor + counted("condensation", "operations") + counted("refinement", "operations");
   return all / (factor + counted("condensation", "operations of one solve"));
@@ -42,11 +42,11 @@ double power_of(const Ledger& small, const Ledger& large, const std::string& pat
                 const std::string& name) {
   const auto ratio = [&](const std::string& where, const std::string& what) {
     const long long few = small.counted(where, what), many = large.counted(where, what);
-    require(few > 0 && many > 0, "power_of: no '", what, "' in '", where, "'");
+    require_argument(few > 0 && many > 0, "power_of: no '", what, "' in '", where, "'");
     return static_cast<double>(many) / static_cast<double>(few);
   };
   const double unknowns = ratio("assembly", "unknowns");
-  require(unknowns != 1, "power_of: both runs have the same unknowns");
+  require_argument(unknowns != 1, "power_of: both runs have the same unknowns");
   return std::log(ratio(path, name)) / std::log(unknowns);
 }
 

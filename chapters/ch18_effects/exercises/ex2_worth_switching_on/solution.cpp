@@ -8,11 +8,11 @@ namespace ex18_2 {
 
 std::vector<Change> changes(const Fit& fit) {
   const double a = fit.bore, b = fit.radius, c = fit.outside;
-  signorini::require(0 < a && a < b && b < c, "changes: radii must grow, 0 < ", a, " < ", b, " < ",
-                     c);
-  signorini::require(fit.modulus > 0 && fit.interference > 0,
-                     "changes: modulus and interference must be positive, got ", fit.modulus,
-                     " and ", fit.interference);
+  signorini::require_argument(0 < a && a < b && b < c, "changes: radii must grow, 0 < ", a, " < ",
+                              b, " < ", c);
+  signorini::require_argument(fit.modulus > 0 && fit.interference > 0,
+                              "changes: modulus and interference must be positive, got ",
+                              fit.modulus, " and ", fit.interference);
   const double shaft = b * b - a * a, hub = c * c - b * b, both = c * c - a * a;
   const double p0 = fit.modulus * fit.interference * shaft * hub / (2 * b * b * b * both);
 
@@ -36,7 +36,8 @@ std::vector<Change> changes(const Fit& fit) {
 }
 
 std::vector<std::string> worth_switching_on(const Fit& fit, double accuracy) {
-  signorini::require(accuracy > 0, "worth_switching_on: accuracy must be positive, got ", accuracy);
+  signorini::require_argument(accuracy > 0, "worth_switching_on: accuracy must be positive, got ",
+                              accuracy);
   const std::vector<Change> all = changes(fit);
   std::size_t needed = all.size();
   double left = 0;  // from the smallest up

@@ -30,18 +30,20 @@ bool present(const SpinningScene& spinning) {
 }
 
 void price(const SpinningScene& spinning, Plan& draft) {
-  pose(spinning.spin.size() == draft.bodies.size(), "spin: expected one entry per body, ",
-       draft.bodies.size(), ", got ", spinning.spin.size());
+  require_input(spinning.spin.size() == draft.bodies.size(), "spin: expected one entry per body, ",
+                draft.bodies.size(), ", got ", spinning.spin.size());
   for (std::size_t b = 0; b < draft.bodies.size(); ++b) {
     if (!spins(spinning.spin[b])) continue;
     const Spin& spin = *spinning.spin[b];
     const std::string what = text("spin of '", draft.bodies[b].mesh.name, "': ");
-    pose(std::isfinite(spin.density) && spin.density > 0, what, "the density must be > 0, got ",
-         spin.density, "; leave the spin out if there is no mass");
-    pose(std::isfinite(spin.speed) && spin.centre.allFinite(), what,
-         "speed and centre must be finite");
-    pose(draft.bodies[b].material.base.state != PlaneState::Axial || spin.centre.x() == 0, what,
-         "a body of revolution turns about its axis x = 0, not about x = ", spin.centre.x());
+    require_input(std::isfinite(spin.density) && spin.density > 0, what,
+                  "the density must be > 0, got ", spin.density,
+                  "; leave the spin out if there is no mass");
+    require_input(std::isfinite(spin.speed) && spin.centre.allFinite(), what,
+                  "speed and centre must be finite");
+    require_input(
+        draft.bodies[b].material.base.state != PlaneState::Axial || spin.centre.x() == 0, what,
+        "a body of revolution turns about its axis x = 0, not about x = ", spin.centre.x());
     draft.on.push_back(text(what, "speed ", spin.speed, ", density ", spin.density));
   }
 }
