@@ -103,7 +103,7 @@ TEST_CASE("every effect: absent it is named as off and costs nothing, present it
     CHECK(contains(off.off, name));
     CHECK_FALSE(contains(on.off, name));
     Plan again = on;
-    effect.price(with, again);
+    effect.declare(with, again);
     CHECK(again.on.size() > on.on.size());
     std::vector<std::string> names = names_on(on);
     names.erase(std::remove(names.begin(), names.end(), name), names.end());

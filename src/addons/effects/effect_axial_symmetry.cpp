@@ -27,7 +27,7 @@ void check_side(const Plan& draft, const Side& side) {
 
 /// What is added is nothing but a factor: every integral asks depth_of() a material for it, and numbering the
 /// unknowns has held what lies on the axis.
-void price_revolution(const Scene& scene, Plan& draft) {
+void declare_revolution(const Scene& scene, Plan& draft) {
   for (const Body& body : scene.bodies) {
     require_input(is_axial(body), "body '", body.mesh.name,
                   "' is plane, but another body of the scene is axially symmetric: all must be");
@@ -48,7 +48,7 @@ Effect axial_symmetry() {
           [](const Scene& scene, const Plan& /*draft*/) {
             return std::any_of(scene.bodies.begin(), scene.bodies.end(), is_axial);
           },
-          price_revolution, nullptr};
+          declare_revolution, nullptr};
 }
 
 }  // namespace signorini::effect

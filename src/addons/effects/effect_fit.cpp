@@ -45,7 +45,7 @@ double thickness(const std::vector<BodyModel>& bodies, const Side& side) {
   return area(there.mesh) / length;
 }
 
-void price_fit(const Scene& scene, Plan& draft, Fit length, const std::string& name) {
+void declare_fit(const Scene& scene, Plan& draft, Fit length, const std::string& name) {
   for (const ContactSpec& contact : scene.contacts) {
     const double given = (contact.*length).value_or(0);
     const std::string what = text(name, " of the ", describe(draft.bodies, contact));
@@ -96,7 +96,7 @@ Effect adjusted_gaps() {
             return any_has(scene, &ContactSpec::adjust);
           },
           [](const Scene& scene, Plan& draft) {
-            price_fit(scene, draft, &ContactSpec::adjust, "adjusted gaps");
+            declare_fit(scene, draft, &ContactSpec::adjust, "adjusted gaps");
           },
           nullptr};
 }
@@ -107,7 +107,7 @@ Effect interference() {
             return any_has(scene, &ContactSpec::interference);
           },
           [](const Scene& scene, Plan& draft) {
-            price_fit(scene, draft, &ContactSpec::interference, "interference");
+            declare_fit(scene, draft, &ContactSpec::interference, "interference");
           },
           nullptr};
 }

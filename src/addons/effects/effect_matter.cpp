@@ -21,7 +21,7 @@ bool has_layers(const Body& body) {
                      [&](const Layer& layer) { return !same(layer.material, body.material); });
 }
 
-void price_layers(const Scene& scene, Plan& draft) {
+void declare_layers(const Scene& scene, Plan& draft) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     if (!has_layers(body)) continue;
@@ -42,7 +42,7 @@ bool expands(const MaterialField& field) {
                      [](const Material& other) { return other.expansion != 0; });
 }
 
-void price_temperature(const Scene& scene, Plan& draft) {
+void declare_temperature(const Scene& scene, Plan& draft) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (!is_warm(scene.bodies[b])) continue;
     const Temperature& temperature = *scene.bodies[b].temperature;
@@ -81,7 +81,7 @@ Effect layers() {
           [](const Scene& scene, const Plan& /*draft*/) {
             return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_layers);
           },
-          price_layers, nullptr};
+          declare_layers, nullptr};
 }
 
 Effect temperature() {
@@ -89,7 +89,7 @@ Effect temperature() {
           [](const Scene& scene, const Plan& /*draft*/) {
             return std::any_of(scene.bodies.begin(), scene.bodies.end(), is_warm);
           },
-          price_temperature, nullptr};
+          declare_temperature, nullptr};
 }
 
 }  // namespace signorini::effect

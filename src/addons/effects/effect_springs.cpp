@@ -19,7 +19,7 @@ bool on_springs(const Body& body) {
 }
 
 /// A rigid motion that a spring resists, however little, is none: its rows go into K.
-void price_springs(const Scene& scene, Plan& draft) {
+void declare_springs(const Scene& scene, Plan& draft) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     if (!on_springs(body)) continue;
@@ -62,7 +62,7 @@ Effect springs() {
           [](const Scene& scene, const Plan& /*draft*/) {
             return std::any_of(scene.bodies.begin(), scene.bodies.end(), on_springs);
           },
-          price_springs,
+          declare_springs,
           [](Plan& /*plan*/, Model& model) {
             for (const BodyModel& body : model.bodies)
               if (body.springs.rows() > 0) {

@@ -127,7 +127,7 @@ class Sorting {
   std::map<std::string, int> entries_;
 };
 
-void price_steps(const Scene& scene, Plan& draft) {
+void declare_steps(const Scene& scene, Plan& draft) {
   check_path(*scene.path);
   Sorting sorting(scene, draft);
   draft.path = *scene.path;
@@ -216,7 +216,7 @@ std::vector<double> equal_steps(int steps, double end) {
 void register_load_steps() {
   add_effect({"load steps",
               [](const Scene& scene, const Plan& /*draft*/) { return scene.path.has_value(); },
-              price_steps, add_parts});
+              declare_steps, add_parts});
 }
 
 }  // namespace signorini

@@ -42,7 +42,7 @@ ContactBodies bodies_of(const ContactSpec& contact, const std::vector<BodyModel>
           target != nullptr ? std::optional(body_index(bodies, *target)) : std::nullopt};
 }
 
-void price_contact(const Scene& scene, Plan& draft) {
+void declare_contact(const Scene& scene, Plan& draft) {
   for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
   check_listed_once(scene, draft.bodies);
   draft.contacts = contact_names(draft.bodies, scene.contacts);
@@ -106,7 +106,7 @@ void note_overlap(const Scene& scene, Plan& draft) {
 Effect contact() {
   return {"contact",
           [](const Scene& scene, const Plan& /*draft*/) { return !scene.contacts.empty(); },
-          price_contact,
+          declare_contact,
           [](Plan& plan, Model& model) {
             model.programme.A.swap(plan.gaps.A);
             model.programme.initial_gap = plan.gaps.pairs.initial_gap;

@@ -113,7 +113,7 @@ std::string law_in_words(const Friction& friction) {
 }
 
 /// Says what a constant is in every contact.
-void price_law(const Scene& scene, Plan& draft, Constant constant, const std::string& name) {
+void declare_law(const Scene& scene, Plan& draft, Constant constant, const std::string& name) {
   for (const ContactSpec& contact : scene.contacts) {
     const double given = value(contact, constant);
     const std::string what = text(name, " of the ", describe(draft.bodies, contact));
@@ -140,7 +140,7 @@ Effect friction() {
             return any_has(scene, &Friction::coefficient);
           },
           [](const Scene& scene, Plan& draft) {
-            price_law(scene, draft, &Friction::coefficient, "friction coefficient");
+            declare_law(scene, draft, &Friction::coefficient, "friction coefficient");
             note_idle_friction(scene, draft);
           },
           add_slips};
@@ -151,7 +151,7 @@ Effect cohesion() {
       "cohesion",
       [](const Scene& scene, const Plan& /*draft*/) { return any_has(scene, &Friction::cohesion); },
       [](const Scene& scene, Plan& draft) {
-        price_law(scene, draft, &Friction::cohesion, "cohesion");
+        declare_law(scene, draft, &Friction::cohesion, "cohesion");
         if (!any_has(scene, &Friction::coefficient)) note_idle_friction(scene, draft);
       },
       add_slips};

@@ -10,7 +10,7 @@ namespace signorini::effect {
 namespace {
 
 /// Motions that supports leave are unknowns if contact can stop them, and errors if not.
-void price_motions(const Scene& scene, Plan& draft) {
+void declare_motions(const Scene& scene, Plan& draft) {
   for (const FreeMotion& mode : draft.modes)
     draft.on.push_back(in_words(mode) + ": only contact holds it, one amplitude");
   const NodalRows felt = contact_rows(draft.gaps, draft.law);
@@ -25,7 +25,7 @@ void price_motions(const Scene& scene, Plan& draft) {
 Effect rigid_motions() {
   return {"rigid motions",
           [](const Scene& /*scene*/, const Plan& draft) { return !draft.modes.empty(); },
-          price_motions, [](Plan& plan, Model& model) { model.modes = std::move(plan.modes); }};
+          declare_motions, [](Plan& plan, Model& model) { model.modes = std::move(plan.modes); }};
 }
 
 }  // namespace signorini::effect

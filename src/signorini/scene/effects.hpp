@@ -7,12 +7,12 @@
 /// No step of a run looks at what a scene calls for (warnings read it to write notes, and contact asks fit.hpp how
 /// its sides fit): plan() asks every effect in the order of the table whether it
 /// is present and what it takes, build() lets those that are add their part of the model, and what an effect
-/// leaves empty no later step sees. So entered load steps: `price` sorts the loads by the history that they follow,
+/// leaves empty no later step sees. So entered load steps: `declare` sorts the loads by the history that they follow,
 /// `add` hands the model one p and g per history; the factor and the compliance stay. And so the next ones will:
 ///
-/// * *moving geometry*: `price` says that pairs are searched once per step, `add` hands the model a function
+/// * *moving geometry*: `declare` says that pairs are searched once per step, `add` hands the model a function
 ///   from displacements to gaps in the place of one A and g.
-/// * *finite strain*: `price` says that K is assembled and factored once per iteration, `add` hands the model a
+/// * *finite strain*: `declare` says that K is assembled and factored once per iteration, `add` hands the model a
 ///   function from displacements to K and p.
 #pragma once
 #include <string>
@@ -29,7 +29,7 @@ struct Effect {
   bool (*present)(const Scene& scene, const Plan& draft);
   /// If it is present: checks what the scene says of it, and writes to the draft what it takes, with a line in
   /// `on`. Throws ProblemError for what cannot be meant.
-  void (*price)(const Scene& scene, Plan& draft);
+  void (*declare)(const Scene& scene, Plan& draft);
   /// If it is present: adds its rows, loads or unknowns to a model of the bodies alone, in which effects before
   /// it in the table have added theirs. It may move what it took out of the plan. Null if there is nothing to add:
   /// materials are read by assemble(), fits are in the gaps.

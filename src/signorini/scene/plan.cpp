@@ -161,7 +161,7 @@ void plan_effects(const Scene& scene, Plan& plan) {
   for (const Effect& effect : effects())
     if (effect.present(scene, plan)) {
       const Rows before = rows_of(plan);
-      effect.price(scene, plan);
+      effect.declare(scene, plan);
       plan.effects.push_back(&effect);
       const Rows after = rows_of(plan);
       if (after.count > before.count)

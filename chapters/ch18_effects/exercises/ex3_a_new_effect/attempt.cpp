@@ -6,7 +6,7 @@ bool present(const SpinningScene& /*spinning*/) {
   return false;  // your code here
 }
 
-void price(const SpinningScene& /*spinning*/, signorini::Plan& /*draft*/) {
+void declare(const SpinningScene& /*spinning*/, signorini::Plan& /*draft*/) {
   // your code here: check the numbers, then a line for each body that spins
 }
 

@@ -29,14 +29,14 @@ struct SpinningScene {
 /// \return whether a body spins and has a density: a spin with a density or a speed of zero is none
 [[nodiscard]] bool present(const SpinningScene& spinning);
 
-/// Checks the block and says in the plan what it takes, as signorini::Effect::price.
+/// Checks the block and says in the plan what it takes, as signorini::Effect::declare.
 ///
 /// Gets one line in `draft.on` for each body that spins, with its name. It needs neither an unknown nor a row.
 /// \param spinning  in which it is present
 /// \param draft     gets the lines
 /// \throws signorini::ProblemError naming the body if a density is negative, a number is not finite, or the centre in
 ///   axial symmetry is not on the axis; or if there is not one entry per body
-void price(const SpinningScene& spinning, signorini::Plan& draft);
+void declare(const SpinningScene& spinning, signorini::Plan& draft);
 
 /// Adds the centrifugal force, as signorini::Effect::add.
 ///
@@ -53,7 +53,7 @@ void add(const SpinningScene& spinning, signorini::Model& model);
 inline signorini::Plan plan_spinning(const SpinningScene& spinning) {
   signorini::Plan planned = signorini::plan(spinning.scene);
   if (present(spinning))
-    price(spinning, planned);
+    declare(spinning, planned);
   else
     planned.off.emplace_back("spin");
   return planned;

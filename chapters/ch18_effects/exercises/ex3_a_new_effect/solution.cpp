@@ -29,7 +29,7 @@ bool present(const SpinningScene& spinning) {
   return std::any_of(spinning.spin.begin(), spinning.spin.end(), spins);
 }
 
-void price(const SpinningScene& spinning, Plan& draft) {
+void declare(const SpinningScene& spinning, Plan& draft) {
   require_input(spinning.spin.size() == draft.bodies.size(), "spin: expected one entry per body, ",
                 draft.bodies.size(), ", got ", spinning.spin.size());
   for (std::size_t b = 0; b < draft.bodies.size(); ++b) {
