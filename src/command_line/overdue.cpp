@@ -30,7 +30,7 @@ Forecast forecast(const Stage& stage, const Prediction& prediction) {
   for (const PredictedFigure& figure : prediction.figures)
     for (const char* phase : stage.phases) {
       if (figure.phase != phase || figure.what.find("seconds") != 0) continue;
-      if (figure.trust == Trust::Unknown)
+      if (figure.certainty == Certainty::Unknown)
         all.known = false;
       else
         all.seconds += figure.amount;

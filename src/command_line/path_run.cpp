@@ -372,7 +372,7 @@ void PathTeller::end(const SceneRun& run) {
   out_ << "\nat time " << end.state.time << "\ncertificate: " << run.solution->certificate << '\n';
   print_result(out_, run);
   if (!run.processes.entries().empty()) out_ << '\n' << run.processes;
-  out_ << '\n' << confront(run.prediction, run.ledgers);
+  out_ << '\n' << compare(run.prediction, run.ledgers);
 }
 
 }  // namespace command_line

@@ -111,9 +111,9 @@ void write_plan(Json& json, const SceneRun& run) {
   }
   json.end().key("predicted").array();
   for (const PredictedFigure& figure : run.prediction.figures) {
-    json.object().key("built").value(to_string(figure.built)).key("phase").value(figure.phase);
+    json.object().key("built").value(to_string(figure.frequency)).key("phase").value(figure.phase);
     json.key("what").value(figure.what).key("amount").value(figure.amount);
-    json.key("trust").value(to_string(figure.trust)).end();
+    json.key("trust").value(to_string(figure.certainty)).end();
   }
   json.end().end();
 }
@@ -154,7 +154,7 @@ void print_solution(std::ostream& out, const SceneRun& run) {
   print_head(out, run);
   print_status(out, *run.solution);
   if (run.solved()) print_result(out, run);
-  out << '\n' << run.solution->ledger << '\n' << confront(run.prediction, run.ledgers);
+  out << '\n' << run.solution->ledger << '\n' << compare(run.prediction, run.ledgers);
 }
 
 void write_ledger(Json& json, const char* key, const Ledger& ledger) {

@@ -168,7 +168,7 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
   };
   const auto total = std::find_if(run.prediction.figures.begin(), run.prediction.figures.end(),
                                   [](const auto& one) { return one.phase == all_phases; });
-  const std::string all = text(to_string(total->trust), ' ', total->amount, " s: ");
+  const std::string all = text(to_string(total->certainty), ' ', total->amount, " s: ");
   Ledger ledger;
   progress.say(text(all, "assembling ", figure("assembly", "unknowns"), " unknowns"));
   {

@@ -35,20 +35,20 @@ std::string heard(const Action& action) {
 Prediction forecast(double contact, double iteration, double refinement) {
   const bool known = contact >= 0;
   Prediction prediction;
-  const auto add = [&](const char* phase, const char* what, double amount, Trust trust) {
-    prediction.figures.push_back({Built::Once, phase, what, amount, trust});
+  const auto add = [&](const char* phase, const char* what, double amount, Certainty certainty) {
+    prediction.figures.push_back({Frequency::Once, phase, what, amount, certainty});
   };
-  add("assembly", "bytes", 3e6, Trust::Exact);
-  add("assembly", "seconds", 7, Trust::Estimate);
-  add("condensation", "stack bytes", 1e6, Trust::Exact);
+  add("assembly", "bytes", 3e6, Certainty::Exact);
+  add("assembly", "seconds", 7, Certainty::Estimate);
+  add("condensation", "stack bytes", 1e6, Certainty::Exact);
   if (known) {
-    add("contact", "seconds", contact, Trust::Estimate);
+    add("contact", "seconds", contact, Certainty::Estimate);
   } else {
-    add("contact", "seconds of one iteration", iteration, Trust::Estimate);
-    add("contact", "seconds", std::numeric_limits<double>::quiet_NaN(), Trust::Unknown);
+    add("contact", "seconds of one iteration", iteration, Certainty::Estimate);
+    add("contact", "seconds", std::numeric_limits<double>::quiet_NaN(), Certainty::Unknown);
   }
-  add("refinement", "solves", 1000, Trust::Estimate);
-  add("refinement", "seconds", refinement, Trust::Estimate);
+  add("refinement", "solves", 1000, Certainty::Estimate);
+  add("refinement", "seconds", refinement, Certainty::Estimate);
   return prediction;
 }
 

@@ -127,9 +127,9 @@ TEST_CASE("what is said to be exact is so, and the operations of a run are withi
     const Solution solution = solve(scene());
     REQUIRE(solution.contact.report.status == SolveStatus::Solved);
     int exact = 0;
-    for (const ConfrontedFigure& figure : confront(prediction, {solution.ledger})) {
+    for (const ComparedFigure& figure : compare(prediction, {solution.ledger})) {
       CAPTURE(figure.predicted.phase, figure.predicted.what);
-      if (figure.predicted.trust == Trust::Exact) {
+      if (figure.predicted.certainty == Certainty::Exact) {
         CHECK(figure.measured == figure.predicted.amount);
         ++exact;
       }
@@ -180,8 +180,8 @@ TEST_CASE("the figures that are said to be exact are so whatever effect is on", 
     const Prediction prediction = predict(plan(scene));
     static_cast<void>(condense(build(scene, ledger), ledger));
     int exact = 0;
-    for (const ConfrontedFigure& figure : confront(prediction, {ledger})) {
-      if (figure.predicted.trust != Trust::Exact) continue;
+    for (const ComparedFigure& figure : compare(prediction, {ledger})) {
+      if (figure.predicted.certainty != Certainty::Exact) continue;
       CAPTURE(figure.predicted.phase, figure.predicted.what);
       CHECK(figure.measured == figure.predicted.amount);
       ++exact;
@@ -203,14 +203,14 @@ TEST_CASE("a path is predicted with all its steps, and its ledgers add up to wha
   REQUIRE(static_cast<double>(ledgers.size()) == steps);
   int exact = 0;
   double solves = 0, all = 0, later = 0;
-  for (const ConfrontedFigure& figure : confront(prediction, ledgers)) {
+  for (const ComparedFigure& figure : compare(prediction, ledgers)) {
     CAPTURE(figure.predicted.phase, figure.predicted.what);
     if (figure.predicted.phase == "refinement" && figure.predicted.what == "solves")
       solves = *figure.measured;
     CHECK(figure.measured.has_value());
     if (figure.predicted.phase == "all phases") all = *figure.measured;
     if (figure.predicted.phase == "a later step") later = *figure.measured;
-    if (figure.predicted.trust != Trust::Exact) continue;
+    if (figure.predicted.certainty != Certainty::Exact) continue;
     CHECK(figure.measured == figure.predicted.amount);
     ++exact;
   }
@@ -253,12 +253,12 @@ TEST_CASE("iterations that depend on the numbers are not predicted, and the whol
   other.solver = lemke();
   for (const Scene& scene : {floating_block(), frictional_cantilever(), other}) {
     for (const char* what : {"iterations", "seconds"}) {
-      CHECK(predicted(scene, "contact", what).trust == Trust::Unknown);
+      CHECK(predicted(scene, "contact", what).certainty == Certainty::Unknown);
       CHECK(std::isnan(predicted(scene, "contact", what).amount));
     }
     const double round = predicted(scene, "contact", "seconds of one iteration").amount;
     CHECK(round > 0);
-    CHECK(predicted(scene, "all phases", "seconds").trust == Trust::AtLeast);
+    CHECK(predicted(scene, "all phases", "seconds").certainty == Certainty::AtLeast);
     CHECK(predicted(scene, "all phases", "seconds").amount > 0);
     CHECK_FALSE(predict(plan(scene)).unknown.empty());
     std::ostringstream out;
@@ -267,12 +267,12 @@ TEST_CASE("iterations that depend on the numbers are not predicted, and the whol
                               ContainsSubstring("seconds at least"));
   }
   CHECK(predicted(pressed_block(), "contact", "iterations").amount == 5);
-  CHECK(predicted(pressed_block(), "contact", "seconds").trust == Trust::Estimate);
-  CHECK(predicted(pressed_block(), "all phases", "seconds").trust == Trust::Estimate);
+  CHECK(predicted(pressed_block(), "contact", "seconds").certainty == Certainty::Estimate);
+  CHECK(predicted(pressed_block(), "all phases", "seconds").certainty == Certainty::Estimate);
   CHECK(predict(plan(pressed_block())).unknown.empty());
   const Solution solution = solve(frictional_cantilever());
-  for (const ConfrontedFigure& figure :
-       confront(predict(plan(frictional_cantilever())), {solution.ledger}))
+  for (const ComparedFigure& figure :
+       compare(predict(plan(frictional_cantilever())), {solution.ledger}))
     if (figure.predicted.what == "seconds of one iteration")
       CHECK(figure.measured ==
             solution.ledger.seconds("contact") /
@@ -379,10 +379,10 @@ TEST_CASE("loose pieces of a body are counted", "[prediction]") {
 
 TEST_CASE("what was measured stands beside what was predicted", "[prediction]") {
   std::ostringstream out;
-  out << std::vector<ConfrontedFigure>{
-      {{Built::Once, "factor/numeric", "operations", 100, Trust::Estimate}, 250.0},
-      {{Built::Once, "assembly", "stack bytes", 3e6, Trust::Exact}, 2.5e6},
-      {{Built::Once, "contact", "seconds", 7, Trust::Estimate}, {}}};
+  out << std::vector<ComparedFigure>{
+      {{Frequency::Once, "factor/numeric", "operations", 100, Certainty::Estimate}, 250.0},
+      {{Frequency::Once, "assembly", "stack bytes", 3e6, Certainty::Exact}, 2.5e6},
+      {{Frequency::Once, "contact", "seconds", 7, Certainty::Estimate}, {}}};
   const auto row = [&](const char* phase) {
     std::istringstream lines(out.str());
     for (std::string line; std::getline(lines, line);)
@@ -397,7 +397,7 @@ TEST_CASE("what was measured stands beside what was predicted", "[prediction]") 
 TEST_CASE("a prediction and what became of it are printed", "[prediction]") {
   const Prediction prediction = predict(plan(pressed_block()));
   std::ostringstream out;
-  out << prediction << confront(prediction, {solve(pressed_block()).ledger});
+  out << prediction << compare(prediction, {solve(pressed_block()).ledger});
   for (const char* word : {"body 'square': 1 piece", "once", "per load step", "per iteration",
                            "about", "predicted    measured  trust", "exact"}) {
     CAPTURE(word, out.str());

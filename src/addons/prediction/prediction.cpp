@@ -71,7 +71,8 @@ class Figures {
         speed_(measure_speed(known.fronts, known.paths)),
         sample_(sample_of(plan, known.stiffness.nonZeros())),
         steps_(std::max(1.0, static_cast<double>(plan.path.times.size()))),
-        of_factor_(plan.backend.factor == Scene().backend.factor ? Trust::Exact : Trust::Estimate),
+        of_factor_(plan.backend.factor == Scene().backend.factor ? Certainty::Exact
+                                                                 : Certainty::Estimate),
         counted_(why_not_counted(plan).empty()) {}
 
   std::vector<PredictedFigure> all() {
@@ -81,21 +82,23 @@ class Figures {
     const double once = seconds_;
     contact();
     refinement();
-    const Trust trust = counted_ ? Trust::Estimate : Trust::AtLeast;
-    if (steps_ > 1) add(Built::PerStep, later_step, "seconds", (seconds_ - once) / steps_, trust);
-    add(Built::Once, all_phases, "seconds", seconds_, trust);
+    const Certainty certainty = counted_ ? Certainty::Estimate : Certainty::AtLeast;
+    if (steps_ > 1)
+      add(Frequency::PerStep, later_step, "seconds", (seconds_ - once) / steps_, certainty);
+    add(Frequency::Once, all_phases, "seconds", seconds_, certainty);
     return std::move(figures_);
   }
 
  private:
   static constexpr double number = sizeof(double);
 
-  void add(Built built, const char* phase, const char* what, double amount, Trust trust) {
-    figures_.push_back({built, phase, what, amount, trust});
+  void add(Frequency frequency, const char* phase, const char* what, double amount,
+           Certainty certainty) {
+    figures_.push_back({frequency, phase, what, amount, certainty});
   }
-  void seconds(Built built, const char* phase, double amount) {
+  void seconds(Frequency frequency, const char* phase, double amount) {
     seconds_ += amount;
-    add(built, phase, "seconds", amount, Trust::Estimate);
+    add(frequency, phase, "seconds", amount, Certainty::Estimate);
   }
   [[nodiscard]] double factor_bytes() const {
     return number * static_cast<double>(known_.fronts.entries);
@@ -104,50 +107,51 @@ class Figures {
   void assembly() {
     const char* const phase = "assembly";
     const auto exact = [&](const char* what, Index amount) {
-      add(Built::Once, phase, what, static_cast<double>(amount), Trust::Exact);
+      add(Frequency::Once, phase, what, static_cast<double>(amount), Certainty::Exact);
     };
     exact("unknowns", plan_.unknowns.count);
     exact("pairs", plan_.gaps.A.rows());
     exact("rows", known_.rows.rows());
     exact("stiffness entries", known_.stiffness.nonZeros());
     exact("bytes", bytes_of(known_.stiffness) + bytes_of(known_.rows));
-    seconds(Built::Once, phase, sample_.assembly);
+    seconds(Frequency::Once, phase, sample_.assembly);
   }
 
   void factor() {
     const Fronts& fronts = known_.fronts;
-    seconds(Built::Once, "factor/ordering", known_.ordering);
-    seconds(Built::Once, "factor/symbolic", known_.analysis);
+    seconds(Frequency::Once, "factor/ordering", known_.ordering);
+    seconds(Frequency::Once, "factor/symbolic", known_.analysis);
     const char* const phase = "factor/numeric";
-    add(Built::Once, phase, "nonzeros", static_cast<double>(fronts.nonzeros()), of_factor_);
-    add(Built::Once, phase, "operations", fronts.operations(), of_factor_);
-    add(Built::Once, phase, "bytes", factor_bytes(), of_factor_);
-    add(Built::Once, phase, "stack bytes",
+    add(Frequency::Once, phase, "nonzeros", static_cast<double>(fronts.nonzeros()), of_factor_);
+    add(Frequency::Once, phase, "operations", fronts.operations(), of_factor_);
+    add(Frequency::Once, phase, "bytes", factor_bytes(), of_factor_);
+    add(Frequency::Once, phase, "stack bytes",
         number * static_cast<double>(fronts.update_stack().most()), of_factor_);
     double handed_on = 0;
     for (const Front& front : fronts.all)
       handed_on += number * static_cast<double>(front.rim() * front.rim());
     // Every entry of L and of an update is cleared once, and an update is read once by the front above.
-    seconds(Built::Once, phase,
+    seconds(Frequency::Once, phase,
             over(fronts.operations(), speed_.elimination) +
                 over(factor_bytes() + 2 * handed_on, speed_.memory));
   }
 
   void condensation() {
     const char* const phase = "condensation";
-    add(Built::PerStep, phase, "operations of one solve", known_.fronts.solve_operations(),
+    add(Frequency::PerStep, phase, "operations of one solve", known_.fronts.solve_operations(),
         of_factor_);
-    add(Built::Once, phase, "operations",
+    add(Frequency::Once, phase, "operations",
         known_.fronts.solve_operations() + known_.paths.operations, of_factor_);
-    add(Built::Once, phase, "bytes", number * rows_ * rows_, Trust::Exact);
-    add(Built::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()), of_factor_);
+    add(Frequency::Once, phase, "bytes", number * rows_ * rows_, Certainty::Exact);
+    add(Frequency::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()),
+        of_factor_);
     const double all =
         1 + static_cast<double>(plan_.parts.size());  // each part of a path has its u0
     // The compliance is cleared and filled, and every rigid motion meets every row.
     const double modes = static_cast<double>(plan_.modes.size());
     const double touched = 2 * rows_ * rows_ + modes * static_cast<double>(plan_.unknowns.count) +
                            modes * 2 * static_cast<double>(known_.rows.nonZeros());
-    seconds(Built::Once, phase,
+    seconds(Frequency::Once, phase,
             all * solve() + over(known_.paths.operations, speed_.carrying) +
                 over(number * touched, speed_.memory));
   }
@@ -180,14 +184,15 @@ class Figures {
       if (!system.rows.empty()) round += closing(system) + orthonormal(system);
     if (!counted_) {
       const double unknown = std::numeric_limits<double>::quiet_NaN();
-      add(Built::PerIteration, phase, "iterations", unknown, Trust::Unknown);
-      add(Built::PerIteration, phase, one_iteration, round / systems, Trust::Estimate);
-      add(Built::PerIteration, phase, "seconds", unknown, Trust::Unknown);
+      add(Frequency::PerIteration, phase, "iterations", unknown, Certainty::Unknown);
+      add(Frequency::PerIteration, phase, one_iteration, round / systems, Certainty::Estimate);
+      add(Frequency::PerIteration, phase, "seconds", unknown, Certainty::Unknown);
       return;
     }
     constexpr double usual = 5;
-    add(Built::PerIteration, phase, "iterations", usual * steps_ * systems, Trust::Estimate);
-    seconds(Built::PerIteration, phase, usual * steps_ * round);
+    add(Frequency::PerIteration, phase, "iterations", usual * steps_ * systems,
+        Certainty::Estimate);
+    seconds(Frequency::PerIteration, phase, usual * steps_ * round);
   }
 
   void refinement() {
@@ -209,10 +214,11 @@ class Figures {
       // A residual for every solve that mends, and one for the certificate.
       residuals += part * (system.rows.empty() ? 2 * steps_ : solves - steps_);
     }
-    add(Built::PerIteration, phase, "solves", all_solves, Trust::Estimate);
-    add(Built::PerIteration, phase, "operations", walks * known_.fronts.solve_operations(),
-        Trust::Estimate);
-    seconds(Built::PerIteration, phase, walks * solve() + residuals * sample_.residual + equations);
+    add(Frequency::PerIteration, phase, "solves", all_solves, Certainty::Estimate);
+    add(Frequency::PerIteration, phase, "operations", walks * known_.fronts.solve_operations(),
+        Certainty::Estimate);
+    seconds(Frequency::PerIteration, phase,
+            walks * solve() + residuals * sample_.residual + equations);
   }
 
   /// Seconds of one solve: two walks through L.
@@ -227,8 +233,8 @@ class Figures {
   FrontSpeed speed_;
   Sample sample_;
   double steps_;
-  Trust of_factor_;  // its fronts are those of ours
-  bool counted_;     // whether the iterations of contact are known beforehand
+  Certainty of_factor_;  // its fronts are those of ours
+  bool counted_;         // whether the iterations of contact are known beforehand
   std::vector<PredictedFigure> figures_;
   double seconds_ = 0;
 };

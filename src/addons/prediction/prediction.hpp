@@ -18,7 +18,7 @@ inline constexpr const char* later_step = "a later step";
 inline constexpr const char* one_iteration = "seconds of one iteration";
 
 /// How a figure of a prediction is meant.
-enum class Trust {
+enum class Certainty {
   Exact,  ///< it will be so
   Estimate,  ///< of what depends on the numbers of the problem, or on the machine and who else works on it
   AtLeast,  ///< an estimate without that part of it which is not known
@@ -26,7 +26,7 @@ enum class Trust {
 };
 
 /// How often something is made.
-enum class Built {
+enum class Frequency {
   Once,         ///< for all loads
   PerStep,      ///< for every set of loads
   PerIteration  ///< of contact or of refinement
@@ -34,11 +34,11 @@ enum class Built {
 
 /// One line of a prediction.
 struct PredictedFigure {
-  Built built = Built::Once;   ///< how often what it is about is made
-  std::string phase;           ///< of the ledger, or what is not in the ledger
-  std::string what;            ///< `seconds`, `bytes`, or the name of a count
-  double amount = 0;           ///< how much, over the whole run; NaN if that is not known
-  Trust trust = Trust::Exact;  ///< how it is meant
+  Frequency frequency = Frequency::Once;  ///< how often what it is about is made
+  std::string phase;                      ///< of the ledger, or what is not in the ledger
+  std::string what;                       ///< `seconds`, `bytes`, or the name of a count
+  double amount = 0;  ///< how much, over the whole run; NaN if that is not known
+  Certainty certainty = Certainty::Exact;  ///< how it is meant
 };
 
 /// What acts on a body, and whether it is one.
@@ -81,7 +81,7 @@ struct Prediction {
 [[nodiscard]] Prediction predict(const Plan& plan);
 
 /// A figure and what became of it.
-struct ConfrontedFigure {
+struct ComparedFigure {
   PredictedFigure predicted;       ///< before the run
   std::optional<double> measured;  ///< after it; none if the ledger does not have it
 };
@@ -91,18 +91,18 @@ struct ConfrontedFigure {
 /// \param ledgers     of build(), condense() and solve(), or of all load steps: what they have in common adds up; the seconds of
 ///   a later step are those of all but the first, on average
 /// \return all its figures
-[[nodiscard]] std::vector<ConfrontedFigure> confront(const Prediction& prediction,
-                                                     const std::vector<Ledger>& ledgers);
+[[nodiscard]] std::vector<ComparedFigure> compare(const Prediction& prediction,
+                                                  const std::vector<Ledger>& ledgers);
 
 /// Prints bodies, method, and what is made how often. \param out where to \param prediction what \return `out`
 std::ostream& operator<<(std::ostream& out, const Prediction& prediction);
 
 /// Prints a table of predicted and measured figures. \param out where to \param figures what \return `out`
-std::ostream& operator<<(std::ostream& out, const std::vector<ConfrontedFigure>& figures);
+std::ostream& operator<<(std::ostream& out, const std::vector<ComparedFigure>& figures);
 
-/// \param trust  any \return "exact", "about", "at least" or "not known"
-[[nodiscard]] const char* to_string(Trust trust);
-/// \param built  any \return "once", "per load step" or "per iteration"
-[[nodiscard]] const char* to_string(Built built);
+/// \param certainty  any \return "exact", "about", "at least" or "not known"
+[[nodiscard]] const char* to_string(Certainty certainty);
+/// \param frequency  any \return "once", "per load step" or "per iteration"
+[[nodiscard]] const char* to_string(Frequency frequency);
 
 }  // namespace signorini

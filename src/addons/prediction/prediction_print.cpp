@@ -22,24 +22,24 @@ std::string in_words(const PredictedFigure& figure, double amount) {
 
 }  // namespace
 
-const char* to_string(Trust trust) {
-  switch (trust) {
-    case Trust::Exact:
+const char* to_string(Certainty certainty) {
+  switch (certainty) {
+    case Certainty::Exact:
       return "exact";
-    case Trust::Estimate:
+    case Certainty::Estimate:
       return "about";
-    case Trust::AtLeast:
+    case Certainty::AtLeast:
       return "at least";
-    case Trust::Unknown:
+    case Certainty::Unknown:
       return "not known";
   }
   return "";
 }
 
-const char* to_string(Built built) {
-  return built == Built::Once      ? "once"
-         : built == Built::PerStep ? "per load step"
-                                   : "per iteration";
+const char* to_string(Frequency frequency) {
+  return frequency == Frequency::Once      ? "once"
+         : frequency == Frequency::PerStep ? "per load step"
+                                           : "per iteration";
 }
 
 std::ostream& operator<<(std::ostream& out, const Prediction& prediction) {
@@ -51,17 +51,17 @@ std::ostream& operator<<(std::ostream& out, const Prediction& prediction) {
           << body.moment << '\n';
   table << "  " << prediction.method << '\n';
   if (!prediction.unknown.empty()) table << "  " << prediction.unknown << '\n';
-  for (const Built built : {Built::Once, Built::PerStep, Built::PerIteration}) {
-    table << "  " << to_string(built) << '\n';
+  for (const Frequency frequency : {Frequency::Once, Frequency::PerStep, Frequency::PerIteration}) {
+    table << "  " << to_string(frequency) << '\n';
     std::string last;
     for (const PredictedFigure& figure : prediction.figures) {
-      if (figure.built != built) continue;
+      if (figure.frequency != frequency) continue;
       if (figure.phase != last)
         table << (last.empty() ? "" : "\n") << "    " << std::left << std::setw(16) << figure.phase;
       table << (figure.phase != last ? " " : ", ") << figure.what << ' '
-            << (figure.trust == Trust::Exact || figure.trust == Trust::Unknown
+            << (figure.certainty == Certainty::Exact || figure.certainty == Certainty::Unknown
                     ? ""
-                    : std::string(to_string(figure.trust)) + ' ')
+                    : std::string(to_string(figure.certainty)) + ' ')
             << in_words(figure, figure.amount);
       last = figure.phase;
     }
@@ -70,17 +70,17 @@ std::ostream& operator<<(std::ostream& out, const Prediction& prediction) {
   return out << table.str();
 }
 
-std::ostream& operator<<(std::ostream& out, const std::vector<ConfrontedFigure>& figures) {
+std::ostream& operator<<(std::ostream& out, const std::vector<ComparedFigure>& figures) {
   std::ostringstream table;
   table << std::left << std::setw(18) << "phase" << std::setw(26) << "figure" << std::right
         << std::setw(12) << "predicted" << std::setw(12) << "measured"
         << "  trust\n";
-  for (const ConfrontedFigure& figure : figures)
+  for (const ComparedFigure& figure : figures)
     table << std::left << std::setw(18) << figure.predicted.phase << std::setw(26)
           << figure.predicted.what << std::right << std::setw(12)
           << in_words(figure.predicted, figure.predicted.amount) << std::setw(12)
           << (figure.measured ? in_words(figure.predicted, *figure.measured) : "-") << "  "
-          << to_string(figure.predicted.trust) << '\n';
+          << to_string(figure.predicted.certainty) << '\n';
   return out << table.str();
 }
 

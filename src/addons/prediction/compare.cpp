@@ -17,9 +17,9 @@ double seconds_in(const std::vector<Ledger>& ledgers, std::size_t first) {
 
 }  // namespace
 
-std::vector<ConfrontedFigure> confront(const Prediction& prediction,
-                                       const std::vector<Ledger>& ledgers) {
-  std::vector<ConfrontedFigure> figures;
+std::vector<ComparedFigure> compare(const Prediction& prediction,
+                                    const std::vector<Ledger>& ledgers) {
+  std::vector<ComparedFigure> figures;
   const std::size_t later = ledgers.size() - std::min<std::size_t>(ledgers.size(), 1);
   for (const PredictedFigure& figure : prediction.figures) {
     figures.push_back({figure, {}});
