@@ -34,7 +34,7 @@ void declare_layers(const Scene& scene, Plan& draft) {
   }
 }
 
-bool is_warm(const Body& body) { return body.temperature && body.temperature->warms(); }
+bool is_warm(const Body& body) { return body.temperature && body.temperature->nonzero(); }
 
 bool expands(const MaterialField& field) {
   return field.base.expansion != 0 ||

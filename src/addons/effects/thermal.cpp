@@ -8,7 +8,7 @@ Eigen::Vector4d thermal_strain(const Material& material, double warmer) {
 }
 
 Eigenstrain expansion(const Temperature& temperature) {
-  if (!temperature.warms()) return {};
+  if (!temperature.nonzero()) return {};
   return [temperature](const Material& material, const Eigen::Vector2d& x) {
     return thermal_strain(material, temperature.at(x));
   };

@@ -108,7 +108,7 @@ class Sorting {
     if (loads.body_force) use(loads.body_force_history).loads[b].body_force = loads.body_force;
     for (const EdgeLoad& load : loads.edges) use(load.history).loads[b].edges.push_back(load);
     for (const PointForce& load : loads.points) use(load.history).loads[b].points.push_back(load);
-    if (body.temperature && body.temperature->warms())
+    if (body.temperature && body.temperature->nonzero())
       use(body.temperature->history).eigenstrain[b] = draft_.bodies[b].material.eigenstrain;
     for (const Support& support : body.supports)
       if (!support.history.empty()) use(support.history);

@@ -33,7 +33,7 @@ struct Temperature {
   /// \param x  a place [length] \return how much warmer it is there [temperature]
   [[nodiscard]] double at(const Eigen::Vector2d& x) const { return uniform + gradient.dot(x); }
   /// \return whether it is not zero everywhere
-  [[nodiscard]] bool warms() const { return uniform != 0 || (gradient.array() != 0).any(); }
+  [[nodiscard]] bool nonzero() const { return uniform != 0 || (gradient.array() != 0).any(); }
 };
 
 /// Springs between a body and the ground, at rest where nothing moves.
