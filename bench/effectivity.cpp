@@ -40,7 +40,7 @@ void add(Table& table, const std::string& scene, const std::string& element,
              number(one.error, "%.4g"), number(now.truth), number(now.effectivity(), "%.3f"),
              number(100 * one.error / std::abs(now.truth), "%.4f"),
              number(one.parts.interior, "%.3g"), number(one.parts.gap, "%.3g"),
-             number(one.parts.reading, "%.3g"), number(one.parts.free_boundary, "%.3g")});
+             number(one.parts.quadrature_error, "%.3g"), number(one.parts.free_boundary, "%.3g")});
 }
 
 const std::vector<std::string> columns = {

@@ -154,11 +154,11 @@ void print_verdict(std::ostream& out, const AccuracyRun& accuracy) {
       out << " = " << number(last.of_mesh, "%.8g") << " of the last mesh and "
           << number(last.value - last.of_mesh, "%.2g") << " that the estimate says is missing\n";
   }
-  if (last.error && *last.error == last.overlooked && last.overlooked > 0)
-    out << "  change: " << by_value(last.overlooked, last.value)
+  if (last.error && *last.error == last.saturation && last.saturation > 0)
+    out << "  change: " << by_value(last.saturation, last.value)
         << " (used); what the value changed by from mesh to mesh and no estimate foresaw\n";
-  if (last.misfit > 0)
-    out << "  misfit: " << by_value(last.misfit, last.value)
+  if (last.model_error > 0)
+    out << "  misfit: " << by_value(last.model_error, last.value)
         << "; between fits of the middle of the pressure and of half of that\n";
   for (const BudgetLine& line : accuracy.budget)
     out << "  " << line.source << ": "
@@ -182,10 +182,10 @@ void write(Json& json, const AccuracyRun& accuracy) {
           .key("error")
           .value(*round.error);
       json.key("interior").value(round.parts.interior).key("gap").value(round.parts.gap);
-      json.key("reading").value(round.parts.reading);
+      json.key("reading").value(round.parts.quadrature_error);
       json.key("free_boundary").value(round.parts.free_boundary);
       json.key("outline").value(round.parts.outline);
-      json.key("overlooked").value(round.overlooked).key("misfit").value(round.misfit);
+      json.key("overlooked").value(round.saturation).key("misfit").value(round.model_error);
       json.key("algebraic").value(round.algebraic);
     }
     json.key("seconds").value(round.seconds).key("estimating").value(round.estimating).end();

@@ -3,7 +3,7 @@
 
 #include "addons/estimate/accuracy.hpp"
 #include "addons/estimate/goal_words.hpp"
-#include "addons/estimate/hindrance.hpp"
+#include "addons/estimate/limiting_cause.hpp"
 #include "catch_compat.hpp"
 #include "closed_form/moduli.hpp"
 #include "closed_form/rings.hpp"
@@ -117,6 +117,7 @@ TEST_CASE("gaps and their reading are one part of the error", "[accuracy]") {
   last.error = last.of_estimate = 2.2;
   last.parts.interior = -1;
   last.parts.gap = 0.6;
-  last.parts.reading = -0.6;
-  CHECK_THAT(hindrance(run), ContainsSubstring("gaps between the nodes of the contact are most"));
+  last.parts.quadrature_error = -0.6;
+  CHECK_THAT(limiting_cause(run),
+             ContainsSubstring("gaps between the nodes of the contact are most"));
 }

@@ -71,7 +71,8 @@ TEST_CASE("what a goal overlooks between the nodes is what makes it right", "[go
                     NormalForce{"", [](const Eigen::Vector2d& x) { return x.x() * x.x(); }}};
   const double read = value(run.model, run.solution, moment);
   CHECK(read > 10 * 8.0 / 3 * 1.01);
-  CHECK(read + overlooked(run.model, run.solution, moment) == Approx(10 * 8.0 / 3).epsilon(1e-12));
+  CHECK(read + quadrature_error(run.model, run.solution, moment) ==
+        Approx(10 * 8.0 / 3).epsilon(1e-12));
 
   // The forces of an ellipse of pressure on nodes: their fit is too flat.
   SolvedScene hertz_run = solved(measured_hertz().scene("q4", 12), "Hertz");
@@ -92,7 +93,7 @@ TEST_CASE("what a goal overlooks between the nodes is what makes it right", "[go
     if (k + 1 < line.x.size()) side(k + 1);
   }
   const double flat = value(hertz_run.model, hertz_run.solution, peak);
-  const double right = flat + overlooked(hertz_run.model, hertz_run.solution, peak);
+  const double right = flat + quadrature_error(hertz_run.model, hertz_run.solution, peak);
   CHECK(std::abs(right - 25) < 0.2 * std::abs(flat - 25));
 }
 

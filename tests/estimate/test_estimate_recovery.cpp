@@ -46,7 +46,7 @@ TEST_CASE("a uniform stress is recovered exactly and leaves no error, on any cel
   mesh.nodes.col(0).array() += 1;  // away from the axis
   MaterialField material({200, 0.3, state, 1});
   const NodeArray u = stretched_linearly(mesh);
-  const Fields fields{mesh, element, material, {u, u}};
+  const PrimalAndDuals fields{mesh, element, material, {u, u}};
   const SmoothStress smooth = recovered(fields);
   const Elasticity D = elasticity_matrix(material.base);
   Eigen::VectorXd strain = Eigen::VectorXd::Zero(D.rows());
@@ -129,7 +129,7 @@ TEST_CASE("each layer is estimated as a body of its own material", "[recovery]")
     const NodeArray other = field(mesh, [](const Eigen::Vector2d& x) {
       return Eigen::Vector2d(x.x() * std::pow(x.y(), 3), std::exp(x.x()));
     });
-    const Fields fields{mesh, element, material, {bent, other}};
+    const PrimalAndDuals fields{mesh, element, material, {bent, other}};
     return Eigen::VectorXd(error_products(fields, recovered(fields)).col(0));
   };
   const Mesh both = joined(lower, "top", upper, "bottom");
@@ -147,7 +147,7 @@ TEST_CASE("nothing is smoothed across layers", "[recovery][closed-form]") {
       layered(mesh, {100, 0, PlaneState::Stress, 1}, {{"top", {1000, 0, PlaneState::Stress, 1}}});
   const NodeArray u =
       field(mesh, [](const Eigen::Vector2d& x) { return Eigen::Vector2d(0.1 * x.x(), 0); });
-  const Fields fields{mesh, element, material, {u, u}};
+  const PrimalAndDuals fields{mesh, element, material, {u, u}};
   const SmoothStress smooth = recovered(fields);
   CHECK(smooth.value.rows() == mesh.n_nodes() + 5);  // the interface has each of its nodes twice
   for (Index cell = 0; cell < mesh.n_cells(); ++cell)
@@ -172,7 +172,7 @@ TEST_CASE("a body that is warm and free has no stress to recover", "[recovery][c
   const NodeArray bent = field(mesh, [](const Eigen::Vector2d& x) {
     return Eigen::Vector2d(std::pow(x.x(), 4), x.x() * std::pow(x.y(), 4));
   });
-  const Fields fields{mesh, element, material, {u, bent}};
+  const PrimalAndDuals fields{mesh, element, material, {u, bent}};
   const SmoothStress smooth = recovered(fields);
   CHECK(largest(smooth.value.leftCols(3)) <= 1e-12 * 100 * strain);
   CHECK(largest(error_products(fields, smooth)) <= 1e-12 * 100 * strain);

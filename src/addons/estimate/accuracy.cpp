@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "addons/estimate/finer_meshes.hpp"
-#include "addons/estimate/hindrance.hpp"
+#include "addons/estimate/limiting_cause.hpp"
 #include "addons/estimate/marking.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
@@ -43,11 +43,11 @@ double left_by(const Estimate& estimate) {
 
 /// What the estimates overlook, as the last change of the value shows it: by how much it is beyond what both allow for.
 /// What was overlooked falls no faster than unknowns grow: it is not forgotten at once.
-double overlooked_since(const AccuracyRound& last, const AccuracyRound& now) {
+double saturation_since(const AccuracyRound& last, const AccuracyRound& now) {
   const double change = std::abs(now.value - last.value);
   const double allowed = last.of_estimate + now.of_estimate;
   const double coarser = static_cast<double>(last.unknowns) / static_cast<double>(now.unknowns);
-  return std::max(change - allowed, coarser * last.overlooked);
+  return std::max(change - allowed, coarser * last.saturation);
 }
 
 class Loop {
@@ -102,7 +102,7 @@ class Loop {
       coarse = marks_where_coarse(model, solution, fewest_closed);
       if (coarse.empty()) {
         estimated = estimate(model, condensed, solution, wanted_.goal, solution.ledger);
-        round.misfit = misfit(model, solution, wanted_.goal);
+        round.model_error = model_error(model, solution, wanted_.goal);
         describe(*estimated, solution.ledger, round);
       }
     }
@@ -126,8 +126,8 @@ class Loop {
     const auto last =
         std::find_if(run_.rounds.rbegin(), run_.rounds.rend(),
                      [](const AccuracyRound& other) { return other.error.has_value(); });
-    if (last != run_.rounds.rend()) round.overlooked = overlooked_since(*last, round);
-    round.error = std::max({round.of_estimate, round.overlooked, round.misfit});
+    if (last != run_.rounds.rend()) round.saturation = saturation_since(*last, round);
+    round.error = std::max({round.of_estimate, round.saturation, round.model_error});
   }
 
   /// Says how it stands.
@@ -154,8 +154,8 @@ class Loop {
       const bool small = *now.error <= target;
       run_.met = small && confirmed();
       if (run_.met) return stop("met");
-      if (reads_what_is_not_there(target)) return stop(hindrance(run_));
-      if (stagnates()) return stop("refinement no longer helps: " + hindrance(run_));
+      if (reads_what_is_not_there(target)) return stop(limiting_cause(run_));
+      if (stagnates()) return stop("refinement no longer helps: " + limiting_cause(run_));
       const double part =
           now.of_estimate <= target ? 1 : std::max(aim * target / now.of_estimate, least_left);
       marks_ = marks_for(run_.model, run_.solution, *run_.estimate, part, confirming);
@@ -211,8 +211,8 @@ class Loop {
   [[nodiscard]] bool reads_what_is_not_there(double target) const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
     const AccuracyRound& now = rounds.back();
-    return now.misfit > target && *now.error == now.misfit && now.of_estimate <= target &&
-           trusted() > 1 && now.misfit > rounds[rounds.size() - 2].misfit / 2;
+    return now.model_error > target && *now.error == now.model_error && now.of_estimate <= target &&
+           trusted() > 1 && now.model_error > rounds[rounds.size() - 2].model_error / 2;
   }
 
   /// Whether the value hardly moves and `patience` has not halved the largest error since then, or contact is still not
@@ -234,11 +234,12 @@ class Loop {
 
   /// Makes the next scene of what is marked. \return whether it is to be solved
   bool refine(Scene& next) {
-    if (!any_marked(marks_)) return stop("no cell has a share of the error; " + hindrance(run_));
+    if (!any_marked(marks_))
+      return stop("no cell has a share of the error; " + limiting_cause(run_));
     FinerMeshes finer = finer_meshes(run_.scene.contacts, run_.model.bodies, std::move(marks_),
                                      wanted_.most_unknowns);
     if (finer.halvings == 0)
-      return stop(finer.obstacle + (finer.too_many ? "; " + hindrance(run_) : ""));
+      return stop(finer.obstacle + (finer.too_many ? "; " + limiting_cause(run_) : ""));
     halvings_ += finer.halvings;
     next = run_.scene;
     for (std::size_t b = 0; b < next.bodies.size(); ++b)
@@ -262,7 +263,7 @@ class Loop {
     run_.too_dear = unknowns;
     return stop(text("price: the next mesh, of about ", unknowns, " unknowns, would take some ",
                      number(seconds, "%.2g"), " s by the forecast, and all meshes so far took ",
-                     number(paid, "%.2g"), " s; ", hindrance(run_)));
+                     number(paid, "%.2g"), " s; ", limiting_cause(run_)));
   }
 
   const Accuracy& wanted_;

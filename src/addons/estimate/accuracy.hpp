@@ -35,18 +35,18 @@ struct AccuracyRound {
       0;  ///< the goal as solved; nothing is read or estimated before contact is resolved
   /// The answer: the same, and what the estimate says is missing; of a peak or a width, whose estimate has no sign, the same
   double value = 0;
-  /// Estimate of the size of the error of `value`: the largest of `of_estimate`, `overlooked` and `misfit`. Nothing if the
+  /// Estimate of the size of the error of `value`: the largest of `of_estimate`, `overlooked` and `model_error`. Nothing if the
   /// mesh is too coarse for an estimate.
   std::optional<double> error = {};
   ErrorParts parts = {};  ///< of the error of discretisation
   double of_estimate =
       0;  ///< the sum of their sizes; of an estimate without a sign twice its size, which is no less
   /// What the parts leave out, as changes from mesh to mesh have shown it, see solve_to_accuracy(); 0: nothing was seen
-  double overlooked = 0;
-  double misfit = 0;      ///< of the reading, see signorini::misfit()
-  double algebraic = 0;   ///< see Estimate
-  double seconds = 0;     ///< wall time of the round, the estimate with it [s]
-  double estimating = 0;  ///< of these, for the estimate [s]
+  double saturation = 0;
+  double model_error = 0;  ///< of the reading, see signorini::model_error()
+  double algebraic = 0;    ///< see Estimate
+  double seconds = 0;      ///< wall time of the round, the estimate with it [s]
+  double estimating = 0;   ///< of these, for the estimate [s]
 };
 
 /// A solution, and how it was come by.

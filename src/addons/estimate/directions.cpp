@@ -4,7 +4,7 @@ namespace signorini {
 
 using Eigen::Index;
 
-Eigen::MatrixXd share_of_first_direction(const Fields& fields, const SmoothStress& stress) {
+Eigen::MatrixXd share_of_first_direction(const PrimalAndDuals& fields, const SmoothStress& stress) {
   const Index n_fields = static_cast<Index>(fields.displacements.size());
   const Index n_rows = stress.value.cols() / n_fields;
   Eigen::MatrixXd shares = Eigen::MatrixXd::Ones(fields.mesh.n_cells(), n_fields - 1);

@@ -36,7 +36,7 @@ struct Place {
   }
 
   template <int n_rows>
-  [[nodiscard]] Seen<n_rows> look(const Fields& fields, const SmoothStress& stress,
+  [[nodiscard]] Seen<n_rows> look(const PrimalAndDuals& fields, const SmoothStress& stress,
                                   const FreeStrains& free, Index f) const {
     using Components = typename Seen<n_rows>::Components;
     Seen<n_rows> seen;
@@ -59,9 +59,9 @@ struct Place {
 
 }  // namespace
 
-Eigen::MatrixXd error_products(const Fields& fields, const SmoothStress& stress,
+Eigen::MatrixXd error_products(const PrimalAndDuals& fields, const SmoothStress& stress,
                                const Eigen::VectorXd& counted) {
-  check_fields(fields);
+  check_primal_and_duals(fields);
   const Index n_fields = static_cast<Index>(fields.displacements.size());
   Eigen::MatrixXd products = Eigen::MatrixXd::Zero(fields.mesh.n_cells(), n_fields - 1);
   std::vector<Elasticity> inverse = elasticity_matrices(fields.material);

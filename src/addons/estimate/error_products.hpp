@@ -19,7 +19,8 @@ namespace signorini {
 /// \param stress  recovered() of them
 /// \param counted  `n_cells`, how much of the first term counts, from 0 to 1; all of it without one
 /// \return `n_cells x n_z` [force*length]
-[[nodiscard]] Eigen::MatrixXd error_products(const Fields& fields, const SmoothStress& stress,
+[[nodiscard]] Eigen::MatrixXd error_products(const PrimalAndDuals& fields,
+                                             const SmoothStress& stress,
                                              const Eigen::VectorXd& counted = {});
 
 }  // namespace signorini

@@ -43,12 +43,13 @@ struct Residuals {
 }  // namespace
 
 double ErrorParts::sizes() const {
-  return std::abs(interior) + std::abs(gap) + std::abs(reading) + std::abs(free_boundary) +
+  return std::abs(interior) + std::abs(gap) + std::abs(quadrature_error) + std::abs(free_boundary) +
          std::abs(outline);
 }
 
 double ErrorParts::norm() const {
-  return Eigen::Vector<double, 5>(interior, gap, reading, free_boundary, outline).stableNorm();
+  return Eigen::Vector<double, 5>(interior, gap, quadrature_error, free_boundary, outline)
+      .stableNorm();
 }
 
 std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
@@ -84,7 +85,7 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
     const DualSolution& z = duals.back();
     one.algebraic = residuals.change(z);
     one.parts.gap = gap_between_nodes(model, edges, z.force);
-    one.parts.reading = overlooked(model, solution, goal);
+    one.parts.quadrature_error = quadrature_error(model, solution, goal);
     VectorXd per_force = -(programme.A * (z.displacement + z.rigid));
     if (change.force.size() > 0) per_force += change.force;
     for (const ContactEnd& end : ends)
@@ -93,7 +94,7 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
   }
   const VectorXd strains = strained(solution.refined);
   for (const BodyModel& body : model.bodies) {
-    Fields fields{body.mesh, body.element, body.material, {of_body(body, strains)}};
+    PrimalAndDuals fields{body.mesh, body.element, body.material, {of_body(body, strains)}};
     fields.displacements[0] += body.unknowns.held;
     for (const DualSolution& z : duals)
       fields.displacements.push_back(of_body(body, z.displacement));
@@ -141,7 +142,7 @@ std::vector<BudgetLine> error_budget(const Estimate& estimate, const ComparedWit
   return {
       {"algebraic", estimate.algebraic,
        "what the residuals of the certified solution can do at most"},
-      {"gap", p.gap + p.reading, "between the nodes of the contact: finer sides there"},
+      {"gap", p.gap + p.quadrature_error, "between the nodes of the contact: finer sides there"},
       {"element", p.interior + p.free_boundary,
        "stresses inside the bodies and the end of the contact: finer cells, or better ones"},
       {"outline", p.outline,

@@ -18,12 +18,14 @@ struct ErrorParts {
   /// What gaps between the nodes are besides the straight line: \f$ \langle\mu, g - I g\rangle \f$
   double gap = 0;
   /// What the goal itself overlooks between the nodes: \f$ \langle p, w - I w\rangle \f$, or the flattened top of a fit
-  double reading = 0;
+  double quadrature_error = 0;
   double free_boundary = 0;  ///< that contact must end at a node
   double outline = 0;        ///< what sides cut off curved outlines, or add: outline_shares()
 
   /// \return their sum
-  [[nodiscard]] double sum() const { return interior + gap + reading + free_boundary + outline; }
+  [[nodiscard]] double sum() const {
+    return interior + gap + quadrature_error + free_boundary + outline;
+  }
   /// \return the sum of their sizes
   [[nodiscard]] double sizes() const;
   /// \return the root of the sum of their squares

@@ -10,7 +10,7 @@ namespace signorini {
 
 /// Displacements of one body whose stresses are recovered together: the first are those of the body, with its eigenstrain;
 /// the others are those of dual solutions, which have none.
-struct Fields {
+struct PrimalAndDuals {
   const Mesh& mesh;                      ///< the body
   const Element& element;                ///< fits its cells
   const MaterialField& material;         ///< of its cells
@@ -19,7 +19,7 @@ struct Fields {
 
 /// Checks the displacements. \param fields  any
 /// \throws std::invalid_argument unless there is one displacement per node
-void check_fields(const Fields& fields);
+void check_primal_and_duals(const PrimalAndDuals& fields);
 
 /// The strains of a body that need no stress, cell by cell. A body without an eigenstrain has none, at no cost.
 class FreeStrains {

@@ -219,7 +219,7 @@ GoalGradient gradient(const Model& model, const Solution& solution, const Goal& 
   return d;
 }
 
-double overlooked(const Model& model, const Solution& solution, const Goal& goal) {
+double quadrature_error(const Model& model, const Solution& solution, const Goal& goal) {
   require_numbers(solution, goal);
   double sum = 0;
   if (const auto* force = std::get_if<NormalForce>(&goal.quantity)) {
@@ -255,7 +255,7 @@ double overlooked(const Model& model, const Solution& solution, const Goal& goal
   return sum;
 }
 
-double misfit(const Model& model, const Solution& solution, const Goal& goal) {
+double model_error(const Model& model, const Solution& solution, const Goal& goal) {
   require_numbers(solution, goal);
   const auto* peak = std::get_if<PeakPressure>(&goal.quantity);
   if (peak == nullptr) return 0;

@@ -85,7 +85,8 @@ struct GoalGradient {
 /// \param goal      any
 /// \return what is to be added to its value; 0 of all others
 /// \throws ProblemError as value()
-[[nodiscard]] double overlooked(const Model& model, const Solution& solution, const Goal& goal);
+[[nodiscard]] double quadrature_error(const Model& model, const Solution& solution,
+                                      const Goal& goal);
 
 /// What a reading may be wrong by because pressure is not what it takes it for: of a PeakPressure, how far the peak of half
 /// of the middle that is fitted is from that of all of it; the whole peak if that half cannot be fitted. Of Hertz's
@@ -95,6 +96,6 @@ struct GoalGradient {
 /// \param goal      any
 /// \return its size, 0 of all others
 /// \throws ProblemError as value()
-[[nodiscard]] double misfit(const Model& model, const Solution& solution, const Goal& goal);
+[[nodiscard]] double model_error(const Model& model, const Solution& solution, const Goal& goal);
 
 }  // namespace signorini

@@ -93,8 +93,9 @@ void add_contact(const Model& model, const Solution& solution, const Estimate& e
        [&](const PairSide&) { ++ends; });
   each(
       [&](const PairSide& side) {
-        shares[side.body][at(side.edge)] += (std::abs(parts.gap) + std::abs(parts.reading)) *
-                                            std::pow(side.pairs.length, 3) / cubes;
+        shares[side.body][at(side.edge)] +=
+            (std::abs(parts.gap) + std::abs(parts.quadrature_error)) *
+            std::pow(side.pairs.length, 3) / cubes;
       },
       [&](const PairSide& side) {
         shares[side.body][at(side.edge)] += std::abs(parts.free_boundary) / ends;

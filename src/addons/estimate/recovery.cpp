@@ -80,11 +80,11 @@ struct Samples {
   std::vector<int> count;       // per cell
 };
 
-Index components(const Fields& fields) {
+Index components(const PrimalAndDuals& fields) {
   return fields.material.base.state == PlaneState::Axial ? 4 : 3;
 }
 
-Samples sampled(const Fields& fields) {
+Samples sampled(const PrimalAndDuals& fields) {
   const Mesh& mesh = fields.mesh;
   const Index rows = components(fields);
   const Index n_fields = static_cast<Index>(fields.displacements.size());
@@ -264,8 +264,8 @@ struct Collected {
 
 }  // namespace
 
-SmoothStress recovered(const Fields& fields) {
-  check_fields(fields);
+SmoothStress recovered(const PrimalAndDuals& fields) {
+  check_primal_and_duals(fields);
   SmoothStress smooth;
   Index count = 0;
   smooth.cells = numbered_by_material(fields.mesh, fields.material, count);

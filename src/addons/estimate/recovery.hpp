@@ -26,6 +26,6 @@ struct SmoothStress {
 /// \return smooth stresses; exact where stresses are linear, or quadratic
 /// \throws std::invalid_argument unless there is one displacement per node
 /// \throws ProblemError as check_material()
-[[nodiscard]] SmoothStress recovered(const Fields& fields);
+[[nodiscard]] SmoothStress recovered(const PrimalAndDuals& fields);
 
 }  // namespace signorini

@@ -13,6 +13,6 @@ namespace signorini {
 /// without bound, and more of them is seen with every mesh: such an end is named.
 /// \param run  with one round or more
 /// \return in words
-[[nodiscard]] std::string hindrance(const AccurateSolution& run);
+[[nodiscard]] std::string limiting_cause(const AccurateSolution& run);
 
 }  // namespace signorini

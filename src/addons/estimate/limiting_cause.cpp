@@ -1,4 +1,4 @@
-#include "addons/estimate/hindrance.hpp"
+#include "addons/estimate/limiting_cause.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,21 +46,21 @@ std::string held_end(const AccurateSolution& run) {
 
 }  // namespace
 
-std::string hindrance(const AccurateSolution& run) {
+std::string limiting_cause(const AccurateSolution& run) {
   const AccuracyRound& last = run.rounds.back();
   if (!last.error) return "the mesh is too coarse for an estimate";
-  if (last.overlooked > 0 && *last.error == last.overlooked) {
+  if (last.saturation > 0 && *last.error == last.saturation) {
     const std::string end = held_end(run);
     return "changes from mesh to mesh that no estimate foresaw are most of the error" +
            (end.empty() ? end : "; " + end);
   }
-  if (last.misfit > 0 && *last.error == last.misfit)
+  if (last.model_error > 0 && *last.error == last.model_error)
     return "the reading is most of the error: fits of the middle of the pressure and of half of "
            "that differ, so it does not press as Hertz's contact does; ask for its force or for a "
            "displacement";
   const ErrorParts& parts = last.parts;
   const double outline = std::abs(parts.outline);
-  const double gap = std::abs(parts.gap) + std::abs(parts.reading);
+  const double gap = std::abs(parts.gap) + std::abs(parts.quadrature_error);
   const double edge = std::abs(parts.free_boundary);
   const double inside = std::abs(parts.interior);
   if (outline > inside && outline > edge && outline > gap)
