@@ -35,19 +35,19 @@ Index marked(const MarkedEdges& marks) {
 TEST_CASE("the chord across the blamed cell is halved, in the direction that is too coarse",
           "[accuracy]") {
   const SolvedScene run = solved(cantilever("q4", 10, 3), "cantilever");
-  const auto along = marks_for(run.model, run.solution, blaming(run.model, 14, 1), 0.3, 1);
+  const auto along = mark_elements(run.model, run.solution, blaming(run.model, 14, 1), 0.3, 1);
   CHECK(marked(along[0]) == 4);  // up through three rows
   CHECK(along[0].halved[static_cast<std::size_t>(along[0].edges.at({14, 0}))] == 1);
-  const auto often = marks_for(run.model, run.solution, blaming(run.model, 14, 1), 0.05, 1);
+  const auto often = mark_elements(run.model, run.solution, blaming(run.model, 14, 1), 0.05, 1);
   CHECK(often[0].halved[static_cast<std::size_t>(often[0].edges.at({14, 0}))] == 3);  // 1/64 left
   CHECK(marked(often[0]) == 4);
-  const auto across = marks_for(run.model, run.solution, blaming(run.model, 14, 0), 0.3, 1);
+  const auto across = mark_elements(run.model, run.solution, blaming(run.model, 14, 0), 0.3, 1);
   CHECK(marked(across[0]) == 11);
   CHECK(across[0].halved[static_cast<std::size_t>(across[0].edges.at({14, 1}))] == 1);
   // A part falls to the dearer direction: it stays as long as enough is lost without it.
-  const auto most = marks_for(run.model, run.solution, blaming(run.model, 14, 0.9), 0.5, 1);
+  const auto most = mark_elements(run.model, run.solution, blaming(run.model, 14, 0.9), 0.5, 1);
   CHECK(marked(most[0]) == 4);
-  const auto both = marks_for(run.model, run.solution, blaming(run.model, 14, 0.5), 0.3, 1);
+  const auto both = mark_elements(run.model, run.solution, blaming(run.model, 14, 0.5), 0.3, 1);
   CHECK(marked(both[0]) == 15);
 }
 

@@ -158,7 +158,7 @@ class Loop {
       if (stagnates()) return stop("refinement no longer helps: " + limiting_cause(run_));
       const double part =
           now.of_estimate <= target ? 1 : std::max(aim * target / now.of_estimate, least_left);
-      marks_ = marks_for(run_.model, run_.solution, *run_.estimate, part, confirming);
+      marks_ = mark_elements(run_.model, run_.solution, *run_.estimate, part, confirming);
     } else if (stagnates() && !doubted(doubts_of_few_)) {
       return stop(
           "refinement, also of all cells, does not close more pairs of a contact: it touches at "

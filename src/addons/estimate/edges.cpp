@@ -84,7 +84,7 @@ int longest_side(const Mesh& mesh, Index triangle) {
   return found;
 }
 
-std::vector<Index> chords(const Mesh& mesh, const MeshEdges& edges) {
+std::vector<Index> refinement_lines(const Mesh& mesh, const MeshEdges& edges) {
   std::vector<Index> chord(edges.size(), -1);
   std::vector<Index> open;
   Index count = 0;

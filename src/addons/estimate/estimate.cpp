@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "addons/estimate/anisotropy.hpp"
 #include "addons/estimate/contact_edges.hpp"
 #include "addons/estimate/contact_ends.hpp"
-#include "addons/estimate/directions.hpp"
 #include "addons/estimate/dual.hpp"
 #include "addons/estimate/error_products.hpp"
 #include "addons/estimate/outline.hpp"
@@ -105,7 +105,7 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
     const Ledger::Phase weighing(ledger, "weighing");
     const Eigen::MatrixXd products =
         error_products(fields, smooth, away_from_ends(ends, model, body));
-    const Eigen::MatrixXd first = share_of_first_direction(fields, smooth);
+    const Eigen::MatrixXd first = anisotropic_indicator(fields, smooth);
     for (std::size_t k = 0; k < all.size(); ++k) {
       all[k].share.emplace_back(products.col(static_cast<Index>(k)));
       all[k].first_direction.emplace_back(first.col(static_cast<Index>(k)));

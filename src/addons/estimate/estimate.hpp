@@ -51,7 +51,7 @@ struct Estimate {
   double algebraic = 0;
   /// What each cell of each body adds to `parts.interior`: where to refine
   std::vector<Eigen::VectorXd> share;
-  /// How much of that is for want of cells along the sides 0 and 2 of the cell, see share_of_first_direction() [-]
+  /// How much of that is for want of cells along the sides 0 and 2 of the cell, see anisotropic_indicator() [-]
   std::vector<Eigen::VectorXd> first_direction;
   /// What each side that a curved outline leaves adds to `parts.outline`, body by body
   std::vector<std::vector<SideShare>> of_sides;

@@ -161,8 +161,8 @@ struct Candidate {
 
 }  // namespace
 
-std::vector<MarkedEdges> marks_for(const Model& model, const Solution& solution,
-                                   const Estimate& estimate, double part, double growth) {
+std::vector<MarkedEdges> mark_elements(const Model& model, const Solution& solution,
+                                       const Estimate& estimate, double part, double growth) {
   std::vector<MarkedEdges> marks = unmarked(model);
   EdgeShares shares;
   for (const MarkedEdges& body : marks) shares.emplace_back(body.edges.size(), 0.0);
@@ -178,7 +178,7 @@ std::vector<MarkedEdges> marks_for(const Model& model, const Solution& solution,
     missing += (growth - 1) * static_cast<double>(mesh.n_nodes());
     // Of three nodes per side: two more on it, and the middle of the edge that leaves it.
     const double per_edge = mesh.order() == MeshOrder::Quadratic ? 3 : 1;
-    chord_of.push_back(chords(mesh, marks[b].edges));
+    chord_of.push_back(refinement_lines(mesh, marks[b].edges));
     const std::size_t count = at(1 + *std::max_element(chord_of[b].begin(), chord_of[b].end()));
     std::vector<double> share(count, 0);
     std::vector<double> nodes(count, 0);

@@ -22,9 +22,9 @@ namespace signorini {
 /// \param part      of the error that may be left, above 0 and up to 1 [-]
 /// \param growth    least nodes of the finer mesh by those of this one, 1 or more [-]
 /// \return of each body
-[[nodiscard]] std::vector<MarkedEdges> marks_for(const Model& model, const Solution& solution,
-                                                 const Estimate& estimate, double part,
-                                                 double growth);
+[[nodiscard]] std::vector<MarkedEdges> mark_elements(const Model& model, const Solution& solution,
+                                                     const Estimate& estimate, double part,
+                                                     double growth);
 
 /// Marks where a mesh is too coarse for an estimate.
 ///

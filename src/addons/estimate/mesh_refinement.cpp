@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "addons/estimate/halved_edges.hpp"
+#include "addons/estimate/edge_midpoints.hpp"
 #include "signorini/core/index.hpp"
 
 namespace signorini {
@@ -44,7 +44,7 @@ Pieces pieces_of_triangle(Point a, const std::array<bool, 3>& halved) {
 /// One cell and its pieces.
 class Cut {
  public:
-  Cut(const Mesh& mesh, const HalvedEdges& edges, Index cell)
+  Cut(const Mesh& mesh, const EdgeMidpoints& edges, Index cell)
       : mesh_(mesh), edges_(edges), cell_(cell), n_(mesh.corners(cell)) {
     const auto halved = [&](int side) { return edges.halves({cell, side}); };
     pieces_ = n_ == 4
@@ -167,7 +167,7 @@ class Cut {
   }
 
   const Mesh& mesh_;
-  const HalvedEdges& edges_;
+  const EdgeMidpoints& edges_;
   Index cell_;
   int n_;
   Pieces pieces_;
@@ -177,7 +177,7 @@ class Cut {
 
 HalvedMesh halved_once(const Mesh& mesh, const MarkedEdges& marks) {
   const std::vector<char> times = closed_under_halving(mesh, marks.edges, marks.halved);
-  const HalvedEdges on_edges(mesh, marks.edges, times);
+  const EdgeMidpoints on_edges(mesh, marks.edges, times);
   std::vector<Cut> cuts;
   std::vector<Index> first = {0};
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {

@@ -12,7 +12,7 @@ namespace signorini {
 /// \param fields  u, then one or more z
 /// \param stress  recovered() of them
 /// \return `n_cells x n_z` shares from 0 to 1 [-]; 1/2 where neither way varies, 1 of triangles
-[[nodiscard]] Eigen::MatrixXd share_of_first_direction(const PrimalAndDuals& fields,
-                                                       const SmoothStress& stress);
+[[nodiscard]] Eigen::MatrixXd anisotropic_indicator(const PrimalAndDuals& fields,
+                                                    const SmoothStress& stress);
 
 }  // namespace signorini

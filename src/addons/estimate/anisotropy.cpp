@@ -1,10 +1,10 @@
-#include "addons/estimate/directions.hpp"
+#include "addons/estimate/anisotropy.hpp"
 
 namespace signorini {
 
 using Eigen::Index;
 
-Eigen::MatrixXd share_of_first_direction(const PrimalAndDuals& fields, const SmoothStress& stress) {
+Eigen::MatrixXd anisotropic_indicator(const PrimalAndDuals& fields, const SmoothStress& stress) {
   const Index n_fields = static_cast<Index>(fields.displacements.size());
   const Index n_rows = stress.value.cols() / n_fields;
   Eigen::MatrixXd shares = Eigen::MatrixXd::Ones(fields.mesh.n_cells(), n_fields - 1);

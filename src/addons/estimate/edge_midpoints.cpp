@@ -1,4 +1,4 @@
-#include "addons/estimate/halved_edges.hpp"
+#include "addons/estimate/edge_midpoints.hpp"
 
 #include <utility>
 
@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 
 }  // namespace
 
-HalvedEdges::HalvedEdges(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved)
+EdgeMidpoints::EdgeMidpoints(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved)
     : mesh_(mesh),
       edges_(edges),
       halved_(std::move(halved)),
@@ -46,7 +46,7 @@ HalvedEdges::HalvedEdges(const Mesh& mesh, const MeshEdges& edges, std::vector<c
   }
 }
 
-Index HalvedEdges::node(const CellSide& side, int place) const {
+Index EdgeMidpoints::node(const CellSide& side, int place) const {
   const Index edge = edges_.at(side);
   const CellSide& first = edges_.sides[at(edge)][0];
   const bool same = first.cell == side.cell && first.side == side.side;
@@ -55,7 +55,7 @@ Index HalvedEdges::node(const CellSide& side, int place) const {
 
 /// Calls visit(number, first, last, xi) for each new node of an edge, which lies between two old ones.
 template <typename Visit>
-void HalvedEdges::visit_new(Index edge, Visit&& visit) const {
+void EdgeMidpoints::visit_new(Index edge, Visit&& visit) const {
   const std::array<Index, 3>& on = on_[at(edge)];
   const std::vector<Index> nodes = mesh_.side_nodes(edges_.sides[at(edge)][0]);
   if (nodes.size() == 2) return visit(on[1], nodes[0], nodes[1], 0.0);
@@ -64,7 +64,7 @@ void HalvedEdges::visit_new(Index edge, Visit&& visit) const {
 }
 
 /// The edges opposite each other, through quadrilaterals, from one of the outline to the other end.
-std::vector<HalvedEdges::Walked> HalvedEdges::chord_from(Index edge) const {
+std::vector<EdgeMidpoints::Walked> EdgeMidpoints::chord_from(Index edge) const {
   std::vector<Walked> chord = {{edge, false}};
   CellSide side = edges_.sides[at(edge)][0];
   while (side.cell >= 0 && mesh_.corners(side.cell) == 4) {
@@ -81,7 +81,7 @@ std::vector<HalvedEdges::Walked> HalvedEdges::chord_from(Index edge) const {
 
 /// How far the outline is off the new nodes of an edge, in walking order; nothing if the edge is inside.
 template <typename Shape>
-std::vector<Vector2d> HalvedEdges::off(const Walked& walked, const Shape& shape) const {
+std::vector<Vector2d> EdgeMidpoints::off(const Walked& walked, const Shape& shape) const {
   std::vector<Vector2d> ways;
   const bool inside = edges_.sides[at(walked.edge)][1].cell >= 0;
   visit_new(walked.edge, [&](Index number, Index first, Index last, double) {
@@ -92,8 +92,8 @@ std::vector<Vector2d> HalvedEdges::off(const Walked& walked, const Shape& shape)
 }
 
 /// Moves the new nodes of a chord off their edges.
-void HalvedEdges::bend(const std::vector<Walked>& chord, const std::vector<Vector2d>& start,
-                       const std::vector<Vector2d>& end) {
+void EdgeMidpoints::bend(const std::vector<Walked>& chord, const std::vector<Vector2d>& start,
+                         const std::vector<Vector2d>& end) {
   const auto middle = [&](const Walked& walked) {
     return SideCurve(mesh_, edges_.sides[at(walked.edge)][0]).point(0);
   };

@@ -11,12 +11,12 @@ namespace signorini {
 
 /// Nodes on halved edges. Those on the outline lie as OutlineShape says; those of a chord between quadrilaterals are
 /// moved off their edges as its two ends are, the more the nearer they are along the chord.
-class HalvedEdges {
+class EdgeMidpoints {
  public:
   /// \param mesh    any; must outlive this
   /// \param edges   of it; must outlive this
   /// \param halved  of each edge, not 0 if it is halved; closed under halving
-  HalvedEdges(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved);
+  EdgeMidpoints(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved);
 
   /// \param side  of a cell \return whether its edge is halved
   [[nodiscard]] bool halves(const CellSide& side) const {
