@@ -116,11 +116,11 @@ TEST_CASE("a point deep in the body is told from one beside it", "[target_search
   const TargetSearch top(block, "top");
   CHECK(top.depth(0) == Approx(0.1).epsilon(1e-14));
   CHECK(top.closest({0.5, 0.95}, {0, -1}).found);
-  CHECK(top.closest({0.5, 0.85}, {0, -1}).buried);
+  CHECK(top.closest({0.5, 0.85}, {0, -1}).inside);
   const Projection beyond = top.closest({0.5, -0.2}, {0, -1});
   CHECK_FALSE(beyond.found);
-  CHECK_FALSE(beyond.buried);
-  CHECK(top.along({0.5, 0.85}, {0, -1}).buried);
+  CHECK_FALSE(beyond.inside);
+  CHECK(top.along({0.5, 0.85}, {0, -1}).inside);
 }
 
 TEST_CASE("triangles are as deep as their third corner", "[target_search]") {
@@ -133,8 +133,8 @@ TEST_CASE("triangles are as deep as their third corner", "[target_search]") {
       const TargetSearch top(mesh, "top");
       CHECK(top.depth(0) == Approx(0.1).epsilon(1e-14));
       CHECK(top.closest({0.5, 0.95}, {0, -1}).found);
-      for (const double y : {0.85, 0.37, 0.33}) CHECK(top.closest({0.5, y}, {0, -1}).buried);
-      CHECK_FALSE(top.closest({0.5, -0.2}, {0, -1}).buried);
+      for (const double y : {0.85, 0.37, 0.33}) CHECK(top.closest({0.5, y}, {0, -1}).inside);
+      CHECK_FALSE(top.closest({0.5, -0.2}, {0, -1}).inside);
     }
   }
 }

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "addons/checks/facing.hpp"
+#include "addons/checks/sides.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/far.hpp"
@@ -71,7 +71,7 @@ bool pair_the_same(const ContactSpec& one, const ContactSpec& two,
 /// Of an obstacle: its normal must point towards the body.
 std::string obstacle_warning(const Obstacle& obstacle, const std::string& what,
                              const Surface& source, const Pairs& pairs) {
-  const Eigen::VectorXd cosine = facing(pairs, source);
+  const Eigen::VectorXd cosine = normal_cosines(pairs, source);
   Index turned = 0;
   const double most = cosine.maxCoeff(&turned);
   constexpr double aside = 1e-6;  // a cosine that says neither
@@ -94,7 +94,7 @@ std::string passage_warning(const std::string& what, const Surface& source, cons
                             const Pairs& pairs) {
   const bool overlap = (pairs.initial_gap.array() < -gap_rounding(pairs)).any();
   if (pairs.unpaired.empty() && !overlap) return "";
-  const PassedNodes passed = passed_nodes(source, target);
+  const PenetratingNodes passed = penetrating_nodes(source, target);
   if (passed.nodes.empty()) return "";
   const Index first = passed.nodes.front();
   return text(what, ": ", passed.nodes.size(), " source nodes lie behind the target, up to ",

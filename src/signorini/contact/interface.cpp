@@ -49,7 +49,7 @@ Interface::Interface(const Surface& source_side, const Surface& target_side,
 Projection Interface::closest(const AnchoredPoint& x, const Vector2d& normal) const {
   const Projection place = search.closest(x, normal);
   const Vector2d at = x.position();
-  if (place.buried)
+  if (place.inside)
     throw ProblemError(
         text(names(*this), ": the point (", at.x(), ", ", at.y(), ") of '", source.mesh.name,
              "' lies inside '", target.mesh.name,

@@ -57,9 +57,9 @@ struct TargetSearch::Query {
   double rounding;
   double nearest = std::numeric_limits<double>::infinity();  ///< smallest distance so far [length]
   std::vector<Candidate> candidates;                         ///< within rounding of the nearest
-  bool buried = false;  ///< whether the point lies in the target
+  bool inside = false;  ///< whether the point lies in the target
   /// How far it lies behind the nearest side that it is too deep for; 0: behind none [length]
-  double behind = 0;
+  double penetration = 0;
   Eigen::Index visits = 0;  ///< boxes that were opened
 
   /// Takes note of a place. \param candidate  dropped unless it is among the nearest
@@ -69,7 +69,9 @@ struct TargetSearch::Query {
     nearest = std::min(nearest, candidate.distance);
   }
   /// Takes note of a side that the point is too deep for. \param distance  from it [length]
-  void pass(double distance) { behind = behind > 0 ? std::min(behind, distance) : distance; }
+  void pass(double distance) {
+    penetration = penetration > 0 ? std::min(penetration, distance) : distance;
+  }
 };
 
 }  // namespace signorini

@@ -30,7 +30,7 @@ bool TargetSearch::next_faces(Index number, int end, const Query& query) const {
   return next >= 0 && faces(side(next).normal(-end), query.normal);
 }
 
-double TargetSearch::foot(Index number, const Query& query) const {
+double TargetSearch::projection(Index number, const Query& query) const {
   const SideCurve& curve = side(number);
   const double xi = curve.closest(query.x);
   const int end = xi < 0 ? -1 : 1;
@@ -38,12 +38,12 @@ double TargetSearch::foot(Index number, const Query& query) const {
   return (curve.point(xi) - curve.point(end)).norm() <= query.rounding ? end : xi;
 }
 
-bool TargetSearch::settle_end(Candidate& candidate, const Query& query) const {
+bool TargetSearch::resolve_end(Candidate& candidate, const Query& query) const {
   const SideCurve& curve = side(candidate.side);
   const int end = candidate.xi < 0 ? -1 : 1;
   if (next_faces(candidate.side, end, query)) {
     candidate.vertex = end;
-    return foot(neighbour(candidate.side, end), query) == -end;  // else it is nearer
+    return projection(neighbour(candidate.side, end), query) == -end;  // else it is nearer
   }
   const Vector2d beyond = normal_beyond(candidate.side, end);
   const Vector2d outwards = end * Vector2d(-beyond.y(), beyond.x());
@@ -59,13 +59,13 @@ bool TargetSearch::settle_end(Candidate& candidate, const Query& query) const {
 
 void TargetSearch::consider(Index number, Query& query) const {
   const SideCurve& curve = side(number);
-  Candidate candidate{number, foot(number, query), 0, 0};
+  Candidate candidate{number, projection(number, query), 0, 0};
   if (!faces(curve.normal(candidate.xi), query.normal)) return;
-  if (std::abs(candidate.xi) == 1 && !settle_end(candidate, query)) return;
+  if (std::abs(candidate.xi) == 1 && !resolve_end(candidate, query)) return;
   const Vector2d arm = query.x - curve.point(candidate.xi);
   candidate.distance = arm.norm();
   if (arm.dot(curve.normal(candidate.xi)) < -depth(number)) {
-    query.buried = query.buried || inside_body(query.x);
+    query.inside = query.inside || inside_body(query.x);
     query.pass(candidate.distance);
     return;
   }
@@ -109,8 +109,8 @@ Projection TargetSearch::chosen(Query& query) const {
   std::vector<Candidate>& all = query.candidates;
   if (all.empty()) {
     Projection none;
-    none.buried = query.buried;
-    none.behind = query.behind;
+    none.inside = query.inside;
+    none.penetration = query.penetration;
     return none;
   }
   std::sort(all.begin(), all.end(),

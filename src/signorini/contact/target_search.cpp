@@ -85,7 +85,7 @@ void TargetSearch::look_along(const SideBox& box, Query& query) const {
     const Vector2d back = query.x - curve.point(xi);
     if (!faces(curve.normal(xi), query.normal)) continue;
     if (back.dot(curve.normal(xi)) < -depth(box.first))
-      query.buried = query.buried || inside_body(query.x);
+      query.inside = query.inside || inside_body(query.x);
     else
       query.add({box.first, xi, back.norm(), 0});
   }
@@ -98,7 +98,7 @@ Projection TargetSearch::along(const AnchoredPoint& x, const Vector2d& normal) c
   const auto first = std::min_element(query.candidates.begin(), query.candidates.end(),
                                       [](const auto& a, const auto& b) { return a.side < b.side; });
   Projection found;
-  found.buried = query.buried;
+  found.inside = query.inside;
   if (first != query.candidates.end()) found = on_side(*first, query);
   found.visits = query.visits;
   return found;

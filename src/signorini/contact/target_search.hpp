@@ -19,9 +19,9 @@ struct Projection {
   AnchoredPoint point = {0, 0};                      ///< the place
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit vector out of the target [-]
   double gap = 0;                                    ///< (x - point) . normal [length], overlap < 0
-  bool buried = false;  ///< not found: x lies inside the target body, deeper than the cell it faces
+  bool inside = false;  ///< not found: x lies inside the target body, deeper than the cell it faces
   /// Not found: how far x lies behind a side that faces it, more than the cell is deep; else 0 [length]
-  double behind = 0;
+  double penetration = 0;
   Eigen::Index visits = 0;  ///< boxes and sides looked at, for those who count the cost
 };
 
@@ -87,8 +87,8 @@ class TargetSearch {
   [[nodiscard]] Eigen::Index neighbour(Eigen::Index number, int end) const;
   [[nodiscard]] Eigen::Vector2d normal_beyond(Eigen::Index number, int end) const;
   [[nodiscard]] bool next_faces(Eigen::Index number, int end, const Query& query) const;
-  [[nodiscard]] double foot(Eigen::Index number, const Query& query) const;
-  [[nodiscard]] bool settle_end(Candidate& candidate, const Query& query) const;
+  [[nodiscard]] double projection(Eigen::Index number, const Query& query) const;
+  [[nodiscard]] bool resolve_end(Candidate& candidate, const Query& query) const;
   [[nodiscard]] Projection at_vertex(Eigen::Index number, int end, const Query& query) const;
   [[nodiscard]] Projection on_side(const Candidate& best, const Query& query) const;
   [[nodiscard]] Projection chosen(Query& query) const;

@@ -1,4 +1,4 @@
-#include "addons/checks/facing.hpp"
+#include "addons/checks/sides.hpp"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace signorini {
 
 using Eigen::Index;
 
-Eigen::VectorXd facing(const Pairs& pairs, const Surface& source) {
+Eigen::VectorXd normal_cosines(const Pairs& pairs, const Surface& source) {
   const std::vector<SideCurve> sides = side_curves(source.mesh, source.boundary);
   const std::map<Index, NodeOnSide> on_side = nodes_on_sides(sides);
   Eigen::VectorXd cosine(pairs.normal.rows());
@@ -20,15 +20,15 @@ Eigen::VectorXd facing(const Pairs& pairs, const Surface& source) {
   return cosine;
 }
 
-PassedNodes passed_nodes(const Surface& source, const Surface& target) {
+PenetratingNodes penetrating_nodes(const Surface& source, const Surface& target) {
   const std::vector<SideCurve> sides = side_curves(source.mesh, source.boundary);
   const TargetSearch search(target.mesh, target.boundary);
-  PassedNodes passed;
+  PenetratingNodes passed;
   for (const auto& [number, node] : nodes_on_sides(sides)) {
     const Projection place = search.closest(source.mesh.nodes.row(number).transpose(), node.normal);
-    if (place.found || place.buried || place.behind == 0) continue;
+    if (place.found || place.inside || place.penetration == 0) continue;
     passed.nodes.push_back(number);
-    passed.farthest = std::max(passed.farthest, place.behind);
+    passed.farthest = std::max(passed.farthest, place.penetration);
   }
   return passed;
 }

@@ -13,10 +13,10 @@ namespace signorini {
 /// \param source  the boundary they are on
 /// \return `n_c` cosine of the angle between the normals of both sides: -1 face to face, 1 if both look the
 ///   same way [-]
-[[nodiscard]] Eigen::VectorXd facing(const Pairs& pairs, const Surface& source);
+[[nodiscard]] Eigen::VectorXd normal_cosines(const Pairs& pairs, const Surface& source);
 
 /// Nodes that lie behind a target.
-struct PassedNodes {
+struct PenetratingNodes {
   std::vector<Eigen::Index> nodes;  ///< of the source, by number
   double farthest = 0;  ///< how far behind the target the farthest of them lies [length]
 };
@@ -27,6 +27,6 @@ struct PassedNodes {
 /// \param target  the boundary that may be touched (master)
 /// \return none in a scene that is meant well, unless the source reaches around the target
 /// \throws ProblemError if there is no such boundary
-[[nodiscard]] PassedNodes passed_nodes(const Surface& source, const Surface& target);
+[[nodiscard]] PenetratingNodes penetrating_nodes(const Surface& source, const Surface& target);
 
 }  // namespace signorini
