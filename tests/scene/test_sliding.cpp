@@ -66,8 +66,8 @@ bool tells(const Solution& solution) {
   return false;
 }
 
-Slid only(const Solved& all) {
-  return slid(
+SlidingChange only(const Solved& all) {
+  return sliding_changes(
              all.model, all.condensed, [] { return 0.0; }, all.solution)
       .front();
 }
@@ -91,12 +91,13 @@ TEST_CASE("rows along tangents are the rows along normals, turned", "[sliding][f
   }
 }
 
-TEST_CASE("the force that slid() tells is that on the source, whichever body comes first",
-          "[sliding]") {
+TEST_CASE(
+    "the force that sliding_changes() tells is that on the source, whichever body comes first",
+    "[sliding]") {
   for (const bool swapped : {false, true}) {
     Scene scene = on_base(0.5 * edge, 0.01);
     if (swapped) std::swap(scene.contacts[0].source, std::get<Side>(scene.contacts[0].target));
-    const Slid one = only(solved(scene));
+    const SlidingChange one = only(solved(scene));
     CAPTURE(swapped);
     REQUIRE(one.new_force);
     CHECK(one.moves);
@@ -151,8 +152,8 @@ TEST_CASE("the force where a block has moved to over a disc is foreseen", "[slid
     scene.contacts[0].small_sliding = true;
     const Solved all = solved(scene);
     const Solved there = solved(ironed(0, down, round, edges * edge));
-    const Slid foreseen = only(all);
-    const Slid true_end = only(there);
+    const SlidingChange foreseen = only(all);
+    const SlidingChange true_end = only(there);
     const double change = (true_end.force - foreseen.force).norm() / foreseen.normal;
     REQUIRE(foreseen.new_force);
     CHECK((*foreseen.new_force - true_end.force).norm() <= 0.1 * change * true_end.normal);
@@ -188,7 +189,7 @@ TEST_CASE("of uneven edges the pair that slid by most of its own is told", "[sli
       if (all.solution.contact.force(pair) > 0 &&
           (most < 0 || slip(pair) / own_edge(pair) > slip(most) / own_edge(most)))
         most = pair;
-    const Slid one = only(all);
+    const SlidingChange one = only(all);
     CAPTURE(bend);
     CHECK(one.pair == most);
     CHECK(one.edge == Approx(own_edge(most)).epsilon(1e-12));
@@ -199,7 +200,7 @@ TEST_CASE("a change is by the force as solved, also where it grows", "[sliding]"
   Scene scene = ironed(edge, 0.01, hole({0, 4}, 4));
   scene.contacts[0].small_sliding = true;
   const Solved all = solved(scene);
-  const Slid one = only(all);
+  const SlidingChange one = only(all);
   REQUIRE(one.new_force);
   REQUIRE(one.new_force->y() > 1.05 * one.force.y());
   CHECK(one.change * all.solution.contact.force.sum() >= (*one.new_force - one.force).norm());
@@ -208,8 +209,8 @@ TEST_CASE("a change is by the force as solved, also where it grows", "[sliding]"
 TEST_CASE("past the end of a target the force is that of what is still on it", "[sliding]") {
   Scene scene = on_base(2.5 * edge, 0.01, "mortar", 1.5);  // the base ends where the iron does
   scene.contacts[0].small_sliding = true;
-  const Slid one = only(solved(scene));
-  const Slid true_end = only(solved(on_base(0, 0.01, "mortar", 1.5 + 2.5 * edge)));
+  const SlidingChange one = only(solved(scene));
+  const SlidingChange true_end = only(solved(on_base(0, 0.01, "mortar", 1.5 + 2.5 * edge)));
   REQUIRE(one.new_force);
   CHECK(one.new_force->y() == Approx(true_end.force.y()).epsilon(0.02));
 }
@@ -219,7 +220,8 @@ TEST_CASE("past an edge a solution is none, unless the contact says so", "[slidi
     Scene scene = on_base(edges * edge, 0.01);
     const Solution usual = solved(scene).solution;
     CAPTURE(edges, usual.contact.reason);
-    CHECK(usual.contact.report.status == (edges > 1 ? SolveStatus::Slid : SolveStatus::Solved));
+    CHECK(usual.contact.report.status ==
+          (edges > 1 ? SolveStatus::SlidTooFar : SolveStatus::Solved));
     if (edges < 0.25) CHECK_FALSE(tells(usual));
     if (edges > 1) {
       CHECK_THAT(usual.contact.reason, ContainsSubstring("contact iron.bottom on base.top") &&
@@ -240,7 +242,7 @@ TEST_CASE("load steps end before a pair is past its edge in total", "[sliding][s
   scene.bodies[0].supports[0].history = "drag";
   scene.path = Path{equal_steps(10), {proportional("drag")}};
   const PathEnd end = solve_steps(scene);
-  CHECK(end.status == SolveStatus::Slid);
+  CHECK(end.status == SolveStatus::SlidTooFar);
   // At 0.4 the top has moved by 0.8 edges; at 0.5 by one, and the transverse strain takes the outer pairs further.
   CHECK(end.state.time == Approx(0.4).epsilon(1e-12));
   CHECK(end.halvings == 0);

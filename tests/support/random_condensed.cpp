@@ -168,7 +168,7 @@ Verdict verdict(const RandomCondensed& problem, const ContactState& state) {
     case SolveStatus::Jump:
     case SolveStatus::IterationLimit:
     case SolveStatus::Breakdown:
-    case SolveStatus::Slid:
+    case SolveStatus::SlidTooFar:
       break;
   }
   return Verdict::Failed;

@@ -36,7 +36,7 @@ Outcome ending(const Solution& solution) {
       return Outcome::Limit;
     case SolveStatus::Feasible:
     case SolveStatus::Breakdown:
-    case SolveStatus::Slid:
+    case SolveStatus::SlidTooFar:
       break;
   }
   return Outcome::Breakdown;

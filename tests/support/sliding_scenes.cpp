@@ -331,7 +331,7 @@ SlidingTrial try_sliding(std::uint64_t seed) {
   SlidingScene drawn = sliding_scene(seed);
   SlidingTrial trial;
   const Paired usual = as_paired(drawn.scene);
-  trial.refused = usual.end == SolveStatus::Slid;
+  trial.refused = usual.end == SolveStatus::SlidTooFar;
   trial.noted = !trial.refused && !usual.notes.empty();
   drawn.scene.contacts[0].small_sliding = true;
   const Paired paired = as_paired(drawn.scene);

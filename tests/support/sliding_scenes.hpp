@@ -30,7 +30,7 @@ struct SlidingTrial {
   /// By how much the force and the sum of the normal forces differ at most, in any step, over that sum with pairs that stay
   /// [-]; infinite if there is none
   double change = 0;
-  bool refused = false;  ///< whether the scene ends as `Slid`
+  bool refused = false;  ///< whether the scene ends as `SlidTooFar`
   bool noted = false;    ///< whether it is solved, with a note on its sliding
 };
 

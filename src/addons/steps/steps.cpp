@@ -264,7 +264,7 @@ PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const Step
         if (reach >= held) return ended(std::move(end));
         reach = std::min(target, held);
         halved = 0;
-      } else if (end.status == SolveStatus::Slid) {
+      } else if (end.status == SolveStatus::SlidTooFar) {
         return ended(std::move(end));  // no shorter way leads there
       } else if (end.limit && !known) {
         held = *end.limit - margin;

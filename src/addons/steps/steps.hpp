@@ -101,7 +101,7 @@ void set_time(double time, Model& model);
 void check_state(const PathState& state, Model& model);
 
 /// Goes along the path of a scene. A step that is not solved is tried half as long, and again, as often as the path
-/// allows; then the path ends there, with the last state that was good. A step that is `Slid` is not halved and ends it.
+/// allows; then the path ends there, with the last state that was good. A step that is `SlidTooFar` is not halved and ends it.
 ///
 /// Loads beyond what friction can hold are followed to their limit. If it is proved that nothing balances the loads of a
 /// step, the next one goes as far as they can be balanced, less 1e-10 of the step. Without a proof, after the halvings,

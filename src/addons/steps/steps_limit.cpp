@@ -94,7 +94,7 @@ Solution solve_to_limit(const Scene& scene, const Model& model, const Condensed&
                         Ledger ledger) {
   Solution solution = solve(model, condensed, std::move(ledger));
   const SolveStatus status = solution.contact.report.status;
-  if (status == SolveStatus::Solved || status == SolveStatus::Slid || solution.limit)
+  if (status == SolveStatus::Solved || status == SolveStatus::SlidTooFar || solution.limit)
     return solution;
   if (std::none_of(scene.contacts.begin(), scene.contacts.end(), has_friction)) return solution;
   const PathEnd end = solve_steps(grown(scene));

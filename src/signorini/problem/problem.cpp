@@ -38,7 +38,7 @@ const char* to_string(SolveStatus status) {
       return "iteration limit";
     case SolveStatus::Breakdown:
       return "breakdown";
-    case SolveStatus::Slid:
+    case SolveStatus::SlidTooFar:
       return "slid too far";
   }
   return "unknown";

@@ -109,7 +109,7 @@ enum class SolveStatus {
   IterationLimit,  ///< stopped by the limit on iterations
   Breakdown,       ///< a system the method needs is singular to working precision
   Jump,            ///< pairs close only without their cohesion and open only with it; as for a ray
-  Slid  ///< all conditions hold, but pairs have slid too far for them to be those of the bodies
+  SlidTooFar  ///< all conditions hold, but pairs have slid too far for them to be those of the bodies
 };
 
 /// A status in words.

@@ -54,9 +54,9 @@ VectorXd opened(const MovedPairs& there, const VectorXd& linear, const VectorXd&
 /// Finds in each contact the pair that carries a force and slid farthest in edges.
 /// \param none  up to which force a pair carries none [force]
 void find_farthest(const VectorXd& slip, const VectorXd& edge, const VectorXd& force, double none,
-                   const std::vector<std::size_t>& contact_of, std::vector<Slid>& all) {
+                   const std::vector<std::size_t>& contact_of, std::vector<SlidingChange>& all) {
   for (Index pair = 0; pair < force.size(); ++pair) {
-    Slid& one = all[contact_of[static_cast<std::size_t>(pair)]];
+    SlidingChange& one = all[contact_of[static_cast<std::size_t>(pair)]];
     const double far = std::abs(slip(pair));
     if (force(pair) <= none) continue;
     if (one.pair >= 0 && far * one.edge <= one.slip * edge(pair)) continue;
@@ -69,7 +69,7 @@ void find_farthest(const VectorXd& slip, const VectorXd& edge, const VectorXd& f
 /// Finds the contacts of which a row or a gap is another where the bodies have moved to.
 /// \param opens  gaps there less the linear ones [length]
 void find_moving(const Model& model, const VectorXd& u, const VectorXd& opens,
-                 const MovedPairs& there, std::vector<Slid>& all) {
+                 const MovedPairs& there, std::vector<SlidingChange>& all) {
   const NodalRows turn = there.opening - model.pairs.opening;
   const double rounding = gap_rounding(model.pairs) + 16 * epsilon * u.cwiseAbs().maxCoeff();
   for (Index pair = 0; pair < opens.size(); ++pair)
@@ -93,7 +93,7 @@ class Comparison {
     contact_of_.insert(contact_of_.end(), there.fresh_contact.begin(), there.fresh_contact.end());
   }
 
-  void tell(std::size_t contact, Slid& one) const {
+  void tell(std::size_t contact, SlidingChange& one) const {
     const BodyModel& source = model_.bodies[model_.contact_bodies[contact].source];
     const PairForces before = of_contact(old_, model_.contact_of, contact);
     const VectorXd nodal = on_nodes(model_.pairs.opening, before);
@@ -113,7 +113,8 @@ class Comparison {
   }
 
  private:
-  static void compare(const VectorXd& before, const VectorXd& after, double new_normal, Slid& one) {
+  static void compare(const VectorXd& before, const VectorXd& after, double new_normal,
+                      SlidingChange& one) {
     const double most = std::max(one.normal, new_normal);
     if (most > 0) {
       const double turned = (*one.new_force - one.force).norm();
@@ -138,23 +139,25 @@ VectorXd slips(const Model& model, const std::vector<NodeArray>& displacements) 
   return turned(model.pairs.opening) * all_displacements(model, displacements);
 }
 
-std::vector<Slid> slid(const Model& model, const Condensed& condensed,
-                       const std::function<double()>& none, const Solution& solution) {
-  std::vector<Slid> all(model.contacts.size());
+std::vector<SlidingChange> sliding_changes(const Model& model, const Condensed& condensed,
+                                           const std::function<double()>& none,
+                                           const Solution& solution) {
+  std::vector<SlidingChange> all(model.contacts.size());
   const VectorXd u = all_displacements(model, solution.displacements);
   const MovedPairs there =
       model.follow(model, Eigen::Map<const NodeArray>(u.data(), u.size() / 2, 2));
   const VectorXd slip = slips(model, solution.displacements);
   const VectorXd opens = opened(there, model.pairs.opening * u, slip);
   find_moving(model, u, opens, there, all);
-  if (std::none_of(all.begin(), all.end(), [](const Slid& one) { return one.moves; })) return all;
+  if (std::none_of(all.begin(), all.end(), [](const SlidingChange& one) { return one.moves; }))
+    return all;
   const ContactState& contact = solution.contact;
   find_farthest(slip, there.edge, contact.force, none(), model.contact_of, all);
   // A pair that moved by a share of its edge hands on that share of its force to other nodes, which give way otherwise.
-  const bool near =
-      there.fresh_gap.size() == 0 && std::all_of(all.begin(), all.end(), [](const Slid& one) {
-        return one.slip <= noted_change * one.edge;
-      });
+  const bool near = there.fresh_gap.size() == 0 &&
+                    std::all_of(all.begin(), all.end(), [](const SlidingChange& one) {
+                      return one.slip <= noted_change * one.edge;
+                    });
   const ContactState now = near ? forces_nearby(condensed, u, opens, contact)
                                 : forces_there(model, condensed, there, u, opens, contact);
   const Comparison comparison(model, there, contact, now);

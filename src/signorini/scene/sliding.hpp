@@ -20,7 +20,7 @@ namespace signorini {
 constexpr double noted_change = 0.025;
 
 /// What the pairs of one contact would do where the bodies have moved to.
-struct Slid {
+struct SlidingChange {
   Eigen::Index pair =
       -1;  ///< of those that carry forces, the one that slid farthest; -1: none carries any
   double slip = 0;  ///< of it [length], >= 0
@@ -50,7 +50,9 @@ struct Slid {
 /// \param none       says up to which force a pair carries none that matters [force]
 /// \param solution   of it, Solved
 /// \return of each contact
-[[nodiscard]] std::vector<Slid> slid(const Model& model, const Condensed& condensed,
-                                     const std::function<double()>& none, const Solution& solution);
+[[nodiscard]] std::vector<SlidingChange> sliding_changes(const Model& model,
+                                                         const Condensed& condensed,
+                                                         const std::function<double()>& none,
+                                                         const Solution& solution);
 
 }  // namespace signorini

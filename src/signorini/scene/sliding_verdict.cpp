@@ -11,7 +11,7 @@ namespace {
 constexpr double noted_way = 0.25;
 
 /// How far the pairs of a contact have slid, and what that makes of its force.
-std::string in_words(const Model& model, const Slid& one) {
+std::string in_words(const Model& model, const SlidingChange& one) {
   std::string words = "its pairs are those of the meshes as they are";
   if (one.pair >= 0) {
     const auto at = model.pairs.position.row(one.pair);
@@ -31,9 +31,9 @@ std::string in_words(const Model& model, const Slid& one) {
 void judge_sliding(const Model& model, const Condensed& condensed,
                    const std::function<double()>& none, Solution& solution) {
   if (!model.follow || solution.contact.force.size() == 0) return;
-  const std::vector<Slid> all = slid(model, condensed, none, solution);
+  const std::vector<SlidingChange> all = sliding_changes(model, condensed, none, solution);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const Slid& one = all[k];
+    const SlidingChange& one = all[k];
     const bool past = one.moves && one.slip > one.edge && one.elsewhere > noted_change;
     const bool aside = one.moves && one.slip > noted_way * one.edge && one.elsewhere > noted_way;
     if (!past && !aside && one.change <= noted_change) continue;
@@ -44,7 +44,7 @@ void judge_sliding(const Model& model, const Condensed& condensed,
           words, ". Take smaller movements, or move the meshes near to where they come to stand"));
       continue;
     }
-    solution.contact.report.status = SolveStatus::Slid;
+    solution.contact.report.status = SolveStatus::SlidTooFar;
     solution.contact.reason =
         text(words,
              ". Move the meshes near to where they come to stand, or, if the force may act where "

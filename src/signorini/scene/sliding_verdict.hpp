@@ -7,7 +7,7 @@
 
 namespace signorini {
 
-/// Looks at how far the pairs of a solution have slid: adds notes, or withdraws it as `Slid`.
+/// Looks at how far the pairs of a solution have slid: adds notes, or withdraws it as `SlidTooFar`.
 /// \param model      that was solved
 /// \param condensed  from condense() of it
 /// \param none       says up to which force a pair carries none that matters [force]

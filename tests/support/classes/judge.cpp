@@ -39,7 +39,7 @@ std::string judge(const Instance& instance, const Report& report, bool must,
     case SolveStatus::Jump:
     case SolveStatus::IterationLimit:
     case SolveStatus::Breakdown:
-    case SolveStatus::Slid:
+    case SolveStatus::SlidTooFar:
       if (!must || instance.expected == SolveStatus::Breakdown ||
           (report.status == SolveStatus::Ray && instance.may_be_ray))
         return {};
