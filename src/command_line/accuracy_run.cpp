@@ -20,7 +20,7 @@ namespace {
 
 using namespace signorini;
 
-/// A number above 0 that is the whole of a word; nothing if the word is none.
+/// A number above 0 that is the whole of a word; nothing if the word is not a number.
 std::optional<double> positive(const std::string& word) {
   double value = 0;
   const char* const end = word.data() + word.size();

@@ -21,7 +21,7 @@ struct Launch {
   int size = 1;  ///< how many there are
 };
 
-/// \return what Open MPI or the process manager of MPICH says; one process where nobody says anything
+/// \return what Open MPI or the process manager of MPICH says; one process if neither says anything
 Launch launched();
 
 /// Of a process that is not number 0: works for that one. What goes wrong here process 0 says.

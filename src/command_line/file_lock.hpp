@@ -5,7 +5,7 @@
 namespace command_line {
 
 /// Keeps other runs from writing a file: a lock of the system on an empty file beside it, `.NAME.lock`. The system takes
-/// it back when a run ends, however it ends, so an empty file that a killed run has left stops nobody.
+/// it back when a run ends, however it ends, so an empty file that a killed run has left stops no other run.
 class FileLock {
  public:
   /// \param file  that will be written

@@ -70,8 +70,8 @@ std::vector<Outcome> solve_all(const signorini::TwoSidedProgramme& programme,
 /// Whether the outcomes amount to a solution.
 /// \param outcomes  of one problem
 /// \param convex    whether "infeasible" is a proof, so that it contradicts a solution
-/// \return an accepted solution exists, nobody called solved what the certificate refutes, and
-///   nobody proved the contrary
+/// \return an accepted solution exists, no method called solved what the certificate refutes, and
+///   no method proved the contrary
 bool is_solved(const std::vector<Outcome>& outcomes, bool convex);
 
 /// \param outcomes  of one problem

@@ -21,13 +21,13 @@ const Stage& condensing();
 const Stage& solving();
 
 /// When a stage is overdue: ten times its forecast. Where the iterations of contact are not known, one of them counts.
-/// Of what takes less than two seconds nobody wants to hear.
+/// A stage that takes less than two seconds is not reported.
 /// \param stage       of the run
 /// \param prediction  of the run
 /// \return seconds after its beginning
 double overdue_after(const Stage& stage, const signorini::Prediction& prediction);
 
-/// What is said then: the stage, how long it has taken, the forecast, and what helps.
+/// The message: the stage, how long it has taken, the forecast, and what helps.
 /// \param stage       of the run
 /// \param plan        of the run; its bodies may be gone
 /// \param prediction  of the plan

@@ -45,7 +45,7 @@ class Progress {
   const char* back_ = taking_back();
 };
 
-/// The plan as build() wants it. What is large, and nobody looks at any more, leaves the other one.
+/// The plan for build(). Large members that are not read any more are moved out of the other plan.
 Plan taken_out(Plan& plan) {
   std::vector<BodyModel> bodies = std::exchange(plan.bodies, {});
   Unknowns unknowns = std::exchange(plan.unknowns, {});

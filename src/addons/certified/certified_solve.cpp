@@ -18,7 +18,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Smaller movements and resultants check_problem() refuses.
+/// check_problem() refuses smaller movements and resultants.
 constexpr double smallest_movement = 0x1p-340;
 constexpr double smallest_resultant = 0x1p-170;
 

@@ -1,5 +1,5 @@
 /// \file
-/// What is said of how a scene ended.
+/// Messages about how the run of a scene ended.
 #pragma once
 #include <string>
 

@@ -30,7 +30,7 @@ struct Carried {
 [[nodiscard]] Eigen::VectorXd movement_rounding(const QuadraticProgramme& programme,
                                                 const PrimalDual& solution);
 
-/// A solution of a programme; a movement is none if it is at most as many roundings as check_signs() allows.
+/// A solution of a programme; a movement counts as zero if it is at most as many roundings as check_signs() allows.
 /// \param programme  A and g, slips in the last rows of A
 /// \param solution   u and the forces of all rows
 /// \param law        of the frictional pairs
@@ -54,7 +54,7 @@ struct Carried {
 /// basis of \f$ A^T \Delta f = 0 \f$, are found by elimination: a column depends on those before it if what is left
 /// of it is at most certificate_tolerance of the largest term that made it. Exchanges that have a pair in common
 /// belong together, and for each of these groups every force is driven to both ends by Polyhedron. A slack that is at
-/// most certificate_tolerance of the largest force is none.
+/// most certificate_tolerance of the largest force counts as zero.
 ///
 /// A pair with cohesion that touches and is open counts as open: closing it changes its bound.
 /// \param carried  a solution

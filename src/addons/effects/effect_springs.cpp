@@ -18,7 +18,7 @@ bool on_springs(const Body& body) {
   return std::any_of(body.springs.begin(), body.springs.end(), resists);
 }
 
-/// A rigid motion that a spring resists, however little, is none: its rows go into K.
+/// A rigid motion that a spring resists, however little, is not free: the rows of the spring go into K.
 void declare_springs(const Scene& scene, Plan& draft) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];

@@ -42,7 +42,7 @@ double left_by(const Estimate& estimate) {
 }
 
 /// What the estimates overlook, as the last change of the value shows it: by how much it is beyond what both allow for.
-/// What was overlooked falls no faster than unknowns grow: it is not forgotten at once.
+/// The saturation falls no faster than the number of unknowns grows.
 double saturation_since(const AccuracyRound& last, const AccuracyRound& now) {
   const double change = std::abs(now.value - last.value);
   const double allowed = last.of_estimate + now.of_estimate;
@@ -207,7 +207,7 @@ class Loop {
                        });
   }
 
-  /// Whether all but the misfit of a reading is small enough, and a finer mesh has not halved that.
+  /// Whether all errors but the model error are small enough, and a finer mesh has not halved the model error.
   [[nodiscard]] bool reads_what_is_not_there(double target) const {
     const std::vector<AccuracyRound>& rounds = run_.rounds;
     const AccuracyRound& now = rounds.back();

@@ -69,7 +69,7 @@ struct AccurateSolution {
 /// size of the error of the answer is the sum of the sizes of the parts of the estimate. That of a peak or a width has no sign:
 /// there the answer is the value on the mesh, and its error up to twice the estimate. But if the answer has changed
 /// from the mesh before by more than both allow for, it is no less than what is beyond that, and in each later
-/// round no less than what it was for that before by the growth of the unknowns; nor is it less than the misfit of a reading.
+/// round no less than what it was for that before by the growth of the unknowns; nor is it less than the model error.
 ///
 /// Meshes too coarse for an estimate, see marks_where_coarse(), are refined before anything is estimated. From then
 /// on each cell's share of the error falls to the chords that cross it, see chords(): halving a chord leaves a quarter

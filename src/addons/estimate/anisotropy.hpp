@@ -7,7 +7,7 @@
 
 namespace signorini {
 
-/// How much of a cell's part of error_products() is for want of cells along its sides 0 and 2, rather than along 1 and 3:
+/// Which share of a cell's part of error_products() more cells along its sides 0 and 2 would remove, not along 1 and 3:
 /// by how the recovered stresses of both fields vary that way, corner to corner.
 /// \param fields  u, then one or more z
 /// \param stress  recovered() of them

@@ -1,5 +1,5 @@
 /// \file
-/// How wrong the answer is for want of a finer mesh: an estimate of the error of named goals, from one solution.
+/// The error of discretisation: an estimate of the error of named goals, from one solution.
 #pragma once
 #include <Eigen/Core>
 #include <optional>

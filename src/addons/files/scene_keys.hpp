@@ -83,7 +83,7 @@ struct LayerDraft {
 [[nodiscard]] const Keys<Output>& output_keys();
 
 /// Reads `[[history]]`. \param value  of the key \param draft  gets the histories
-/// \throws ProblemError for a table that is none, or a name that another has
+/// \throws ProblemError for a value that is not a table, or a name that another has
 void read_histories(const Value& value, SceneDraft& draft);
 /// Reads `[[steps]]`, after `[[history]]`. \param value  of the key \param draft  gets the path
 /// \throws ProblemError for a step of size zero or a value of a history that has a table

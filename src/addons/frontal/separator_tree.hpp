@@ -32,7 +32,7 @@ struct SeparatorTree {
 /// one of its ends. What counts is the cut with the least s / (l r), for s unknowns between l and r. Unknowns
 /// with the same neighbours, as the two of a node mostly are, stay together.
 /// \param matrix     `n x n` compressed, symmetric pattern, both triangles
-/// \param positions  `n x 2` where each unknown is [length]; empty if nobody knows
+/// \param positions  `n x 2` where each unknown is [length]; empty if they are not known
 /// \return each unknown once; the same tree in all units of length
 /// \throws std::invalid_argument if sizes differ or the matrix is not compressed
 [[nodiscard]] SeparatorTree separator_tree(const Eigen::SparseMatrix<double>& matrix,

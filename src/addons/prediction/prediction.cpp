@@ -49,7 +49,7 @@ std::string method_of(const Plan& plan) {
   return why + "; certified from K, p, A, g";
 }
 
-/// Why nobody knows how many iterations contact takes; empty if it is known.
+/// Why the number of contact iterations is not known beforehand; empty if it is known.
 std::string why_not_counted(const Plan& plan) {
   if (plan.gaps.A.rows() == 0) return "";
   std::string why;

@@ -14,7 +14,7 @@ namespace signorini {
 inline constexpr const char* all_phases = "all phases";
 /// The same: a load step after the first.
 inline constexpr const char* later_step = "a later step";
-/// What is said of a phase that nobody knows how often it goes round.
+/// The count of a phase whose number of iterations is not known beforehand.
 inline constexpr const char* one_iteration = "seconds of one iteration";
 
 /// How a figure of a prediction is meant.

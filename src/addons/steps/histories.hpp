@@ -12,7 +12,7 @@ namespace signorini {
 /// linked with all of the library, signorini::signorini, need not.
 void register_load_steps();
 
-/// Refuses a history that is none. \param history  any
+/// Checks a history. \param history  any
 /// \throws ProblemError unless its times are finite and increase and it has as many finite values
 void check_history(const History& history);
 

@@ -22,7 +22,8 @@ struct Stiffness {
       matrix;  ///< K `n x n` compressed, both triangles [force/length]
   /// A `n_c x n` whose compliance will be asked for [-]
   const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows;
-  std::function<NodeArray()> positions = {};  ///< tells where unknowns are; empty if nobody knows
+  std::function<NodeArray()> positions =
+      {};  ///< tells where unknowns are; empty if they are not known
   /// Names an unknown in messages; empty if there is no more to say than its number.
   std::function<std::string(Eigen::Index)> describe = {};
   /// Unknowns, each once, that a spring as stiff as their diagonal entry holds besides.

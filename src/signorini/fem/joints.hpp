@@ -39,7 +39,7 @@ struct MeshPiece {
 /// \return in the order of cells and their sides
 [[nodiscard]] std::vector<CellSide> outer_sides(const Mesh& mesh);
 
-/// A node that lies on an outer side, but is none of its nodes.
+/// A node that lies on an outer side without being one of its nodes.
 struct LooseNode {
   Eigen::Index node;   ///< its number
   CellSide side;       ///< that it lies on

@@ -9,7 +9,7 @@
 
 namespace signorini {
 
-/// What a certificate lets pass [-]: a larger figure refutes a solution, and what is at most so large is none.
+/// What a certificate lets pass [-]: a larger figure refutes a solution, a smaller one counts as zero.
 constexpr double certificate_tolerance = 1e-12;
 
 /// How far a claimed solution is from satisfying each condition, made free of units; 0 is perfect.

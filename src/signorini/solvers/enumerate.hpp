@@ -1,5 +1,5 @@
 /// \file
-/// Tries every set of closed pairs: slow, and beyond doubt.
+/// Tries every set of closed pairs: slow, and certain.
 #pragma once
 #include "signorini/problem/problem.hpp"
 
