@@ -30,7 +30,8 @@ SolveStatus chapter(const ProgramOptions& run) {
 
   // 2. Exactly: rows 3 and 4 are tight on a line, from whose points the last step ends at (1, 1, 1).
   const auto [next, delta, end] = last_step(q, exact::along({1, 1, 1}, {1, 50}, {6, 3, -1}));
-  const exact::Rest held = close(q, rows_with(q, end, 0), q.p);  // the forces that hold the end
+  const exact::Rest held =
+      solve_active_set(q, rows_with(q, end, 0), q.p);  // the forces that hold the end
   const exact::Rest best = closest(q, {0, 1, 2, 3}, q.p);
   Table table({"", "u", "energy", "forces of the rows"});
   table.row({"(33)", text_of(next.u), energy(q, next.u).text(), text_of(next.force)});

@@ -92,7 +92,7 @@ void Panel::points(const std::string& label, const VectorXd& x, const VectorXd& 
   }
 }
 
-void Panel::statuses(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact) {
+void Panel::motions(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact) {
   for (const bool slide : {false, true}) {
     const std::vector<Index> at = closed_pairs(contact, slide);
     if (!at.empty())

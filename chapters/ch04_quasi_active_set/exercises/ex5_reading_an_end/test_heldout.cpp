@@ -28,7 +28,7 @@ TEST_CASE("ex4.5 held out: what (33) violates, and by how much", "[ex4.5]") {
 TEST_CASE("ex4.5 held out: the end and the optimum", "[ex4.5]") {
   const Answers mine = answers();
   const exact::Vector end = {1, 1, 1};
-  const exact::Rest held = close(q, rows_with(q, end, 0), q.p);
+  const exact::Rest held = solve_active_set(q, rows_with(q, end, 0), q.p);
   const exact::Rest best = closest(q, {0, 1, 2, 3}, q.p);
   for (std::size_t i = 0; i < 4; ++i) {
     CAPTURE(i);
