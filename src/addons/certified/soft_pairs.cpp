@@ -23,7 +23,7 @@ constexpr Index last_few = 3;
 constexpr double harder = 0.5;
 constexpr double softer = 4;
 
-/// Exchanges from where an attempt stands. \param report  gets them added
+/// Exchanges from where an iterate stands. \param report  gets them added
 Iterate exchanged(const ScaledProblem& problem, const Iterate& from, Index limit, Report& report) {
   Iterate next{from.solution, from.statuses, {}};
   primal_dual_iterations(problem, limit, next);

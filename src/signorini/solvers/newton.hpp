@@ -28,7 +28,7 @@ struct Iterate {
 /// The state where a method ended.
 /// \param problem  as it was posed
 /// \param scaled   the same, equilibrated
-/// \param attempt  the end
+/// \param iterate  the end
 /// \return the state, `Solved` if the end was confirmed; with friction with its uniqueness()
 [[nodiscard]] ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
                                     Iterate iterate);
@@ -42,8 +42,8 @@ struct Iterate {
 /// kept if it is a solution.
 /// \param problem  scaled
 /// \param form     of the law of friction
-/// \param limit    on the iterations in `attempt.report`
-/// \param[in,out] attempt  where to start, and where it ended
+/// \param limit    on the iterations in `iterate.report`
+/// \param[in,out] iterate  where to start, and where it ended
 void follow_newton(const ScaledProblem& problem, const Formulation& form, Eigen::Index limit,
                    Iterate& iterate);
 
@@ -60,7 +60,7 @@ inline constexpr Eigen::Index newton_limit = 25;
 /// stay closed.
 /// \param problem  scaled
 /// \param limit    on the exchanges
-/// \param[in,out] attempt  where to start, and where it ended
+/// \param[in,out] iterate  where to start, and where it ended
 void primal_dual_iterations(const ScaledProblem& problem, Eigen::Index limit, Iterate& iterate);
 
 /// Exchanges with friction if the caller sets no limit.
@@ -72,13 +72,13 @@ inline constexpr Eigen::Index exchange_limit = 50;
 /// is halved where primal_dual_iterations() settles, and four times as large where it does not. Where soft pairs no longer
 /// change, primal_dual_iterations() may end it.
 /// \param problem  scaled
-/// \param[in,out] attempt  where to start; its report is continued, the rest is kept unless this is the end
+/// \param[in,out] iterate  where to start; its report is continued, the rest is kept unless this is the end
 void follow_soft_pairs(const ScaledProblem& problem, Iterate& iterate);
 
 /// Follows Lemke's path through all kinds of contact, see lemke().
 /// \param problem  scaled
 /// \param options  of each path
-/// \param[in,out] attempt  its report is continued
+/// \param[in,out] iterate  its report is continued
 void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, Iterate& iterate);
 
 }  // namespace signorini
