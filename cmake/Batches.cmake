@@ -1,11 +1,11 @@
 # Files that are compiled as one: what they all include is read once.
 
 # The sources of a folder of the library, at most ten files at a time.  These stay alone: the table of a family, because a program may be
-# linked with one of its own; backend.cpp, because it is compiled with a definition of its own, cmake/Backends.cmake; and the factorisations
+# linked with one of its own; registered.cpp, which the linker is asked for by name; backend.cpp, because it is compiled with a definition of its own, cmake/Backends.cmake; and the factorisations
 # of Eigen, because they take longest.
 function(signorini_unity_batches)
   foreach(source IN LISTS ARGN)
-    if(source MATCHES "/(elements|gap_operators|solver_table|effects|backends|backend|core/dense[a-z_]*)\\.cpp$")
+    if(source MATCHES "/(elements|gap_operators|solver_table|effects|backends|backend|registered|core/dense[a-z_]*)\\.cpp$")
       continue()
     endif()
     get_filename_component(folder ${source} DIRECTORY)

@@ -45,8 +45,8 @@ foreach(dir IN LISTS folders)
       set(library yardsticks ${library})
     endif()
   endforeach()
-  if("signorini_scene" IN_LIST library OR "signorini_steps" IN_LIST library)  # the effects and the back end of its scenes
-    list(APPEND library signorini_families)
+  if("signorini_scene" IN_LIST library)  # the effects and the back end of its scenes
+    list(APPEND library signorini_effects signorini_frontal)
   endif()
   target_link_libraries(${name} PRIVATE ${library})
   add_library(${name}_alone OBJECT EXCLUDE_FROM_ALL ${programs})

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "addons/certified/shared_forces.hpp"
 #include "addons/files/problem_file.hpp"
 #include "signorini/problem/certificate.hpp"
+#include "signorini/problem/shared_forces.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace command_line {

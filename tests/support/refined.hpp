@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "addons/certified/iterative_refinement.hpp"
+#include "signorini/problem/iterative_refinement.hpp"
 #include "signorini/scene/rigid_modes.hpp"
 
 namespace signorini_test {

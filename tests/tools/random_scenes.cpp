@@ -1,12 +1,14 @@
 // Solves random scenes and counts what became of them.
 // Run:  random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]
-// KIND is frictionless, frictional, varied, revolved, triangles, paths or any, SOLVER a name or `default`; seeds that end in
+// KIND is frictionless, frictional, varied, revolved, triangles, paths or any, SOLVER a name, `default`, or `plain` for the default
+// without the add-on certified; seeds that end in
 // a named OUTCOME are listed with their scenes. Ends with 1 if a scene ended as none may.
 // With the OUTCOME `motions` there is one line per seed: how it ended, the bits of its numbers, the motions of its pairs.
 #include <algorithm>
 #include <iostream>
 #include <map>
 
+#include "signorini/scene/ways.hpp"
 #include "support/random_outcomes.hpp"
 
 using namespace signorini_test;
@@ -25,7 +27,9 @@ int main(int argc, char** argv) try {
                                                      {"paths", RandomScenes::Paths},
                                                      {"any", RandomScenes::Any}};
   const RandomScenes kind = kinds.at(word);
-  const std::string solver = argv[2] == std::string("default") ? "" : argv[2];
+  if (argv[2] == std::string("plain")) signorini::set_solve(signorini::solve_plainly);
+  const bool usual = argv[2] == std::string("default") || argv[2] == std::string("plain");
+  const std::string solver = usual ? "" : argv[2];
   const std::uint64_t first = std::stoull(argv[3]);
   const std::uint64_t count = std::stoull(argv[4]);
   std::array<std::uint64_t, n_outcomes> counts{};

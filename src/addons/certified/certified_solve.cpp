@@ -265,16 +265,7 @@ void CertifiedSolve::conclude() {
   ContactState& state = end_.state;
   if (end_.certificate.holds()) {
     if (!confirmed_) read_off();
-    PrimalDual pressing = end_.solution;  // what is negative is of rounding size
-    pressing.force.head(problem_.free_gap.size()) =
-        pressing.force.head(problem_.free_gap.size()).cwiseMax(0.0);
-    if (pressing.force != end_.solution.force) {
-      const Certificate certificate = certify(programme_, pressing, problem_.law);
-      if (certificate.holds()) {
-        end_.solution = std::move(pressing);
-        end_.certificate = certificate;
-      }
-    }
+    drop_tension(programme_, problem_.law, end_);
     end_.force_uncertainty = force_uncertainty(data_, kept_, end_.solution, statuses_);
     state.report.status = SolveStatus::Solved;
     state.reason.clear();
@@ -296,17 +287,7 @@ void CertifiedSolve::conclude() {
     state.reason =
         "the method ended without a solution, and what the pairs did last does not fit the data";
   if (statuses_.empty() && kept_.movement.size() == 0) return;
-  const Index pairs = problem_.free_gap.size();
-  const Index slips = kept_.movement.size() - pairs;
-  state.force = end_.solution.force.head(pairs);
-  state.friction = end_.solution.force.tail(slips);
-  state.gap = kept_.movement.head(pairs);
-  state.slip = kept_.movement.tail(slips);
-  state.active = closed_pairs(statuses_);
-  state.frictional_pairs = problem_.law.pair;
-  for (const Index pair : problem_.law.pair)
-    state.contact_status.push_back(statuses_[static_cast<std::size_t>(pair)]);
-  name_slides(problem_.law, state);
+  fill_state(problem_.law, statuses_, end_.solution.force, kept_.movement, state);
 }
 
 }  // namespace

@@ -2,36 +2,14 @@
 /// From a condensed programme to a certified solution.
 #pragma once
 #include <Eigen/Core>
-#include <functional>
-#include <vector>
 
-#include "addons/certified/iterative_refinement.hpp"
 #include "addons/certified/known_forces.hpp"
-#include "signorini/core/ledger.hpp"
-#include "signorini/solvers/solvers.hpp"
+#include "signorini/solvers/refined_solve.hpp"
 
 namespace signorini {
 
-/// A programme with the displacements eliminated, and the way back.
-struct CondensedProgramme {
-  const ContactProblem& problem;             ///< F, d, s, law, R, r
-  const Eigen::VectorXd& free_displacement;  ///< u0 = K^-1 p `n` [length]
-  /// K^-1 applied to a vector [force] -> [length]; with rigid modes that of the grounded K
-  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> solve_stiffness;
-  /// The same for unknowns that no entry of K joins with others, of load and displacement of these alone, at a cost that does
-  /// not grow with the others; without it, or if it returns nothing, solve_stiffness is asked with no other load
-  std::function<std::function<Eigen::VectorXd(const Eigen::VectorXd&)>(
-      const std::vector<Eigen::Index>&)>
-      solve_part = {};
-};
-
-/// What certified_solve() found. Unless `state.report.status` is Solved, the numbers are those of the best set that could
-/// be refined, or empty if none could.
-struct CertifiedSolution {
-  PrimalDual solution;  ///< u in two parts, and the forces of all rows of A
-  /// The same forces, gaps, slips and amplitudes, what the pairs do, and the report
-  ContactState state;
-  Certificate certificate = uncertified();  ///< of `solution`, from the original data
+/// What certified_solve() found.
+struct CertifiedSolution : RefinedEnd {
   ForceUncertainty force_uncertainty = {};  ///< of a solution, from force_uncertainty()
 };
 

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "addons/certified/iterative_refinement.hpp"
 #include "signorini/core/alignment.hpp"
+#include "signorini/problem/iterative_refinement.hpp"
 
 namespace signorini {
 

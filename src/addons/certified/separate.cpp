@@ -131,12 +131,12 @@ CertifiedSolution separate_solutions(const QuadraticProgramme& programme,
   }
   ContactState& state = whole.state;
   if (!complete) {
-    ContactState none;
-    none.report = std::move(state.report);
-    none.reason = std::move(state.reason);
-    none.farkas_certificate = std::move(state.farkas_certificate);
-    none.unbounded_direction = std::move(state.unbounded_direction);
-    return {{}, std::move(none)};
+    CertifiedSolution none;
+    none.state.report = std::move(state.report);
+    none.state.reason = std::move(state.reason);
+    none.state.farkas_certificate = std::move(state.farkas_certificate);
+    none.state.unbounded_direction = std::move(state.unbounded_direction);
+    return none;
   }
   std::sort(state.active.begin(), state.active.end());
   state.frictional_pairs = condensed.problem.law.pair;

@@ -110,15 +110,6 @@ void measure(const Carried& carried, const FreeForces& free, SharedForces& group
 
 }  // namespace
 
-double SharedForces::width() const {
-  double most = 0;
-  for (const ForceRange& range : forces) {
-    const double width = range.high - range.low;
-    most = std::max(most, std::isnan(width) ? std::numeric_limits<double>::infinity() : width);
-  }
-  return most;
-}
-
 std::vector<SharedForces> undetermined_forces(const Carried& carried, double work) {
   const Index rows = carried.force.size();
   const Index pairs = static_cast<Index>(carried.statuses.size());

@@ -5,8 +5,8 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "addons/certified/shared_forces.hpp"
 #include "signorini/problem/certificate.hpp"
+#include "signorini/problem/shared_forces.hpp"
 
 namespace signorini {
 

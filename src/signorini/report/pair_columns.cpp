@@ -6,7 +6,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/scene/sliding.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace signorini {
 namespace {

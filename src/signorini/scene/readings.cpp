@@ -83,4 +83,30 @@ BoundaryForces boundary_forces(const SolvedScene& run, const Side& side) {
           boundary_weights(own.mesh, side.boundary, depth_of(own.material))};
 }
 
+NodalRows turned(const NodalRows& opening) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index row = 0; row < opening.rows(); ++row)
+    for (NodalRows::InnerIterator it(opening, row); it; ++it) {
+      const bool along_x = it.col() % 2 == 0;
+      entries.emplace_back(static_cast<int>(row),
+                           static_cast<int>(along_x ? it.col() + 1 : it.col() - 1),
+                           along_x ? -it.value() : it.value());
+    }
+  NodalRows rows(opening.rows(), opening.cols());
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+Eigen::VectorXd all_displacements(const Model& model, const std::vector<NodeArray>& displacements) {
+  Eigen::VectorXd all(2 * count_nodes(model.bodies));
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    all.segment(2 * model.bodies[b].first_node, displacements[b].size()) =
+        Eigen::Map<const Eigen::VectorXd>(displacements[b].data(), displacements[b].size());
+  return all;
+}
+
+Eigen::VectorXd slips(const Model& model, const std::vector<NodeArray>& displacements) {
+  return turned(model.pairs.opening) * all_displacements(model, displacements);
+}
+
 }  // namespace signorini

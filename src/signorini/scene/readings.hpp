@@ -78,4 +78,22 @@ struct BoundaryForces {
 /// \throws ProblemError if there is no such boundary
 [[nodiscard]] BoundaryForces boundary_forces(const SolvedScene& run, const Side& side);
 
+/// Rows along the tangents (n_y, -n_x) of rows along normals n, as `sliding` has them.
+/// \param opening  `n_c x 2 n_nodes`, as in Pairs
+/// \return `n_c x 2 n_nodes`
+[[nodiscard]] NodalRows turned(const NodalRows& opening);
+
+/// How far the points of all sources have slid along the places that they face, from the displacements alone.
+/// \param model          of them
+/// \param displacements  `n_nodes x 2` of each body [length]
+/// \return `n_c` along the tangent [length], as the slip of ContactState
+[[nodiscard]] Eigen::VectorXd slips(const Model& model,
+                                    const std::vector<NodeArray>& displacements);
+
+/// \param model          of them
+/// \param displacements  `n_nodes x 2` of each body [length]
+/// \return `2 n_nodes` of all bodies, one below the other [length]
+[[nodiscard]] Eigen::VectorXd all_displacements(const Model& model,
+                                                const std::vector<NodeArray>& displacements);
+
 }  // namespace signorini

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "addons/certified/shared_forces.hpp"
 #include "signorini/contact/pairs.hpp"
 #include "signorini/core/ledger.hpp"
 #include "signorini/fem/assembly.hpp"
@@ -15,6 +14,7 @@
 #include "signorini/fem/free_motions.hpp"
 #include "signorini/fem/joints.hpp"
 #include "signorini/problem/certificate.hpp"
+#include "signorini/problem/shared_forces.hpp"
 #include "signorini/scene/path.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 

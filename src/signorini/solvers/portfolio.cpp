@@ -8,13 +8,6 @@
 namespace signorini {
 namespace {
 
-/// Whether a method ended without a word on the problem itself, so that another one may do better.
-bool lost(const ContactState& state) {
-  const SolveStatus status = state.report.status;
-  return status == SolveStatus::Breakdown || status == SolveStatus::IterationLimit ||
-         status == SolveStatus::Ray;
-}
-
 /// Puts the runs so far before a claim.
 ContactState after(Report report, ContactState claim) {
   append(report, claim.report);
@@ -23,6 +16,12 @@ ContactState after(Report report, ContactState claim) {
 }
 
 }  // namespace
+
+bool lost(const ContactState& state) {
+  const SolveStatus status = state.report.status;
+  return status == SolveStatus::Breakdown || status == SolveStatus::IterationLimit ||
+         status == SolveStatus::Ray;
+}
 
 ContactState solve(const ContactProblem& problem, const Solver& solver,
                    const SolverOptions& options) {

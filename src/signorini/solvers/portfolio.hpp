@@ -19,4 +19,8 @@ namespace signorini {
 [[nodiscard]] ContactState solve(const ContactProblem& problem, const Solver& solver,
                                  const SolverOptions& options = {});
 
+/// \param state  where a method ended
+/// \return whether it has no word on the problem itself, so that another one may do better
+[[nodiscard]] bool lost(const ContactState& state);
+
 }  // namespace signorini

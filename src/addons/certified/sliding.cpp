@@ -1,14 +1,15 @@
-#include "signorini/scene/sliding.hpp"
+#include "addons/certified/sliding.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 
+#include "addons/certified/moved_forces.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/moved_forces.hpp"
+#include "signorini/scene/readings.hpp"
 
 namespace signorini {
 namespace {
@@ -16,14 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-VectorXd all_displacements(const Model& model, const std::vector<NodeArray>& displacements) {
-  VectorXd all(2 * count_nodes(model.bodies));
-  for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    all.segment(2 * model.bodies[b].first_node, displacements[b].size()) =
-        Eigen::Map<const VectorXd>(displacements[b].data(), displacements[b].size());
-  return all;
-}
 
 PairForces of_contact(PairForces forces, const std::vector<std::size_t>& contact_of,
                       std::size_t contact) {
@@ -134,10 +127,6 @@ class Comparison {
 };
 
 }  // namespace
-
-VectorXd slips(const Model& model, const std::vector<NodeArray>& displacements) {
-  return turned(model.pairs.opening) * all_displacements(model, displacements);
-}
 
 std::vector<SlidingChange> sliding_changes(const Model& model, const Condensed& condensed,
                                            const std::function<double()>& none,

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <utility>
 
+#include "addons/certified/moved_forces.hpp"
+#include "addons/certified/sliding.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/follow.hpp"
-#include "signorini/scene/moved_forces.hpp"
-#include "signorini/scene/sliding.hpp"
 #include "support/paths.hpp"
 #include "support/random_scenes.hpp"
 #include "support/sliding_scenes.hpp"

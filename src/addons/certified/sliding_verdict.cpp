@@ -1,7 +1,7 @@
-#include "signorini/scene/sliding_verdict.hpp"
+#include "addons/certified/sliding_verdict.hpp"
 
+#include "addons/certified/sliding.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/scene/sliding.hpp"
 
 namespace signorini {
 namespace {

@@ -1,10 +1,11 @@
-#include "signorini/scene/moved_forces.hpp"
+#include "addons/certified/moved_forces.hpp"
 
 #include "addons/certified/solve_with_proofs.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/scene/rigid_modes.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
@@ -49,20 +50,6 @@ PairForces pair_forces(const ContactState& contact) {
   for (std::size_t k = 0; k < contact.frictional_pairs.size(); ++k)
     forces.shear(contact.frictional_pairs[k]) = contact.friction(static_cast<Index>(k));
   return forces;
-}
-
-NodalRows turned(const NodalRows& opening) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index row = 0; row < opening.rows(); ++row)
-    for (NodalRows::InnerIterator it(opening, row); it; ++it) {
-      const bool along_x = it.col() % 2 == 0;
-      entries.emplace_back(static_cast<int>(row),
-                           static_cast<int>(along_x ? it.col() + 1 : it.col() - 1),
-                           along_x ? -it.value() : it.value());
-    }
-  NodalRows rows(opening.rows(), opening.cols());
-  rows.setFromTriplets(entries.begin(), entries.end());
-  return rows;
 }
 
 VectorXd on_nodes(const NodalRows& opening, const PairForces& forces) {

@@ -17,11 +17,6 @@ struct PairForces {
 /// \return its forces
 [[nodiscard]] PairForces pair_forces(const ContactState& contact);
 
-/// Rows along the tangents (n_y, -n_x) of rows along normals n, as `sliding` has them.
-/// \param opening  `n_c x 2 n_nodes`, as in Pairs
-/// \return `n_c x 2 n_nodes`
-[[nodiscard]] NodalRows turned(const NodalRows& opening);
-
 /// \param opening  `n_c x 2 n_nodes`, as in Pairs
 /// \param forces   of its pairs
 /// \return `2 n_nodes` what they do to the nodes [force]

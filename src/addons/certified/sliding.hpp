@@ -37,13 +37,6 @@ struct SlidingChange {
   std::string lost = {};  ///< why its pairs face nothing there; empty if some do
 };
 
-/// How far the points of all sources have slid along the places that they face, from the displacements alone.
-/// \param model          of them
-/// \param displacements  `n_nodes x 2` of each body [length]
-/// \return `n_c` along the tangent [length], as the slip of ContactState
-[[nodiscard]] Eigen::VectorXd slips(const Model& model,
-                                    const std::vector<NodeArray>& displacements);
-
 /// Finds the pairs of a solution again where the bodies have moved to.
 /// \param model      that was solved
 /// \param condensed  from condense() of it

@@ -3,6 +3,9 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace signorini {
@@ -23,7 +26,14 @@ struct SharedForces {
   Eigen::SparseMatrix<double> exchanges;
 
   /// \return the largest high - low; infinite if a range is, or was not looked for
-  [[nodiscard]] double width() const;
+  [[nodiscard]] double width() const {
+    double most = 0;
+    for (const ForceRange& range : forces) {
+      const double width = range.high - range.low;
+      most = std::max(most, std::isnan(width) ? std::numeric_limits<double>::infinity() : width);
+    }
+    return most;
+  }
 };
 
 }  // namespace signorini

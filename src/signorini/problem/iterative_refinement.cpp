@@ -1,4 +1,4 @@
-#include "addons/certified/iterative_refinement.hpp"
+#include "signorini/problem/iterative_refinement.hpp"
 
 #include <algorithm>
 #include <cmath>

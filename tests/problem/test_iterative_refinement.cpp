@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "addons/certified/iterative_refinement.hpp"
 #include "catch_compat.hpp"
 #include "signorini/core/dense.hpp"
+#include "signorini/problem/iterative_refinement.hpp"
 #include "support/refined.hpp"
 
 using Eigen::Index;

@@ -1,0 +1,62 @@
+/// \file
+/// How a condensed model is solved: the way of the library, and the place where an add-on puts its own.
+#pragma once
+#include <stdexcept>
+
+#include "signorini/scene/solution.hpp"
+#include "signorini/solvers/refined_solve.hpp"
+
+namespace signorini {
+
+/// The signature of solve() of a condensed model.
+using SolveCondensed = Solution (*)(const Model& model, const Condensed& condensed,
+                                    const Solver& solver, Ledger ledger,
+                                    const SolverOptions& options);
+
+/// The way of the library: refined_solve(), and what readers want of its end.
+/// \param model      from build()
+/// \param condensed  from condense() of it
+/// \param solver     a member of its family that takes friction where pairs have friction
+/// \param ledger     goes on in the solution, with the phases `contact`, `refinement`, `recovery`
+/// \param options    handed to the solver
+/// \return the solution
+/// \throws as solve()
+[[nodiscard]] Solution solve_plainly(const Model& model, const Condensed& condensed,
+                                     const Solver& solver, Ledger ledger,
+                                     const SolverOptions& options);
+
+/// Puts another way in the place of solve_plainly(), for all that solve() is asked from now on. A program does so at its
+/// beginning. \param another  the way of an add-on
+void set_solve(SolveCondensed another);
+
+/// \param condensed  from condense(); must outlive what is returned
+/// \param ledger     counts the operations of every solve; must outlive it too
+/// \return the condensed problem, and how to solve with K
+[[nodiscard]] CondensedProgramme condensed_programme(const Condensed& condensed, Ledger& ledger);
+
+/// Refuses numbers for which solvers blame their caller: here they are those of the scene.
+/// \param problem  condensed
+/// \throws ProblemError unless check_finite() takes it
+void check_numbers(const ContactProblem& problem);
+
+/// Runs a method, and lets check_numbers() say what it blames its caller for.
+/// \param problem  condensed
+/// \param method   without arguments
+/// \return what it returns
+template <typename Method>
+auto in_these_units(const ContactProblem& problem, Method&& method) {
+  try {
+    return method();
+  } catch (const std::invalid_argument&) {
+    check_numbers(problem);
+    throw;
+  }
+}
+
+/// Makes of refined numbers what readers want: pressures, displacements of the bodies, the balance of the certificate, and notes.
+/// \param model    of them
+/// \param refined  u and forces
+/// \param[in,out] solution  with its state and certificate
+void recover(const Model& model, PrimalDual refined, Solution& solution);
+
+}  // namespace signorini
