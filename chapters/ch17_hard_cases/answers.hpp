@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "addons/certified/dense_programme.hpp"
-#include "addons/certified/programme_rows.hpp"
 #include "addons/files/problem_file.hpp"
 #include "addons/files/scene_file.hpp"
 #include "addons/steps/steps_limit.hpp"

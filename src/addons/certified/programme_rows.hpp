@@ -4,17 +4,11 @@
 #include <Eigen/Core>
 
 #include "signorini/core/dense.hpp"
-#include "signorini/core/errors.hpp"
 #include "signorini/problem/active_set_factor.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/problem.hpp"
 
 namespace signorini {
-
-/// What is wrong with a K that is only semidefinite where the equations hold, or less.
-struct NotDefinite : ProblemError {
-  using ProblemError::ProblemError;
-};
 
 /// A dense programme, the factor of its K, and gaps relative to a solution that is known already.
 ///
