@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The rows of a dense programme as a basis of closed rows needs them: condensed one by one, on demand.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What the methods for all kinds of contact share: where they start, Newton's steps, and the exact end.
 #pragma once
