@@ -1,4 +1,4 @@
-# cmake --install: library, program, headers, and the files that make find_package(signorini CONFIG) work.
+# cmake --install: library, program, the headers of src/public, and the files that make find_package(signorini CONFIG) work.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/signorini)
@@ -9,9 +9,20 @@ if(TARGET signorini_backends)
   install(TARGETS signorini_backends)
 endif()
 install(FILES ${PROJECT_BINARY_DIR}/signorini.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-foreach(folder signorini meshes closed_form papers addons)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/${folder} DESTINATION include/signorini FILES_MATCHING PATTERN "*.hpp")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/public)
+file(STRINGS ${PROJECT_SOURCE_DIR}/src/public public_headers REGEX "^[a-z]")
+set(each_alone "")  # a source for each header that includes nothing else
+foreach(header IN LISTS public_headers)
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/src/${header} DESTINATION include/signorini/${folder})
+  list(APPEND each_alone ${PROJECT_BINARY_DIR}/headers_alone/${header}.cpp)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/headers_alone/${header}.cpp CONTENT "#include \"${header}\"\n")
 endforeach()
+if(PROJECT_IS_TOP_LEVEL)
+  add_library(headers_alone OBJECT EXCLUDE_FROM_ALL ${each_alone})
+  target_link_libraries(headers_alone PRIVATE signorini::core signorini_warnings)
+  target_compile_options(headers_alone PRIVATE -fsyntax-only)
+endif()
 install(EXPORT signoriniTargets NAMESPACE signorini:: DESTINATION ${package_dir})
 string(JOIN ", " components ${signorini_folders})
 file(WRITE ${PROJECT_BINARY_DIR}/signoriniConfig.cmake

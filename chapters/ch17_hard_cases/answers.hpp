@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "addons/certified/dense_programme.hpp"
-#include "addons/certified/programme_rows.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
 #include "addons/files/problem_file.hpp"
 #include "addons/files/scene_file.hpp"

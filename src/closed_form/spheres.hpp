@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Thick hollow spheres under pressure, and two spheres pressed together.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// A graded core in the corner of a quarter plane with layers of cells around it.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Friction with two unknowns per slip, u+ and u-: as in Lin et al., and so that it works.
 #pragma once

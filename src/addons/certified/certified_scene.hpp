@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Scenes by certified_solve(), with all that can be said of the end.
 #pragma once

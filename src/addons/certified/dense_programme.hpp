@@ -5,11 +5,17 @@
 #include <vector>
 
 #include "signorini/core/dense.hpp"
+#include "signorini/core/errors.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/problem.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
+
+/// What is wrong with a K that is only semidefinite where the equations hold, or less.
+struct NotDefinite : ProblemError {
+  using ProblemError::ProblemError;
+};
 
 /// A dense programme with the displacements, and the forces of the equations, eliminated.
 struct DenseCondensed {
@@ -24,8 +30,8 @@ struct DenseCondensed {
 /// \param programme  K, p, A, g
 /// \return factor, small problem and u0
 /// \throws std::invalid_argument if sizes do not fit or a number is not finite
-/// \throws ProblemError if K is not positive definite to rounding where the equations hold, or if the
-///   equations contradict each other
+/// \throws NotDefinite if K is not positive definite to rounding where the equations hold
+/// \throws ProblemError if the equations contradict each other
 [[nodiscard]] DenseCondensed condense(const DenseProgramme& programme);
 
 /// A solution of a dense programme. Unless `report.status` is Solved, u and lambda are the last ones;

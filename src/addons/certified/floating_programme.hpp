@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Dense programmes with a singular stiffness whose null vectors are known: bodies that float.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The forces of a solution that may change, and which of them can be exchanged for each other.
 #pragma once

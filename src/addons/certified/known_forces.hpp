@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// How well the forces of a solution are known: a certificate speaks of residuals, this of errors.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What pairs do to the nodes, in the meshes and where the bodies have moved to.
 #pragma once

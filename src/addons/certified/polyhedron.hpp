@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// How far a linear function goes over a polyhedron of which a point is known.
 #pragma once

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "addons/certified/dense_programme.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/triangular.hpp"

@@ -1,20 +1,15 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The rows of a dense programme as a basis of closed rows needs them: condensed one by one, on demand.
 #pragma once
 #include <Eigen/Core>
 
 #include "signorini/core/dense.hpp"
-#include "signorini/core/errors.hpp"
 #include "signorini/problem/active_set_factor.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/problem.hpp"
 
 namespace signorini {
-
-/// What is wrong with a K that is only semidefinite where the equations hold, or less.
-struct NotDefinite : ProblemError {
-  using ProblemError::ProblemError;
-};
 
 /// A dense programme, the factor of its K, and gaps relative to a solution that is known already.
 ///

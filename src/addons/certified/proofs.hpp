@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What can be proved about a condensed problem: that nothing solves it, or that one solution is all.
 #pragma once

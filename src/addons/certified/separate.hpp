@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Systems that nothing connects go down the road one by one.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// How far the pairs of a solution have slid, and whether they are still those of the bodies.
 ///

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Whether a solution that takes sliding for small can be meant.
 #pragma once

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "signorini/core/rounding.hpp"
+#include "signorini/solvers/iterate.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {

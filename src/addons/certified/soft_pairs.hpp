@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Pairs that give way, where the exchange of all wrong pairs at once runs in circles.
 #pragma once

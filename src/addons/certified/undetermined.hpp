@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Which forces of a solution are not determined by it: a certificate holds for others as well.
 #pragma once

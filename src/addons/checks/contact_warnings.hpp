@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Contacts that cannot be meant, or seldom are.
 #pragma once

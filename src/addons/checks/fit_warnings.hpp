@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Gaps that straight edges make, or that end up closed, over lengths that are seldom meant.
 #pragma once

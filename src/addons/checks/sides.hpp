@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// How the two sides of a contact stand to each other, for warnings.
 #pragma once

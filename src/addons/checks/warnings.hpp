@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What is legal but seldom meant: notes of a plan and of a solution, and errors that do not lose them.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// How two sides fit before anything moves: what the effects "adjusted gaps" and "interference" have the effect
 /// "contact" do. The lengths are those of the meshes, so this comes before supports move anything.

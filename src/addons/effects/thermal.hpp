@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What warm bodies do: strains that nothing hinders.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Where the curve that an outline follows leaves the sides of cells, and by how much.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What lies between neighbouring pairs of a contact.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Where contact ends: a mesh puts its end at a node, and goals notice.
 #pragma once

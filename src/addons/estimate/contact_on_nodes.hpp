@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Pressures and normals of contact on the nodes of a body.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The dual solution of a goal: what each load, and each initial gap, counts for it.
 #pragma once

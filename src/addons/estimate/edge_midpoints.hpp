@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The nodes that edges get where they are halved.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The edges of a mesh, each once, and which of them can only be halved together.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What elements and recovered stresses differ by, weighed by a dual solution.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Sides that touch are refined together where they are curved.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Displacements of one body, and what its eigenstrain makes of their strains.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The next meshes of a scene: marked edges are halved, once and again, as long as the meshes can be solved.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Goals as they are written on a command line, and the goal that is meant if none is.
 #pragma once

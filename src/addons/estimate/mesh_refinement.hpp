@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Finer meshes from coarse ones, everywhere or in parts.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What the sides of cells cut off a curved outline, or add to it, and what that counts for goals.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The line that the outline of a body follows between its nodes.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Pressures along one contact, as a fit of an ellipse and a second moment read them.
 #pragma once

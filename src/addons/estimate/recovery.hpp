@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Smooth stresses from those of the elements: what they differ by measures what a mesh is too coarse for.
 #pragma once

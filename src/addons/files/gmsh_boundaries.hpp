@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// From the lines of a Gmsh file to the boundaries of its bodies.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Lines of a Gmsh file, and the physical groups that it names.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What a mesh file of Gmsh says, in its own numbers; read_gmsh() makes meshes of it.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// JSON documents, for programs that read what a program of this book says.
 #pragma once

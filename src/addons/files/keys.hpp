@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Tables of keys: what a key is called, what it must hold and how it is read, in one line each.
 #pragma once

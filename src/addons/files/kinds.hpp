@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Things of several kinds, each kind with keys of its own: meshes and rigid obstacles.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What a file is that is no mesh file of Gmsh.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Problems as Siconos writes them: complementarity problems and plane friction problems.
 #pragma once

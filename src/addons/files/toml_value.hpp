@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The values of a TOML text, each with the line that it stands in.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The back ends of this program: who factors K. To add one: write a `.cpp` with a function of its name that returns it, and
 /// put that name into the table in backends.cpp; one that needs another library lives in `src/backends/`, and

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What the patterns of K and A tell of a plan: its systems, its fronts, and the way of its rows through them.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// How long this machine takes for some cells of every body, just now.
 #pragma once

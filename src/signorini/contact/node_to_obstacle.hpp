@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The gaps between the nodes of one boundary and a rigid obstacle.
 #pragma once

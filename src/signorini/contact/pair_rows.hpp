@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Pairs of points of the source with places of the target, written as gaps, normals and rows of N and S.
 #pragma once

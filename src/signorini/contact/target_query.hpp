@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What TargetSearch keeps in mind while it looks for the place that a point faces.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Open families: tables of members that are found by their names.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Indices of matrices as places in standard containers.
 #pragma once

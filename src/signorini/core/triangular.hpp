@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Triangular solves with one right-hand side, for matrices so small that a call costs more than they do.
 #pragma once

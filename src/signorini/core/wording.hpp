@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Words of people in messages: as they can be shown, and what may have been meant.
 #pragma once

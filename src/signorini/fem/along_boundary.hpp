@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Integrals along a boundary, and what forces add up to.
 #pragma once

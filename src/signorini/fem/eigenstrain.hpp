@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Strains that need no stress at the strain points of cells, and the nodal forces that stand for them.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// How far a mesh lies from the origin, and what its coordinates have lost to rounding there.
 #pragma once

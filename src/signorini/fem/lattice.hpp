@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The pattern behind every generator: cells in rows and columns, bent into place.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The triangular factor of the closed pairs' compliance, grown and shrunk pair by pair.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Gap rows as an updated factor needs them: condensed when they are asked for.
 #pragma once

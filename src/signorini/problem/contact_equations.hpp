@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Contact as a system of nonlinear equations, whose part for friction can be written in several ways.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Which columns of a sparse matrix depend on each other, and how.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Residuals of many equations at once in about twice the working precision.
 #pragma once

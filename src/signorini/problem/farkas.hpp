@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The proof that gaps contradict each other, from a set of pairs.
 #pragma once

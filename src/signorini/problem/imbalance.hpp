@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What forces out of balance amount to, unknown by unknown.
 #pragma once

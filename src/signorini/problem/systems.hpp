@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The systems of a programme that nothing connects: each is a problem of its own, with its own units of size.
 #pragma once

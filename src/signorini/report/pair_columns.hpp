@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What is known of every pair of a solution: the columns of every table and file that lists pairs.
 #pragma once

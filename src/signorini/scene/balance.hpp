@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Whether the resultants that are told are those of the forces that were certified.
 #pragma once

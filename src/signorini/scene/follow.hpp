@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The pairs of a scene: found in the meshes as they are, and found again where bodies have moved to.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Rigid modes of a sparse programme: from K, p, A and g to the floating problem.
 #pragma once

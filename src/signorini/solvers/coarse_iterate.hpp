@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// A start for primal_dual_active_set() where many pairs overlap.
 #pragma once

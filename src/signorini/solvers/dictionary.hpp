@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The equations of complementary pivoting, solved for one basis after the other.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Dual active sets, in groups or one pair at a time, independent of how the gap rows are known.
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Where the methods for all kinds of contact start, and how they end.
 #pragma once

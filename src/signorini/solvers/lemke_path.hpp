@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Friction and rigid modes as one linear complementarity problem, for lemke().
 #pragma once

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Newton's method for contact equations, with a line search and an exact end.
 #pragma once

@@ -1,10 +1,12 @@
 /// \file
 /// The primal-dual active set method, which is a semi-smooth Newton method.
 #pragma once
-#include "signorini/solvers/iterate.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
+
+struct Iterate;
+struct ScaledProblem;
 
 /// Solves a contact problem by exchanging all wrong pairs at once.
 ///
