@@ -1,9 +1,9 @@
 #include <utility>
 
-#include "addons/checks/warnings.hpp"
 #include "signorini/core/bytes.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
+#include "signorini/scene/notes.hpp"
 
 namespace signorini {
 namespace {

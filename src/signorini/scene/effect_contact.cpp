@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "addons/checks/contact_warnings.hpp"
-#include "addons/checks/fit_warnings.hpp"
 #include "addons/effects/fit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/checks.hpp"
+#include "signorini/scene/contact_input.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/follow.hpp"
 #include "signorini/scene/motions.hpp"
@@ -54,10 +54,8 @@ void declare_contact(const Scene& scene, Plan& draft) {
     const std::string what = describe(draft.bodies, contact);
     Pairs found = pair_up(contact, draft.bodies, sliding);
     const Eigen::VectorXd gap = found.initial_gap;
-    for (std::string& note : contact_warnings(contact, draft.bodies, found))
-      draft.notes.push_back(std::move(note));
-    std::string sag = sag_warning(contact, draft.bodies, found);
-    if (!sag.empty()) draft.notes.push_back(std::move(sag));
+    check_obstacle_side(contact, draft.bodies, found);
+    ask_checks(draft.notes, &Check::contact, contact, draft.bodies, found);
     const std::string fitted = fit(contact, found);
     const Gaps gaps =
         reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what, directions);

@@ -9,8 +9,6 @@
 #include "addons/certified/end_words.hpp"
 #include "addons/certified/proofs.hpp"
 #include "addons/certified/undetermined.hpp"
-#include "addons/checks/fit_warnings.hpp"
-#include "addons/checks/warnings.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -18,7 +16,9 @@
 #include "signorini/problem/systems.hpp"
 #include "signorini/scene/balance.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/checks.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/notes.hpp"
 #include "signorini/scene/rigid_modes.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/scene/sliding_verdict.hpp"
@@ -127,11 +127,8 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   solution.displacements = displacements_of_bodies(model, refined.displacement);
   solution.refined = std::move(refined);
   if (solution.contact.report.status != SolveStatus::Solved) return;
-  for (std::string& note : solution_warnings(model, solution))
-    solution.notes.push_back(std::move(note));
+  ask_checks(solution.notes, &Check::solution, model, solution);
   note_shared_forces(model, solution);
-  for (std::string& note : closed_gap_warnings(model, solution))
-    solution.notes.push_back(std::move(note));
 }
 
 /// How much of the load would be held.
