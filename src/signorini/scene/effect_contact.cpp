@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "addons/effects/fit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/checks.hpp"
@@ -56,7 +55,8 @@ void declare_contact(const Scene& scene, Plan& draft) {
     const Eigen::VectorXd gap = found.initial_gap;
     check_obstacle_side(contact, draft.bodies, found);
     ask_checks(draft.notes, &Check::contact, contact, draft.bodies, found);
-    const std::string fitted = fit(contact, found);
+    std::string fitted;
+    for (const FitSides fit : draft.fits) fitted += fit(contact, found);
     const Gaps gaps =
         reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what, directions);
     const std::size_t pairs = gaps.pairs.node.size();

@@ -4,8 +4,7 @@
 /// the table in effects.cpp, or, in an add-on, into its register function, which programs call; the conformance suite asks
 /// for a scene that has it.
 ///
-/// No step of a run looks at what a scene calls for (checks read it to write notes, and contact asks fit.hpp how
-/// its sides fit): plan() asks every effect in the order of the table whether it
+/// No step of a run looks at what a scene calls for (checks read it to write notes): plan() asks every effect in the order of the table whether it
 /// is present and what it takes, build() lets those that are add their part of the model, and what an effect
 /// leaves empty no later step sees. So entered load steps: `declare` sorts the loads by the history that they follow,
 /// `add` hands the model one p and g per history; the factor and the compliance stay. And so the next ones will:
