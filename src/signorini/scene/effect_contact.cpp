@@ -105,15 +105,10 @@ Effect contact() {
   return {"contact",
           [](const Scene& scene, const Plan& /*draft*/) { return !scene.contacts.empty(); },
           declare_contact,
-          [](Plan& plan, Model& model) {
-            model.programme.A.swap(plan.gaps.A);
-            model.programme.initial_gap = plan.gaps.pairs.initial_gap;
-            model.pairs = std::move(plan.gaps.pairs);
-            model.contacts = std::move(plan.contacts);
-            model.contact_of = std::move(plan.contact_of);
-            model.contact_bodies = std::move(plan.contact_bodies);
-            model.follow = std::move(plan.follow);
-            model.small_sliding = std::move(plan.small_sliding);
+          [](Model& model) {
+            model.programme.A.swap(model.gaps.A);
+            model.programme.initial_gap = model.gaps.pairs.initial_gap;
+            model.pairs = std::move(model.gaps.pairs);
           }};
 }
 
