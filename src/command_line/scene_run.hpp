@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "addons/checks/warnings.hpp"
 #include "addons/files/scene_file.hpp"
 #include "addons/frontal/backend.hpp"
 #include "addons/prediction/prediction.hpp"
 #include "addons/steps/steps.hpp"
 #include "command_line/drafts.hpp"
+#include "signorini/scene/notes.hpp"
 
 namespace command_line {
 

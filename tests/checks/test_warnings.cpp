@@ -5,6 +5,7 @@
 #include "addons/checks/warnings.hpp"
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/scene/notes.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/doubtful_scenes.hpp"

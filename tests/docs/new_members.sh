@@ -25,7 +25,7 @@ Effect several_contacts() {
   return {"several contacts",
           [](const Scene& scene, const Plan& /*draft*/) { return scene.contacts.size() > 1; },
           [](const Scene& /*scene*/, Plan& draft) { draft.on.push_back("several contacts"); },
-          [](Plan& /*plan*/, Model& /*model*/) {}};
+          [](Model& /*model*/) {}};
 }
 }  // namespace signorini::effect
 MEMBER

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -12,78 +11,17 @@
 #include "signorini/fem/far.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/contact_input.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 
-bool before(const CellSide& a, const CellSide& b) {
-  return std::pair(a.cell, a.side) < std::pair(b.cell, b.side);
-}
-
-/// The cell sides that are in both boundaries.
-std::vector<CellSide> common_sides(const std::vector<BodyModel>& bodies, const Side& one,
-                                   const Side& two) {
-  const std::size_t body = body_index(bodies, one);
-  if (body_index(bodies, two) != body) return {};
-  std::vector<CellSide> a = boundary(bodies[body].mesh, one.boundary);
-  std::vector<CellSide> b = boundary(bodies[body].mesh, two.boundary);
-  std::sort(a.begin(), a.end(), before);
-  std::sort(b.begin(), b.end(), before);
-  std::vector<CellSide> common;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common), before);
-  return common;
-}
-
-/// Whether all nodes of some sides see the same of two obstacles.
-bool look_alike(const Mesh& mesh, const std::vector<CellSide>& sides, const Obstacle& one,
-                const Obstacle& two) {
-  const double rounding = 16 * epsilon * mesh.nodes.cwiseAbs().maxCoeff();
-  for (const CellSide& side : sides)
-    for (const Index node : mesh.side_nodes(side)) {
-      const Eigen::Vector2d x = mesh.nodes.row(node).transpose();
-      const ObstacleContact a = one.look(x);
-      const ObstacleContact b = two.look(x);
-      if (std::abs(a.gap - b.gap) > rounding || (a.normal - b.normal).norm() > 16 * epsilon)
-        return false;
-    }
-  return true;
-}
-
-bool pair_the_same(const ContactSpec& one, const ContactSpec& two,
-                   const std::vector<BodyModel>& bodies) {
-  const auto share = [&bodies](const Side& a, const Side& b) {
-    return !common_sides(bodies, a, b).empty();
-  };
-  const Side* a = std::get_if<Side>(&one.target);
-  const Side* b = std::get_if<Side>(&two.target);
-  if (a != nullptr && b != nullptr)
-    return (share(one.source, two.source) && share(*a, *b)) ||
-           (share(one.source, *b) && share(*a, two.source));
-  if (a != nullptr || b != nullptr) return false;
-  const std::vector<CellSide> common = common_sides(bodies, one.source, two.source);
-  return !common.empty() &&
-         look_alike(bodies[body_index(bodies, one.source)].mesh, common,
-                    std::get<Obstacle>(one.target), std::get<Obstacle>(two.target));
-}
-
-/// Of an obstacle: its normal must point towards the body.
+/// Of an obstacle that no node faces.
 std::string obstacle_warning(const Obstacle& obstacle, const std::string& what,
                              const Surface& source, const Pairs& pairs) {
-  const Eigen::VectorXd cosine = normal_cosines(pairs, source);
-  Index turned = 0;
-  const double most = cosine.maxCoeff(&turned);
-  constexpr double aside = 1e-6;  // a cosine that says neither
-  require_input(
-      most <= aside || pairs.initial_gap.maxCoeff() > gap_rounding(pairs), what,
-      ": no node of the boundary is in front of the ", obstacle.name, ", and at node ",
-      pairs.node[static_cast<std::size_t>(turned)], ", (", pairs.position(turned, 0), ", ",
-      pairs.position(turned, 1), "), the normal of the obstacle, (", pairs.normal(turned, 0), ", ",
-      pairs.normal(turned, 1),
-      "), points away from the body. It must point out of the obstacle, towards the body: turn the "
-      "normal round, take a hole for a disc or a disc for a hole, or move the body in front");
-  if (cosine.minCoeff() < -aside) return "";
+  if (normal_cosines(pairs, source).minCoeff() < -aside) return "";
   return text(
       what, ": no node of the boundary faces the ", obstacle.name,
       ", so that they can hardly touch. Check which boundary is meant, and where the normal "
@@ -129,18 +67,6 @@ std::string turn_warning(const std::string& what, const Surface& source) {
 }
 
 }  // namespace
-
-void check_listed_once(const Scene& scene, const std::vector<BodyModel>& bodies) {
-  const std::vector<ContactSpec>& contacts = scene.contacts;
-  for (std::size_t two = 1; two < contacts.size(); ++two)
-    for (std::size_t one = 0; one < two; ++one)
-      require_input(
-          !pair_the_same(contacts[one], contacts[two], bodies), "contacts ", one + 1, " and ",
-          two + 1, " of the scene are about the same sides: the ", describe(bodies, contacts[one]),
-          ", and the ", describe(bodies, contacts[two]),
-          ". Each would carry a part of the pressure only: leave one of them out, or let their "
-          "boundaries have no side in common");
-}
 
 std::vector<std::string> contact_warnings(const ContactSpec& contact,
                                           const std::vector<BodyModel>& bodies,

@@ -61,15 +61,15 @@ std::size_t smallest(const Model& model, const std::vector<double>& sizes, Index
 
 }  // namespace
 
-std::string sag_warning(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
-                        const Pairs& pairs) {
+std::vector<std::string> sag_warning(const ContactSpec& contact,
+                                     const std::vector<BodyModel>& bodies, const Pairs& pairs) {
   const Side* side = std::get_if<Side>(&contact.target);
-  if (side == nullptr || pairs.initial_gap.size() == 0) return "";
+  if (side == nullptr || pairs.initial_gap.size() == 0) return {};
   const Surface source = surface(bodies, contact.source);
   const Surface target = surface(bodies, *side);
   const TargetSearch search(target.mesh, target.boundary);
   const Sags sags(search);
-  if (!sags.any()) return "";
+  if (!sags.any()) return {};
   const std::vector<SideCurve> sides = side_curves(source.mesh, source.boundary);
   double most = 0;
   for (const auto& [number, node] : nodes_on_sides(sides)) {
@@ -78,11 +78,12 @@ std::string sag_warning(const ContactSpec& contact, const std::vector<BodyModel>
   }
   const double meant = std::max(contact.adjust.value_or(0), contact.interference.value_or(0));
   const double mean = pairs.initial_gap.cwiseAbs().mean();
-  if (most <= std::max({mean, meant, gap_rounding(pairs)})) return "";
-  return text(describe(bodies, contact), ": the straight edges of the target lie up to ", most,
-              " within the curve that they stand for, but the mean gap is ", mean,
-              ". So the meshes, not the bodies, say where they touch: let both sides have the same "
-              "nodes, take finer edges or quadratic cells, or adjust gaps by the sag");
+  if (most <= std::max({mean, meant, gap_rounding(pairs)})) return {};
+  return {
+      text(describe(bodies, contact), ": the straight edges of the target lie up to ", most,
+           " within the curve that they stand for, but the mean gap is ", mean,
+           ". So the meshes, not the bodies, say where they touch: let both sides have the same "
+           "nodes, take finer edges or quadratic cells, or adjust gaps by the sag")};
 }
 
 std::vector<std::string> closed_gap_warnings(const Model& model, const Solution& solution) {

@@ -14,9 +14,10 @@ namespace signorini {
 /// \param contact  of the scene
 /// \param bodies   of the scene
 /// \param pairs    of the contact as the meshes give them, before fit()
-/// \return a note if that is more than the mean gap and than what the contact adjusts or presses by; else empty
-[[nodiscard]] std::string sag_warning(const ContactSpec& contact,
-                                      const std::vector<BodyModel>& bodies, const Pairs& pairs);
+/// \return a note if that is more than the mean gap and than what the contact adjusts or presses by; else none
+[[nodiscard]] std::vector<std::string> sag_warning(const ContactSpec& contact,
+                                                   const std::vector<BodyModel>& bodies,
+                                                   const Pairs& pairs);
 
 /// Compares gaps that were closed with the sizes of bodies.
 /// \param model     that was solved

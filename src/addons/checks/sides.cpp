@@ -9,17 +9,6 @@ namespace signorini {
 
 using Eigen::Index;
 
-Eigen::VectorXd normal_cosines(const Pairs& pairs, const Surface& source) {
-  const std::vector<SideCurve> sides = side_curves(source.mesh, source.boundary);
-  const std::map<Index, NodeOnSide> on_side = nodes_on_sides(sides);
-  Eigen::VectorXd cosine(pairs.normal.rows());
-  for (Index pair = 0; pair < cosine.size(); ++pair) {
-    const NodeOnSide& node = on_side.at(pairs.node[static_cast<std::size_t>(pair)]);
-    cosine(pair) = pairs.normal.row(pair).dot(node.normal.normalized());
-  }
-  return cosine;
-}
-
 PenetratingNodes penetrating_nodes(const Surface& source, const Surface& target) {
   const std::vector<SideCurve> sides = side_curves(source.mesh, source.boundary);
   const TargetSearch search(target.mesh, target.boundary);

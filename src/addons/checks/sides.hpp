@@ -9,13 +9,6 @@
 
 namespace signorini {
 
-/// Which way nodes of the source look when seen from the target.
-/// \param pairs   `n_c` of node_to_obstacle() or node_to_segment(), all with a node
-/// \param source  the boundary they are on
-/// \return `n_c` cosine of the angle between the normals of both sides: -1 face to face, 1 if both look the
-///   same way [-]
-[[nodiscard]] Eigen::VectorXd normal_cosines(const Pairs& pairs, const Surface& source);
-
 /// Nodes that lie behind a target.
 struct PenetratingNodes {
   std::vector<Eigen::Index> nodes;  ///< of the source, by number

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/along_boundary.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -16,7 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 
-const std::string note_mark = ". Note: ";  // between a message and its notes
 using Notes = std::vector<std::string>;
 
 std::string place(const Eigen::RowVector2d& x) { return text('(', x.x(), ", ", x.y(), ')'); }
@@ -279,18 +279,6 @@ std::vector<std::string> solution_warnings(const Model& model, const Solution& s
   notes.push_back(exceeded(model, solution, limits));
   if (notes.back().empty()) notes.pop_back();
   return notes;
-}
-
-std::string with_notes(const std::string& message, const std::vector<std::string>& notes) {
-  std::string all = message;
-  for (const std::string& note : notes)
-    if (message.find(note) == std::string::npos)
-      all += (all.find(note_mark) == std::string::npos ? note_mark : "; ") + note;
-  return all;
-}
-
-std::string without_notes(const std::string& message) {
-  return message.substr(0, message.find(note_mark));
 }
 
 }  // namespace signorini

@@ -1,11 +1,10 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
-/// What is legal but seldom meant: notes of a plan and of a solution, and errors that do not lose them.
+/// What is legal but seldom meant: notes of a plan and of a solution.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "signorini/core/errors.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
@@ -30,29 +29,5 @@ namespace signorini {
 [[nodiscard]] std::vector<std::string> solution_warnings(const Model& model,
                                                          const Solution& solution,
                                                          const SmallLimits& limits = {});
-
-/// \param message  of an error
-/// \param notes    that a user would not see for it
-/// \return all of it in one line; what the message tells already is not told again
-[[nodiscard]] std::string with_notes(const std::string& message,
-                                     const std::vector<std::string>& notes);
-
-/// \param message  from with_notes()
-/// \return what it was before
-[[nodiscard]] std::string without_notes(const std::string& message);
-
-/// Does something so that its errors tell the notes as well.
-/// \param notes   as they are when the error comes
-/// \param action  to be done
-/// \return what it returns
-/// \throws ProblemError as the action, with the notes
-template <typename Action>
-auto with_context(const std::vector<std::string>& notes, Action&& action) {
-  try {
-    return action();
-  } catch (const ProblemError& error) {
-    throw ProblemError(with_notes(error.what(), notes));
-  }
-}
 
 }  // namespace signorini

@@ -1,5 +1,5 @@
-// How two sides fit before anything moves: adjusted gaps and interference. What they make of the gaps is in the line
-// of the contact.
+// How two sides fit before anything moves: adjusted gaps, and after them interference. The lengths are those of the meshes, so
+// this comes before supports move anything: each effect hands a function to the effect contact, which has the pairs.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -45,7 +45,8 @@ double thickness(const std::vector<BodyModel>& bodies, const Side& side) {
   return area(there.mesh) / length;
 }
 
-void declare_fit(const Scene& scene, Plan& draft, Fit length, const std::string& name) {
+void declare_fit(const Scene& scene, Plan& draft, Fit length, const std::string& name,
+                 FitSides fit) {
   for (const ContactSpec& contact : scene.contacts) {
     const double given = (contact.*length).value_or(0);
     const std::string what = text(name, " of the ", describe(draft.bodies, contact));
@@ -55,27 +56,27 @@ void declare_fit(const Scene& scene, Plan& draft, Fit length, const std::string&
     std::string warning = fit_warning(contact, draft.bodies, name, given);
     if (!warning.empty()) draft.notes.push_back(std::move(warning));
   }
+  draft.fits.push_back(fit);
+}
+
+std::string adjust(const ContactSpec& contact, Pairs& pairs) {
+  const double small = contact.adjust.value_or(0);
+  if (small == 0) return "";
+  const Eigen::ArrayXd gap = pairs.initial_gap;
+  pairs.initial_gap = (gap.abs() <= small).select(0, gap);
+  const Eigen::ArrayXd moved = (gap - pairs.initial_gap.array()).abs();
+  return text(", ", (moved > 0).count(), " of them adjusted by up to ",
+              moved.size() > 0 ? moved.maxCoeff() : 0);
+}
+
+std::string press(const ContactSpec& contact, Pairs& pairs) {
+  const double closer = contact.interference.value_or(0);
+  if (closer == 0) return "";
+  pairs.initial_gap.array() -= closer;
+  return text(", all closer by ", closer);
 }
 
 }  // namespace
-
-std::string fit(const ContactSpec& contact, Pairs& pairs) {
-  std::string words;
-  const double small = contact.adjust.value_or(0);
-  if (small != 0) {
-    const Eigen::ArrayXd gap = pairs.initial_gap;
-    pairs.initial_gap = (gap.abs() <= small).select(0, gap);
-    const Eigen::ArrayXd moved = (gap - pairs.initial_gap.array()).abs();
-    words += text(", ", (moved > 0).count(), " of them adjusted by up to ",
-                  moved.size() > 0 ? moved.maxCoeff() : 0);
-  }
-  const double closer = contact.interference.value_or(0);
-  if (closer != 0) {
-    pairs.initial_gap.array() -= closer;
-    words += text(", all closer by ", closer);
-  }
-  return words;
-}
 
 std::string fit_warning(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
                         const std::string& name, double length) {
@@ -96,7 +97,7 @@ Effect adjusted_gaps() {
             return any_has(scene, &ContactSpec::adjust);
           },
           [](const Scene& scene, Plan& draft) {
-            declare_fit(scene, draft, &ContactSpec::adjust, "adjusted gaps");
+            declare_fit(scene, draft, &ContactSpec::adjust, "adjusted gaps", adjust);
           },
           nullptr};
 }
@@ -107,7 +108,7 @@ Effect interference() {
             return any_has(scene, &ContactSpec::interference);
           },
           [](const Scene& scene, Plan& draft) {
-            declare_fit(scene, draft, &ContactSpec::interference, "interference");
+            declare_fit(scene, draft, &ContactSpec::interference, "interference", press);
           },
           nullptr};
 }

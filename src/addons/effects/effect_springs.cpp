@@ -63,7 +63,7 @@ Effect springs() {
             return std::any_of(scene.bodies.begin(), scene.bodies.end(), on_springs);
           },
           declare_springs,
-          [](Plan& /*plan*/, Model& model) {
+          [](Model& model) {
             for (const BodyModel& body : model.bodies)
               if (body.springs.rows() > 0) {
                 note_soft_springs(body, model);

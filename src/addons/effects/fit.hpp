@@ -1,7 +1,6 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
-/// How two sides fit before anything moves: what the effects "adjusted gaps" and "interference" have the effect
-/// "contact" do. The lengths are those of the meshes, so this comes before supports move anything.
+/// Lengths by which the effects "adjusted gaps" and "interference" bring the two sides of a contact together.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,12 +8,6 @@
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
-
-/// Brings the sides of a contact together as it says: small gaps adjusted first, then its interference.
-/// \param contact       whose lengths have been checked
-/// \param[in,out] pairs  of the meshes; gets new initial gaps
-/// \return what was done, to go on a line about the pairs; nothing if the contact asks for nothing
-[[nodiscard]] std::string fit(const ContactSpec& contact, Pairs& pairs);
 
 /// Compares a length of a contact with how thick its bodies are: their area over the length of the side in contact.
 /// \param contact  of the scene

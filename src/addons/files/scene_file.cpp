@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "addons/checks/warnings.hpp"
 #include "addons/files/kinds.hpp"
 #include "addons/files/scene_keys.hpp"
 #include "signorini/core/text_reader.hpp"
+#include "signorini/scene/notes.hpp"
 
 namespace signorini {
 namespace {

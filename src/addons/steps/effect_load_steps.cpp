@@ -157,11 +157,11 @@ NodeArray nodal_forces(const BodyModel& body, const Loads& loads, const Eigenstr
   return forces;
 }
 
-void add_parts(Plan& plan, Model& model) {
+void add_parts(Model& model) {
   const Index pairs = model.pairs.weight.size();
   VectorXd rest = model.programme.initial_gap;
-  for (std::size_t k = plan.parts.size(); k-- > 0;) {
-    LoadPart& part = plan.parts[k];
+  for (std::size_t k = model.parts.size(); k-- > 0;) {
+    LoadPart& part = model.parts[k];
     part.load.setZero(model.unknowns.count);
     NodeArray held = NodeArray::Zero(count_nodes(model.bodies), 2);
     for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -181,8 +181,6 @@ void add_parts(Plan& plan, Model& model) {
     else
       part.movement = rest;  // with the gaps of the meshes
   }
-  model.path = std::move(plan.path);
-  model.parts = std::move(plan.parts);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include <utility>
 
-#include "addons/checks/warnings.hpp"
 #include "signorini/core/bytes.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
+#include "signorini/scene/notes.hpp"
 
 namespace signorini {
 namespace {
@@ -28,22 +28,18 @@ LinearSystem assemble_all(const std::vector<BodyModel>& bodies, Index count) {
 
 Model build(Plan plan, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "assembly");
-  Model model;
+  Model model{std::move(plan), {}, {}};
   LinearSystem system =
-      with_context(plan.notes, [&] { return assemble_all(plan.bodies, plan.unknowns.count); });
+      with_context(model.notes, [&] { return assemble_all(model.bodies, model.unknowns.count); });
   model.programme.stiffness.swap(system.stiffness);
   model.programme.load.swap(system.load);
-  model.programme.A.resize(0, plan.unknowns.count);
-  model.pairs.opening.resize(0, 2 * count_nodes(plan.bodies));
-  model.bodies = std::move(plan.bodies);
-  model.unknowns = std::move(plan.unknowns);
-  model.solver = std::move(plan.solver);
-  model.backend = std::move(plan.backend);
-  model.notes = std::move(plan.notes);
+  model.programme.A.resize(0, model.unknowns.count);
+  model.pairs.opening.resize(0, 2 * count_nodes(model.bodies));
   with_context(model.notes, [&] {
-    for (const Effect* effect : plan.effects)
-      if (effect->add != nullptr) effect->add(plan, model);
+    for (const Effect* effect : model.effects)
+      if (effect->add != nullptr) effect->add(model);
   });
+  model.gaps = {};
   const QuadraticProgramme& programme = model.programme;
   ledger.count("unknowns", model.unknowns.count);
   ledger.count("pairs", model.pairs.weight.size());
@@ -54,11 +50,11 @@ Model build(Plan plan, Ledger& ledger) {
 }
 
 Model build(const Scene& scene, Ledger& ledger) {
-  Plan planned = [&] {
+  const auto planned = [&] {
     const Ledger::Phase phase(ledger, "plan");
     return plan(scene);
-  }();
-  return build(std::move(planned), ledger);
+  };
+  return build(planned(), ledger);
 }
 
 }  // namespace signorini

@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "addons/checks/contact_warnings.hpp"
-#include "addons/checks/fit_warnings.hpp"
-#include "addons/effects/fit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/checks.hpp"
+#include "signorini/scene/contact_input.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/follow.hpp"
 #include "signorini/scene/motions.hpp"
@@ -54,11 +53,10 @@ void declare_contact(const Scene& scene, Plan& draft) {
     const std::string what = describe(draft.bodies, contact);
     Pairs found = pair_up(contact, draft.bodies, sliding);
     const Eigen::VectorXd gap = found.initial_gap;
-    for (std::string& note : contact_warnings(contact, draft.bodies, found))
-      draft.notes.push_back(std::move(note));
-    std::string sag = sag_warning(contact, draft.bodies, found);
-    if (!sag.empty()) draft.notes.push_back(std::move(sag));
-    const std::string fitted = fit(contact, found);
+    check_obstacle_side(contact, draft.bodies, found);
+    ask_checks(draft.notes, &Check::contact, contact, draft.bodies, found);
+    std::string fitted;
+    for (const FitSides fit : draft.fits) fitted += fit(contact, found);
     const Gaps gaps =
         reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what, directions);
     const std::size_t pairs = gaps.pairs.node.size();
@@ -107,15 +105,10 @@ Effect contact() {
   return {"contact",
           [](const Scene& scene, const Plan& /*draft*/) { return !scene.contacts.empty(); },
           declare_contact,
-          [](Plan& plan, Model& model) {
-            model.programme.A.swap(plan.gaps.A);
-            model.programme.initial_gap = plan.gaps.pairs.initial_gap;
-            model.pairs = std::move(plan.gaps.pairs);
-            model.contacts = std::move(plan.contacts);
-            model.contact_of = std::move(plan.contact_of);
-            model.contact_bodies = std::move(plan.contact_bodies);
-            model.follow = std::move(plan.follow);
-            model.small_sliding = std::move(plan.small_sliding);
+          [](Model& model) {
+            model.programme.A.swap(model.gaps.A);
+            model.programme.initial_gap = model.gaps.pairs.initial_gap;
+            model.pairs = std::move(model.gaps.pairs);
           }};
 }
 

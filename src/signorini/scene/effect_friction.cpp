@@ -123,13 +123,13 @@ void declare_law(const Scene& scene, Plan& draft, Constant constant, const std::
   take_slips(scene, draft);
 }
 
-void add_slips(Plan& plan, Model& model) {
-  if (!model.law.pair.empty() || plan.law.pair.empty()) return;
+/// Friction and cohesion share the rows: the first of the two adds them.
+void add_slips(Model& model) {
   VectorXd& g = model.programme.initial_gap;
-  model.programme.A = below(model.programme.A, -selected_rows(plan.gaps.T, plan.law.pair));
+  if (model.law.pair.empty() || g.size() > model.pairs.weight.size()) return;
+  model.programme.A = below(model.programme.A, -selected_rows(model.gaps.T, model.law.pair));
   g.conservativeResize(model.programme.A.rows());
-  g.tail(plan.law.coefficient.size()) = plan.gaps.initial_slip(plan.law.pair);
-  model.law = std::move(plan.law);
+  g.tail(model.law.coefficient.size()) = model.gaps.initial_slip(model.law.pair);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ Effect body_force() {
             for (const Body& body : scene.bodies)
               if (has_weight(body)) draft.on.push_back("body force on '" + body.mesh.name + "'");
           },
-          [](Plan& /*plan*/, Model& model) {
+          [](Model& model) {
             for (const BodyModel& body : model.bodies)
               add_load(body, {body.loads.body_force, {}, {}}, model.programme.load);
           }};
@@ -59,7 +59,7 @@ Effect edge_loads() {
                 draft.on.push_back("load on '" + load.boundary + "' of '" + body.mesh.name + "'");
               }
           },
-          [](Plan& /*plan*/, Model& model) {
+          [](Model& model) {
             for (const BodyModel& body : model.bodies)
               add_load(body, {{}, body.loads.edges, {}}, model.programme.load);
           }};
@@ -81,7 +81,7 @@ Effect point_forces() {
               }
             }
           },
-          [](Plan& /*plan*/, Model& model) {
+          [](Model& model) {
             for (const BodyModel& body : model.bodies)
               add_load(body, {{}, {}, body.loads.points}, model.programme.load);
           }};

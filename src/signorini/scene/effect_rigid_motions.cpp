@@ -1,5 +1,3 @@
-#include <utility>
-
 #include "signorini/core/errors.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -25,7 +23,7 @@ void declare_motions(const Scene& scene, Plan& draft) {
 Effect rigid_motions() {
   return {"rigid motions",
           [](const Scene& /*scene*/, const Plan& draft) { return !draft.modes.empty(); },
-          declare_motions, [](Plan& plan, Model& model) { model.modes = std::move(plan.modes); }};
+          declare_motions, nullptr};
 }
 
 }  // namespace signorini::effect

@@ -4,10 +4,9 @@
 /// the table in effects.cpp, or, in an add-on, into its register function, which programs call; the conformance suite asks
 /// for a scene that has it.
 ///
-/// No step of a run looks at what a scene calls for (warnings read it to write notes, and contact asks fit.hpp how
-/// its sides fit): plan() asks every effect in the order of the table whether it
-/// is present and what it takes, build() lets those that are add their part of the model, and what an effect
-/// leaves empty no later step sees. So entered load steps: `declare` sorts the loads by the history that they follow,
+/// No step of a run looks at what a scene calls for (checks read it to write notes): plan() asks every effect in the
+/// order of the table whether it is present and what it takes, build() makes the plan a model and lets those that are
+/// present add their numbers, and what an effect leaves empty no later step sees. So entered load steps: `declare` sorts the loads by the history that they follow,
 /// `add` hands the model one p and g per history; the factor and the compliance stay. And so the next ones will:
 ///
 /// * *moving geometry*: `declare` says that pairs are searched once per step, `add` hands the model a function
@@ -30,10 +29,10 @@ struct Effect {
   /// If it is present: checks what the scene says of it, and writes to the draft what it takes, with a line in
   /// `on`. Throws ProblemError for what cannot be meant.
   void (*declare)(const Scene& scene, Plan& draft);
-  /// If it is present: adds its rows, loads or unknowns to a model of the bodies alone, in which effects before
-  /// it in the table have added theirs. It may move what it took out of the plan. Null if there is nothing to add:
-  /// materials are read by assemble(), fits are in the gaps.
-  void (*add)(Plan& plan, Model& model);
+  /// If it is present: adds its rows and loads to a model, which has what was declared, the K and p of the bodies alone,
+  /// and the numbers of effects before it in the table. Null if there is nothing to add: materials are read by
+  /// assemble(), fits are in the gaps, rigid motions in the plan.
+  void (*add)(Model& model);
 };
 
 /// The family.

@@ -3,13 +3,14 @@
 #include <set>
 #include <utility>
 
-#include "addons/checks/warnings.hpp"
 #include "signorini/core/bytes.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/regions.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/checks.hpp"
 #include "signorini/scene/effects.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/notes.hpp"
 
 namespace signorini {
 namespace {
@@ -138,8 +139,7 @@ void plan_unknowns(const Scene& scene, Plan& plan) {
   for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
   plan.unknowns = joined(unknowns);
   plan.modes = rigid_modes(plan.bodies);
-  for (const BodyModel& body : plan.bodies)
-    for (std::string& note : mesh_warnings(scene, body)) plan.notes.push_back(std::move(note));
+  for (const BodyModel& body : plan.bodies) ask_checks(plan.notes, &Check::mesh, scene, body);
 }
 
 /// Rows of A, of gaps and of slips.
@@ -199,8 +199,7 @@ Plan plan(const Scene& scene) {
     plan_effects(scene, plan);
     check_pairs(plan);
   });
-  for (const Body& body : scene.bodies)
-    for (std::string& note : load_warnings(body)) plan.notes.push_back(std::move(note));
+  for (const Body& body : scene.bodies) ask_checks(plan.notes, &Check::loads, body);
   if (plan.gaps.A.rows() > 0)
     plan.on.push_back(
         text("solver ", plan.solver.name, " on the condensed problem, certified from K, p, A, g"));

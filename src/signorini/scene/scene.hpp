@@ -91,31 +91,6 @@ struct Scene {
   Backend backend = default_backend();       ///< factors K, see backends()
 };
 
-struct Effect;
-
-/// What a scene calls for, found without assembling anything. It may be copied, and is all that build() needs.
-struct Plan {
-  std::vector<std::string> on;       ///< bodies and effects that are on, one line each
-  std::vector<std::string> off;      ///< names of the effects that are off
-  std::vector<std::string> notes;    ///< what a user should know, such as an element that will lock
-  std::vector<MeshQuality> quality;  ///< of the worst cells, per body
-  std::vector<const Effect*> effects;   ///< that are on, members of effects()
-  std::vector<BodyModel> bodies;        ///< as in the scene
-  Unknowns unknowns;                    ///< `n` of all bodies, one after another
-  std::vector<FreeMotion> modes;        ///< `n_r` rigid motions that supports leave to the bodies
-  Gaps gaps;                            ///< `n_c` candidate pairs of all contacts, none without
-  std::vector<std::string> contacts;    ///< names of the contacts, see contact_names()
-  std::vector<std::size_t> contact_of;  ///< `n_c` number of the contact of each pair
-  std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
-  FollowPairs follow;               ///< null without contact, or if all gaps are linear
-  std::vector<bool> small_sliding;  ///< of each contact, see ContactSpec
-  FrictionLaw law;  ///< of the pairs that can slide and whose own contact has friction
-  Solver solver = primal_dual_active_set();  ///< of the scene
-  Path path;                                 ///< load steps, none without
-  std::vector<LoadPart> parts;  ///< of loads that follow one history each, none without steps
-  Backend backend = default_backend();  ///< of the scene
-};
-
 /// Reads a scene and says what will be computed. \param scene  to be solved
 /// \return what is on and off, and how large it is
 /// \throws ProblemError for unknown names, bad cells, an element that does not fit them, bad

@@ -1,70 +1,17 @@
 /// \file
-/// The model of a scene, the condensed problem, and the solution.
+/// The condensed problem of a model, and the solution.
 #pragma once
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "signorini/contact/pairs.hpp"
 #include "signorini/core/ledger.hpp"
-#include "signorini/fem/assembly.hpp"
-#include "signorini/fem/elements.hpp"
 #include "signorini/fem/factor.hpp"
-#include "signorini/fem/free_motions.hpp"
-#include "signorini/fem/joints.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/shared_forces.hpp"
-#include "signorini/scene/path.hpp"
-#include "signorini/solvers/primal_dual_active_set.hpp"
+#include "signorini/scene/model.hpp"
 
 namespace signorini {
-
-/// A body ready to be assembled, and where it stands among the others.
-struct BodyModel {
-  Mesh mesh;                   ///< of the scene
-  Element element;             ///< found by its name
-  MaterialField material;      ///< of its cells
-  Loads loads;                 ///< of the scene
-  Unknowns unknowns;           ///< of this body, numbered from 0
-  Eigen::Index first_node;     ///< number of its first node among those of all bodies
-  Eigen::Index first_unknown;  ///< number of its first unknown
-  /// spring_stiffness() of its springs; no rows without any
-  Eigen::SparseMatrix<double> springs = {};
-  std::vector<MeshPiece> pieces = {};  ///< of the mesh
-};
-
-/// Which bodies a contact is between, by their numbers.
-struct ContactBodies {
-  std::size_t source;                 ///< of the source
-  std::optional<std::size_t> target;  ///< of the target; a rigid obstacle has none
-};
-struct Model;
-struct MovedPairs;
-
-/// Finds the pairs of a model again where its bodies have moved to, see follow.hpp. \param model  with its bodies
-/// \param displacement  `n_nodes x 2` of all nodes [length] \return the pairs there
-using FollowPairs = std::function<MovedPairs(const Model& model, const NodeArray& displacement)>;
-
-/// Matrices of the bodies and the gaps they may close.
-struct Model {
-  std::vector<BodyModel> bodies;             ///< as in the scene
-  Unknowns unknowns;                         ///< `n` of all bodies, one after another
-  QuadraticProgramme programme;              ///< K, p, A, g of the gaps, then of the slips of `law`
-  Pairs pairs;                               ///< `n_c` that can close; see Gaps
-  std::vector<FreeMotion> modes;             ///< `n_r` null vectors of K
-  FrictionLaw law;                           ///< of the frictional pairs, empty if none does
-  Solver solver = primal_dual_active_set();  ///< of the scene
-  std::vector<std::string> notes;            ///< of the plan
-  Path path = {};                            ///< load steps, none without
-  std::vector<LoadPart> parts = {};          ///< p and g are the sum of these times their histories
-  Backend backend = default_backend();       ///< of the scene, factors K
-  std::vector<std::string> contacts = {};    ///< names of the contacts, see contact_names()
-  std::vector<std::size_t> contact_of = {};  ///< `n_c` number of the contact of each pair
-  std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
-  FollowPairs follow = {};               ///< null without contact, or if all gaps are linear
-  std::vector<bool> small_sliding = {};  ///< of each contact, see ContactSpec
-};
 
 /// The model with all unknowns but the contact forces eliminated.
 struct Condensed {

@@ -5,15 +5,15 @@
 #include <stdexcept>
 #include <utility>
 
-#include "addons/checks/fit_warnings.hpp"
-#include "addons/checks/warnings.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/scene/balance.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/checks.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/notes.hpp"
 #include "signorini/scene/rigid_modes.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/scene/ways.hpp"
@@ -134,10 +134,7 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   solution.displacements = displacements_of_bodies(model, refined.displacement);
   solution.refined = std::move(refined);
   if (solution.contact.report.status != SolveStatus::Solved) return;
-  for (std::string& note : solution_warnings(model, solution))
-    solution.notes.push_back(std::move(note));
-  for (std::string& note : closed_gap_warnings(model, solution))
-    solution.notes.push_back(std::move(note));
+  ask_checks(solution.notes, &Check::solution, model, solution);
 }
 
 Solution solve_plainly(const Model& model, const Condensed& condensed, const Solver& solver,

@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The augmented Lagrangian method for the balance along rigid modes.
 #pragma once

@@ -1,0 +1,85 @@
+/// \file
+/// The plan of a scene, and the model that is made of it: the plan with its numbers.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "signorini/contact/gaps.hpp"
+#include "signorini/fem/assembly.hpp"
+#include "signorini/fem/elements.hpp"
+#include "signorini/fem/factor.hpp"
+#include "signorini/fem/free_motions.hpp"
+#include "signorini/fem/joints.hpp"
+#include "signorini/scene/path.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
+
+namespace signorini {
+
+struct ContactSpec;
+struct Effect;
+
+/// A body ready to be assembled, and where it stands among the others.
+struct BodyModel {
+  Mesh mesh;                   ///< of the scene
+  Element element;             ///< found by its name
+  MaterialField material;      ///< of its cells
+  Loads loads;                 ///< of the scene
+  Unknowns unknowns;           ///< of this body, numbered from 0
+  Eigen::Index first_node;     ///< number of its first node among those of all bodies
+  Eigen::Index first_unknown;  ///< number of its first unknown
+  /// spring_stiffness() of its springs; no rows without any
+  Eigen::SparseMatrix<double> springs = {};
+  std::vector<MeshPiece> pieces = {};  ///< of the mesh
+};
+
+/// Which bodies a contact is between, by their numbers.
+struct ContactBodies {
+  std::size_t source;                 ///< of the source
+  std::optional<std::size_t> target;  ///< of the target; a rigid obstacle has none
+};
+struct Model;
+struct MovedPairs;
+
+/// Finds the pairs of a model again where its bodies have moved to, see follow.hpp. \param model  with its bodies
+/// \param displacement  `n_nodes x 2` of all nodes [length] \return the pairs there
+using FollowPairs = std::function<MovedPairs(const Model& model, const NodeArray& displacement)>;
+
+/// Changes the gaps of a contact before supports move anything.
+/// \param contact       of the scene, whose lengths have been checked
+/// \param[in,out] pairs  of the meshes; gets new initial gaps
+/// \return what was done, to go on the line of the contact; nothing if the contact asks for nothing
+using FitSides = std::string (*)(const ContactSpec& contact, Pairs& pairs);
+
+/// What a scene calls for, found without assembling anything. It may be copied, and is all that build() needs.
+struct Plan {
+  std::vector<std::string> on;       ///< bodies and effects that are on, one line each
+  std::vector<std::string> off;      ///< names of the effects that are off
+  std::vector<std::string> notes;    ///< what a user should know, such as an element that will lock
+  std::vector<MeshQuality> quality;  ///< of the worst cells, per body
+  std::vector<const Effect*> effects;  ///< that are on, members of effects()
+  std::vector<BodyModel> bodies;       ///< as in the scene
+  Unknowns unknowns;                   ///< `n` of all bodies, one after another
+  std::vector<FreeMotion> modes;  ///< `n_r` rigid motions that supports leave: null vectors of K
+  std::vector<FitSides> fits;     ///< of effects before contact, which calls them in this order
+  Gaps gaps;                      ///< `n_c` candidate pairs of all contacts, none without
+  std::vector<std::string> contacts;               ///< names of the contacts, see contact_names()
+  std::vector<std::size_t> contact_of;             ///< `n_c` number of the contact of each pair
+  std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
+  FollowPairs follow = {};               ///< null without contact, or if all gaps are linear
+  std::vector<bool> small_sliding = {};  ///< of each contact, see ContactSpec
+  FrictionLaw law;  ///< of the pairs that can slide and whose own contact has friction
+  Solver solver = primal_dual_active_set();  ///< of the scene
+  Path path = {};                            ///< load steps, none without
+  std::vector<LoadPart> parts = {};     ///< one for each history; p and g are their sum times these
+  Backend backend = default_backend();  ///< of the scene, factors K
+};
+
+/// The plan of a scene and its numbers. build() has made `programme` and `pairs` of `gaps`, which are empty now.
+struct Model : Plan {
+  QuadraticProgramme programme;  ///< K, p, A, g of the gaps, then of the slips of `law`
+  Pairs pairs;                   ///< `n_c` that can close; see Gaps
+};
+
+}  // namespace signorini
