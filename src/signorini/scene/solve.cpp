@@ -161,6 +161,34 @@ long long one_solve(const Condensed& condensed) {
   return static_cast<long long>(condensed.factor.solve_operations());
 }
 
+/// Solves the numbers of a model, with the factor in hand.
+CertifiedSolution solved_numbers(const Model& model, const Condensed& condensed,
+                                 const Solver& solver, const SolverOptions& options,
+                                 Ledger& ledger) {
+  const auto counted = [&ledger](double operations, Factor::Solve solve_for) {
+    return [&ledger, operations, solve_for = std::move(solve_for)](const VectorXd& load) {
+      ledger.count("operations", static_cast<long long>(operations));
+      return solve_for(load);
+    };
+  };
+  using Solve = std::function<VectorXd(const VectorXd&)>;
+  const CondensedProgramme small{
+      condensed.problem, condensed.free_displacement,
+      counted(condensed.factor.solve_operations(),
+              [&](const Eigen::Ref<const VectorXd>& load) { return condensed.factor.solve(load); }),
+      [&](const std::vector<Index>& unknowns) {
+        const std::optional<Factor::Part> part = condensed.factor.part(unknowns);
+        return part ? Solve(counted(part->solve_operations, part->solve)) : Solve();
+      }};
+  try {
+    return certified_solve(model.programme, small, mode_shapes(model.modes), solver, options,
+                           ledger);
+  } catch (const std::invalid_argument&) {
+    check_numbers(condensed.problem);
+    throw;
+  }
+}
+
 }  // namespace
 
 void move_freely(const Model& model, VectorXd free_displacement, Condensed& condensed) {
@@ -191,30 +219,7 @@ Condensed condense(const Model& model, Ledger& ledger) {
 
 Solution solve(const Model& model, const Condensed& condensed, const Solver& solver, Ledger ledger,
                const SolverOptions& options) {
-  const auto counted = [&ledger](double operations, Factor::Solve solve_for) {
-    return [&ledger, operations, solve_for = std::move(solve_for)](const VectorXd& load) {
-      ledger.count("operations", static_cast<long long>(operations));
-      return solve_for(load);
-    };
-  };
-  using Solve = std::function<VectorXd(const VectorXd&)>;
-  const CondensedProgramme small{
-      condensed.problem, condensed.free_displacement,
-      counted(condensed.factor.solve_operations(),
-              [&](const Eigen::Ref<const VectorXd>& load) { return condensed.factor.solve(load); }),
-      [&](const std::vector<Index>& unknowns) {
-        const std::optional<Factor::Part> part = condensed.factor.part(unknowns);
-        return part ? Solve(counted(part->solve_operations, part->solve)) : Solve();
-      }};
-  CertifiedSolution end = [&] {
-    try {
-      return certified_solve(model.programme, small, mode_shapes(model.modes), solver, options,
-                             ledger);
-    } catch (const std::invalid_argument&) {
-      check_numbers(condensed.problem);
-      throw;
-    }
-  }();
+  CertifiedSolution end = solved_numbers(model, condensed, solver, options, ledger);
   Solution solution;
   solution.notes = model.notes;
   solution.contact = std::move(end.state);
