@@ -16,14 +16,10 @@ using Eigen::Index;
 using Eigen::Vector2d;
 
 template <>
-struct Words<PlaneState> {
-  static std::vector<Word<PlaneState>> all() {
-    std::vector<Word<PlaneState>> words;
-    for (const PlaneState state : {PlaneState::Strain, PlaneState::Stress, PlaneState::Axial})
-      words.push_back({to_string(state), state});
-    return words;
-  }
-};
+const std::vector<Word<PlaneState>> words_of<PlaneState> = {
+    {to_string(PlaneState::Strain), PlaneState::Strain},
+    {to_string(PlaneState::Stress), PlaneState::Stress},
+    {to_string(PlaneState::Axial), PlaneState::Axial}};
 
 namespace {
 

@@ -57,9 +57,9 @@ struct Word {
   E meaning;         ///< the member
 };
 
-/// The words of an enumeration; every one that files may name specialises it with `static std::vector<Word<E>> all()`.
+/// The words of an enumeration; every one that files may name specialises it.
 template <typename E>
-struct Words;
+const std::vector<Word<E>> words_of = {};
 
 /// Checks that a value is a table whose keys are known and that it has those that it must have.
 /// \param table      to be checked
@@ -154,7 +154,7 @@ void take(const Value& value, M& into, Bound bound = Bound::Any) {
     std::string word;
     take(value, word);
     std::vector<std::string> known;
-    for (const auto& [name, meaning] : Words<M>::all()) {
+    for (const auto& [name, meaning] : words_of<M>) {
       known.emplace_back(name);
       if (name != word) continue;
       into = meaning;
@@ -186,7 +186,7 @@ template <typename M>
   using Type = typename Present<M>::Type;
   if constexpr (std::is_enum_v<Type>) {
     std::string names;
-    for (const auto& word : Words<Type>::all())
+    for (const auto& word : words_of<Type>)
       names += (names.empty() ? "\"" : " or \"") + std::string(word.name) + '"';
     return names;
   } else {
@@ -200,7 +200,7 @@ template <typename M>
   if constexpr (Present<M>::may_be_absent) {
     return value ? written(*value) : std::string();
   } else if constexpr (std::is_enum_v<M>) {
-    for (const auto& word : Words<M>::all())
+    for (const auto& word : words_of<M>)
       if (word.meaning == value) return '"' + std::string(word.name) + '"';
     return {};
   } else {

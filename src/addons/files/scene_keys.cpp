@@ -10,11 +10,8 @@
 namespace signorini {
 
 template <>
-struct Words<Quadrature> {
-  static std::vector<Word<Quadrature>> all() {
-    return {{"segments", Quadrature::Segments}, {"source edges", Quadrature::SourceEdges}};
-  }
-};
+const std::vector<Word<Quadrature>> words_of<Quadrature> = {
+    {"segments", Quadrature::Segments}, {"source edges", Quadrature::SourceEdges}};
 
 namespace {
 

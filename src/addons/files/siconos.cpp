@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 
 namespace signorini {
 namespace {
@@ -106,7 +107,7 @@ MatrixXd read_blocks(TextReader& in, Index n) {
   std::size_t row = 0;
   for (Index b = 0; b < count; ++b) {
     while (b >= start[row + 1]) ++row;
-    const auto c = static_cast<std::size_t>(column[static_cast<std::size_t>(b)]);
+    const auto c = at(column[at(b)]);
     expect_whole(in, "number of a block", b);
     for (Index j = left[c]; j < left[c + 1]; ++j)
       for (Index i = top[row]; i < top[row + 1]; ++i) M(i, j) += read_entry(in, i, j);
