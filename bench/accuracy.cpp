@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "bench/measure.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/scene/readings.hpp"
@@ -140,7 +141,7 @@ std::vector<Problem> shrunk_problems() {
   const std::vector<Index> cells = {6, 9, 12, 18, 24, 36, 48, 72};
   const Goal force{"force", NormalForce{}};
   const Goal spread{"outside", Displacement{"hub", Axis::X, "", {{outside, 0}}}};
-  return {{"shrunk", force, scene(6, 2), (fit - pull) * radius * std::acos(-1) / 2, layouts, cells},
+  return {{"shrunk", force, scene(6, 2), (fit - pull) * radius * pi / 2, layouts, cells},
           {"shrunk", spread, scene(6, 2), turned + pushed, layouts, cells}};
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "addons/certified/dense_programme.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
@@ -24,8 +25,7 @@ void draw(const DenseProgramme& carts, double y, const Vector3d& u, const Vector
     const double front = fronts(i) + u(i);
     bodies.row({y, front - length, front, fronts(i) + carts.initial_gap(i), force(i)});
     for (int k = 0; k <= 48; ++k)
-      springs.row(
-          {from + (front - length - from) * k / 48, y + 0.12 * std::sin(k * std::acos(-1.0) / 4)});
+      springs.row({from + (front - length - from) * k / 48, y + 0.12 * std::sin(k * pi / 4)});
     springs.blank_line();
     from = front;
   }

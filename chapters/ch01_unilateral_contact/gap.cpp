@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "signorini/contact/obstacle.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
@@ -20,7 +21,7 @@ SolveStatus chapter(const ProgramOptions& run) {
               [=](double x) { return -x / std::sqrt(radius * radius - x * x); });
   Table table({"angle", "repaired", "printed"});
   for (int degrees = 0; degrees <= 60; degrees += 3) {
-    const double angle = degrees * std::acos(-1.0) / 180;
+    const double angle = degrees * pi / 180;
     const Vector2d normal(std::sin(angle), std::cos(angle));
     const ObstacleContact seen = curve.look(Vector2d(0, -radius) + (radius + 1) * normal);  // 1 mm
     const double printed = seen.gap * seen.normal.y();  // the root once more in the denominator

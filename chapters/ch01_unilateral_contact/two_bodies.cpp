@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "signorini/contact/node_to_segment.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/report/program.hpp"
@@ -16,7 +17,7 @@ using Eigen::Index;
 using Eigen::Vector2d;
 
 // 1. One block above another, a gap of 1 between them, turned by theta.
-const double theta = 25 * std::acos(-1.0) / 180;
+const double theta = 25 * pi / 180;
 const Vector2d t(std::cos(theta), std::sin(theta));
 const Vector2d n(std::sin(theta), -std::cos(theta));  // as in (1)
 

@@ -5,6 +5,7 @@
 
 #include "closed_form/pin.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
@@ -16,7 +17,7 @@ using namespace signorini;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-const double degree = std::acos(-1.0) / 180;
+const double degree = pi / 180;
 
 // A pin that is pushed by `shift` into the edge of a hole of radius 1 in a disc of radius 60 and
 //    modulus 1.

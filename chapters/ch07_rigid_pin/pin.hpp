@@ -1,9 +1,9 @@
 // The pin of the chapter in its plate, and what it does to the edge of the hole.
 #pragma once
-#include <cmath>
 
 #include "meshes/plate_with_hole.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch07 {
@@ -12,7 +12,7 @@ using namespace signorini;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-const double degree = std::acos(-1.0) / 180;
+const double degree = pi / 180;
 
 // What the paper gives and what we add, in cm and kN. Reading (T): q pulls on the right side and the pin
 // bears on the left of the hole; (C): q presses, the pin bears on the right.

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "hertz_run.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
@@ -12,7 +13,6 @@ namespace {
 
 using namespace signorini;
 
-const double pi = std::acos(-1.0);
 const HertzCase example;
 const double b = hertz_half_width(example.theory());
 const double q0 = hertz_peak_pressure(example.theory());

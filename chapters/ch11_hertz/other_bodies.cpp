@@ -4,6 +4,7 @@
 
 #include "hertz_run.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
@@ -31,7 +32,7 @@ void plates(const ProgramOptions& run, Results& results) {
 double radial_normals(const HertzCase& now) {
   const double drift =
       (1 - 2 * now.ratio) * (1 + now.ratio) * (1 / now.plate_modulus - 1 / now.disc_modulus);
-  return 100 * 4 / (3 * std::acos(-1.0)) * drift * hertz_peak_pressure(now.theory());
+  return 100 * 4 / (3 * pi) * drift * hertz_peak_pressure(now.theory());
 }
 
 void normals(const ProgramOptions& run, Results& results) {

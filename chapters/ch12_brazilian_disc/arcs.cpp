@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "reading.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
@@ -16,14 +17,14 @@ using namespace ch12;
 void compare_arcs(const ProgramOptions& run, Results& results) {
   Table table({"2α [°]", "chord [mm]", "σx / strength", "with p = P/(2Rα)"});
   for (const double degrees : {2., 5., 10., 15., 20., 30.}) {
-    const double alpha = degrees / 2 * std::acos(-1.0) / 180;
+    const double alpha = degrees / 2 * pi / 180;
     const double ratio = arc_loaded_disc_stress(lines, alpha, 0, 0)[0] / strength;
     table.row({number(degrees, "%.0f"), number(2 * R * std::sin(alpha), "%.2f"),
                number(ratio, "%.4f"), number(ratio * std::sin(alpha) / alpha, "%.4f")});
   }
   std::cout << table.markdown();
   write_file(run.out / "arcs.md", table.markdown());
-  results.add("arc_of_contact", 2 * b / R * 180 / std::acos(-1.0), "degree");
+  results.add("arc_of_contact", 2 * b / R * 180 / pi, "degree");
 }
 
 // 2. The loaded diameter under arcs of the contact's second moment, and of its width.

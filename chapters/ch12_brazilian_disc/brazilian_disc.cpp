@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reading.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 
@@ -15,8 +16,7 @@ using namespace ch12;
 void line_loads(Results& results) {
   results.add("lines_along", line_loaded_disc_stress(lines, 0, 0)[1], "MPa");
   const double distance = std::hypot(R, R / 2), sine = R / 2 / distance, cosine = R / distance;
-  results.add("shear_with_plus", 4 * P / std::acos(-1.0) * sine * cosine * cosine / distance,
-              "MPa");
+  results.add("shear_with_plus", 4 * P / pi * sine * cosine * cosine / distance, "MPa");
 }
 
 // 2. The middle of the disc, where (44) is read: from the mesh, from the disc between plates, from (44).

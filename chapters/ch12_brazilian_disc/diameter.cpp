@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reading.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
@@ -37,7 +38,7 @@ double radial_across(double depth) {
   const int n = 100;  // to rounding
   double sum = 0;
   for (int k = 1; k <= n; ++k) {
-    const double angle = k * std::acos(-1.0) / (n + 1);
+    const double angle = k * pi / (n + 1);
     const double share = 2.0 / (n + 1) * std::sin(angle) * std::sin(angle);
     const double sine = b / R * std::cos(angle), cosine = std::sqrt(1 - sine * sine);
     const Eigen::Vector3d stress =

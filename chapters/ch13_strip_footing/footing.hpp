@@ -1,9 +1,9 @@
 // The footing of the chapter on its soil.
 #pragma once
-#include <cmath>
 
 #include "closed_form/footing.hpp"
 #include "meshes/half_space.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/scene/readings.hpp"
 
@@ -21,7 +21,7 @@ const double footing_modulus = 2e7;  // [kPa]
 const double poisson_ratio = 0.25;   // of both [-]
 const RigidStrip strip{a, 2 * q* a};
 // [data]
-const double mean_pressure = 2 * q / std::acos(-1.0);  // (46) in the middle [kPa]
+const double mean_pressure = 2 * q / pi;  // (46) in the middle [kPa]
 
 /// Cells under half of the footing, beside it and in depth; width = depth = `far`.
 inline EdgeBlockSpec soil_of(Index under, Index beside, Index deep, double grading, double far) {

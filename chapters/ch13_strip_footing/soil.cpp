@@ -5,6 +5,7 @@
 
 #include "base.hpp"
 #include "closed_form/moduli.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
@@ -30,8 +31,7 @@ void domain(const ProgramOptions& run, Results& results) {
     before = sinks;
   }
   const double modulus = plane_strain_modulus(soil_modulus, poisson_ratio);
-  results.add("per_doubling", 1000 * 2 * strip.force / (std::acos(-1.0) * modulus) * std::log(2),
-              "mm");
+  results.add("per_doubling", 1000 * 2 * strip.force / (pi * modulus) * std::log(2), "mm");
   std::cout << table.markdown();
   write_file(run.out / "domain.md", table.markdown());
   write_file(run.out / "fig_13_4.csv", curve.csv());

@@ -3,6 +3,7 @@
 #pragma once
 #include <cmath>
 
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
 #include "slider.hpp"
 
@@ -25,7 +26,7 @@ inline Scene incline(double angle, const Friction& law) {
 
 /// \param law  of friction \return the steepest incline that holds the block [rad]
 inline double slip_angle(const Friction& law) {
-  double holds = 0, slides = 0.5 * 3.141592653589793;
+  double holds = 0, slides = 0.5 * pi;
   while (slides - holds > 1e-12) {
     const double angle = 0.5 * (holds + slides);
     const bool held = solve(incline(angle, law)).contact.report.status == SolveStatus::Solved;

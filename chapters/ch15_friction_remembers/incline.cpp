@@ -4,6 +4,7 @@
 #include <string>
 
 #include "blocks.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 
@@ -13,7 +14,7 @@ using namespace ch15;
 
 // Bisection between what holds and what is refused, against the closed form.
 void limits(Results& results) {
-  const double degree = std::acos(-1) / 180;
+  const double degree = pi / 180;
   for (const Friction& law : {Friction{0.4, 0}, Friction{0.4, 0.1}}) {
     const std::string name = law.cohesion > 0 ? "cohesive" : "coulomb";
     const double angle = slip_angle(law);

@@ -58,7 +58,7 @@ void Room::keep(double numbers) {
 
 int Room::millions() const { return static_cast<int>(bytes_ / million); }
 
-void Share::factor(Index n, Index m, Entries& own, std::vector<int> place, Eigen::MatrixXd& schur) {
+void Share::begin() {
   forget();
   mumps_ = std::make_unique<DMUMPS_STRUC_C>();
   mumps_->par = 1;
@@ -70,6 +70,10 @@ void Share::factor(Index n, Index m, Entries& own, std::vector<int> place, Eigen
   control(7) = 1;   // eliminate in our order
   control(8) = 0;   // K is scaled
   control(18) = 3;  // entries are where they were assembled
+}
+
+void Share::factor(Index n, Index m, Entries& own, std::vector<int> place, Eigen::MatrixXd& schur) {
+  begin();
   std::vector<int> schur_variables(static_cast<std::size_t>(m));
   std::iota(schur_variables.begin(), schur_variables.end(), static_cast<int>(n) + 1);
   if (m > 0) {

@@ -92,6 +92,7 @@ class Share {
   [[nodiscard]] double own_operations() const { return own_operations_; }
 
  private:
+  void begin();  // a new factorisation
   void call(int job);
   /// Control parameter, numbered as in the manual of MUMPS.
   int& control(int number) { return mumps_->icntl[number - 1]; }

@@ -5,40 +5,69 @@
 namespace command_line {
 namespace {
 
-/// Declares a command with FILE and --json.
+/// Declares a command with FILE, --json and --solver.
 CLI::App* add_command(CLI::App& app, const char* name, const char* title, const char* file,
-                      Request& request) {
+                      const char* solver, Request& request) {
   CLI::App* const command = app.add_subcommand(name, title);
   command->add_option("FILE", request.file, file)->required();
   command->add_flag("--json", request.json, "one JSON document instead of tables");
+  command->add_option("--solver", request.solver, solver)->type_name("NAME");
   return command;
 }
 
 /// Declares a command that takes a scene.
 CLI::App* add_scene(CLI::App& app, const char* name, const char* title, Request& request) {
-  CLI::App* const command =
-      add_command(app, name, title, "the scene in TOML, or - for standard input", request);
-  command
-      ->add_option("--solver", request.solver,
-                   "a name of --list, in the place of that of the scene")
-      ->type_name("NAME");
-  return command;
+  return add_command(app, name, title, "the scene in TOML, or - for standard input",
+                     "a name of --list, in the place of that of the scene", request);
 }
 
 /// Declares a command that takes a problem in numbers.
-CLI::App* add_problem(CLI::App& app, const char* name, const char* title, Request& request) {
-  CLI::App* const command =
-      add_command(app, name, title, "the problem, or - for standard input", request);
-  command
-      ->add_option("--solver", request.solver,
-                   "a name of --list, or all; without it the first that takes the problem")
-      ->type_name("NAME");
-  command
+void add_problem(CLI::App& app, const char* name, const char* title, Request& request) {
+  add_command(app, name, title, "the problem, or - for standard input",
+              "a name of --list, or all; without it the first that takes the problem", request)
       ->add_option("--tolerance", request.tolerance_text,
                    "largest figure of a certificate that is accepted")
       ->type_name("NUMBER")
       ->capture_default_str();
-  return command;
+}
+
+void declare_solve(CLI::App& app, Request& request) {
+  CLI::App* const solve =
+      add_scene(app, "solve", "solves a scene and certifies the result", request);
+  const auto add = [&](const char* option, std::string& into, const char* type,
+                       const std::string& what) {
+    return solve->add_option(option, into, what)->type_name(type);
+  };
+  add("--backend", request.backend, "NAME",
+      "a name of --list: who factors the stiffness matrix; mpirun -np N gives mumps N processes")
+      ->capture_default_str();
+  add("--vtu", request.output.vtu, "FILE",
+      "meshes and fields, for ParaView, with pressure, traction and status of contact; of load "
+      "steps a file each, and a .pvd of all");
+  add("--csv", request.output.csv, "FILE",
+      "a table of all pairs: place, gap, pressure, force, status; with friction shear, slip, "
+      "motion and dissipated work; with several contacts their names; of load steps with a column "
+      "time");
+  add("--plot", request.output.plot, "FILE",
+      "deformed meshes and the pressure of each contact, with friction also its shear, as a "
+      "picture .svg or .png, by gnuplot; of load steps the last");
+  add("--state", request.output.state, "FILE", "where load steps are, kept up to date");
+  add("--from", request.from, "FILE",
+      "goes on from what --state wrote, to the same numbers; files keep the steps up to there, and "
+      "are refused if they have others");
+  add("--accuracy", request.accuracy.target, "PART",
+      "refines the meshes until the estimated error of --goal is at most that part of its value, "
+      "such as 0.5%, and two meshes agree; if that cannot be, says what stands in the way; price "
+      "is the seconds so far by those of the first mesh");
+  add("--goal", request.accuracy.goal, "GOAL",
+      "what --accuracy is about: force (how large the resultant is), normal_force (the integral of "
+      "the pressure), peak or width (both as of Hertz's contact) of a contact, with :CONTACT if "
+      "there are several, or displacement:BODY.boundary.y; without it normal_force, or, if "
+      "equilibrium alone says what that is, the displacement of the loaded boundary");
+  add("--unknowns", request.accuracy.unknowns, "NUMBER",
+      "how many of them --accuracy may spend on one mesh; without it " +
+          signorini::text(signorini::Accuracy{}.most_unknowns) +
+          ", and no mesh that takes more than 10 s by its forecast");
 }
 
 }  // namespace
@@ -56,57 +85,7 @@ void declare(CLI::App& app, Request& request) {
   app.require_subcommand(0, 1);
   add_scene(app, "plan", "what a scene calls for and what it will cost, without solving it",
             request);
-  CLI::App* const solve =
-      add_scene(app, "solve", "solves a scene and certifies the result", request);
-  solve
-      ->add_option("--backend", request.backend,
-                   "a name of --list: who factors the stiffness matrix; mpirun -np N gives mumps N "
-                   "processes")
-      ->type_name("NAME")
-      ->capture_default_str();
-  const auto add_file = [&](const char* option, std::string& file, const char* what) {
-    solve->add_option(option, file, what)->type_name("FILE");
-  };
-  add_file("--vtu", request.output.vtu,
-           "meshes and fields, for ParaView, with pressure, traction and status of contact; of "
-           "load steps a "
-           "file each, and a .pvd of all");
-  add_file("--csv", request.output.csv,
-           "a table of all pairs: place, gap, pressure, force, status; with friction shear, slip, "
-           "motion and "
-           "dissipated work; with several contacts their names; of load steps with a column time");
-  add_file("--plot", request.output.plot,
-           "deformed meshes and the pressure of each contact, with friction also its shear, as a "
-           "picture .svg or "
-           ".png, by gnuplot; of load steps the last");
-  add_file("--state", request.output.state, "where load steps are, kept up to date");
-  add_file("--from", request.from,
-           "goes on from what --state wrote, to the same numbers; files keep the steps up to "
-           "there, and are refused if they have others");
-  solve
-      ->add_option(
-          "--accuracy", request.accuracy.target,
-          "refines the meshes until the estimated error of --goal is at most that part of its "
-          "value, such as 0.5%, and two meshes agree; if that cannot be, says what stands in the "
-          "way; "
-          "price is the seconds so far by those of the first mesh")
-      ->type_name("PART");
-  solve
-      ->add_option(
-          "--goal", request.accuracy.goal,
-          "what --accuracy is about: force (how large the resultant is), normal_force (the "
-          "integral of the pressure), peak or width (both as of Hertz's "
-          "contact) of a contact, with :CONTACT if "
-          "there are several, or displacement:BODY.boundary.y; without it normal_force, "
-          "or, if "
-          "equilibrium alone says what that is, the displacement of the loaded boundary")
-      ->type_name("GOAL");
-  solve
-      ->add_option("--unknowns", request.accuracy.unknowns,
-                   signorini::text("how many of them --accuracy may spend on one mesh; without it ",
-                                   signorini::Accuracy{}.most_unknowns,
-                                   ", and no mesh that takes more than 10 s by its forecast"))
-      ->type_name("NUMBER");
+  declare_solve(app, request);
   add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
   add_problem(
       app, "friction",

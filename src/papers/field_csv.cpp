@@ -41,6 +41,38 @@ std::vector<Polygon> between(const Polygon& corners, const Eigen::Vector3d& midd
   return pieces;
 }
 
+Polygon corners_of(const Mesh& mesh, const NodeArray& moved, Eigen::Index cell) {
+  Polygon corners;
+  for (int k = 0; k < mesh.corners(cell); ++k)
+    corners.emplace_back(moved(mesh.cells(cell, k), 0), moved(mesh.cells(cell, k), 1), 0);
+  return corners;
+}
+
+// The outline of a polygon, closed, with what is said of it.
+void add_outline(const Polygon& polygon, const std::string& said, Table& field) {
+  for (std::size_t k = 0; k <= polygon.size(); ++k) {
+    const Eigen::Vector3d& point = polygon[k % polygon.size()];
+    field.row({number(point[0], "%.5g"), number(point[1], "%.5g"), said});
+  }
+  field.blank_line();
+}
+
+// The pieces of a cell in bands between limits: the whole cell if it is in one.
+void add_bands(const Polygon& corners, const Eigen::Vector3d& middle,
+               const std::vector<double>& limits, Table& field) {
+  double low = limits.back(), high = limits.front();
+  for (const Eigen::Vector3d& corner : corners) {
+    low = std::min(low, corner[2]);
+    high = std::max(high, corner[2]);
+  }
+  for (std::size_t band = 0; band + 1 < limits.size(); ++band) {
+    if (low >= limits[band] && high <= limits[band + 1])
+      return add_outline(corners, std::to_string(band), field);
+    for (const Polygon& piece : between(corners, middle, limits[band], limits[band + 1]))
+      add_outline(piece, std::to_string(band), field);
+  }
+}
+
 // Values that rounding alone keeps from a level are moved onto it: every machine cuts the same cells.
 double snapped(double value, const std::vector<double>& levels, double tolerance) {
   for (const double level : levels)
@@ -59,15 +91,8 @@ std::string deformed_cells_csv(const Mesh& mesh, const NodeArray& displacements,
   const double size = moved.cwiseAbs().maxCoeff();
   const double largest = value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0;
   Table field({"x", "y", "value"});
-  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    const int n = mesh.corners(cell);
-    for (int corner = 0; corner <= n; ++corner) {
-      const Eigen::Index node = mesh.cells(cell, corner % n);
-      field.row({number(moved(node, 0), "%.5g"), number(moved(node, 1), "%.5g"),
-                 number(value(cell), "%.5g")});
-    }
-    field.blank_line();
-  }
+  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell)
+    add_outline(corners_of(mesh, moved, cell), number(value(cell), "%.5g"), field);
   return field.csv(text("rel 1e-4 abs ", 2e-5 * std::max(size, largest)));
 }
 
@@ -86,35 +111,20 @@ std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
   limits.push_back(std::numeric_limits<double>::infinity());
   limits.insert(limits.begin(), -limits.back());
   Table field({"x", "y", "band"});
-  const auto add = [&field](const Polygon& piece, std::size_t band) {
-    for (std::size_t k = 0; k <= piece.size(); ++k) {
-      const Eigen::Vector3d& point = piece[k % piece.size()];
-      field.row({number(point[0], "%.5g"), number(point[1], "%.5g"), std::to_string(band)});
-    }
-    field.blank_line();
-  };
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    Polygon corners;
-    double low = limits.back(), high = limits.front(), sum = 0;
+    Polygon corners = corners_of(mesh, moved, cell);
+    double sum = 0;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     const int n = mesh.corners(cell);
-    for (int corner = 0; corner < n; ++corner) {
-      const Eigen::Index node = mesh.cells(cell, corner);
-      corners.push_back({moved(node, 0), moved(node, 1), snapped(value(node), levels, tolerance)});
-      low = std::min(low, corners.back()[2]);
-      high = std::max(high, corners.back()[2]);
-      middle += corners.back() / n;
-      sum += value(node) / n;
+    for (int k = 0; k < n; ++k) {
+      Eigen::Vector3d& corner = corners[static_cast<std::size_t>(k)];
+      const double here = value(mesh.cells(cell, k));
+      corner[2] = snapped(here, levels, tolerance);
+      middle += corner / n;
+      sum += here / n;
     }
     middle[2] = snapped(sum, levels, tolerance);
-    for (std::size_t band = 0; band + 1 < limits.size(); ++band) {
-      if (low >= limits[band] && high <= limits[band + 1]) {
-        add(corners, band);
-        break;
-      }
-      for (const Polygon& piece : between(corners, middle, limits[band], limits[band + 1]))
-        add(piece, band);
-    }
+    add_bands(corners, middle, limits, field);
   }
   return field.csv(text("rel 1e-4 abs ", 2e-5 * moved.cwiseAbs().maxCoeff()));
 }

@@ -160,6 +160,18 @@ class Tableau {
   double first_sum_ = 0;
 };
 
+/// Pivots until no artificial number is left, or the rule names no pivot. \return whether the limit allows that
+bool pivot_to_end(Tableau& tableau, double first_sum, Index limit, Report& report) {
+  for (;; ++report.iterations) {
+    const Index column = tableau.feasible() ? -1 : tableau.entering();
+    const Index row = column < 0 ? -1 : tableau.leaving(column);
+    if (row < 0) return true;
+    if (report.iterations >= limit) return false;
+    tableau.pivot(row, column);
+    report.history.push_back(tableau.summary(first_sum));
+  }
+}
+
 ContactState run(const ContactProblem& problem, const ScaledProblem& scaled,
                  const std::vector<Index>& start, const SolverOptions& options) {
   const Index n = scaled.free.size();
@@ -170,17 +182,9 @@ ContactState run(const ContactProblem& problem, const ScaledProblem& scaled,
   report.status = SolveStatus::IterationLimit;
   report.factorisations = start.empty() ? 0 : 1;
   VectorXd proof;
-  for (bool pivoted = true; report.status == SolveStatus::IterationLimit;) {
-    const Index column = tableau.feasible() ? -1 : tableau.entering();
-    const Index row = column < 0 ? -1 : tableau.leaving(column);
-    if (row >= 0) {
-      if (report.iterations >= limit) break;
-      tableau.pivot(row, column);
-      ++report.iterations;
-      report.history.push_back(tableau.summary(first_sum));
-      pivoted = true;
-      continue;
-    }
+  Index rebuilt = -1;  // pivots before it
+  while (report.status == SolveStatus::IterationLimit &&
+         pivot_to_end(tableau, first_sum, limit, report)) {
     // No artificial number is left, or none but rounding, or the rule stalls.
     const std::vector<Index> closed = tableau.closed();
     report.factorisations += closed.empty() ? 0 : 1;
@@ -191,12 +195,12 @@ ContactState run(const ContactProblem& problem, const ScaledProblem& scaled,
     proof = tableau.proof();
     if (proof.size() > 0) {
       report.status = SolveStatus::Infeasible;
-    } else if (!pivoted) {
+    } else if (rebuilt == report.iterations) {
       report.status = SolveStatus::Breakdown;
     } else {  // once more from this basis, without the rounding errors of the pivots
       tableau = Tableau(scaled, closed);
       ++report.factorisations;
-      pivoted = false;
+      rebuilt = report.iterations;
     }
   }
   if (proof.size() > 0) proof = scaled.scale.cwiseProduct(proof);

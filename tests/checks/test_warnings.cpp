@@ -5,6 +5,7 @@
 #include "addons/checks/warnings.hpp"
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/scene/notes.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
@@ -111,7 +112,7 @@ TEST_CASE("strain and rotation of a linear displacement are exact on distorted c
     const Eigen::Matrix2d G = (Eigen::Matrix2d() << 0.03, 0.05, -0.01, -0.02).finished();
     solution.displacements[0] = body.mesh.nodes * G.transpose();
     const double strain = 0.005 + std::hypot(0.025, 0.02);
-    const double rotation = 0.03 * 180 / std::acos(-1.0);
+    const double rotation = 0.03 * 180 / pi;
     for (const double factor : {1 - 1e-9, 1 + 1e-9}) {
       const auto notes = [&](const SmallLimits& limits) {
         return solution_warnings(model, solution, limits);

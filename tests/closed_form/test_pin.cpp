@@ -3,13 +3,13 @@
 #include "catch_compat.hpp"
 #include "closed_form/pin.hpp"
 #include "reference/pin.hpp"
+#include "signorini/core/rounding.hpp"
 
 using namespace signorini;
 
 namespace {
 
-const double degree = std::acos(-1.0) / 180;
-const double pi = std::acos(-1.0);
+const double degree = pi / 180;
 
 /// A pin in a hole of radius 3 with a plate of modulus 7 that touches over the half angle.
 PinInPlate touching(double half_angle, double stiffness_ratio) {

@@ -1,8 +1,9 @@
 #include "catch_compat.hpp"
-#include "closed_form/spheres.hpp"
 #include "signorini/core/rounding.hpp"
+#include "support/spheres.hpp"
 
 using namespace signorini;
+using namespace signorini_test;
 
 TEST_CASE("hollow sphere: in equilibrium, strained as it moves, loaded at its surfaces",
           "[spheres]") {

@@ -5,7 +5,6 @@
 
 #include "catch_compat.hpp"
 #include "closed_form/rings.hpp"
-#include "closed_form/spheres.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
@@ -14,6 +13,7 @@
 #include "support/chosen.hpp"
 #include "support/linear_solve.hpp"
 #include "support/meshes.hpp"
+#include "support/spheres.hpp"
 
 using Eigen::Index;
 using Eigen::Vector2d;

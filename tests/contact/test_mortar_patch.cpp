@@ -2,6 +2,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/contact/gap_operators.hpp"
+#include "signorini/core/rounding.hpp"
 #include "support/two_blocks.hpp"
 
 using Eigen::Index;
@@ -102,6 +103,6 @@ TEST_CASE("more points than needed on segments change nothing", "[mortar][patch]
 TEST_CASE("two blocks under pressure close every pair and share their interface", "[mortar]") {
   const PatchResult result = press_blocks(weighted(), {}, {8, 11, 15, 1, "q8"});
   CHECK(result.pressure.size() == 17);
-  const double length = 2 / std::cos(15 * std::acos(-1.0) / 180);
+  const double length = 2 / std::cos(15 * pi / 180);
   CHECK(result.pairs.weight.sum() == Approx(length).epsilon(1e-14));
 }

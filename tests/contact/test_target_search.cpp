@@ -4,6 +4,7 @@
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/contact/target_search.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
 #include "support/random.hpp"
 
@@ -13,8 +14,6 @@ using namespace signorini;
 using signorini_test::Random;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 Mesh ring(Index cells, MeshOrder order, Sector sector = Sector::Full) {
   AnnulusSpec spec;

@@ -5,6 +5,7 @@
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/contact/target_search.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
 #include "support/random.hpp"
 
@@ -14,8 +15,6 @@ using namespace signorini;
 using signorini_test::Random;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 Mesh waves(Index cells, MeshOrder order) {
   BlockSpec spec;

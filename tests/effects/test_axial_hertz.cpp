@@ -4,14 +4,15 @@
 
 #include "catch_compat.hpp"
 #include "closed_form/moduli.hpp"
-#include "closed_form/spheres.hpp"
 #include "meshes/disc.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "signorini/scene/readings.hpp"
+#include "support/spheres.hpp"
 
 using Eigen::Index;
 using namespace signorini;
+using namespace signorini_test;
 
 namespace {
 

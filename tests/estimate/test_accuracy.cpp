@@ -11,6 +11,7 @@
 #include "closed_form/hertz.hpp"
 #include "meshes/disc.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
@@ -194,7 +195,7 @@ TEST_CASE("a width and a peak of a whole rim are read where it touches",
   const AccurateSolution result = accurate(scene, goal, 0.01);
   INFO(result.verdict);
   REQUIRE(result.met);
-  const LineContact theory{1, 1000 / (1 - 0.09), 3 * std::acos(-1.0)};
+  const LineContact theory{1, 1000 / (1 - 0.09), 3 * pi};
   const double exact = goal == "peak" ? hertz_peak_pressure(theory) : hertz_half_width(theory);
   // Hertz's bodies are half planes: a disc differs by the square of half-width over radius.
   CHECK(result.rounds.back().value == Approx(exact).epsilon(0.02).margin(0));

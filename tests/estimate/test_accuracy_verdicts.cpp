@@ -8,6 +8,7 @@
 #include "closed_form/moduli.hpp"
 #include "closed_form/rings.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/reshape.hpp"
 
@@ -107,7 +108,7 @@ TEST_CASE("a body of two layers becomes as accurate as asked for", "[accuracy][c
   const NestedRings rings{of(60, 68, soft), of(68, 76, stiff), 2};
   const double opens = ring_displacement(rings.inner, nested_pressure(rings).inner, 60);
   // The mean of cos over a quarter; sides of 5 degrees miss a fifth of the square of their angle.
-  CHECK(result.rounds.back().value == Approx(opens * 2 / std::acos(-1)).epsilon(0.012).margin(0));
+  CHECK(result.rounds.back().value == Approx(opens * 2 / pi).epsilon(0.012).margin(0));
 }
 
 TEST_CASE("gaps and their reading are one part of the error", "[accuracy]") {

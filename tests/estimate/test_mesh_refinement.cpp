@@ -10,6 +10,7 @@
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/core/random.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/joints.hpp"
 #include "signorini/fem/regions.hpp"
@@ -101,7 +102,7 @@ TEST_CASE("a disc made finer everywhere is a disc, and nothing of it comes apart
   const int triangles_every = GENERATE(0, 1, 3);
   CAPTURE(triangles_every);
   Mesh mesh = half_disc(order, triangles_every);
-  double before = std::abs(area_of(mesh) - std::acos(-1) / 2);
+  double before = std::abs(area_of(mesh) - pi / 2);
   for (int round = 0; round < 3; ++round) {
     const Mesh coarse = mesh;
     mesh = refined_mesh(coarse);
@@ -115,7 +116,7 @@ TEST_CASE("a disc made finer everywhere is a disc, and nothing of it comes apart
     for (const Index node : boundary_nodes(mesh, "rim"))
       CHECK(mesh.nodes.row(node).norm() == Approx(1).epsilon(1e-15).margin(0));
     // Chords miss a circle by (side)^2, parabolas by (side)^4.
-    const double after = std::abs(area_of(mesh) - std::acos(-1) / 2);
+    const double after = std::abs(area_of(mesh) - pi / 2);
     CHECK(before / after > (order == MeshOrder::Linear ? 3.9 : 14.5));
     before = after;
   }

@@ -4,6 +4,7 @@
 #include "addons/files/gmsh.hpp"
 #include "catch_compat.hpp"
 #include "fuzz/check_gmsh.hpp"
+#include "signorini/core/rounding.hpp"
 #include "support/folder.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/message.hpp"
@@ -44,7 +45,7 @@ TEST_CASE("a body of triangles and quadrilaterals, and one of triangles", "[mesh
   for (const Mesh& mesh : bodies) CHECK_NOTHROW(check_mesh(mesh));
   CHECK(area_of(plate) == Approx(2).margin(gmsh_rounding));
   // Four chords, or parabolas through their ends and the points of the circle between them.
-  const double angle = std::acos(-1.0) / 4;
+  const double angle = pi / 4;
   const double chords = 2 * std::sin(angle);
   const double bend = 1 - std::cos(angle / 2);
   const double parabolas = chords + 4 * 2.0 / 3 * (2 * std::sin(angle / 2)) * bend;

@@ -6,6 +6,7 @@
 
 #include "catch_compat.hpp"
 #include "meshes/hertz_meshes.hpp"
+#include "signorini/core/index.hpp"
 #include "support/factors.hpp"
 #include "support/message.hpp"
 
@@ -16,8 +17,6 @@ using signorini_test::graph;
 using signorini_test::Placed;
 
 namespace {
-
-std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 /// For each separator the first place of all that lies below it.
 std::vector<int> first_below(const SeparatorTree& tree) {

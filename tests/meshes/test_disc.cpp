@@ -3,6 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "meshes/disc.hpp"
+#include "signorini/core/rounding.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/message.hpp"
 
@@ -12,8 +13,6 @@ using namespace signorini;
 using namespace signorini_test;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 DiscSpec even(DiscPart part, MeshOrder order) {
   DiscSpec spec;

@@ -3,6 +3,7 @@
 #include "catch_compat.hpp"
 #include "meshes/plate_with_hole.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/core/rounding.hpp"
 #include "support/message.hpp"
 
 using Eigen::Index;
@@ -11,8 +12,6 @@ using namespace signorini;
 using signorini_test::argument_message;
 
 namespace {
-
-const double pi = std::acos(-1.0);
 
 /// Area from the corners of all cells; clockwise cells count negative.
 double area_of(const Mesh& mesh) {

@@ -3,6 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "closed_form/moduli.hpp"
+#include "signorini/core/rounding.hpp"
 #include "support/footing.hpp"
 
 using Eigen::Index;
@@ -13,7 +14,6 @@ using namespace signorini_test;
 namespace {
 
 const double a = footing_half, load = 2 * footing_load * footing_half;
-const double pi = std::acos(-1.0);
 const double soil_plane = plane_strain_modulus(soil_modulus, 0.25);
 
 SolvedScene settled(const Scene& scene) { return solved(scene, "the footing"); }

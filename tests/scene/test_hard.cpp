@@ -5,6 +5,7 @@
 #include "addons/frontal/frontal_factor.hpp"
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/scene/scene.hpp"
 
@@ -93,7 +94,7 @@ TEST_CASE("a node that belongs to no cell is named", "[input]") {
 TEST_CASE("a normal tilted by rounding is the axis it was meant to be", "[contact]") {
   Scene scene = beam(50, 5, 20, 2, "q4");
   scene.bodies[0].supports = {prescribed("left", Axis::Y, -0.1), symmetric("right")};
-  scene.contacts[0].target = half_plane({0, 0}, {std::cos(std::acos(-1.0) / 2), 1});
+  scene.contacts[0].target = half_plane({0, 0}, {std::cos(pi / 2), 1});
   CHECK_THROWS_WITH(plan(scene), ContainsSubstring("is held by supports and overlaps"));
 }
 

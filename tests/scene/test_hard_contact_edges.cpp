@@ -5,6 +5,7 @@
 #include "catch_compat.hpp"
 #include "meshes/half_space.hpp"
 #include "papers/solver_table.hpp"
+#include "signorini/core/rounding.hpp"
 #include "support/two_bodies.hpp"
 
 using Eigen::Index;
@@ -154,7 +155,6 @@ TEST_CASE("under a stiff punch judge the resultant and the inner part", "[contac
     scene.bodies[1].material.youngs_modulus *= 1e6;
     scene.contacts = {{{"bottom", "upper"}, Side{"surface", "soil"}}};
     const SolvedScene run = solved(scene, "the punch");
-    const double pi = std::acos(-1.0);
     double worst = 0;
     for (Index i = 0; i < run.solution.pressure.size(); ++i)
       if (const double x = run.model.pairs.position(i, 0); x < 0.81 * edge)

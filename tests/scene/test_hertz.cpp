@@ -4,6 +4,7 @@
 
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/stress.hpp"
 #include "support/hertz_reading.hpp"
 
@@ -143,7 +144,7 @@ TEST_CASE("Hertz: the normal may be either body's if they are equal, and else co
     const double round = read_hertz(problem, solved(scene_of(problem), "Hertz")).width_error;
     const double drift =
         0.3 * 1.35 * (1 / disc - 1 / plate) * hertz_peak_pressure(problem.theory());
-    const double expected = -4 / (3 * std::acos(-1.0)) * drift;
+    const double expected = -4 / (3 * pi) * drift;
     CHECK(round - flat == Approx(expected).epsilon(0).margin(2e-4));  // 15e-4 at most; mesh: 1.4e-4
   }
 }

@@ -4,6 +4,7 @@
 
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/scene/readings.hpp"
 
@@ -84,7 +85,7 @@ TEST_CASE("a push up a slope: the wedge and the support block",
           Approx(up).epsilon(1e-10).margin(0));
   }
   CHECK(exact(0.1, 0.3) == Approx(41.2371).epsilon(1e-6));
-  const double angle = 20 * std::acos(-1.0) / 180;
+  const double angle = 20 * pi / 180;
   const double up = exact(std::tan(angle), 0.3);
   const double down = exact(std::tan(angle), -0.3);
   CHECK(up == Approx(74.50).epsilon(1e-3));

@@ -1,10 +1,10 @@
 // What must not matter between two bodies: where they lie, how nodes are numbered, which one comes first.
 #include <Eigen/Geometry>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "signorini/core/rounding.hpp"
 #include "support/facing_blocks.hpp"
 #include "support/same_scenes.hpp"
 #include "support/two_bodies.hpp"
@@ -56,7 +56,7 @@ TEST_CASE("forces between two bodies turn with them, and are mirrored with them"
       const std::vector<NodeArray> before = forces(scene);
       for (const double degrees : {30.0, 90.0, 137.0}) {
         CAPTURE(degrees);
-        const double angle = degrees * std::acos(-1.0) / 180;
+        const double angle = degrees * pi / 180;
         Scene rotated = scene;
         for (Body& body : rotated.bodies) body.mesh = turned(body.mesh, angle);
         std::vector<NodeArray> back = forces(rotated);

@@ -3,6 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "reference/lining.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"
 #include "support/lining.hpp"
@@ -15,7 +16,7 @@ using signorini_test::scene_of;
 
 namespace {
 
-const double half_cell = std::acos(-1.0) / 36;  // of nine cells [rad]
+const double half_cell = pi / 36;  // of nine cells [rad]
 
 SolvedScene run_of(const Lining& lining) { return solved(scene_of(lining), "the lining"); }
 

@@ -3,6 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "reference/pin.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"
 #include "support/pin.hpp"
@@ -13,7 +14,7 @@ using signorini_test::pin_in_plate;
 
 namespace {
 
-const double degree = std::acos(-1.0) / 180;
+const double degree = pi / 180;
 
 /// What the pin does to the half hole, from its pole on, the pole included.
 struct Bearing {

@@ -6,6 +6,7 @@
 #include "meshes/ring.hpp"
 #include "papers/solver_table.hpp"
 #include "reference/pin.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/scene/readings.hpp"
 
 using Eigen::Index;
@@ -13,7 +14,7 @@ using namespace signorini;
 
 namespace {
 
-const double degree = std::acos(-1.0) / 180;
+const double degree = pi / 180;
 
 /// A pin in a disc of 60 radii, shifted by `shift` clearances. Another shift changes the free gap only.
 struct Disc {

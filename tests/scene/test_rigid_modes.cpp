@@ -222,7 +222,7 @@ TEST_CASE("sets that cannot hold the body are not confirmed", "[rigid]") {
 TEST_CASE("a slide along an inclined plane is free, whatever its rounding", "[rigid]") {
   // A block of one node, pressed straight on planes at all angles.
   for (int degrees = 1; degrees < 90; ++degrees) {
-    const double angle = degrees * std::acos(-1.0) / 180;
+    const double angle = degrees * pi / 180;
     const Vector2d normal(std::sin(angle), std::cos(angle));
     QuadraticProgramme programme;
     programme.stiffness.resize(2, 2);

@@ -3,6 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/readings.hpp"
@@ -140,7 +141,7 @@ TEST_CASE("turned meshes of the lining: nodes begin inside the other ring's chor
   const Scene scene = turned(lining);
   Ledger ledger;
   const Eigen::VectorXd inside = build(scene, ledger).pairs.initial_gap;
-  const double half_cell = std::acos(-1.0) / 36;
+  const double half_cell = pi / 36;
   for (Index k = 1; k < 9; ++k)
     CHECK(inside(k) == Approx(68.15 * std::cos(half_cell) - 68).epsilon(1e-9));
   const Eigen::VectorXd outside = build(swapped(scene), ledger).pairs.initial_gap;

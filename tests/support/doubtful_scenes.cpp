@@ -5,6 +5,7 @@
 
 #include "meshes/disc.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/core/rounding.hpp"
 #include "support/cantilever.hpp"
 #include "support/loose_meshes.hpp"
 
@@ -142,7 +143,7 @@ void add_load_warnings(std::vector<DoubtfulScene>& all) {
                  with(block(),
                       [](Scene& s) {
                         s.bodies[0].loads.edges = {traction("top", [](const Vector2d& x) {
-                          return Vector2d(0, std::cos(std::acos(-1.0) * x.x()));
+                          return Vector2d(0, std::cos(pi * x.x()));
                         })};
                       }),
                  Said::Plan,
@@ -284,8 +285,7 @@ void add_limits(std::vector<DoubtfulScene>& all) {
                  {"takes deformations for small", "strain 10 %", "smaller load"},
                  squeezed(0.01)});
   const double five_degrees = 6 * 1000 / (1 - 0.3 * 0.3) * std::pow(0.5, 3) / 12 / std::pow(50, 3) *
-                              5 * std::acos(-1.0) /
-                              180;  // of a beam: p = 6 E I / L^3 times the angle
+                              5 * pi / 180;  // of a beam: p = 6 E I / L^3 times the angle
   all.push_back({"a large rotation",
                  slender(1.2 * five_degrees),
                  Said::Solution,

@@ -89,7 +89,7 @@ inline bool hidden(const signorini::Scene& scene, const Eigen::Vector2d& shift) 
 /// The scene turned by a quarter, anticlockwise about the origin, as those turn it who do not know that it is one: the cosine of 90
 /// degrees is 6e-17. Without springs and temperature.
 inline signorini::Scene quarter_turned(signorini::Scene scene) {
-  const Eigen::Rotation2D<double> turn(std::acos(-1.0) / 2);
+  const Eigen::Rotation2D<double> turn(signorini::pi / 2);
   const auto turned = [turn](const signorini::VectorField& field) -> signorini::VectorField {
     if (!field) return {};
     return [=](const Eigen::Vector2d& x) { return turn * field(turn.inverse() * x); };

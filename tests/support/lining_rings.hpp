@@ -1,10 +1,10 @@
 // The lining of chapter 14 in its rock: two rings, in closed form.
 #pragma once
-#include <cmath>
 
 #include "closed_form/moduli.hpp"
 #include "closed_form/rings.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini_test {
@@ -36,7 +36,7 @@ inline double lining_force() {
   const double modulus = signorini::plane_strain_modulus(210e3, 0.3);
   const double ratio = signorini::plane_strain_ratio(0.3);
   const signorini::NestedRings rings{{60, 68, modulus, ratio}, {68.15, 76.15, modulus, ratio}, 180};
-  return signorini::nested_pressure(rings).inner.outside * 68 * std::acos(-1) / 2;
+  return signorini::nested_pressure(rings).inner.outside * 68 * signorini::pi / 2;
 }
 
 }  // namespace signorini_test

@@ -6,10 +6,13 @@
 #include <functional>
 #include <vector>
 
+#include "signorini/core/rounding.hpp"
+
 namespace quadrature {
 
+using signorini::pi;
+
 using Function = std::function<double(double)>;
-inline const double pi = std::acos(-1.0);
 
 /// Integral over (from, to): the double exponential rule, to about 1e-14 of the integral of |f| if f
 /// is smooth inside; values that are not finite, at the ends, count nothing.

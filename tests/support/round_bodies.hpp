@@ -1,7 +1,6 @@
 // Round bodies under loads that change with the polygon that a mesh makes of them: weight, whirling, pressure on curved
 // sides. What they are asked for is known in closed form, or from cells of eight nodes.
 #pragma once
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,13 +10,14 @@
 #include "closed_form/hertz.hpp"
 #include "closed_form/moduli.hpp"
 #include "closed_form/rings.hpp"
-#include "closed_form/spheres.hpp"
 #include "meshes/disc.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/meshes.hpp"
+#include "support/spheres.hpp"
 
 namespace signorini_test {
 
@@ -32,7 +32,7 @@ struct RoundBody {
 
 namespace round_bodies {
 
-constexpr double pi = 3.14159265358979323846;
+using signorini::pi;
 constexpr double modulus = 1000, ratio = 0.3;
 
 inline signorini::VectorField weight(double specific) {

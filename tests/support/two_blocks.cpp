@@ -7,6 +7,7 @@
 #include "addons/certified/floating_programme.hpp"
 #include "addons/effects/split.hpp"
 #include "papers/solver_table.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/elements.hpp"
@@ -34,7 +35,7 @@ struct Block {
 
 /// Height of the interface above the lower edge of the lower block.
 double interface_at(double x, double inclination) {
-  return 1 + std::tan(inclination * std::acos(-1.0) / 180) * (x - 0.5 * width);
+  return 1 + std::tan(inclination * pi / 180) * (x - 0.5 * width);
 }
 
 /// A block of three layers of cells between the curve below and the curve above it.

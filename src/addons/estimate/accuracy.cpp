@@ -172,11 +172,7 @@ class Loop {
     if (doubts == most_doubts) return false;
     ++doubts;
     marks_.clear();
-    for (const BodyModel& body : run_.model.bodies) {
-      MeshEdges all = edges(body.mesh);
-      const std::size_t count = all.size();
-      marks_.push_back({std::move(all), std::vector<char>(count, 1)});
-    }
+    for (const BodyModel& body : run_.model.bodies) marks_.push_back(marked_alike(body.mesh, 1));
     return true;
   }
 

@@ -32,6 +32,9 @@ struct ContactEdge {
 /// \return the body
 [[nodiscard]] const BodyModel& source_of(const Model& model, Eigen::Index pair);
 
+/// \param model  from build() \param pair  whose node is known \return number of its source among the bodies
+[[nodiscard]] std::size_t source_index(const Model& model, Eigen::Index pair);
+
 /// \param model  from build(), all of whose pairs have nodes
 /// \return of each contact, not 0 if its target is a mesh too
 [[nodiscard]] std::vector<char> meshed_contacts(const Model& model);

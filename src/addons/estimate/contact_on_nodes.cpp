@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "addons/estimate/contact_edges.hpp"
+#include "signorini/core/index.hpp"
 
 namespace signorini {
 
@@ -16,7 +17,7 @@ ContactOnNodes::ContactOnNodes(const Model& model, const BodyModel& body)
       even_(2 * body.mesh.n_nodes(), 2) {
   const std::vector<char> meshed = meshed_contacts(model);
   for (Index pair = 0; pair < meshed_.size(); ++pair)
-    meshed_(pair) = meshed[model.contact_of[static_cast<std::size_t>(pair)]];
+    meshed_(pair) = meshed[model.contact_of[at(pair)]];
   even_ = on_nodes(model.pairs.weight);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "addons/estimate/edges.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/fem/mesh.hpp"
 
 namespace signorini {
@@ -21,7 +22,7 @@ class EdgeMidpoints {
 
   /// \param side  of a cell \return whether its edge is halved
   [[nodiscard]] bool halves(const CellSide& side) const {
-    return halved_[static_cast<std::size_t>(edges_.at(side))] != 0;
+    return halved_[at(edges_.at(side))] != 0;
   }
   /// A node of a halved edge.
   /// \param side   of a cell

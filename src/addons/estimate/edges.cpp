@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
@@ -63,6 +64,12 @@ MeshEdges edges(const Mesh& mesh) {
         static_cast<Index>(result.sides.size()) - 1;
   }
   return result;
+}
+
+MarkedEdges marked_alike(const Mesh& mesh, char times) {
+  MeshEdges all = edges(mesh);
+  std::vector<char> halved(all.size(), times);
+  return {std::move(all), std::move(halved)};
 }
 
 int longest_side(const Mesh& mesh, Index triangle) {

@@ -37,6 +37,12 @@ struct MarkedEdges {
 /// \throws ProblemError naming the nodes if more than two cells share an edge
 [[nodiscard]] MeshEdges edges(const Mesh& mesh);
 
+/// \param mesh   any
+/// \param times  how often each edge is to be halved
+/// \return its edges, all marked alike
+/// \throws ProblemError as edges()
+[[nodiscard]] MarkedEdges marked_alike(const Mesh& mesh, char times);
+
 /// The longest side of a triangle.
 /// \param mesh      that has it
 /// \param triangle  number of a cell of three corners

@@ -40,6 +40,84 @@ struct Residuals {
   }
 };
 
+void check_one_step(const Model& model) {
+  require_input(
+      model.path.times.empty(),
+      "estimate: the model has load steps, whose errors add up along the path; only that of a "
+      "scene solved in one step is estimated: leave the path out, or compare with a finer mesh");
+}
+
+void check_nodes_of_pairs(const Model& model) {
+  for (std::size_t pair = 0; pair < model.pairs.node.size(); ++pair)
+    require_input(
+        model.pairs.node[pair] >= 0, "estimate: the pairs of ",
+        model.contacts[model.contact_of[pair]],
+        " are Gauss points with forces of their own, whose error is not estimated; use the gap "
+        "operator mortar or node_to_segment");
+}
+
+bool has_sign(const Goal& goal) {
+  return !std::holds_alternative<PeakPressure>(goal.quantity) &&
+         !std::holds_alternative<HalfWidth>(goal.quantity);
+}
+
+ErrorParts parts_of_contact(const Model& model, const std::vector<ContactEdge>& edges,
+                            const std::vector<ContactEnd>& ends, const GoalGradient& change,
+                            const DualSolution& z) {
+  ErrorParts parts;
+  parts.gap = gap_between_nodes(model, edges, z.force);
+  VectorXd per_force = -(model.programme.A * (z.displacement + z.rigid));
+  if (change.force.size() > 0) per_force += change.force;
+  for (const ContactEnd& end : ends)
+    parts.free_boundary += free_boundary(end, per_force(end.open), z.force(end.closed));
+  return parts;
+}
+
+/// What strains a body, in the solution and in every dual one.
+PrimalAndDuals fields_of(const BodyModel& body, const VectorXd& strains,
+                         const std::vector<DualSolution>& duals) {
+  PrimalAndDuals fields{body.mesh, body.element, body.material, {of_body(body, strains)}};
+  fields.displacements[0] += body.unknowns.held;
+  for (const DualSolution& z : duals) fields.displacements.push_back(of_body(body, z.displacement));
+  return fields;
+}
+
+SmoothStress timed_recovery(const PrimalAndDuals& fields, Ledger& ledger) {
+  const Ledger::Phase phase(ledger, "recovery");
+  return recovered(fields);
+}
+
+/// What moves a body, in the solution and in every dual one.
+std::vector<WholeField> whole_fields(const ContactOnNodes& contact, const BodyModel& body,
+                                     const NodeArray& displacement, const Solution& solution,
+                                     const std::vector<DualSolution>& duals) {
+  std::vector<WholeField> whole = {{displacement, contact.pressures(solution.contact.force)}};
+  for (const DualSolution& z : duals)
+    whole.push_back({of_body(body, z.displacement + z.rigid), contact.pressures(z.force)});
+  return whole;
+}
+
+void add_interior(const PrimalAndDuals& fields, const SmoothStress& smooth, const VectorXd& counted,
+                  std::vector<Estimate>& all) {
+  const Eigen::MatrixXd products = error_products(fields, smooth, counted);
+  const Eigen::MatrixXd first = anisotropic_indicator(fields, smooth);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].share.emplace_back(products.col(static_cast<Index>(k)));
+    all[k].first_direction.emplace_back(first.col(static_cast<Index>(k)));
+    all[k].parts.interior += all[k].share.back().sum();
+  }
+}
+
+void add_outline(const std::vector<OutlineShare>& sides, std::vector<Estimate>& all) {
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    std::vector<SideShare>& of_body = all[k].of_sides.emplace_back();
+    for (const OutlineShare& side : sides) {
+      of_body.push_back({side.side, side.amount(static_cast<Index>(k))});
+      all[k].parts.outline += of_body.back().amount;
+    }
+  }
+}
+
 }  // namespace
 
 double ErrorParts::sizes() const {
@@ -56,74 +134,36 @@ std::vector<Estimate> estimates(const Model& model, const Condensed& condensed,
                                 const Solution& solution, const std::vector<Goal>& goals,
                                 Ledger& ledger) {
   const Ledger::Phase phase(ledger, "estimate");
-  require_input(
-      model.path.times.empty(),
-      "estimate: the model has load steps, whose errors add up along the path; only that of a "
-      "scene solved in one step is "
-      "estimated: leave the path out, or compare with a finer mesh");
+  check_one_step(model);
   const Dual dual(model, condensed, solution);
-  for (std::size_t pair = 0; pair < model.pairs.node.size(); ++pair)
-    require_input(
-        model.pairs.node[pair] >= 0, "estimate: the pairs of ",
-        model.contacts[model.contact_of[pair]],
-        " are Gauss points with forces of their own, whose error is not estimated; use the gap "
-        "operator mortar or node_to_segment");
-  const QuadraticProgramme& programme = model.programme;
-  const Residuals residuals(programme, solution.refined);
+  check_nodes_of_pairs(model);
+  const Residuals residuals(model.programme, solution.refined);
   const std::vector<ContactEdge> edges = contact_edges(model);
   const std::vector<ContactEnd> ends =
       dual.slides() ? std::vector<ContactEnd>() : contact_ends(edges, solution, dual);
-  std::vector<Estimate> all;
+  std::vector<Estimate> all(goals.size());
   std::vector<DualSolution> duals;
   for (const Goal& goal : goals) {
-    Estimate one{goal.name, value(model, solution, goal), {}, 0, true, 0, {}, {}, {}};
-    one.is_signed = std::holds_alternative<ContactForce>(goal.quantity) ||
-                    std::holds_alternative<NormalForce>(goal.quantity) ||
-                    std::holds_alternative<Displacement>(goal.quantity);
+    Estimate& one = all[duals.size()];
+    one.goal = goal.name;
+    one.value = value(model, solution, goal);
+    one.is_signed = has_sign(goal);
     const GoalGradient change = gradient(model, solution, goal);
     duals.push_back(dual.solve(change, ledger));
-    const DualSolution& z = duals.back();
-    one.algebraic = residuals.change(z);
-    one.parts.gap = gap_between_nodes(model, edges, z.force);
+    one.algebraic = residuals.change(duals.back());
+    one.parts = parts_of_contact(model, edges, ends, change, duals.back());
     one.parts.quadrature_error = quadrature_error(model, solution, goal);
-    VectorXd per_force = -(programme.A * (z.displacement + z.rigid));
-    if (change.force.size() > 0) per_force += change.force;
-    for (const ContactEnd& end : ends)
-      one.parts.free_boundary += free_boundary(end, per_force(end.open), z.force(end.closed));
-    all.push_back(std::move(one));
   }
   const VectorXd strains = strained(solution.refined);
-  for (const BodyModel& body : model.bodies) {
-    PrimalAndDuals fields{body.mesh, body.element, body.material, {of_body(body, strains)}};
-    fields.displacements[0] += body.unknowns.held;
-    for (const DualSolution& z : duals)
-      fields.displacements.push_back(of_body(body, z.displacement));
-    const SmoothStress smooth = [&] {
-      const Ledger::Phase recovery(ledger, "recovery");
-      return recovered(fields);
-    }();
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
+    const PrimalAndDuals fields = fields_of(body, strains, duals);
+    const SmoothStress smooth = timed_recovery(fields, ledger);
     const Ledger::Phase weighing(ledger, "weighing");
-    const Eigen::MatrixXd products =
-        error_products(fields, smooth, away_from_ends(ends, model, body));
-    const Eigen::MatrixXd first = anisotropic_indicator(fields, smooth);
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      all[k].share.emplace_back(products.col(static_cast<Index>(k)));
-      all[k].first_direction.emplace_back(first.col(static_cast<Index>(k)));
-      all[k].parts.interior += all[k].share.back().sum();
-      all[k].of_sides.emplace_back();
-    }
-    const auto b = static_cast<std::size_t>(&body - model.bodies.data());
+    add_interior(fields, smooth, away_from_ends(ends, model, body), all);
     const ContactOnNodes contact(model, body);
-    std::vector<WholeField> whole = {
-        {solution.displacements[b], contact.pressures(solution.contact.force)}};
-    for (const DualSolution& z : duals)
-      whole.push_back({of_body(body, z.displacement + z.rigid), contact.pressures(z.force)});
-    for (const OutlineShare& side : outline_shares(body, smooth, contact, whole, goals))
-      for (std::size_t k = 0; k < all.size(); ++k) {
-        const double amount = side.amount(static_cast<Index>(k));
-        all[k].of_sides.back().push_back({side.side, amount});
-        all[k].parts.outline += amount;
-      }
+    const auto whole = whole_fields(contact, body, solution.displacements[b], solution, duals);
+    add_outline(outline_shares(body, smooth, contact, whole, goals), all);
   }
   for (Estimate& one : all) one.error = one.is_signed ? one.parts.sum() : one.parts.norm();
   return all;

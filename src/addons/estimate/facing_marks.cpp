@@ -5,6 +5,7 @@
 
 #include "addons/estimate/outline_shape.hpp"
 #include "signorini/contact/target_search.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
@@ -20,7 +21,7 @@ struct MarkedSide {
     return signorini::boundary(mesh, boundary);
   }
   [[nodiscard]] char& mark(std::size_t side) const {
-    return marks.halved[static_cast<std::size_t>(marks.edges.at(sides()[side]))];
+    return marks.halved[at(marks.edges.at(sides()[side]))];
   }
 };
 
@@ -48,7 +49,7 @@ bool mark_from(const MarkedSide& from, const MarkedSide& to) {
     const Projection faced = search.closest(side.point(0), side.normal(0));
     if (!faced.found) continue;
     const SideCurve& other = search.side(faced.side);
-    char& mark = to.mark(static_cast<std::size_t>(faced.side));
+    char& mark = to.mark(at(faced.side));
     if (mark != 0 || length(other) < std::sqrt(0.5) * length(side)) continue;
     if (!curved(from.mesh, here, side) && !curved(to.mesh, there, other)) continue;
     mark = 1;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/joints.hpp"
@@ -21,14 +22,14 @@ Vector2d middle_of(const Plan& plan, const std::string& contact) {
   const Pairs& pairs = plan.gaps.pairs;
   Index nearest = -1;
   for (Index pair = 0; pair < pairs.initial_gap.size(); ++pair) {
-    const std::string& own = plan.contacts[plan.contact_of[static_cast<std::size_t>(pair)]];
+    const std::string& own = plan.contacts[plan.contact_of[at(pair)]];
     if ((contact.empty() || own == contact) &&
         (nearest < 0 || pairs.initial_gap(pair) < pairs.initial_gap(nearest)))
       nearest = pair;
   }
   if (nearest < 0) return Vector2d::Zero();
   const Vector2d place = pairs.position.row(nearest).transpose();
-  const Index node = pairs.node[static_cast<std::size_t>(nearest)];
+  const Index node = pairs.node[at(nearest)];
   if (node < 0) return place;
   const BodyModel& body = plan.bodies[body_of_node(plan.bodies, node)];
   if (!depth_of(body.material).axial) return place;

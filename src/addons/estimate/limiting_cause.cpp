@@ -6,6 +6,7 @@
 
 #include "addons/estimate/contact_edges.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/scene/bodies.hpp"
 
@@ -17,13 +18,9 @@ using Eigen::Index;
 /// Where a source that presses ends at a held node; empty if none does.
 std::string held_end(const AccurateSolution& run) {
   std::vector<std::vector<char>> presses;  // of the nodes of each body
-  for (const BodyModel& body : run.model.bodies)
-    presses.emplace_back(static_cast<std::size_t>(body.mesh.n_nodes()), 0);
-  for (const Index pair : run.solution.contact.active) {
-    const auto b = static_cast<std::size_t>(&source_of(run.model, pair) - run.model.bodies.data());
-    const Index node = run.model.pairs.node[static_cast<std::size_t>(pair)];
-    presses[b][static_cast<std::size_t>(node)] = 1;
-  }
+  for (const BodyModel& body : run.model.bodies) presses.emplace_back(at(body.mesh.n_nodes()), 0);
+  for (const Index pair : run.solution.contact.active)
+    presses[source_index(run.model, pair)][at(run.model.pairs.node[at(pair)])] = 1;
   for (const ContactSpec& contact : run.scene.contacts) {
     const std::size_t b = body_index(run.model.bodies, contact.source);
     const BodyModel& body = run.model.bodies[b];
@@ -32,9 +29,8 @@ std::string held_end(const AccurateSolution& run) {
       const auto held = std::find_if(nodes.begin(), nodes.end(), [&](Index node) {
         return body.unknowns.number(node, 0) < 0 && body.unknowns.number(node, 1) < 0;
       });
-      const bool pressed = std::any_of(nodes.begin(), nodes.end(), [&](Index node) {
-        return presses[b][static_cast<std::size_t>(node)] != 0;
-      });
+      const bool pressed = std::any_of(nodes.begin(), nodes.end(),
+                                       [&](Index node) { return presses[b][at(node)] != 0; });
       if (held != nodes.end() && pressed)
         return text("the source ", in_quotes(contact.source.boundary), " of body '", body.mesh.name,
                     "' presses up to (", body.mesh.nodes(*held, 0), ", ", body.mesh.nodes(*held, 1),

@@ -18,11 +18,7 @@ using Eigen::Index;
 /// Edges of all bodies, none marked.
 std::vector<MarkedEdges> unmarked(const Model& model) {
   std::vector<MarkedEdges> marks;
-  for (const BodyModel& body : model.bodies) {
-    MeshEdges all = edges(body.mesh);
-    const std::size_t count = all.size();
-    marks.push_back({std::move(all), std::vector<char>(count, 0)});
-  }
+  for (const BodyModel& body : model.bodies) marks.push_back(marked_alike(body.mesh, 0));
   return marks;
 }
 
@@ -36,8 +32,7 @@ struct PairSide {
 std::vector<PairSide> pair_sides(const Model& model, const std::vector<MarkedEdges>& marks) {
   std::vector<PairSide> sides;
   for (const ContactEdge& pairs : contact_edges(model)) {
-    const BodyModel& body = source_of(model, pairs.from);
-    const auto b = static_cast<std::size_t>(&body - model.bodies.data());
+    const std::size_t b = source_index(model, pairs.from);
     sides.push_back({b, marks[b].edges.at(pairs.side), pairs});
   }
   return sides;
@@ -159,6 +154,51 @@ struct Candidate {
   }
 };
 
+/// The chords of all bodies, the one first whose halving pays most.
+struct Chords {
+  std::vector<std::vector<Index>> of_edge;  ///< the chord of each edge, body by body
+  std::vector<std::vector<char>> halved;    ///< how often each chord is
+  double share = 0;                         ///< of the error, on all of them
+  std::priority_queue<Candidate> queue;
+
+  void add_body(const Mesh& mesh, const MeshEdges& edges, const std::vector<double>& shares) {
+    // Of three nodes per side: two more on it, and the middle of the edge that leaves it.
+    const double per_edge = mesh.order() == MeshOrder::Quadratic ? 3 : 1;
+    const std::vector<Index>& own = of_edge.emplace_back(refinement_lines(mesh, edges));
+    const std::size_t count = at(1 + *std::max_element(own.begin(), own.end()));
+    halved.emplace_back(count, 0);
+    std::vector<double> of_chord(count, 0);
+    std::vector<double> nodes(count, 0);
+    for (std::size_t e = 0; e < own.size(); ++e) {
+      of_chord[at(own[e])] += shares[e];
+      nodes[at(own[e])] += per_edge;
+    }
+    for (std::size_t c = 0; c < count; ++c) {
+      share += of_chord[c];
+      queue.push({of_chord[c] / nodes[c], of_edge.size() - 1, static_cast<Index>(c), of_chord[c],
+                  nodes[c]});
+    }
+  }
+
+  /// Whether halving helps. \return a chord has a share of the error
+  [[nodiscard]] bool any() const { return !queue.empty() && queue.top().share != 0; }
+
+  /// Halves the first chord. A quarter of its error stays. \return how many nodes are new
+  double halve_worst() {
+    Candidate next = queue.top();
+    queue.pop();
+    const double nodes = next.nodes;
+    char& times = halved[next.body][at(next.chord)];
+    ++times;
+    share -= 0.75 * next.share;
+    next.share /= 4;
+    next.nodes *= 2;
+    next.gain = next.share / next.nodes;
+    if (times < std::numeric_limits<char>::max()) queue.push(next);
+    return nodes;
+  }
+};
+
 }  // namespace
 
 std::vector<MarkedEdges> mark_elements(const Model& model, const Solution& solution,
@@ -169,47 +209,17 @@ std::vector<MarkedEdges> mark_elements(const Model& model, const Solution& solut
   add_cells(model, marks, estimate, shares);
   add_contact(model, solution, estimate, pair_sides(model, marks), shares);
   add_outline(marks, estimate, shares);
-  std::vector<std::vector<Index>> chord_of;
-  std::priority_queue<Candidate> queue;
-  double left = 0;
+  Chords chords;
   double missing = 0;  // new nodes
   for (std::size_t b = 0; b < marks.size(); ++b) {
-    const Mesh& mesh = model.bodies[b].mesh;
-    missing += (growth - 1) * static_cast<double>(mesh.n_nodes());
-    // Of three nodes per side: two more on it, and the middle of the edge that leaves it.
-    const double per_edge = mesh.order() == MeshOrder::Quadratic ? 3 : 1;
-    chord_of.push_back(refinement_lines(mesh, marks[b].edges));
-    const std::size_t count = at(1 + *std::max_element(chord_of[b].begin(), chord_of[b].end()));
-    std::vector<double> share(count, 0);
-    std::vector<double> nodes(count, 0);
-    for (std::size_t e = 0; e < chord_of[b].size(); ++e) {
-      share[at(chord_of[b][e])] += shares[b][e];
-      nodes[at(chord_of[b][e])] += per_edge;
-    }
-    for (std::size_t c = 0; c < count; ++c) {
-      left += share[c];
-      queue.push({share[c] / nodes[c], b, static_cast<Index>(c), share[c], nodes[c]});
-    }
+    missing += (growth - 1) * static_cast<double>(model.bodies[b].mesh.n_nodes());
+    chords.add_body(model.bodies[b].mesh, marks[b].edges, shares[b]);
   }
-  std::vector<std::vector<char>> taken;  // how often
-  for (const auto& list : chord_of) taken.emplace_back(list.size(), 0);
-  const double enough = part * left;
-  while ((left > enough || missing > 0) && !queue.empty()) {
-    Candidate next = queue.top();
-    if (next.share == 0) break;
-    queue.pop();
-    missing -= next.nodes;
-    char& times = taken[next.body][at(next.chord)];
-    ++times;
-    left -= 0.75 * next.share;
-    next.share /= 4;
-    next.nodes *= 2;
-    next.gain = next.share / next.nodes;
-    if (times < std::numeric_limits<char>::max()) queue.push(next);
-  }
+  const double enough = part * chords.share;
+  while ((chords.share > enough || missing > 0) && chords.any()) missing -= chords.halve_worst();
   for (std::size_t b = 0; b < marks.size(); ++b)
-    for (std::size_t e = 0; e < chord_of[b].size(); ++e)
-      marks[b].halved[e] = taken[b][at(chord_of[b][e])];
+    for (std::size_t e = 0; e < chords.of_edge[b].size(); ++e)
+      marks[b].halved[e] = chords.halved[b][at(chords.of_edge[b][e])];
   return marks;
 }
 

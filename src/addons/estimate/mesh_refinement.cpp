@@ -204,8 +204,7 @@ HalvedMesh halved_once(const Mesh& mesh, const MarkedEdges& marks) {
     for (const Index cell : cells)
       for (Index piece = first[at(cell)]; piece < first[at(cell) + 1]; ++piece)
         result.regions[name].push_back(piece);
-  MarkedEdges again{edges(result), {}};
-  again.halved.assign(again.edges.size(), 0);
+  MarkedEdges again = marked_alike(result, 0);
   for (std::size_t edge = 0; edge < times.size(); ++edge) {
     if (times[edge] < 2) continue;
     const CellSide& side = marks.edges.sides[edge][0];
@@ -219,9 +218,6 @@ Mesh refined_mesh(const Mesh& mesh, const MeshEdges& edges, std::vector<char> ha
   return halved_once(mesh, {edges, std::move(halved)}).mesh;
 }
 
-Mesh refined_mesh(const Mesh& mesh) {
-  const MeshEdges all = edges(mesh);
-  return refined_mesh(mesh, all, std::vector<char>(all.size(), 1));
-}
+Mesh refined_mesh(const Mesh& mesh) { return halved_once(mesh, marked_alike(mesh, 1)).mesh; }
 
 }  // namespace signorini

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/joints.hpp"
 
@@ -16,16 +17,15 @@ double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y(
 
 }  // namespace
 
-OutlineShape::OutlineShape(const Mesh& mesh)
-    : mesh_(mesh), turns_(static_cast<std::size_t>(mesh.n_nodes())) {
+OutlineShape::OutlineShape(const Mesh& mesh) : mesh_(mesh), turns_(at(mesh.n_nodes())) {
   std::vector<char> several(turns_.size(), 0);
   for (const CellSide& side : outer_sides(mesh)) {
     const std::vector<Index> nodes = mesh.side_nodes(side);
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
-      Turn& first = turns_[static_cast<std::size_t>(nodes[k])];
-      Turn& last = turns_[static_cast<std::size_t>(nodes[k + 1])];
-      if (first.behind >= 0) several[static_cast<std::size_t>(nodes[k])] = 1;
-      if (last.before >= 0) several[static_cast<std::size_t>(nodes[k + 1])] = 1;
+      Turn& first = turns_[at(nodes[k])];
+      Turn& last = turns_[at(nodes[k + 1])];
+      if (first.behind >= 0) several[at(nodes[k])] = 1;
+      if (last.before >= 0) several[at(nodes[k + 1])] = 1;
       first.behind = nodes[k + 1];
       last.before = nodes[k];
     }
@@ -56,9 +56,7 @@ OutlineShape::OutlineShape(const Mesh& mesh)
     turns_[k].corner = turns_[k].corner || corner[k] != 0;
 }
 
-const OutlineShape::Turn& OutlineShape::turn(Index node) const {
-  return turns_[static_cast<std::size_t>(node)];
-}
+const OutlineShape::Turn& OutlineShape::turn(Index node) const { return turns_[at(node)]; }
 
 Vector2d OutlineShape::way(Index from, Index to) const {
   return (mesh_.nodes.row(to) - mesh_.nodes.row(from)).transpose();

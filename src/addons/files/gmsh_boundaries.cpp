@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 
 namespace signorini {
 namespace {
@@ -31,7 +32,7 @@ bool ends_before(const FileSide& a, const FileSide& b) {
 
 std::size_t line_of(const GmshRecords& file, const std::vector<GmshBody>& bodies,
                     const FileSide& side) {
-  return file.cells[bodies[side.body].source[static_cast<std::size_t>(side.side.cell)]].line;
+  return file.cells[bodies[side.body].source[at(side.side.cell)]].line;
 }
 
 /// Refuses neighbours in the sorted list that cannot be in one mesh.

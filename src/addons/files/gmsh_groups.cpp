@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 
 namespace signorini {
 namespace {
@@ -60,7 +61,7 @@ void GmshGroups::read_entities(GmshText& in) {
   const std::vector<Whole> counts = in.counts(
       {"number of points", "number of curves", "number of surfaces", "number of volumes"});
   for (int dimension = 0; dimension < 4; ++dimension) {
-    const Whole count = counts[static_cast<std::size_t>(dimension)];
+    const Whole count = counts[at(dimension)];
     for (Whole k = 0; k < count; ++k)
       read_entity(in, dimension, in.first_word(things[dimension], k, count));
   }

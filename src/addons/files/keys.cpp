@@ -4,6 +4,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "signorini/core/index.hpp"
+
 namespace signorini {
 namespace {
 
@@ -45,8 +47,7 @@ void read_as(const Value& value, std::string& into, Bound /*bound*/) {
 
 void read_as(const Value& value, Eigen::Vector2d& into, Bound bound) {
   const std::vector<Value>& both = list_of(value, 2, with_bound("number", bound));
-  for (int axis = 0; axis < 2; ++axis)
-    take(both[static_cast<std::size_t>(axis)], into[axis], bound);
+  for (int axis = 0; axis < 2; ++axis) take(both[at(axis)], into[axis], bound);
 }
 
 /// Lists of numbers of any length but 0.

@@ -31,6 +31,13 @@ struct KeyInfo {
 template <typename T>
 struct Key : KeyInfo {
   std::function<void(const Value&, T&)> read;  ///< checks the value and puts it into the T
+
+  /// \param info  what people are told of it \param reader  see `read`
+  Key(KeyInfo info, std::function<void(const Value&, T&)> reader)
+      : KeyInfo(std::move(info)), read(std::move(reader)) {}
+  /// \param key  of what every T is
+  template <typename Base>
+  Key(const Key<Base>& key) : KeyInfo(key), read(key.read) {}
 };
 
 /// The keys of a table, in the order in which they are read.
@@ -51,9 +58,9 @@ struct Word {
   E meaning;         ///< the member
 };
 
-/// The words of an enumeration; every one that files may name specialises it with `static std::vector<Word<E>> all()`.
+/// The words of an enumeration; every one that files may name specialises it.
 template <typename E>
-struct Words;
+const std::vector<Word<E>> words_of = {};
 
 /// Checks that a value is a table whose keys are known and that it has those that it must have.
 /// \param table      to be checked
@@ -88,6 +95,16 @@ template <typename T>
 void read_members(const Value& table, const Keys<T>& keys, T& into) {
   check_members(table, infos(keys));
   fill(table, keys, into);
+}
+
+/// Reads a table, or a list of them, item by item.
+/// \param read  reads one of them
+/// \return the reader of a Key
+template <typename T>
+[[nodiscard]] std::function<void(const Value&, T&)> each_item(void (*read)(const Value&, T&)) {
+  return [read](const Value& value, T& into) {
+    for (const Value* const item : value.one_or_several()) read(*item, into);
+  };
 }
 
 /// A list of so many values.
@@ -138,7 +155,7 @@ void take(const Value& value, M& into, Bound bound = Bound::Any) {
     std::string word;
     take(value, word);
     std::vector<std::string> known;
-    for (const auto& [name, meaning] : Words<M>::all()) {
+    for (const auto& [name, meaning] : words_of<M>) {
       known.emplace_back(name);
       if (name != word) continue;
       into = meaning;
@@ -150,13 +167,27 @@ void take(const Value& value, M& into, Bound bound = Bound::Any) {
   }
 }
 
+/// Fills a T from a table, or its main member from a value alone.
+/// \param value   any
+/// \param keys    of the table
+/// \param into    to be filled
+/// \param main    member that the value alone fills
+/// \param bound   of it
+/// \throws ProblemError as read_members() and take()
+template <typename T, typename M>
+void take_or_table(const Value& value, const Keys<T>& keys, T& into, M T::*main,
+                   Bound bound = Bound::Any) {
+  if (value.kind == Value::Kind::Table) return read_members(value, keys, into);
+  take(value, into.*main, bound);
+}
+
 /// \param bound  of numbers \return what messages and the reference call the type of a member
 template <typename M>
 [[nodiscard]] std::string type_name(Bound bound = Bound::Any) {
   using Type = typename Present<M>::Type;
   if constexpr (std::is_enum_v<Type>) {
     std::string names;
-    for (const auto& word : Words<Type>::all())
+    for (const auto& word : words_of<Type>)
       names += (names.empty() ? "\"" : " or \"") + std::string(word.name) + '"';
     return names;
   } else {
@@ -170,7 +201,7 @@ template <typename M>
   if constexpr (Present<M>::may_be_absent) {
     return value ? written(*value) : std::string();
   } else if constexpr (std::is_enum_v<M>) {
-    for (const auto& word : Words<M>::all())
+    for (const auto& word : words_of<M>)
       if (word.meaning == value) return '"' + std::string(word.name) + '"';
     return {};
   } else {
@@ -226,12 +257,18 @@ template <typename T, typename M>
           }};
 }
 
+/// \param key  any \return the same key, whose help says what holds without it
+template <typename T>
+[[nodiscard]] Key<T> without_standard(Key<T> key) {
+  key.standard.clear();
+  return key;
+}
+
 /// \param key  any \return the same key, which must now be there
 template <typename T>
 [[nodiscard]] Key<T> required(Key<T> key) {
   key.required = true;
-  key.standard.clear();
-  return key;
+  return without_standard(key);
 }
 
 }  // namespace signorini

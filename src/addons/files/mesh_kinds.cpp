@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -12,6 +11,8 @@
 #include "meshes/plate_with_hole.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/core/family.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/reshape.hpp"
 
@@ -20,27 +21,16 @@ namespace signorini {
 using Eigen::Index;
 
 template <>
-struct Words<DiscPart> {
-  static std::vector<Word<DiscPart>> all() {
-    return {{"full", DiscPart::Full},
-            {"right", DiscPart::Right},
-            {"lower right", DiscPart::LowerRight}};
-  }
-};
+const std::vector<Word<DiscPart>> words_of<DiscPart> = {
+    {"full", DiscPart::Full}, {"right", DiscPart::Right}, {"lower right", DiscPart::LowerRight}};
 
 template <>
-struct Words<Sector> {
-  static std::vector<Word<Sector>> all() {
-    return {{"full", Sector::Full}, {"half", Sector::Half}, {"quarter", Sector::Quarter}};
-  }
-};
+const std::vector<Word<Sector>> words_of<Sector> = {
+    {"full", Sector::Full}, {"half", Sector::Half}, {"quarter", Sector::Quarter}};
 
 template <>
-struct Words<MirrorLine> {
-  static std::vector<Word<MirrorLine>> all() {
-    return {{"upright", MirrorLine::Upright}, {"level", MirrorLine::Level}};
-  }
-};
+const std::vector<Word<MirrorLine>> words_of<MirrorLine> = {{"upright", MirrorLine::Upright},
+                                                            {"level", MirrorLine::Level}};
 
 namespace {
 
@@ -48,7 +38,7 @@ constexpr Bound positive = Bound::Positive;
 constexpr double largest_mesh = 1e7;  // cells
 
 const char* const joined_body = "the body of this file";
-const double degree = std::acos(-1.0) / 180;
+const double degree = pi / 180;
 
 void check_size(double cells) {
   require_argument(cells <= largest_mesh, "a mesh of ", cells, " cells is too large; at most ",
@@ -120,7 +110,7 @@ Key<GradedBlock> lines(const char* name, Eigen::VectorXd GradedBlock::*member, c
             std::vector<Stretch> stretches;
             double cells = 0;
             for (Index k = 0; k < parts; ++k) {
-              const Index n = lines.cells[static_cast<std::size_t>(k)];
+              const Index n = lines.cells[at(k)];
               stretches.push_back({lines.at(k + 1), n, lines.grading(k)});
               cells += number(n);
             }
@@ -143,24 +133,37 @@ Kind<Mesh> graded_block() {
       });
 }
 
+/// The cells of a mesh that is fine in a core: even there, and in layers around it.
+template <typename S>
+Keys<S> with_layers(Keys<S> keys, const char* core, const char* cells) {
+  keys.push_back(key("core", &S::core, "length", core, positive));
+  keys.push_back(key("core_cells", &S::core_columns, &S::core_rows, "", cells, positive));
+  keys.push_back(key("layers", &S::layers, "", "of cells around the core", positive));
+  keys.push_back(key("layer_grading", &S::layer_grading, "",
+                     "growth of the last layer / of the first, in logarithms", positive));
+  keys.push_back(quadratic<S>());
+  return keys;
+}
+
+/// \param parts  how often the core and its layers stand in the mesh
+template <typename S>
+void check_layers(const S& spec, double parts) {
+  const double columns = number(spec.core_columns), rows = number(spec.core_rows);
+  check_size(parts * (columns * rows + (columns + rows) * number(spec.layers)));
+}
+
 Kind<Mesh> half_space() {
   using S = HalfSpaceSpec;
   return kind_of<Mesh, S>(
       "half_space",
       "right half of a half-space, fine at the origin; boundaries surface (y = 0), axis (x = 0), "
       "side, base",
-      {required(key("width", &S::width, "length", "along x", positive)),
-       required(key("depth", &S::depth, "length", "downwards", positive)),
-       key("core", &S::core, "length", "width and depth of the even cells at the origin", positive),
-       key("core_cells", &S::core_columns, &S::core_rows, "", "of the core, along x and y",
-           positive),
-       key("layers", &S::layers, "", "of cells around the core", positive),
-       key("layer_grading", &S::layer_grading, "",
-           "growth of the last layer / of the first, in logarithms", positive),
-       quadratic<S>()},
+      with_layers<S>({required(key("width", &S::width, "length", "along x", positive)),
+                      required(key("depth", &S::depth, "length", "downwards", positive))},
+                     "width and depth of the even cells at the origin",
+                     "of the core, along x and y"),
       [](const S& spec) {
-        const double columns = number(spec.core_columns), rows = number(spec.core_rows);
-        check_size(columns * rows + (columns + rows) * number(spec.layers));
+        check_layers(spec, 1);
         return make_half_space(spec);
       });
 }
@@ -218,19 +221,13 @@ Kind<Mesh> pressed_disc() {
   using S = PressedDiscSpec;
   return kind_of<Mesh, S>(
       "pressed_disc", "a disc that is fine at its lowest and highest point; boundaries as of disc",
-      {required(key("radius", &S::radius, "length", "of the disc", positive)),
-       key("pole", &S::pole, "length", "lowest point"), key("part", &S::part, "", "how much of it"),
-       key("core", &S::core, "length", "width along x and depth of the even cells at the pole",
-           positive),
-       key("core_cells", &S::core_columns, &S::core_rows, "", "of the core, along rim and axis",
-           positive),
-       key("layers", &S::layers, "", "of cells around the core", positive),
-       key("layer_grading", &S::layer_grading, "",
-           "growth of the last layer / of the first, in logarithms", positive),
-       quadratic<S>()},
+      with_layers<S>({required(key("radius", &S::radius, "length", "of the disc", positive)),
+                      key("pole", &S::pole, "length", "lowest point"),
+                      key("part", &S::part, "", "how much of it")},
+                     "width along x and depth of the even cells at the pole",
+                     "of the core, along rim and axis"),
       [](const S& spec) {
-        const double columns = number(spec.core_columns), rows = number(spec.core_rows);
-        check_size(4 * (columns * rows + (columns + rows) * number(spec.layers)));
+        check_layers(spec, 4);
         return make_pressed_disc(spec);
       });
 }
@@ -280,12 +277,6 @@ Key<S> cells_around(const char* help) {
           }};
 }
 
-template <typename S, typename M, typename B>
-Key<S> inherited(const char* name, M B::*member, const char* unit, const char* help, Bound bound) {
-  return {{name, type_name<M>(bound), unit, written(S{}.*member), help},
-          [member, bound](const Value& value, S& spec) { take(value, spec.*member, bound); }};
-}
-
 Kind<Mesh> plate_with_hole() {
   using B = PlateWithHoleSpec;
   using S = WithRays<B>;
@@ -294,13 +285,11 @@ Kind<Mesh> plate_with_hole() {
       "a rectangle with a round hole in its middle; boundaries hole, left, right, bottom, top, of "
       "a "
       "part also symmetry (x axis) and symmetry_y",
-      ray_keys<B>(
-          {required(
-               inherited<S>("hole_radius", &B::hole_radius, "length", "of the hole", positive)),
-           required(inherited<S>("size", &B::size, "length", "of the whole plate", positive)),
-           cells_around<S>("along the hole, and from the hole to the sides"),
-           inherited<S>("centre", &B::centre, "length", "of hole and plate", Bound::Any),
-           inherited<S>("grading", &B::grading, "", "outer cell of a ray / inner", positive)}),
+      ray_keys<B>({required(key("hole_radius", &B::hole_radius, "length", "of the hole", positive)),
+                   required(key("size", &B::size, "length", "of the whole plate", positive)),
+                   cells_around<S>("along the hole, and from the hole to the sides"),
+                   key("centre", &B::centre, "length", "of hole and plate"),
+                   key("grading", &B::grading, "", "outer cell of a ray / inner", positive)}),
       [](const S& spec) { return make_plate_with_hole(checked<B>(spec)); });
 }
 
@@ -312,13 +301,12 @@ Kind<Mesh> annulus() {
       "what lies between two circles; boundaries inner, outer, of a part also symmetry (x axis) "
       "and symmetry_y",
       ray_keys<B>(
-          {required(
-               inherited<S>("inner_radius", &B::inner_radius, "length", "of the hole", positive)),
-           required(inherited<S>("outer_radius", &B::outer_radius, "length", "above inner_radius",
-                                 positive)),
+          {required(key("inner_radius", &B::inner_radius, "length", "of the hole", positive)),
+           required(
+               key("outer_radius", &B::outer_radius, "length", "above inner_radius", positive)),
            cells_around<S>("along the angle and the radius"),
-           inherited<S>("centre", &B::centre, "length", "of both circles", Bound::Any),
-           inherited<S>("grading", &B::grading, "", "outermost cell / innermost", positive)}),
+           key("centre", &B::centre, "length", "of both circles"),
+           key("grading", &B::grading, "", "outermost cell / innermost", positive)}),
       [](const S& spec) { return make_annulus(checked<B>(spec)); });
 }
 
@@ -347,6 +335,17 @@ Mesh mesh_of_surface(const Origin& origin, const std::filesystem::path& file,
   return mesh;
 }
 
+Mesh mesh_of_file(const Filed& filed, const Origin& origin) {
+  const std::filesystem::path file = origin.folder / filed.file;
+  if (filed.surfaces.size() == 1) return mesh_of_surface(origin, file, filed.surfaces.front());
+  if (filed.surfaces.size() > 1)
+    return mesh_named(read_gmsh(file, {{joined_body, filed.surfaces}}), joined_body);
+  std::vector<Mesh> meshes = read_gmsh(file);
+  require_input(meshes.size() == 1, "the file has ", meshes.size(),
+                " bodies: say which one with surface = \"NAME\"; there are: ", names_of(meshes));
+  return std::move(meshes.front());
+}
+
 Kind<Mesh> gmsh() {
   const Keys<Filed> keys = {
       {{"file", "text", "", "", "written by Gmsh, in the folder of the scene file", true},
@@ -368,19 +367,7 @@ Kind<Mesh> gmsh() {
           infos(keys), [keys](const Value& table) -> Mesh {
             Filed filed;
             fill(table, keys, filed);
-            return filed.value->explain([&]() -> Mesh {
-              GmshParts parts;
-              if (filed.surfaces.size() > 1) parts[joined_body] = filed.surfaces;
-              const std::filesystem::path file = table.origin->folder / filed.file;
-              if (filed.surfaces.size() == 1)
-                return mesh_of_surface(*table.origin, file, filed.surfaces.front());
-              std::vector<Mesh> meshes = read_gmsh(file, parts);
-              if (!parts.empty()) return mesh_named(meshes, joined_body);
-              require_input(
-                  meshes.size() == 1, "the file has ", meshes.size(),
-                  " bodies: say which one with surface = \"NAME\"; there are: ", names_of(meshes));
-              return std::move(meshes.front());
-            });
+            return filed.value->explain([&] { return mesh_of_file(filed, *table.origin); });
           }};
 }
 

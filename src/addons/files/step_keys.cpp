@@ -4,6 +4,7 @@
 
 #include "addons/files/scene_keys.hpp"
 #include "addons/steps/histories.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/table.hpp"
 
 namespace signorini {
@@ -15,7 +16,7 @@ constexpr std::size_t most_steps = 1000000;
 std::size_t number_of(const std::string& name, const std::vector<History>& histories) {
   const auto found = std::find_if(histories.begin(), histories.end(),
                                   [&](const History& history) { return history.name == name; });
-  return static_cast<std::size_t>(found - histories.begin());
+  return at(found - histories.begin());
 }
 
 /// The times of some steps, the first of which begins at a time.
@@ -28,7 +29,7 @@ void add_times(const Value& item, const StepsDraft& steps, double begin,
     place.fail("load steps of size zero: they must end after time ", shortest(begin),
                times.empty() ? ", where steps begin" : ", where those before end", ", got ",
                shortest(end));
-  if (times.size() + static_cast<std::size_t>(steps.count) > most_steps)
+  if (times.size() + at(steps.count) > most_steps)
     item.fail("at most ", most_steps, " load steps are taken");
   double last = begin;
   for (const double share : equal_steps(steps.count)) {

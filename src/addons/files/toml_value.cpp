@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "signorini/core/index.hpp"
 #include "signorini/core/wording.hpp"
 
 namespace signorini {
@@ -50,7 +51,7 @@ std::size_t first_unforeseen(std::string_view content) {
     return true;
   };
   const auto line = std::partition_point(ends.begin(), ends.end(), foreseen);
-  return static_cast<std::size_t>(line - ends.begin()) + 1;
+  return at(line - ends.begin()) + 1;
 }
 
 /// Where something stands: tables and lists begin with their first key, of which they know the line.

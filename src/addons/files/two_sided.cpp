@@ -5,6 +5,7 @@
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/exact_sum.hpp"
 
@@ -63,7 +64,7 @@ OneSided one_sided(const TwoSidedProgramme& programme) {
   dense.A.resize(count, programme.q.size());
   dense.initial_gap.resize(count);
   for (Index k = 0; k < count; ++k) {
-    const auto [row, sign] = form.rows[static_cast<std::size_t>(k)];
+    const auto [row, sign] = form.rows[at(k)];
     dense.A.row(k) = sign * programme.A.row(row);
     dense.initial_gap(k) = sign > 0 ? programme.upper(row) : -programme.lower(row);
   }
@@ -103,12 +104,12 @@ double objective(const TwoSidedProgramme& programme, const PrimalDual& solution)
 }
 
 VectorXd multipliers(const OneSided& form, const VectorXd& force, Index count) {
-  require_argument(static_cast<std::size_t>(force.size()) == form.rows.size(),
+  require_argument(at(force.size()) == form.rows.size(),
                    "multipliers: expected one force for each of ", form.rows.size(), " rows, got ",
                    force.size());
   VectorXd y = VectorXd::Zero(count);
   for (Index k = 0; k < force.size(); ++k) {
-    const auto [row, sign] = form.rows[static_cast<std::size_t>(k)];
+    const auto [row, sign] = form.rows[at(k)];
     y(row) += sign * force(k);
   }
   return y;

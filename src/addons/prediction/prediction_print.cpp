@@ -23,17 +23,10 @@ std::string in_words(const PredictedFigure& figure, double amount) {
 }  // namespace
 
 const char* to_string(Certainty certainty) {
-  switch (certainty) {
-    case Certainty::Exact:
-      return "exact";
-    case Certainty::Estimate:
-      return "about";
-    case Certainty::AtLeast:
-      return "at least";
-    case Certainty::Unknown:
-      return "not known";
-  }
-  return "";
+  return certainty == Certainty::Exact      ? "exact"
+         : certainty == Certainty::Estimate ? "about"
+         : certainty == Certainty::AtLeast  ? "at least"
+                                            : "not known";
 }
 
 const char* to_string(Frequency frequency) {

@@ -219,6 +219,95 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
   return result;
 }
 
+namespace {
+
+/// A path while it is walked. All that is decided here follows from the state and from the times that are given, or a
+/// path that goes on from the state would take other steps.
+struct Walk {
+  Model& model;
+  CondensedPath& path;
+  Ledger ledger;
+  const StepObserver& observe;
+  PathEnd end;
+  double before = 0;  // the given times around the step
+  double target = 0;
+  double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
+
+  bool goes(double time);
+  bool passes_change(double reach, bool looks_for_it);
+  bool reaches(double time);
+};
+
+/// Takes one step, as long as it may be.
+bool Walk::goes(double time) {
+  const Step next = step(end.state, time, model, path, std::exchange(ledger, {}));
+  if (next.solution.contact.report.status == SolveStatus::Solved) {
+    end.state = next.state;
+    if (observe) observe(model, next);
+    return true;
+  }
+  if (next.solution.contact.unbounded_direction.size() > 0 && !end.limit)
+    end.limit = balanced_until(before, target, model, path.condensed.problem);
+  tell(model, next.solution, time, end);
+  return false;
+}
+
+/// Steps just beyond, or just before, the place on the way where pairs begin to slide or to open.
+bool Walk::passes_change(double reach, bool looks_for_it) {
+  const double begin = end.state.time;
+  const double margin = limit_margin * (target - before);
+  std::optional<double> share;
+  if (looks_for_it) share = first_change(end.state, path.condensed.problem);
+  const double change = begin + share.value_or(0) * (reach - begin);
+  const bool there = share && change - margin <= begin;
+  const double next = there ? change + margin : change - margin;
+  if (share && next > begin && goes(next)) return true;
+  if (there) end.limit = change;
+  end.reason += text(". The step to ", target, " was halved ", model.path.halvings, " times",
+                     there ? text(", and nothing is found beyond time ", change,
+                                  ", where pairs begin to slide or to open")
+                           : "");
+  return false;
+}
+
+/// Goes on to the next given time, in parts if that must be.
+bool Walk::reaches(double time) {
+  before = std::exchange(target, time);
+  const int most = model.path.halvings;
+  double reach = target;
+  int foreseen = 0;  // changes of pairs
+  for (int halved = 0; end.state.time < target;) {
+    const double begin = end.state.time;
+    const double half = begin + 0.5 * (reach - begin);  // times may have no digit for it
+    const bool known = end.limit.has_value();
+    if (goes(reach)) {
+      if (reach >= held) return false;
+      reach = std::min(target, held);
+      halved = 0;
+    } else if (end.status == SolveStatus::SlidTooFar) {
+      return false;  // no shorter way leads there
+    } else if (end.limit && !known) {
+      held = *end.limit - limit_margin * (target - before);
+      if (most == 0 || held <= begin) return false;
+      reach = held;
+    } else if (begin < half && half < reach && ++halved <= most) {
+      ++end.halvings;
+      reach = half;
+    } else if (passes_change(reach, foreseen++ < most)) {
+      reach = target;
+      halved = 0;
+    } else {
+      return false;
+    }
+  }
+  if (end.limit) return true;
+  end.status = SolveStatus::Solved;
+  end.reason.clear();
+  return true;
+}
+
+}  // namespace
+
 PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathState& from) {
   require_input(scene.path.has_value(),
                 "solve_steps: the scene has no load steps; give its `path` times, or use solve()");
@@ -231,74 +320,10 @@ PathEnd solve_steps(const Scene& scene, const StepObserver& observe, const PathS
 
 PathEnd solve_steps(Model& model, CondensedPath& path, Ledger ledger, const StepObserver& observe,
                     const PathState& from) {
-  PathEnd end{from};
-  // All that is decided here follows from the state and from the times that are given, or a path that goes on from the
-  // state would take other steps.
-  double before = 0;
-  double target = 0;
-  const auto goes = [&](double time) {
-    const Step next = step(end.state, time, model, path, std::exchange(ledger, {}));
-    const bool solved = next.solution.contact.report.status == SolveStatus::Solved;
-    if (solved) {
-      end.state = next.state;
-      if (observe) observe(model, next);
-    } else {
-      if (next.solution.contact.unbounded_direction.size() > 0 && !end.limit)
-        end.limit = balanced_until(before, target, model, path.condensed.problem);
-      tell(model, next.solution, time, end);
-    }
-    return solved;
-  };
-  const bool divides = model.path.halvings > 0;
-  double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
-  for (const double time : model.path.times) {
-    before = std::exchange(target, time);
-    const double margin = limit_margin * (target - before);
-    double reach = target;
-    int foreseen = 0;  // changes of pairs
-    for (int halved = 0; end.state.time < target;) {
-      const double begin = end.state.time;
-      const double half = begin + 0.5 * (reach - begin);  // times may have no digit for it
-      const bool known = end.limit.has_value();
-      if (goes(reach)) {
-        if (reach >= held) return ended(std::move(end));
-        reach = std::min(target, held);
-        halved = 0;
-      } else if (end.status == SolveStatus::SlidTooFar) {
-        return ended(std::move(end));  // no shorter way leads there
-      } else if (end.limit && !known) {
-        held = *end.limit - margin;
-        if (!divides || held <= begin) return ended(std::move(end));
-        reach = held;
-      } else if (begin < half && half < reach && ++halved <= model.path.halvings) {
-        ++end.halvings;
-        reach = half;
-      } else {
-        const std::optional<double> share = foreseen++ < model.path.halvings
-                                                ? first_change(end.state, path.condensed.problem)
-                                                : std::nullopt;
-        const double change = begin + share.value_or(0) * (reach - begin);
-        const bool there = share && change - margin <= begin;
-        const double next = there ? change + margin : change - margin;
-        if (!share || !(next > begin) || !goes(next)) {
-          if (there) end.limit = change;
-          end.reason +=
-              text(". The step to ", target, " was halved ", model.path.halvings, " times",
-                   there ? text(", and nothing is found beyond time ", change,
-                                ", where pairs begin to slide or to open")
-                         : "");
-          return ended(std::move(end));
-        }
-        reach = target;
-        halved = 0;
-      }
-    }
-    if (!end.limit) {
-      end.status = SolveStatus::Solved;
-      end.reason.clear();
-    }
-  }
-  return end;
+  Walk walk{model, path, std::move(ledger), observe, PathEnd{from}};
+  for (const double time : model.path.times)
+    if (!walk.reaches(time)) return ended(std::move(walk.end));
+  return std::move(walk.end);
 }
 
 }  // namespace signorini

@@ -5,6 +5,7 @@
 
 #include "addons/certified/proofs.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
@@ -68,12 +69,11 @@ std::optional<double> first_change(const PathState& past, const ContactProblem& 
   };
   const Index pairs = scaled.pairs();
   for (Index i = 0; i < pairs; ++i)
-    if (past.contact_status[static_cast<std::size_t>(i)] != ContactStatus::Open)
-      use_up(now(i), then(i));
+    if (past.contact_status[at(i)] != ContactStatus::Open) use_up(now(i), then(i));
   const FrictionLaw& law = problem.law;
   for (Index k = 0; k < law.coefficient.size(); ++k) {
-    const Index pair = law.pair[static_cast<std::size_t>(k)];
-    if (past.contact_status[static_cast<std::size_t>(pair)] != ContactStatus::Stick) continue;
+    const Index pair = law.pair[at(k)];
+    if (past.contact_status[at(pair)] != ContactStatus::Stick) continue;
     const auto room = [&](const VectorXd& force, double sign) {
       return law.coefficient(k) * force(pair) + law.cohesion(k) - sign * force(pairs + k);
     };

@@ -26,22 +26,18 @@ void visit_vectors(State& state, Visit&& visit) {
   visit("rigid", state.solution.rigid);
 }
 
-Index next_size(TextReader& reader, const std::string& name, Index least = 0) {
+/// The word after a name on the next line.
+std::string_view word_after(TextReader& reader, const std::string& name) {
   if (!reader.next_line()) reader.fail(name, "");
   const std::string_view word = reader.word();
   if (word != name) reader.fail(name, word);
-  const Index size = reader.size(reader.word(), "size of " + name, least);
-  reader.expect_end_of_line("the size of " + name);
-  return size;
+  return reader.word();
 }
 
-double next_number(TextReader& reader, const std::string& name) {
-  if (!reader.next_line()) reader.fail(name, "");
-  const std::string_view word = reader.word();
-  if (word != name) reader.fail(name, word);
-  const double value = reader.number(reader.word(), name);
-  reader.expect_end_of_line(name);
-  return value;
+Index next_size(TextReader& reader, const std::string& name, Index least = 0) {
+  const Index size = reader.size(word_after(reader, name), "size of " + name, least);
+  reader.expect_end_of_line("the size of " + name);
+  return size;
 }
 
 }  // namespace
@@ -62,7 +58,8 @@ PathState read_state(const std::string& content, const std::string& name) {
   PathState state;
   reader.expect_line(first_line);
   state.steps = next_size(reader, "steps", 1);
-  state.time = next_number(reader, "time");
+  state.time = reader.number(word_after(reader, "time"), "time");
+  reader.expect_end_of_line("time");
   if (!(state.time > 0)) reader.fail("time: expected a number > 0, got " + shortest(state.time));
   const Index pairs = next_size(reader, "motion");
   reader.check_room(pairs, 1, "motion");

@@ -5,56 +5,67 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/fem/assembly.hpp"
 
 namespace signorini {
 
 using Eigen::Index;
+namespace {
+
+/// What a node sees of the obstacle, whose function anyone may have written.
+ObstacleContact look_from(const Mesh& mesh, Index node, const Obstacle& obstacle) {
+  const ObstacleContact seen = obstacle.look(mesh.nodes.row(node).transpose());
+  require_input(std::isfinite(seen.gap) && seen.normal.allFinite(), "obstacle '", obstacle.name,
+                "': the gap at node ", node,
+                " is not finite, but it must be wherever the body may be");
+  require_input(std::abs(seen.normal.norm() - 1) < 1e-8, "obstacle '", obstacle.name,
+                "': the normal at node ", node, " must have length 1, got ", seen.normal.norm());
+  return seen;
+}
+
+/// Rows of which each reads how far one node of the source moves against a direction of its own.
+NodalRows rows_along(const NodeArray& directions, const std::vector<Index>& nodes,
+                     const Surface& source, Index n_nodes) {
+  NodalRows rows(directions.rows(), 2 * n_nodes);
+  rows.reserve(Eigen::VectorXi::Constant(directions.rows(), 2));
+  for (Index pair = 0; pair < directions.rows(); ++pair)
+    for (int axis = 0; axis < 2; ++axis)
+      rows.insert(pair, 2 * (source.first_node + nodes[at(pair)]) + axis) = directions(pair, axis);
+  rows.makeCompressed();
+  return rows;
+}
+
+}  // namespace
 
 Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const GapOptions& options) {
   require_input(static_cast<bool>(obstacle.look), "obstacle '", obstacle.name,
                 "': cannot be looked at; make it with half_plane, disc, hole or profile");
-  Pairs pairs;
   const std::vector<Index> idle = nodes_without_share(source.mesh, source.boundary, options.depth);
-  std::vector<Index> kept;
   const std::vector<Index> nodes = boundary_nodes(source.mesh, source.boundary);
+  Pairs pairs;
+  std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < nodes.size(); ++k)
     if (!std::binary_search(idle.begin(), idle.end(), nodes[k])) {
       pairs.node.push_back(nodes[k]);
-      kept.push_back(static_cast<Index>(k));
+      kept.push_back(k);
     }
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
   const Index n_pairs = pairs.position.rows();
   pairs.initial_gap.resize(n_pairs);
   pairs.normal.resize(n_pairs, 2);
-  pairs.opening.resize(n_pairs, 2 * options.n_nodes);
-  pairs.opening.reserve(Eigen::VectorXi::Constant(n_pairs, 2));
-  if (options.sliding) {
-    pairs.sliding.resize(n_pairs, 2 * options.n_nodes);
-    pairs.sliding.reserve(Eigen::VectorXi::Constant(n_pairs, 2));
-  }
+  NodeArray tangent(n_pairs, 2);
   for (Index pair = 0; pair < n_pairs; ++pair) {
-    const Index node = pairs.node[static_cast<std::size_t>(pair)];
-    const ObstacleContact seen = obstacle.look(pairs.position.row(pair).transpose());
-    require_input(std::isfinite(seen.gap) && seen.normal.allFinite(), "obstacle '", obstacle.name,
-                  "': the gap at node ", node,
-                  " is not finite, but it must be wherever the body may be");
-    require_input(std::abs(seen.normal.norm() - 1) < 1e-8, "obstacle '", obstacle.name,
-                  "': the normal at node ", node, " must have length 1, got ", seen.normal.norm());
-    pairs.initial_gap(pair) = seen.gap;
-    pairs.normal.row(pair) = seen.normal.transpose();
-    const Index column = 2 * (source.first_node + node);
-    pairs.opening.insert(pair, column) = seen.normal.x();
-    pairs.opening.insert(pair, column + 1) = seen.normal.y();
-    if (!options.sliding) continue;
-    pairs.sliding.insert(pair, column) = seen.normal.y();
-    pairs.sliding.insert(pair, column + 1) = -seen.normal.x();
+    const auto [gap, n] = look_from(source.mesh, pairs.node[at(pair)], obstacle);
+    pairs.initial_gap(pair) = gap;
+    pairs.normal.row(pair) << n.x(), n.y();
+    tangent.row(pair) << n.y(), -n.x();
   }
+  pairs.opening = rows_along(pairs.normal, pairs.node, source, options.n_nodes);
+  if (options.sliding) pairs.sliding = rows_along(tangent, pairs.node, source, options.n_nodes);
   pairs.moment = pairs.target_moment = NodeArray::Zero(n_pairs, 2);
   pairs.weight = weights_of_nodes(
       boundary_areas(source.mesh, source.boundary, options.depth)(kept, Eigen::all), pairs.normal);
-  pairs.opening.makeCompressed();
-  pairs.sliding.makeCompressed();
   return pairs;
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <ostream>
 #include <set>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/far.hpp"
 
@@ -37,48 +37,59 @@ std::ostream& operator<<(std::ostream& out, const Corners& corners) {
   return out;
 }
 
-void check_node_numbers(const Mesh& mesh) {
-  const Eigen::Index n = mesh.n_nodes();
+template <typename... Parts>
+void require_mesh(const Mesh& mesh, bool right, const Parts&... fault) {
+  require_input(right, "mesh '", mesh.name, "': ", fault...);
+}
+
+void check_shape_and_positions(const Mesh& mesh) {
   const Eigen::Index width = mesh.cells.cols();
-  require_input(width == 3 || width == 4 || width == 6 || width == 8, "mesh '", mesh.name,
-                "': cells must have 3 or 4 nodes, or 6 or 8, got ", width);
+  require_mesh(mesh, width == 3 || width == 4 || width == 6 || width == 8,
+               "cells must have 3 or 4 nodes, or 6 or 8, got ", width);
   require_input(mesh.n_cells() > 0, "mesh '", mesh.name,
                 "' has no cells: make it with a generator, or read it from a file with surfaces");
-  for (Eigen::Index node = 0; node < n; ++node)
-    require_input(mesh.nodes.row(node).allFinite(), "mesh '", mesh.name, "': the position (",
-                  mesh.nodes(node, 0), ", ", mesh.nodes(node, 1), ") of node ", node,
-                  " is not finite, but it must be two numbers");
-  std::vector<char> used(static_cast<std::size_t>(n), 0);
+  for (Eigen::Index node = 0; node < mesh.n_nodes(); ++node)
+    require_mesh(mesh, mesh.nodes.row(node).allFinite(), "the position (", mesh.nodes(node, 0),
+                 ", ", mesh.nodes(node, 1), ") of node ", node,
+                 " is not finite, but it must be two numbers");
+}
+
+/// Cells refer to nodes that exist, and every node belongs to a cell.
+void check_node_numbers(const Mesh& mesh) {
+  const Eigen::Index n = mesh.n_nodes();
+  std::vector<char> used(at(n), 0);
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
     const Eigen::Index size = mesh.cell_size(cell);
     for (Eigen::Index k = 0; k < size; ++k) {
       const Eigen::Index node = mesh.cells(cell, k);
-      require_input(node >= 0 && node < n, "mesh '", mesh.name, "': cell ", cell,
-                    " refers to node ", node, ", but the nodes are 0 to ", n - 1);
-      used[static_cast<std::size_t>(node)] = 1;
+      require_mesh(mesh, node >= 0 && node < n, "cell ", cell, " refers to node ", node,
+                   ", but the nodes are 0 to ", n - 1);
+      used[at(node)] = 1;
     }
-    for (Eigen::Index k = size; k < width; ++k)
-      require_input(mesh.cells(cell, k) == -1, "mesh '", mesh.name, "': cell ", cell,
-                    ", a triangle in rows of ", width, ", must have -1 after its ", size,
-                    " nodes, got ", mesh.cells(cell, k));
+    for (Eigen::Index k = size; k < mesh.cells.cols(); ++k)
+      require_mesh(mesh, mesh.cells(cell, k) == -1, "cell ", cell, ", a triangle in rows of ",
+                   mesh.cells.cols(), ", must have -1 after its ", size, " nodes, got ",
+                   mesh.cells(cell, k));
   }
   for (Eigen::Index node = 0; node < n; ++node)
-    require_input(used[static_cast<std::size_t>(node)] != 0, "mesh '", mesh.name, "': node ", node,
-                  " belongs to no cell; leave it out");
+    require_mesh(mesh, used[at(node)] != 0, "node ", node, " belongs to no cell; leave it out");
+}
+
+/// Boundaries list sides that exist, each once.
+void check_boundaries(const Mesh& mesh) {
   for (const auto& [name, sides] : mesh.boundaries) {
-    require_input(!sides.empty(), "mesh '", mesh.name, "': the boundary '", name,
-                  "' has no sides; give it some, or leave it out");
+    require_mesh(mesh, !sides.empty(), "the boundary '", name,
+                 "' has no sides; give it some, or leave it out");
     std::set<std::pair<Eigen::Index, int>> seen;
     for (const CellSide& side : sides) {
       const bool has_cell = side.cell >= 0 && side.cell < mesh.n_cells();
       const int n_sides = has_cell ? mesh.corners(side.cell) : 4;
-      require_input(has_cell && side.side >= 0 && side.side < n_sides, "mesh '", mesh.name,
-                    "': the boundary '", name, "' refers to side ", side.side, " of cell ",
-                    side.cell, ", but the cells are 0 to ", mesh.n_cells() - 1, " with sides 0 to ",
-                    n_sides - 1);
-      require_input(seen.insert({side.cell, side.side}).second, "mesh '", mesh.name,
-                    "': the boundary '", name, "' lists side ", side.side, " of cell ", side.cell,
-                    " twice");
+      require_mesh(mesh, has_cell && side.side >= 0 && side.side < n_sides, "the boundary '", name,
+                   "' refers to side ", side.side, " of cell ", side.cell,
+                   ", but the cells are 0 to ", mesh.n_cells() - 1, " with sides 0 to ",
+                   n_sides - 1);
+      require_mesh(mesh, seen.insert({side.cell, side.side}).second, "the boundary '", name,
+                   "' lists side ", side.side, " of cell ", side.cell, " twice");
     }
   }
 }
@@ -91,9 +102,8 @@ void check_midpoints(const Mesh& mesh, Eigen::Index cell) {
     const Eigen::RowVector2d along = mesh.nodes.row(mesh.cells(cell, (s + 1) % n)) - a;
     const Eigen::RowVector2d middle = mesh.nodes.row(mesh.cells(cell, n + s)) - a;
     const double t = middle.dot(along) / along.squaredNorm();
-    require_input(t > 0.25 && t < 0.75, "mesh '", mesh.name, "': cell ", cell,
-                  " has the middle node of side ", s, " at ", t,
-                  " of the side; it must lie between 0.25 and 0.75");
+    require_mesh(mesh, t > 0.25 && t < 0.75, "cell ", cell, " has the middle node of side ", s,
+                 " at ", t, " of the side; it must lie between 0.25 and 0.75");
   }
 }
 
@@ -108,6 +118,47 @@ void check_digits(const Mesh& mesh, double away, double size, const Parts&... so
                 "' has lost its digits: so far from the origin its coordinates are rounded to ",
                 rounding, ", expected at most a millionth of ", something..., ", which is ", size,
                 ". Move the bodies near the origin");
+}
+
+/// Sides of boundaries have a length: more than rounding of the coordinates of a mesh on the origin.
+/// \param size  of the mesh [length]
+void check_lengths(const Mesh& mesh, double size) {
+  for (const auto& [name, sides] : mesh.boundaries)
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      const std::vector<Eigen::Index> ends = mesh.side_nodes(sides[s]);
+      const double length = (mesh.nodes.row(ends.front()) - mesh.nodes.row(ends.back())).norm();
+      require_mesh(mesh, length > 4 * epsilon * size, "side ", s, " of the boundary '", name,
+                   "' (cell ", sides[s].cell, ") has zero length: its end nodes ", ends.front(),
+                   " and ", ends.back(), " coincide; leave the side out, or move a node");
+    }
+}
+
+/// \param away, size  of the mesh, as of check_digits() [length]
+MeshQuality check_cell(const Mesh& mesh, Eigen::Index cell, double away, double size) {
+  const int n = mesh.corners(cell);
+  Eigen::Array4d jacobian;
+  Eigen::Array4d side;
+  for (int k = 0; k < 4; ++k) {  // a triangle meets its first corner again
+    jacobian(k) = corner_jacobian(mesh, cell, k % n);
+    side(k) =
+        (mesh.nodes.row(mesh.cells(cell, (k + 1) % n)) - mesh.nodes.row(mesh.cells(cell, k % n)))
+            .norm();
+  }
+  const double lowest = jacobian.minCoeff();
+  const double highest = jacobian.maxCoeff();
+  const double longest = side.maxCoeff();
+  const double flat = 16 * epsilon * longest * size;
+  require_mesh(
+      mesh, lowest > flat, "cell ", cell,
+      highest < -flat
+          ? " is inverted (its corners run clockwise)"
+          : " is degenerate (a corner of 180 degrees or more, or two corners in one place)",
+      ": corners ", Corners{mesh, cell}, "; list them anticlockwise, or move a node");
+  const double height = lowest / longest;
+  check_digits(mesh, away, height, "the height of cell ", cell);
+  check_midpoints(mesh, cell);
+  // A triangle may be flat with sides of like lengths: its height tells.
+  return {lowest / highest, longest / (n == 3 ? height / std::sqrt(0.75) : side.minCoeff())};
 }
 
 }  // namespace
@@ -140,53 +191,20 @@ std::vector<Eigen::Index> boundary_nodes(const Mesh& mesh, const std::string& na
 }
 
 MeshQuality check_mesh(const Mesh& mesh) {
+  check_shape_and_positions(mesh);
   check_node_numbers(mesh);
+  check_boundaries(mesh);
   const double size = (mesh.nodes.colwise().maxCoeff() - mesh.nodes.colwise().minCoeff()).norm();
   const double away = distance_from_origin(mesh.nodes);
   check_digits(mesh, away, size, "its size");
-  // A side shorter than rounding of the coordinates of a mesh on the origin has no length.
-  const double no_length = 4 * epsilon * size;
-  for (const auto& [name, sides] : mesh.boundaries)
-    for (std::size_t s = 0; s < sides.size(); ++s) {
-      const std::vector<Eigen::Index> ends = mesh.side_nodes(sides[s]);
-      const double length = (mesh.nodes.row(ends.front()) - mesh.nodes.row(ends.back())).norm();
-      require_input(length > no_length, "mesh '", mesh.name, "': side ", s, " of the boundary '",
-                    name, "' (cell ", sides[s].cell, ") has zero length: its end nodes ",
-                    ends.front(), " and ", ends.back(),
-                    " coincide; leave the side out, or move a node");
-    }
-  MeshQuality quality{1, 1};
+  check_lengths(mesh, size);
+  MeshQuality worst{1, 1};
   for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -lowest;
-    double shortest = lowest;
-    double longest = 0;
-    const int n = mesh.corners(cell);
-    for (int k = 0; k < n; ++k) {
-      const double jacobian = corner_jacobian(mesh, cell, k);
-      lowest = std::min(lowest, jacobian);
-      highest = std::max(highest, jacobian);
-      const double side =
-          (mesh.nodes.row(mesh.cells(cell, (k + 1) % n)) - mesh.nodes.row(mesh.cells(cell, k)))
-              .norm();
-      shortest = std::min(shortest, side);
-      longest = std::max(longest, side);
-    }
-    const double flat = 16 * epsilon * longest * size;
-    require_input(
-        lowest > flat, "mesh '", mesh.name, "': cell ", cell,
-        highest < -flat
-            ? " is inverted (its corners run clockwise)"
-            : " is degenerate (a corner of 180 degrees or more, or two corners in one place)",
-        ": corners ", Corners{mesh, cell}, "; list them anticlockwise, or move a node");
-    check_digits(mesh, away, lowest / longest, "the height of cell ", cell);
-    check_midpoints(mesh, cell);
-    quality.smallest_jacobian_ratio = std::min(quality.smallest_jacobian_ratio, lowest / highest);
-    // A triangle may be flat with sides of like lengths: its height tells.
-    if (n == 3) shortest = lowest / longest / std::sqrt(0.75);
-    quality.largest_aspect_ratio = std::max(quality.largest_aspect_ratio, longest / shortest);
+    const auto [jacobian_ratio, aspect_ratio] = check_cell(mesh, cell, away, size);
+    worst.smallest_jacobian_ratio = std::min(worst.smallest_jacobian_ratio, jacobian_ratio);
+    worst.largest_aspect_ratio = std::max(worst.largest_aspect_ratio, aspect_ratio);
   }
-  return quality;
+  return worst;
 }
 
 }  // namespace signorini

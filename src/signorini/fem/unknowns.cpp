@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/places.hpp"
 
@@ -26,6 +27,35 @@ Axis normal_axis(const Mesh& mesh, const std::string& name) {
                 name, "': the boundary must be straight and parallel to an axis, but it spans ",
                 extent.x(), " x ", extent.y());
   return extent.x() < extent.y() ? Axis::X : Axis::Y;
+}
+
+/// Holds the nodes of a support where it says; another support, or the axis, must not say otherwise.
+void hold(const Mesh& mesh, const Support& support, const std::vector<Index>& on_axis,
+          Unknowns& unknowns) {
+  const auto require_support = [&](bool right, const auto&... fault) {
+    require_input(right, "support on '", support.boundary, "': ", fault...);
+  };
+  bool held[2] = {support.holds_x, support.holds_y};
+  if (support.normal_only) held[normal_axis(mesh, support.boundary) == Axis::X ? 0 : 1] = true;
+  require_support(static_cast<bool>(support.displacement),
+                  "has no displacement; make it with fixed, symmetric or prescribed");
+  for (const Index node : nodes_at(mesh, support.boundary, support.only_at, "support")) {
+    const Eigen::Vector2d value = support.displacement(mesh.nodes.row(node).transpose());
+    for (int axis = 0; axis < 2; ++axis) {
+      if (!held[axis]) continue;
+      require_support(std::isfinite(value(axis)), "the displacement given at node ", node,
+                      " is not finite, but it must be a number at every node");
+      const bool by_axis = axis == 0 && std::binary_search(on_axis.begin(), on_axis.end(), node);
+      require_support(unknowns.number(node, axis) == 0 || unknowns.held(node, axis) == value(axis),
+                      "node ", node, " gets the displacement ", value(axis), " in direction ",
+                      axis == 0 ? 'x' : 'y',
+                      by_axis ? ", but it lies on the axis of the body, which gives it "
+                              : ", but another support gives it ",
+                      unknowns.held(node, axis), ": leave one of them out");
+      unknowns.number(node, axis) = -1;
+      unknowns.held(node, axis) = value(axis);
+    }
+  }
 }
 
 }  // namespace
@@ -94,32 +124,9 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports,
   std::vector<Index> on_axis;
   if (state == PlaneState::Axial) on_axis = axis_nodes(mesh);
   for (const Index node : on_axis) unknowns.number(node, 0) = -1;
-  for (const Support& support : supports) {
-    bool held[2] = {support.holds_x, support.holds_y};
-    if (support.normal_only) held[normal_axis(mesh, support.boundary) == Axis::X ? 0 : 1] = true;
-    require_input(static_cast<bool>(support.displacement), "support on '", support.boundary,
-                  "': has no displacement; make it with fixed, symmetric or prescribed");
-    for (const Index node : nodes_at(mesh, support.boundary, support.only_at, "support")) {
-      const Eigen::Vector2d value = support.displacement(mesh.nodes.row(node).transpose());
-      for (int axis = 0; axis < 2; ++axis) {
-        if (!held[axis]) continue;
-        require_input(std::isfinite(value(axis)), "support on '", support.boundary,
-                      "': the displacement given at node ", node,
-                      " is not finite, but it must be a number at every node");
-        require_input(unknowns.number(node, axis) == 0 || unknowns.held(node, axis) == value(axis),
-                      "support on '", support.boundary, "': node ", node, " gets the displacement ",
-                      value(axis), " in direction ", axis == 0 ? 'x' : 'y',
-                      std::binary_search(on_axis.begin(), on_axis.end(), node) && axis == 0
-                          ? ", but it lies on the axis of the body, which gives it "
-                          : ", but another support gives it ",
-                      unknowns.held(node, axis), ": leave one of them out");
-        unknowns.number(node, axis) = -1;
-        unknowns.held(node, axis) = value(axis);
-      }
-    }
-  }
+  for (const Support& support : supports) hold(mesh, support, on_axis, unknowns);
   const Index free = (unknowns.number >= 0).count();
-  unknowns.node_of.reserve(static_cast<std::size_t>(free));
+  unknowns.node_of.reserve(at(free));
   for (Index node = 0; node < mesh.n_nodes(); ++node)
     for (int axis = 0; axis < 2; ++axis) {
       if (unknowns.number(node, axis) < 0) continue;

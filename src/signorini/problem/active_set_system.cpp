@@ -242,6 +242,38 @@ std::pair<VectorXd, VectorXd> ActiveSetSystem::solve(const VectorXd& top,
   return {factor_.solve(load), amplitude};
 }
 
+namespace {
+
+/// How far forces move the rows of a system, summed exactly.
+class RowMovement {
+ public:
+  RowMovement(const ScaledProblem& problem, const Rows& rows, const Rows& support)
+      : problem_(problem), rows_(rows), support_(support) {
+    if (!sparse_) columns_ = problem.compliance(rows, support);
+    if (!sparse_ && problem.rigid.cols() > 0) rigid_ = problem.rigid(rows, Eigen::all);
+  }
+  [[nodiscard]] VectorXd of(const ActiveSetSolution& now) const {
+    ExactVector sum(sparse_ ? problem_.free : VectorXd(problem_.free(rows_)));
+    for (std::size_t c = 0; c < support_.size(); ++c) {
+      const double force = now.force(support_[c]);
+      if (sparse_ && force != 0) sum.add_product(problem_.sparse, support_[c], force);
+      if (!sparse_ && force != 0) sum.add_product(columns_.col(static_cast<Index>(c)), force);
+    }
+    for (Index j = 0; j < problem_.rigid.cols(); ++j)
+      sum.add_product(sparse_ ? problem_.rigid.col(j) : rigid_.col(j), now.amplitude(j));
+    return sparse_ ? VectorXd(sum.value()(rows_)) : sum.value();
+  }
+
+ private:
+  const ScaledProblem& problem_;
+  const Rows& rows_;
+  const Rows& support_;
+  bool sparse_ = problem_.sparse.size() > 0;
+  MatrixXd columns_, rigid_;
+};
+
+}  // namespace
+
 ActiveSetSolution solve_active_set(const ScaledProblem& problem, const ActiveSet& set,
                                    const ActiveSetSolution* start) {
   const ActiveSetSystem system(problem, set);
@@ -256,24 +288,12 @@ ActiveSetSolution solve_active_set(const ScaledProblem& problem, const ActiveSet
   impose(set, now.force);
   const Index modes = problem.rigid.cols();
   const bool sparse = problem.sparse.size() > 0;
-  const MatrixXd columns = sparse ? MatrixXd() : problem.compliance(rows, support);
-  const MatrixXd rigid = modes > 0 ? MatrixXd(problem.rigid(rows, Eigen::all)) : MatrixXd();
-  const auto moved = [&] {
-    ExactVector sum(sparse ? problem.free : VectorXd(problem.free(rows)));
-    for (std::size_t c = 0; c < support.size(); ++c) {
-      const double force = now.force(support[c]);
-      if (sparse && force != 0) sum.add_product(problem.sparse, support[c], force);
-      if (!sparse && force != 0) sum.add_product(columns.col(static_cast<Index>(c)), force);
-    }
-    for (Index j = 0; j < modes; ++j)
-      sum.add_product(sparse ? problem.rigid.col(j) : rigid.col(j), now.amplitude(j));
-    return sparse ? VectorXd(sum.value()(rows)) : sum.value();
-  };
+  const RowMovement moved(problem, rows, support);
   const int most = sparse ? most_sparse_sweeps : most_sweeps;
   for (int step = 0; step < most && !(rows.empty() && modes == 0); ++step) {
     ExactVector balance(modes > 0 ? VectorXd(-problem.resultant) : VectorXd());
     if (modes > 0) balance.add_products(problem.rigid, now.force);
-    const auto [change, turn] = system.solve(-moved(), -balance.value());
+    const auto [change, turn] = system.solve(-moved.of(now), -balance.value());
     for (std::size_t r = 0; r < rows.size(); ++r)
       now.force(rows[r]) += change(static_cast<Index>(r));
     now.amplitude += turn;

@@ -84,9 +84,7 @@ void scale_apart(const Eigen::MatrixXd& rigid, const Eigen::VectorXd& free,
 
 const double allowed_asymmetry = 1e3 * epsilon;
 
-}  // namespace
-
-void check_finite(const ContactProblem& problem) {
+void check_sizes(const ContactProblem& problem) {
   const Eigen::MatrixXd& F = problem.compliance;
   const Eigen::Index pairs = problem.free_gap.size();
   const Eigen::Index slips = problem.free_slip.size();
@@ -99,39 +97,55 @@ void check_finite(const ContactProblem& problem) {
                    "contact problem: rigid must be ", n, " x ", modes,
                    " (one row per gap and slip, one column per entry of resultant), got ",
                    problem.rigid.rows(), " x ", problem.rigid.cols());
-  require_argument(
-      F.allFinite() && problem.free_gap.allFinite() && problem.free_slip.allFinite() &&
-          problem.rigid.allFinite() && problem.resultant.allFinite(),
-      "contact problem: compliance, free_gap, free_slip, rigid and resultant must be finite");
-  // Forces are quotients of these numbers and energies products of those: beyond, they would overflow.
-  const double largest = 0x1p340;
-  const double smallest = 1 / largest;
-  const auto fits = [&](double x) {
-    return x == 0 || (std::abs(x) >= smallest && std::abs(x) <= largest);
-  };
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const bool gap = j < pairs;
-    require_argument(fits(gap ? problem.free_gap(j) : problem.free_slip(j - pairs)) &&
-                         fits(F(j, j)) && F.col(j).cwiseAbs().maxCoeff() <= largest &&
-                         (gap || (fits(problem.law.coefficient(j - pairs)) &&
-                                  fits(problem.law.cohesion(j - pairs)))),
-                     "contact problem: ", gap ? "pair " : "slip ", gap ? j + 1 : j - pairs + 1,
+}
+
+/// Whether a number is 0, or from 1/most to most in magnitude.
+bool within(double number, double most) {
+  return number == 0 || (std::abs(number) >= 1 / most && std::abs(number) <= most);
+}
+
+/// Forces are quotients of these numbers, and energies products of forces: beyond, they would overflow.
+void check_magnitudes(const ContactProblem& problem) {
+  const double most = 0x1p340;
+  const Eigen::MatrixXd& F = problem.compliance;
+  const Eigen::Index pairs = problem.free_gap.size();
+  for (Eigen::Index j = 0; j < F.cols(); ++j) {
+    const Eigen::Index slip = j - pairs;
+    const bool gap = slip < 0;
+    require_argument(within(gap ? problem.free_gap(j) : problem.free_slip(slip), most) &&
+                         within(F(j, j), most) && F.col(j).cwiseAbs().maxCoeff() <= most &&
+                         (gap || (within(problem.law.coefficient(slip), most) &&
+                                  within(problem.law.cohesion(slip), most))),
+                     "contact problem: ", gap ? "pair " : "slip ", gap ? j + 1 : slip + 1,
                      " has numbers beyond 1e102 or below 1e-102 in magnitude; change the units");
   }
-  const auto turns = [](double x) { return x == 0 || (x >= 0x1p-170 && x <= 0x1p170); };
-  for (Eigen::Index j = 0; j < modes; ++j) {
-    double most = 0;
-    bool scales = true;  // whether entries that rows are scaled by do no harm
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double size = std::abs(problem.rigid(i, j));
-      most = std::max(most, size);
-      if (F(i, i) == 0 && !turns(size)) scales = false;
-    }
+}
+
+/// The quotients of a mode's entries that scale rows (where F_ii = 0) are forces, too.
+void check_magnitudes_of_modes(const ContactProblem& problem) {
+  const double most = 0x1p170;
+  for (Eigen::Index j = 0; j < problem.resultant.size(); ++j) {
+    const auto mode = problem.rigid.col(j);
+    bool fits = within(largest(mode), most) && within(problem.resultant(j), most);
+    for (Eigen::Index i = 0; i < mode.size(); ++i)
+      fits = fits && (problem.compliance(i, i) != 0 || within(mode(i), most));
     require_argument(
-        scales && turns(most) && turns(std::abs(problem.resultant(j))),
-        "contact problem: rigid mode ", j + 1,
+        fits, "contact problem: rigid mode ", j + 1,
         " has numbers beyond 1e51 or below 1e-51 in magnitude; change its amplitude or the units");
   }
+}
+
+}  // namespace
+
+void check_finite(const ContactProblem& problem) {
+  check_sizes(problem);
+  require_argument(
+      problem.compliance.allFinite() && problem.free_gap.allFinite() &&
+          problem.free_slip.allFinite() && problem.rigid.allFinite() &&
+          problem.resultant.allFinite(),
+      "contact problem: compliance, free_gap, free_slip, rigid and resultant must be finite");
+  check_magnitudes(problem);
+  check_magnitudes_of_modes(problem);
 }
 
 void check_law(const FrictionLaw& law, Eigen::Index pairs, Eigen::Index slips) {

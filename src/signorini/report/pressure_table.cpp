@@ -12,6 +12,19 @@ namespace {
 
 using Eigen::Index;
 
+/// Adds the force of a pair and its moments. \param tangent  0 along the normal, 1 along the tangent
+void add_force(const Pairs& pairs, Index pair, int tangent, double force, bool axial,
+               Resultants& sum) {
+  const Eigen::Vector2d n = pairs.normal.row(pair).transpose();
+  Eigen::Vector2d f = force * (tangent == 0 ? n : Eigen::Vector2d(n.y(), -n.x()));
+  if (axial) f.x() = 0;
+  sum.force += f;
+  if (axial) return;
+  const double here = pairs.position(pair, 0) * f.y() - pairs.position(pair, 1) * f.x();
+  sum.moment += here + force * pairs.moment(pair, tangent);
+  sum.target_moment += -here + force * pairs.target_moment(pair, tangent);
+}
+
 /// Adds every pair to the sum that it belongs to. \param sum_of  gives that of a pair
 template <typename SumOf>
 void add_pairs(const Model& model, const Solution& solution,
@@ -20,19 +33,9 @@ void add_pairs(const Model& model, const Solution& solution,
   const Pairs& pairs = model.pairs;
   const ContactState& contact = solution.contact;
   const bool axial = std::any_of(model.bodies.begin(), model.bodies.end(), is_axial);
-  const auto add = [&](Index pair, int which, double force, const Eigen::Vector2d& direction) {
-    Resultants& sum = sum_of(pair);
-    Eigen::Vector2d f = force * direction;
-    if (axial) f.x() = 0;
-    sum.force += f;
-    if (axial) return;
-    const double here = pairs.position(pair, 0) * f.y() - pairs.position(pair, 1) * f.x();
-    sum.moment += here + force * pairs.moment(pair, which);
-    sum.target_moment += -here + force * pairs.target_moment(pair, which);
-  };
   for (Index pair = 0; pair < contact.force.size(); ++pair) {
-    add(pair, 0, contact.force(pair), pairs.normal.row(pair).transpose());
     Resultants& sum = sum_of(pair);
+    add_force(pairs, pair, 0, contact.force(pair), axial, sum);
     sum.normal_force += contact.force(pair);
     sum.peak_pressure = std::max(sum.peak_pressure, solution.pressure(pair));
     ++sum.pairs;
@@ -41,9 +44,8 @@ void add_pairs(const Model& model, const Solution& solution,
   for (Index k = 0; k < lost.size(); ++k) {
     const Index pair = contact.frictional_pairs[static_cast<std::size_t>(k)];
     const ContactStatus contact_status = contact.contact_status[static_cast<std::size_t>(k)];
-    const auto normal = pairs.normal.row(pair);
-    add(pair, 1, contact.friction(k), {normal.y(), -normal.x()});
     Resultants& sum = sum_of(pair);
+    add_force(pairs, pair, 1, contact.friction(k), axial, sum);
     sum.shear_force += contact.friction(k);
     sum.dissipated += lost(k);
     sum.dissipated_total += totals ? totals->dissipation(k) : lost(k);

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signorini/core/rounding.hpp"
+
 namespace signorini_test {
+
+using signorini::pi;
 
 signorini::ContactProblem random_friction(Random& random, Eigen::Index n, double coefficient,
                                           double cohesion) {
@@ -84,7 +88,6 @@ Eigen::VectorXd forces(const signorini::ContactState& state) {
 }
 
 signorini::ContactProblem cylinder(Eigen::Index n, double coefficient, double part) {
-  const double pi = 3.14159265358979323846;
   const double h = 2.6 / static_cast<double>(n);
   const auto primitive = [](double x) { return x == 0 ? 0 : x * std::log(std::abs(x)) - x; };
   Eigen::MatrixXd G(n, n);  // -2/pi times the mean of log(|x_i - s| / 10) over element j, per force
