@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "addons/files/kinds.hpp"
@@ -26,9 +27,10 @@ struct Words<PlaneState> {
 
 namespace {
 
-std::vector<std::string> boundary_names(const Mesh& mesh) {
+template <typename Thing>
+std::vector<std::string> names_in(const std::map<std::string, Thing>& named) {
   std::vector<std::string> names;
-  for (const auto& named : mesh.boundaries) names.push_back(named.first);
+  for (const auto& one : named) names.push_back(one.first);
   return names;
 }
 
@@ -37,20 +39,9 @@ void check_boundary(const Value& value, const Mesh& mesh, const std::string& nam
   const auto found = mesh.boundaries.find(name);
   if (found == mesh.boundaries.end())
     value.fail("'", mesh.name, "' has no boundary ", in_quotes(name),
-               suggestion(name, boundary_names(mesh)));
+               suggestion(name, names_in(mesh.boundaries)));
   if (found->second.empty())
     value.fail("the boundary ", in_quotes(name), " of '", mesh.name, "' is empty");
-}
-
-/// The names of boundaries, one or a list.
-std::vector<std::string> boundaries_of(const Value& value, const Mesh& mesh) {
-  std::vector<std::string> names;
-  for (const Value* item : value.one_or_several()) {
-    names.emplace_back();
-    take(*item, names.back());
-    check_boundary(*item, mesh, names.back());
-  }
-  return names;
 }
 
 /// Calls a function with every boundary and what is said of it: { top = 3.6 }.
@@ -70,6 +61,69 @@ VectorField constant(const Vector2d& vector) {
   return [vector](const Vector2d& /*at*/) { return vector; };
 }
 
+/// Adds a load to each boundary of a table, filled by a function from what is said of it.
+template <typename Fill>
+void read_edge_loads(const Value& value, BodyDraft& draft, const Fill& fill) {
+  each_boundary(value, draft.mesh, [&](const Value& item) {
+    EdgeLoad& load = draft.loads.edges.emplace_back();
+    load.boundary = item.name;
+    fill(item, load);
+  });
+}
+
+void read_pressure(const Value& value, BodyDraft& draft) {
+  read_edge_loads(value, draft, [](const Value& item, EdgeLoad& load) {
+    take_growing(item, load.pressure, load.history);
+  });
+}
+
+void read_traction(const Value& value, BodyDraft& draft) {
+  read_edge_loads(value, draft, [](const Value& item, EdgeLoad& load) {
+    Vector2d traction;
+    take_growing(item, traction, load.history);
+    load.traction = constant(traction);
+  });
+}
+
+void read_element(const Value& value, BodyDraft& draft) {
+  take_member(value, elements(), "element", draft.element);
+  value.explain([&] { static_cast<void>(element_for(draft.mesh, draft.element)); });
+}
+
+void read_own_material(const Value& value, BodyDraft& draft) {
+  draft.material = {};
+  read_material(value, draft.material);
+  draft.own_material = true;
+}
+
+void read_temperature(const Value& value, BodyDraft& draft) {
+  take_or_table(value, temperature_keys(), draft.temperature.emplace(), &Temperature::uniform);
+}
+
+void read_springs(const Value& value, BodyDraft& draft) {
+  each_boundary(value, draft.mesh, [&](const Value& item) {
+    Vector2d stiffness;
+    take(item, stiffness, Bound::NotNegative);
+    draft.springs.push_back({item.name, stiffness, {}});
+  });
+}
+
+void read_body_force(const Value& value, BodyDraft& draft) {
+  Vector2d force;
+  take_growing(value, force, draft.loads.body_force_history);
+  draft.loads.body_force = constant(force);
+}
+
+/// Supports by the components of a displacement that are given; `made` makes one of an axis and a displacement.
+template <typename Given, typename Made>
+void prescribe(const Given& given, const Made& made, BodyDraft& draft) {
+  for (const auto& [axis, by] : {std::pair(Axis::X, given.x), std::pair(Axis::Y, given.y)}) {
+    if (!by) continue;
+    draft.supports.push_back(made(axis, *by));
+    draft.supports.back().history = given.history;
+  }
+}
+
 /// The boundary that a node at a place lies on: the one with the nearest node.
 std::string boundary_at(const Value& value, const Mesh& mesh, const Vector2d& at) {
   double least = std::numeric_limits<double>::infinity();
@@ -87,22 +141,19 @@ std::string boundary_at(const Value& value, const Mesh& mesh, const Vector2d& at
 void read_point(const Value& value, BodyDraft& draft) {
   PointDraft point;
   read_members(value, point_keys(), point);
-  Body& body = draft.body;
-  if (!point.force && !point.spring && !point.x && !point.y)
+  const bool moved = point.x || point.y;
+  if (!point.force && !point.spring && !moved)
     value.fail("nothing acts at this point: give force, spring, x or y");
-  if (point.force) body.loads.points.push_back({point.at, *point.force, point.history});
-  if (const Value* const history = value.find("history");
-      history && !point.force && !point.x && !point.y)
+  if (point.force) draft.loads.points.push_back({point.at, *point.force, point.history});
+  if (const Value* const history = value.find("history"); history && !point.force && !moved)
     history->fail("has no meaning for a spring: leave it out");
-  if (!point.spring && !point.x && !point.y) return;
-  const std::string boundary = boundary_at(value, body.mesh, point.at);
-  if (point.spring) body.springs.push_back({boundary, *point.spring, point.at});
-  const auto move = [&](Axis axis, double by) {
-    body.supports.push_back(prescribed_at(boundary, point.at, axis, by));
-    body.supports.back().history = point.history;
+  if (!point.spring && !moved) return;
+  const std::string boundary = boundary_at(value, draft.mesh, point.at);
+  if (point.spring) draft.springs.push_back({boundary, *point.spring, point.at});
+  const auto made = [&](Axis axis, double by) {
+    return prescribed_at(boundary, point.at, axis, by);
   };
-  if (point.x) move(Axis::X, *point.x);
-  if (point.y) move(Axis::Y, *point.y);
+  prescribe(point, made, draft);
 }
 
 /// Gives the cells of a box a name, and returns it.
@@ -150,7 +201,7 @@ Index cells_cut(const Mesh& mesh, const std::vector<double>& box) {
 
 /// Says of a box whose edges are not those of cells what became of it.
 void note_on_box(const Value& value, const LayerDraft& layer, BodyDraft& draft) {
-  const Mesh& mesh = draft.body.mesh;
+  const Mesh& mesh = draft.mesh;
   const Index cut = cells_cut(mesh, layer.box);
   if (cut == 0) return;
   const Eigen::AlignedBox2d taken = box_around(mesh, region(mesh, layer.region));
@@ -167,22 +218,18 @@ void note_on_box(const Value& value, const LayerDraft& layer, BodyDraft& draft) 
 }
 
 void read_layer(const Value& value, BodyDraft& draft) {
-  LayerDraft layer;
-  layer.material = draft.body.material;
+  LayerDraft layer{draft.material};
   read_members(value, layer_keys(), layer);
   if (layer.region.empty() == layer.box.empty()) value.fail("give either region or box");
-  Mesh& mesh = draft.body.mesh;
   if (layer.region.empty()) {
-    layer.region = region_of_box(value, layer.box, mesh);
+    layer.region = region_of_box(value, layer.box, draft.mesh);
     note_on_box(value, layer, draft);
-  } else if (mesh.regions.find(layer.region) == mesh.regions.end()) {
-    std::vector<std::string> names;
-    for (const auto& named : mesh.regions) names.push_back(named.first);
-    value.find("region")->fail("'", mesh.name, "' has no region ", in_quotes(layer.region),
-                               suggestion(layer.region, names));
+  } else if (draft.mesh.regions.count(layer.region) == 0) {
+    value.find("region")->fail("'", draft.mesh.name, "' has no region ", in_quotes(layer.region),
+                               suggestion(layer.region, names_in(draft.mesh.regions)));
   }
-  value.explain([&] { check_material(layer.material); });
-  draft.body.layers.push_back({layer.region, layer.material});
+  value.explain([&] { check_material(layer); });
+  draft.layers.push_back({layer.region, layer});
 }
 
 /// Displacements that are given along a boundary.
@@ -195,28 +242,33 @@ void read_prescribed(const Value& value, BodyDraft& draft) {
   static const Keys<Moved> keys = {key("x", &Moved::x, "length", "displacement along x"),
                                    key("y", &Moved::y, "length", "displacement along y"),
                                    history_key(&Moved::history)};
-  each_boundary(value, draft.body.mesh, [&](const Value& item) {
+  each_boundary(value, draft.mesh, [&](const Value& item) {
     Moved moved;
     read_members(item, keys, moved);
     if (!moved.x && !moved.y) item.fail("expected { x = ... }, { y = ... } or both");
-    const auto move = [&](Axis axis, double by) {
-      draft.body.supports.push_back(prescribed(item.name, axis, by));
-      draft.body.supports.back().history = moved.history;
-    };
-    if (moved.x) move(Axis::X, *moved.x);
-    if (moved.y) move(Axis::Y, *moved.y);
+    const auto made = [&](Axis axis, double by) { return prescribed(item.name, axis, by); };
+    prescribe(moved, made, draft);
   });
 }
 
 Key<BodyDraft> supported(const char* name, const char* help, Support (*made)(const std::string&)) {
   return {{name, "boundary or list of them", "", "", help},
           [made](const Value& value, BodyDraft& draft) {
-            for (const std::string& boundary : boundaries_of(value, draft.body.mesh))
-              draft.body.supports.push_back(made(boundary));
+            for (const Value* const item : value.one_or_several()) {
+              std::string boundary;
+              take(*item, boundary);
+              check_boundary(*item, draft.mesh, boundary);
+              draft.supports.push_back(made(boundary));
+            }
           }};
 }
 
 }  // namespace
+
+void read_material(const Value& value, Material& material) {
+  read_members(value, material_keys(), material);
+  value.explain([&] { check_material(material); });
+}
 
 const Keys<Material>& material_keys() {
   static const Keys<Material> keys = {
@@ -241,14 +293,11 @@ const Keys<LayerDraft>& layer_keys() {
              take(item, layer.box.back());
            }
          }}};
-    for (const Key<Material>& key : material_keys()) {
+    for (Key<Material> key : material_keys()) {
       if (key.name == "state" || key.name == "thickness") continue;
-      KeyInfo info = key;
-      info.required = false;
-      info.standard = "that of the body";
-      made.push_back({info, [read = key.read](const Value& value, LayerDraft& layer) {
-                        read(value, layer.material);
-                      }});
+      key.required = false;
+      key.standard = "that of the body";
+      made.emplace_back(key);
     }
     return made;
   }();
@@ -279,26 +328,16 @@ const Keys<Temperature>& temperature_keys() {
 const Keys<BodyDraft>& body_keys() {
   static const Keys<BodyDraft> keys = {
       {{"name", "text", "", "\"body\"", "of the body; no other body has it"},
-       [](const Value& value, BodyDraft& draft) { take(value, draft.body.mesh.name); }},
+       [](const Value& value, BodyDraft& draft) { take(value, draft.mesh.name); }},
       {{"mesh", "table", "", "",
         "such as { kind = \"block\", size = [50, 5], cells = [100, 10] }, see meshes", true},
        [](const Value& value, BodyDraft& draft) {
-         draft.body.mesh = read_mesh(value, draft.body.mesh.name);
+         draft.mesh = read_mesh(value, draft.mesh.name);
        }},
       {{"element", "text", "", "the usual one of its cells",
         "of the cells: " + names_of(elements()) + "; usual are t3, t6, q4_incompatible, q8"},
-       [](const Value& value, BodyDraft& draft) {
-         take_member(value, elements(), "element", draft.body.element);
-         value.explain(
-             [&] { static_cast<void>(element_for(draft.body.mesh, draft.body.element)); });
-       }},
-      {{"material", "table", "", "that of the scene", "see material"},
-       [](const Value& value, BodyDraft& draft) {
-         draft.body.material = {};
-         read_members(value, material_keys(), draft.body.material);
-         value.explain([&] { check_material(draft.body.material); });
-         draft.material = true;
-       }},
+       read_element},
+      {{"material", "table", "", "that of the scene", "see material"}, read_own_material},
       supported("fixed", "no displacement", fixed),
       supported("symmetric", "no displacement across straight boundaries, free along them",
                 symmetric),
@@ -307,58 +346,22 @@ const Keys<BodyDraft>& body_keys() {
        read_prescribed},
       {{"pressure", "table of boundary = number, may grow", "force/length^2", "",
         "against the body, as { top = 3.6 }; < 0 pulls"},
-       [](const Value& value, BodyDraft& draft) {
-         each_boundary(value, draft.body.mesh, [&](const Value& item) {
-           EdgeLoad load;
-           load.boundary = item.name;
-           take_growing(item, load.pressure, load.history);
-           draft.body.loads.edges.push_back(std::move(load));
-         });
-       }},
+       read_pressure},
       {{"traction", "table of boundary = [x, y], may grow", "force/length^2", "",
         "as { right = [0, -1] }"},
-       [](const Value& value, BodyDraft& draft) {
-         each_boundary(value, draft.body.mesh, [&](const Value& item) {
-           EdgeLoad load;
-           load.boundary = item.name;
-           Vector2d traction;
-           take_growing(item, traction, load.history);
-           load.traction = constant(traction);
-           draft.body.loads.edges.push_back(std::move(load));
-         });
-       }},
+       read_traction},
       {{"spring", "table of boundary = [x, y] >= 0", "force/length^3", "",
         "to the ground in x and y, as { bottom = [0, 50] }"},
-       [](const Value& value, BodyDraft& draft) {
-         each_boundary(value, draft.body.mesh, [&](const Value& item) {
-           Vector2d stiffness;
-           take(item, stiffness, Bound::NotNegative);
-           draft.body.springs.push_back({item.name, stiffness, {}});
-         });
-       }},
+       read_springs},
       {{"body_force", "[x, y], may grow", "force/length^3", "", "such as the weight"},
-       [](const Value& value, BodyDraft& draft) {
-         Vector2d force;
-         take_growing(value, force, draft.body.loads.body_force_history);
-         draft.body.loads.body_force = constant(force);
-       }},
+       read_body_force},
       {{"point", "table or list of them", "", "", "what acts at single points, see point"},
-       [](const Value& value, BodyDraft& draft) {
-         for (const Value* item : value.one_or_several()) read_point(*item, draft);
-       }},
+       each_item(read_point)},
       {{"temperature", "number or table", "temperature", "",
         "above that without stress; as a table, see temperature"},
-       [](const Value& value, BodyDraft& draft) {
-         Temperature& temperature = draft.body.temperature.emplace();
-         if (value.kind == Value::Kind::Table)
-           read_members(value, temperature_keys(), temperature);
-         else
-           take(value, temperature.uniform);
-       }},
+       read_temperature},
       {{"layer", "table or list of them", "", "", "parts of another material, see layer"},
-       [](const Value& value, BodyDraft& draft) {
-         for (const Value* item : value.one_or_several()) read_layer(*item, draft);
-       }}};
+       each_item(read_layer)}};
   return keys;
 }
 

@@ -12,6 +12,7 @@
 #include "addons/files/gmsh_records.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/text_reader.hpp"
 
 namespace signorini {
@@ -133,6 +134,41 @@ std::vector<SurfacesOfBody> surfaces_of_bodies(const GmshRecords& file, const Gm
   return bodies;
 }
 
+/// How many nodes the largest of some cells has. All must have as many nodes per side.
+std::size_t width_of(const GmshRecords& file, const std::vector<std::size_t>& cells) {
+  const auto per_side = [](const GmshElement& cell) { return 1 + cell.n_nodes / cell.corners; };
+  const GmshElement& first = file.cells[cells.front()];
+  std::size_t width = 0;
+  for (const std::size_t number : cells) {
+    const GmshElement& cell = file.cells[number];
+    require_input(per_side(cell) == per_side(first), file.name, ":", cell.line,
+                  ": expected a cell of ", per_side(first), " nodes per side as in line ",
+                  first.line, ", got ", per_side(cell),
+                  "; save one body with one Mesh.ElementOrder");
+    width = std::max(width, cell.n_nodes);
+  }
+  return width;
+}
+
+/// Numbers the nodes of a body in the order of the file.
+void number_nodes(const GmshRecords& file, GmshBody& body) {
+  const Index* const data = body.file_nodes.data();
+  std::vector<Index> used(data, data + body.file_nodes.size());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  if (used.front() < 0) used.erase(used.begin());  // after the nodes of triangles
+  body.mesh.nodes.resize(static_cast<Index>(used.size()), 2);
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    const GmshNode& node = file.nodes[at(used[k])];
+    body.mesh.nodes.row(static_cast<Index>(k)) << node.position[0], node.position[1];
+  }
+  body.mesh.cells = body.file_nodes.unaryExpr([&](Index node) {
+    return node < 0 ? node
+                    : static_cast<Index>(std::lower_bound(used.begin(), used.end(), node) -
+                                         used.begin());
+  });
+}
+
 /// One body without its boundaries.
 GmshBody make_body(const GmshRecords& file, const SurfacesOfBody& surfaces) {
   GmshBody body;
@@ -143,37 +179,11 @@ GmshBody make_body(const GmshRecords& file, const SurfacesOfBody& surfaces) {
     if (surfaces.has_parts) body.mesh.regions[name] = std::move(region);
     body.source.insert(body.source.end(), cells.begin(), cells.end());
   }
-  const GmshElement& first = file.cells[body.source.front()];
   const auto count = static_cast<Index>(body.source.size());
-  std::size_t width = 0;
-  for (const std::size_t number : body.source) {
-    const GmshElement& element = file.cells[number];
-    const auto per_side = [](const GmshElement& cell) { return 1 + cell.n_nodes / cell.corners; };
-    require_input(per_side(element) == per_side(first), file.name, ":", element.line,
-                  ": expected a cell of ", per_side(first), " nodes per side as in line ",
-                  first.line, ", got ", per_side(element),
-                  "; save one body with one Mesh.ElementOrder");
-    width = std::max(width, element.n_nodes);
-  }
-  body.file_nodes.setConstant(count, static_cast<Index>(width), -1);
+  body.file_nodes.setConstant(count, static_cast<Index>(width_of(file, body.source)), -1);
   for (Index cell = 0; cell < count; ++cell)
-    put_cell(file, file.cells[body.source[static_cast<std::size_t>(cell)]],
-             body.file_nodes.row(cell));
-  const Index* const data = body.file_nodes.data();
-  std::vector<Index> used(data, data + body.file_nodes.size());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  if (used.front() < 0) used.erase(used.begin());  // after the nodes of triangles
-  body.mesh.nodes.resize(static_cast<Index>(used.size()), 2);
-  for (std::size_t k = 0; k < used.size(); ++k) {
-    const GmshNode& node = file.nodes[static_cast<std::size_t>(used[k])];
-    body.mesh.nodes.row(static_cast<Index>(k)) << node.position[0], node.position[1];
-  }
-  body.mesh.cells = body.file_nodes.unaryExpr([&](Index node) {
-    return node < 0 ? node
-                    : static_cast<Index>(std::lower_bound(used.begin(), used.end(), node) -
-                                         used.begin());
-  });
+    put_cell(file, file.cells[body.source[at(cell)]], body.file_nodes.row(cell));
+  number_nodes(file, body);
   return body;
 }
 

@@ -30,6 +30,13 @@ struct KeyInfo {
 template <typename T>
 struct Key : KeyInfo {
   std::function<void(const Value&, T&)> read;  ///< checks the value and puts it into the T
+
+  /// \param info  what people are told of it \param reader  see `read`
+  Key(KeyInfo info, std::function<void(const Value&, T&)> reader)
+      : KeyInfo(std::move(info)), read(std::move(reader)) {}
+  /// \param key  of what every T is
+  template <typename Base>
+  Key(const Key<Base>& key) : KeyInfo(key), read(key.read) {}
 };
 
 /// The keys of a table, in the order in which they are read.
@@ -87,6 +94,16 @@ template <typename T>
 void read_members(const Value& table, const Keys<T>& keys, T& into) {
   check_members(table, infos(keys));
   fill(table, keys, into);
+}
+
+/// Reads a table, or a list of them, item by item.
+/// \param read  reads one of them
+/// \return the reader of a Key
+template <typename T>
+[[nodiscard]] std::function<void(const Value&, T&)> each_item(void (*read)(const Value&, T&)) {
+  return [read](const Value& value, T& into) {
+    for (const Value* const item : value.one_or_several()) read(*item, into);
+  };
 }
 
 /// A list of so many values.
@@ -147,6 +164,20 @@ void take(const Value& value, M& into, Bound bound = Bound::Any) {
   } else {
     Plain<M>::take(value, into, bound);
   }
+}
+
+/// Fills a T from a table, or its main member from a value alone.
+/// \param value   any
+/// \param keys    of the table
+/// \param into    to be filled
+/// \param main    member that the value alone fills
+/// \param bound   of it
+/// \throws ProblemError as read_members() and take()
+template <typename T, typename M>
+void take_or_table(const Value& value, const Keys<T>& keys, T& into, M T::*main,
+                   Bound bound = Bound::Any) {
+  if (value.kind == Value::Kind::Table) return read_members(value, keys, into);
+  take(value, into.*main, bound);
 }
 
 /// \param bound  of numbers \return what messages and the reference call the type of a member
@@ -225,12 +256,18 @@ template <typename T, typename M>
           }};
 }
 
+/// \param key  any \return the same key, whose help says what holds without it
+template <typename T>
+[[nodiscard]] Key<T> without_standard(Key<T> key) {
+  key.standard.clear();
+  return key;
+}
+
 /// \param key  any \return the same key, which must now be there
 template <typename T>
 [[nodiscard]] Key<T> required(Key<T> key) {
   key.required = true;
-  key.standard.clear();
-  return key;
+  return without_standard(key);
 }
 
 }  // namespace signorini

@@ -280,12 +280,6 @@ Key<S> cells_around(const char* help) {
           }};
 }
 
-template <typename S, typename M, typename B>
-Key<S> inherited(const char* name, M B::*member, const char* unit, const char* help, Bound bound) {
-  return {{name, type_name<M>(bound), unit, written(S{}.*member), help},
-          [member, bound](const Value& value, S& spec) { take(value, spec.*member, bound); }};
-}
-
 Kind<Mesh> plate_with_hole() {
   using B = PlateWithHoleSpec;
   using S = WithRays<B>;
@@ -294,13 +288,11 @@ Kind<Mesh> plate_with_hole() {
       "a rectangle with a round hole in its middle; boundaries hole, left, right, bottom, top, of "
       "a "
       "part also symmetry (x axis) and symmetry_y",
-      ray_keys<B>(
-          {required(
-               inherited<S>("hole_radius", &B::hole_radius, "length", "of the hole", positive)),
-           required(inherited<S>("size", &B::size, "length", "of the whole plate", positive)),
-           cells_around<S>("along the hole, and from the hole to the sides"),
-           inherited<S>("centre", &B::centre, "length", "of hole and plate", Bound::Any),
-           inherited<S>("grading", &B::grading, "", "outer cell of a ray / inner", positive)}),
+      ray_keys<B>({required(key("hole_radius", &B::hole_radius, "length", "of the hole", positive)),
+                   required(key("size", &B::size, "length", "of the whole plate", positive)),
+                   cells_around<S>("along the hole, and from the hole to the sides"),
+                   key("centre", &B::centre, "length", "of hole and plate"),
+                   key("grading", &B::grading, "", "outer cell of a ray / inner", positive)}),
       [](const S& spec) { return make_plate_with_hole(checked<B>(spec)); });
 }
 
@@ -312,13 +304,12 @@ Kind<Mesh> annulus() {
       "what lies between two circles; boundaries inner, outer, of a part also symmetry (x axis) "
       "and symmetry_y",
       ray_keys<B>(
-          {required(
-               inherited<S>("inner_radius", &B::inner_radius, "length", "of the hole", positive)),
-           required(inherited<S>("outer_radius", &B::outer_radius, "length", "above inner_radius",
-                                 positive)),
+          {required(key("inner_radius", &B::inner_radius, "length", "of the hole", positive)),
+           required(
+               key("outer_radius", &B::outer_radius, "length", "above inner_radius", positive)),
            cells_around<S>("along the angle and the radius"),
-           inherited<S>("centre", &B::centre, "length", "of both circles", Bound::Any),
-           inherited<S>("grading", &B::grading, "", "outermost cell / innermost", positive)}),
+           key("centre", &B::centre, "length", "of both circles"),
+           key("grading", &B::grading, "", "outermost cell / innermost", positive)}),
       [](const S& spec) { return make_annulus(checked<B>(spec)); });
 }
 

@@ -35,30 +35,27 @@ Side side_of(const Value& value, const std::vector<Body>& bodies) {
   value.fail("there is no boundary ", in_quotes(word), suggestion(word, known));
 }
 
-Body read_body(const Value& value, SceneDraft& scene) {
+void read_body(const Value& value, SceneDraft& scene) {
   BodyDraft draft;
-  if (scene.material) draft.body.material = *scene.material;
+  if (scene.material) draft.material = *scene.material;
   read_members(value, body_keys(), draft);
-  if (!draft.material && !scene.material)
+  if (!draft.own_material && !scene.material)
     value.fail("the key 'material' is missing, of the body or at the head of the file");
-  scene.material_used = scene.material_used || !draft.material;
+  scene.material_used = scene.material_used || !draft.own_material;
   scene.file.notes.insert(scene.file.notes.end(), draft.notes.begin(), draft.notes.end());
-  return std::move(draft.body);
+  std::vector<Body>& bodies = scene.file.scene.bodies;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    if (bodies[k].mesh.name == draft.mesh.name)
+      value.fail("the body of line ", scene.file.body_lines[k], " is called ",
+                 in_quotes(draft.mesh.name), " too: give every body a name of its own");
+  bodies.push_back(std::move(draft));
+  scene.file.body_lines.push_back(value.line);
 }
 
 void read_bodies(const Value& value, SceneDraft& draft) {
-  std::vector<Body>& bodies = draft.file.scene.bodies;
-  bodies.clear();
-  for (const Value* item : value.one_or_several()) {
-    Body body = read_body(*item, draft);
-    for (std::size_t k = 0; k < bodies.size(); ++k)
-      if (bodies[k].mesh.name == body.mesh.name)
-        item->fail("the body of line ", draft.file.body_lines[k], " is called ",
-                   in_quotes(body.mesh.name), " too: give every body a name of its own");
-    bodies.push_back(std::move(body));
-    draft.file.body_lines.push_back(item->line);
-  }
-  if (bodies.empty()) value.fail("a scene needs at least one body");
+  draft.file.scene.bodies.clear();
+  each_item(read_body)(value, draft);
+  if (draft.file.scene.bodies.empty()) value.fail("a scene needs at least one body");
 }
 
 /// Refuses choices that nothing asks for.
@@ -77,15 +74,31 @@ void check_choices(const Value& value, const ContactSpec& contact) {
   refuse("quadrature", gap_operator.takes_quadrature);
 }
 
-void read_contacts(const Value& value, SceneDraft& draft) {
-  for (const Value* item : value.one_or_several()) {
-    ContactDraft contact;
-    contact.bodies = &draft.file.scene.bodies;
-    read_members(*item, contact_keys(), contact);
-    check_choices(*item, contact.contact);
-    draft.file.scene.contacts.push_back(std::move(contact.contact));
-    draft.file.contact_lines.push_back(item->line);
-  }
+void read_contact(const Value& value, SceneDraft& draft) {
+  ContactDraft contact;
+  contact.bodies = &draft.file.scene.bodies;
+  read_members(value, contact_keys(), contact);
+  check_choices(value, contact);
+  draft.file.scene.contacts.push_back(std::move(contact));
+  draft.file.contact_lines.push_back(value.line);
+}
+
+void read_target(const Value& value, ContactDraft& contact) {
+  if (value.kind == Value::Kind::Table)
+    contact.target = read_obstacle(value);
+  else
+    contact.target = side_of(value, *contact.bodies);
+}
+
+void read_friction(const Value& value, ContactDraft& contact) {
+  Friction& friction = contact.friction.emplace();
+  take_or_table(value, friction_keys(), friction, &Friction::coefficient, Bound::NotNegative);
+  if (value.kind != Value::Kind::Table) return;
+  // So that what a law refuses is told where it stands.
+  value.explain([&] { static_cast<void>(find_friction_law(friction.law).bound(friction, 1)); });
+  if (value.find("coefficient") == nullptr && value.find("cohesion") == nullptr)
+    value.fail(
+        "expected a coefficient or a cohesion, got neither: give one, or leave friction out");
 }
 
 }  // namespace
@@ -104,66 +117,39 @@ const Keys<Friction>& friction_keys() {
 }
 
 const Keys<ContactDraft>& contact_keys() {
-  const ContactSpec usual;
   static const Keys<ContactDraft> keys = {
       {{"source", "\"BODY.BOUNDARY\"", "", "",
         "side that carries the forces (slave); of the only body \"BOUNDARY\" is enough", true},
-       [](const Value& value, ContactDraft& draft) {
-         draft.contact.source = side_of(value, *draft.bodies);
+       [](const Value& value, ContactDraft& contact) {
+         contact.source = side_of(value, *contact.bodies);
        }},
       {{"target", "\"BODY.BOUNDARY\" or table", "", "",
         "side that it meets (master), or a rigid obstacle, see obstacles", true},
-       [](const Value& value, ContactDraft& draft) {
-         if (value.kind == Value::Kind::Table)
-           draft.contact.target = read_obstacle(value);
-         else
-           draft.contact.target = side_of(value, *draft.bodies);
-       }},
+       read_target},
       {{"friction", "number >= 0 or table", "", "",
         "coefficient of friction; as a table, see friction"},
-       [](const Value& value, ContactDraft& draft) {
-         Friction& friction = draft.contact.friction.emplace();
-         if (value.kind == Value::Kind::Table)
-           read_members(value, friction_keys(), friction);
-         else
-           take(value, friction.coefficient, Bound::NotNegative);
-         if (value.kind != Value::Kind::Table) return;
-         // So that what a law refuses is told where it stands.
-         value.explain(
-             [&] { static_cast<void>(find_friction_law(friction.law).bound(friction, 1)); });
-         if (value.find("coefficient") == nullptr && value.find("cohesion") == nullptr)
-           value.fail(
-               "expected a coefficient or a cohesion, got neither: give one, or leave friction "
-               "out");
-       }},
+       read_friction},
       {{"interference", type_name<double>(Bound::NotNegative) + ", may grow", "length", "",
         "by how much more the sides overlap than the meshes say: a press fit"},
-       [](const Value& value, ContactDraft& draft) {
-         take_growing(value, draft.contact.interference.emplace(),
-                      draft.contact.interference_history, Bound::NotNegative);
+       [](const Value& value, ContactDraft& contact) {
+         take_growing(value, contact.interference.emplace(), contact.interference_history,
+                      Bound::NotNegative);
        }},
-      {{"adjust", type_name<double>(Bound::NotNegative), "length", "",
-        "gaps and overlaps of the meshes up to this count as none"},
-       [](const Value& value, ContactDraft& draft) {
-         take(value, draft.contact.adjust, Bound::NotNegative);
-       }},
-      {{"operator", "text", "", written(usual.gap_operator),
+      key("adjust", &ContactSpec::adjust, "length",
+          "gaps and overlaps of the meshes up to this count as none", Bound::NotNegative),
+      {{"operator", "text", "", written(ContactSpec().gap_operator),
         "between two bodies: " + names_of(gap_operators())},
-       [](const Value& value, ContactDraft& draft) {
-         take_member(value, gap_operators(), "operator", draft.contact.gap_operator);
+       [](const Value& value, ContactDraft& contact) {
+         take_member(value, gap_operators(), "operator", contact.gap_operator);
        }},
-      {{"quadrature", type_name<Quadrature>(Bound::Any), "", written(usual.quadrature),
-        "where the operator integrates"},
-       [](const Value& value, ContactDraft& draft) { take(value, draft.contact.quadrature); }},
-      {{"points", type_name<int>(Bound::Positive), "", "",
-        "Gauss points per edge or segment; without it as many as the operator wants"},
-       [](const Value& value, ContactDraft& draft) {
-         take(value, draft.contact.points, Bound::Positive);
-       }},
-      {{"small_sliding", type_name<bool>(Bound::Any), "", written(usual.small_sliding),
-        "whether a pair may slide farther than its edge and still press on the place that it faced "
-        "at first"},
-       [](const Value& value, ContactDraft& draft) { take(value, draft.contact.small_sliding); }}};
+      key("quadrature", &ContactSpec::quadrature, "", "where the operator integrates"),
+      without_standard(
+          key("points", &ContactSpec::points, "",
+              "Gauss points per edge or segment; without it as many as the operator wants",
+              Bound::Positive)),
+      key("small_sliding", &ContactSpec::small_sliding, "",
+          "whether a pair may slide farther than its edge and still press on the place that it "
+          "faced at first")};
   return keys;
 }
 
@@ -189,14 +175,13 @@ const Keys<SceneDraft>& scene_keys() {
        }},
       {{"material", "table", "", "", "of the bodies that have none of their own, see material"},
        [](const Value& value, SceneDraft& draft) {
-         read_members(value, material_keys(), draft.material.emplace());
-         value.explain([&] { check_material(*draft.material); });
+         read_material(value, draft.material.emplace());
        }},
       {{"body", "table or list of them", "", "", "each a [[body]] with its mesh, see body", true},
        read_bodies},
       {{"contact", "table or list of them", "", "",
         "what may touch, each a [[contact]], see contact"},
-       read_contacts},
+       each_item(read_contact)},
       {{"history", "table or list of them", "", "",
         "each a [[history]], what loads grow with if steps do not say it, see load steps"},
        read_histories},

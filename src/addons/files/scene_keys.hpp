@@ -21,16 +21,14 @@ struct SceneDraft {
 };
 
 /// A body while it is read.
-struct BodyDraft {
-  Body body;                            ///< what was read so far
-  bool material = false;                ///< whether it has one of its own
+struct BodyDraft : Body {
+  bool own_material = false;            ///< whether it has one
   std::vector<std::string> notes = {};  ///< on what was read
 };
 
 /// A contact while it is read.
-struct ContactDraft {
+struct ContactDraft : ContactSpec {
   const std::vector<Body>* bodies = nullptr;  ///< of the scene
-  ContactSpec contact;                        ///< what was read so far
 };
 
 /// What acts at one point of a body.
@@ -51,10 +49,9 @@ struct StepsDraft {
 };
 
 /// A layer while it is read.
-struct LayerDraft {
-  std::string region;       ///< its name; empty if it is given by a box
-  std::vector<double> box;  ///< left, bottom, right, top; empty without
-  Material material;        ///< that of the body, but for what the layer says
+struct LayerDraft : Material {
+  std::string region = {};       ///< its name; empty if it is given by a box
+  std::vector<double> box = {};  ///< left, bottom, right, top; empty without
 };
 
 /// \return keys of the head of the file, in the order in which they are read
@@ -63,6 +60,9 @@ struct LayerDraft {
 [[nodiscard]] const Keys<BodyDraft>& body_keys();
 /// \return keys of a material, in the order in which they are read
 [[nodiscard]] const Keys<Material>& material_keys();
+/// Reads a material and checks it. \param value  of the key \param material  gets it
+/// \throws ProblemError as read_members() and check_material()
+void read_material(const Value& value, Material& material);
 /// \return keys of a layer, in the order in which they are read
 [[nodiscard]] const Keys<LayerDraft>& layer_keys();
 /// \return keys of a point of a body, in the order in which they are read

@@ -27,6 +27,11 @@ void expect_word(TextReader& in, std::string_view wanted) {
   if (word != wanted) in.fail("'" + std::string(wanted) + "'", word);
 }
 
+/// A whole number that is known already.
+void expect_whole(TextReader& in, const std::string& what, Index wanted) {
+  static_cast<void>(whole_below(in, what, wanted, wanted));
+}
+
 /// A size that is known already.
 void expect_size(TextReader& in, const std::string& what, Index n) {
   const Index size = in.size(in.word_anywhere(), what, 0);
@@ -38,6 +43,10 @@ VectorXd read_numbers(TextReader& in, const std::string& name, Index size) {
   VectorXd numbers(size);
   for (Index i = 0; i < size; ++i) numbers(i) = number_below(in, text(name, "(", i + 1, ")"));
   return numbers;
+}
+
+double read_entry(TextReader& in, Index i, Index j) {
+  return number_below(in, text("M(", i + 1, ",", j + 1, ")"));
 }
 
 /// Where the entries of a matrix that leaves zeros out will stand.
@@ -56,7 +65,7 @@ MatrixXd read_dense(TextReader& in, Index n) {
   in.check_room(n, n + 1, "matrix and vector");
   MatrixXd M(n, n);
   for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i) M(i, j) = number_below(in, text("M(", i + 1, ",", j + 1, ")"));
+    for (Index i = 0; i < n; ++i) M(i, j) = read_entry(in, i, j);
   return M;
 }
 
@@ -80,7 +89,7 @@ MatrixXd read_blocks(TextReader& in, Index n) {
   const std::vector<Index> top = read_borders(in, "end of a block row", rows, n);
   const std::vector<Index> left = read_borders(in, "end of a block column", columns, n);
   const Index filled = whole_below(in, "number of filled block rows and 1", 2, rows + 1);
-  static_cast<void>(whole_below(in, "number of blocks, repeated", count, count));
+  expect_whole(in, "number of blocks, repeated", count);
   in.check_room(2, count, "columns and numbers of the blocks");
   std::vector<Index> start;
   for (Index i = 0; i < filled; ++i) {
@@ -98,55 +107,62 @@ MatrixXd read_blocks(TextReader& in, Index n) {
   for (Index b = 0; b < count; ++b) {
     while (b >= start[row + 1]) ++row;
     const auto c = static_cast<std::size_t>(column[static_cast<std::size_t>(b)]);
-    static_cast<void>(whole_below(in, "number of a block", b, b));
+    expect_whole(in, "number of a block", b);
     for (Index j = left[c]; j < left[c + 1]; ++j)
-      for (Index i = top[row]; i < top[row + 1]; ++i)
-        M(i, j) += number_below(in, text("M(", i + 1, ",", j + 1, ")"));
+      for (Index i = top[row]; i < top[row + 1]; ++i) M(i, j) += read_entry(in, i, j);
   }
   return M;
 }
 
+/// What CSparse prints behind the place of an entry.
+void add_entry(TextReader& in, Index row, Index column, MatrixXd& M) {
+  expect_word(in, ":");
+  M(row, column) += read_entry(in, row, column);
+}
+
+void read_triplets(TextReader& in, Index count, MatrixXd& M) {
+  for (Index k = 0; k < count; ++k) {
+    const Index row = whole_below(in, "row of an entry", 0, M.rows() - 1);
+    add_entry(in, row, whole_below(in, "column of an entry", 0, M.cols() - 1), M);
+  }
+}
+
+void read_columns(TextReader& in, Index count, MatrixXd& M) {
+  Index next = 0;
+  for (Index j = 0; j < M.cols(); ++j) {
+    expect_word(in, "col");
+    expect_whole(in, "column", j);
+    expect_word(in, ":");
+    expect_word(in, "locations");
+    expect_whole(in, "first entry of a column", next);
+    expect_word(in, "to");
+    const Index least = j + 1 < M.cols() ? next - 1 : count - 1;
+    const Index end = whole_below(in, "last entry of a column", least, count - 1) + 1;
+    for (; next < end; ++next)
+      add_entry(in, whole_below(in, "row of an entry", 0, M.rows() - 1), j, M);
+  }
+}
+
 /// Storage 2: what CSparse prints, column by column or as triplets, rows and columns from 0.
 MatrixXd read_sparse(TextReader& in, Index n) {
-  constexpr Index triplets = 1;
-  constexpr Index by_columns = 2;
   MatrixXd M = zeros(in, n);
-  const Index order = whole_below(in, "order of the entries, 1 for triplets or 2 for columns",
-                                  triplets, by_columns);
+  const bool columns =
+      whole_below(in, "order of the entries, 1 for triplets or 2 for columns", 1, 2) == 2;
   expect_word(in, "CSparse");
   static_cast<void>(in.rest_of_line());
-  if (order == triplets) expect_word(in, "triplet:");
+  if (!columns) expect_word(in, "triplet:");
   expect_word(in, text(n, "-by-", n, ","));
   expect_word(in, "nzmax:");
   static_cast<void>(whole_below(in, "room for entries", 0, INT64_MAX));
   expect_word(in, "nnz:");
   std::string_view entries = in.word_anywhere();
-  if (order == by_columns) entries = entries.substr(0, entries.find(','));  // the norm follows
+  if (columns) entries = entries.substr(0, entries.find(','));  // the norm follows
   const Index count = in.whole(entries, "number of entries", 0, INT64_MAX);
   static_cast<void>(in.rest_of_line());
-  const auto add = [&](Index i, Index j) {
-    expect_word(in, ":");
-    M(i, j) += number_below(in, text("M(", i + 1, ",", j + 1, ")"));
-  };
-  if (order == triplets) {
-    for (Index k = 0; k < count; ++k) {
-      const Index i = whole_below(in, "row of an entry", 0, n - 1);
-      add(i, whole_below(in, "column of an entry", 0, n - 1));
-    }
-    return M;
-  }
-  Index next = 0;
-  for (Index j = 0; j < n; ++j) {
-    expect_word(in, "col");
-    static_cast<void>(whole_below(in, "column", j, j));
-    expect_word(in, ":");
-    expect_word(in, "locations");
-    static_cast<void>(whole_below(in, "first entry of a column", next, next));
-    expect_word(in, "to");
-    const Index last = j + 1 < n ? next - 1 : count - 1;
-    const Index end = whole_below(in, "last entry of a column", last, count - 1) + 1;
-    for (; next < end; ++next) add(whole_below(in, "row of an entry", 0, n - 1), j);
-  }
+  if (columns)
+    read_columns(in, count, M);
+  else
+    read_triplets(in, count, M);
   return M;
 }
 
