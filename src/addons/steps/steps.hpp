@@ -175,6 +175,9 @@ class WorkMeter {
     NodeArray load;     // of loads and temperature
     NodeArray support;  // what holds it, where it is held
   };
+  // Adds the work of loads and supports; returns the displacements of all nodes.
+  Eigen::VectorXd add_bodies(const Model& model, const Step& step);
+
   Work work_;
   std::vector<Body> bodies_;
   Eigen::VectorXd force_;  // of all rows

@@ -52,57 +52,70 @@ double mean_work(const NodeArray& last, const NodeArray& now, const NodeArray& m
   return 0.5 * (last + now).cwiseProduct(moved).sum();
 }
 
+/// What supports do to the nodes that they hold.
+/// \param pushed  contact forces on the nodes of all bodies
+NodeArray support_forces(const BodyModel& body, const NodeArray& displacement,
+                         const NodeArray& load, const VectorXd& pushed) {
+  const NodeArray strains = straining_forces(body, displacement);
+  NodeArray forces = NodeArray::Zero(strains.rows(), 2);
+  for (Index node = 0; node < forces.rows(); ++node)
+    for (int axis = 0; axis < 2; ++axis)
+      if (body.unknowns.number(node, axis) < 0)
+        forces(node, axis) =
+            strains(node, axis) - load(node, axis) - pushed(2 * (body.first_node + node) + axis);
+  return forces;
+}
+
 }  // namespace
 
-void WorkMeter::add(const Model& model, const Step& step) {
-  const VectorXd& force = step.state.solution.force;
-  const ContactState& contact = step.solution.contact;
-  const VectorXd pushed = contact_forces(model, force);
-  const VectorXd interference = interference_now(model, step.state.time);
-  const bool first = bodies_.empty();
-  require_input(!first || step.state.steps == 1,
-                "WorkMeter: sums begin at rest without loads, with step 1 of "
-                "a path, got step ",
-                step.state.steps, ": add every step from the beginning");
+VectorXd WorkMeter::add_bodies(const Model& model, const Step& step) {
+  const VectorXd pushed = contact_forces(model, step.state.solution.force);
   VectorXd moved(2 * count_nodes(model.bodies));
   work_.strain = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
-    const Index nodes = body.mesh.n_nodes();
-    const NodeArray zero = NodeArray::Zero(nodes, 2);
-    if (first) bodies_.push_back({zero, zero, zero});
-    Body& last = bodies_[b];
-    Body now{step.solution.displacements[b], loading_forces(body), zero};
-    const NodeArray strains = straining_forces(body, now.displacement);
-    for (Index node = 0; node < nodes; ++node)
-      for (int axis = 0; axis < 2; ++axis)
-        if (body.unknowns.number(node, axis) < 0)
-          now.support(node, axis) = strains(node, axis) - now.load(node, axis) -
-                                    pushed(2 * (body.first_node + node) + axis);
-    const NodeArray change = now.displacement - last.displacement;
-    work_.loads += mean_work(last.load, now.load, change);
-    work_.supports += mean_work(last.support, now.support, change);
+    Body now{step.solution.displacements[b], loading_forces(body), {}};
+    now.support = support_forces(body, now.displacement, now.load, pushed);
+    const Eigen::Map<const VectorXd> u = flat(now.displacement);
+    const NodeArray change = now.displacement - bodies_[b].displacement;
+    work_.loads += mean_work(bodies_[b].load, now.load, change);
+    work_.supports += mean_work(bodies_[b].support, now.support, change);
     work_.strain += strain_energy(body.mesh, body.element, body.material, now.displacement);
-    if (body.springs.rows() > 0)
-      work_.strain += 0.5 * flat(now.displacement).dot(body.springs * flat(now.displacement));
-    moved.segment(2 * body.first_node, 2 * nodes) = flat(now.displacement);
-    last = std::move(now);
+    if (body.springs.rows() > 0) work_.strain += 0.5 * u.dot(body.springs * u);
+    moved.segment(2 * body.first_node, u.size()) = u;
+    bodies_[b] = std::move(now);
   }
-  const Index pairs = contact.gap.size();
+  return moved;
+}
+
+void WorkMeter::add(const Model& model, const Step& step) {
+  const VectorXd& force = step.state.solution.force;
+  const VectorXd& gap = step.solution.contact.gap;
+  const VectorXd interference = interference_now(model, step.state.time);
+  const bool first = bodies_.empty();
+  require_input(!first || step.state.steps == 1,
+                "WorkMeter: sums begin at rest without loads, with step 1 of a path, got step ",
+                step.state.steps, ": add every step from the beginning");
+  if (first)
+    for (const BodyModel& body : model.bodies) {
+      const NodeArray zero = NodeArray::Zero(body.mesh.n_nodes(), 2);
+      bodies_.push_back({zero, zero, zero});
+    }
+  const VectorXd moved = add_bodies(model, step);
   if (first) {
     force_.setZero(force.size());
-    interference_.setZero(pairs);
-    gap_ = contact.gap - model.pairs.opening * moved + interference;  // of the meshes
+    interference_.setZero(gap.size());
+    gap_ = gap - model.pairs.opening * moved + interference;  // of the meshes
   }
-  const VectorXd lambda = force.head(pairs);
-  const VectorXd last_lambda = force_.head(pairs);
+  const VectorXd lambda = force.head(gap.size());
+  const VectorXd last_lambda = force_.head(gap.size());
   const VectorXd& slip = step.state.increment;
   work_.contacts += 0.5 * (lambda + last_lambda).dot(interference - interference_);
   work_.dissipation = step.state.dissipation.sum();
   work_.between += 0.5 * (force - force_).tail(slip.size()).dot(slip) +
-                   0.5 * (lambda.dot(gap_) - last_lambda.dot(contact.gap));
+                   0.5 * (lambda.dot(gap_) - last_lambda.dot(gap));
   force_ = force;
-  gap_ = contact.gap;
+  gap_ = gap;
   interference_ = interference;
 }
 
