@@ -29,6 +29,22 @@ bool presses_one_node(const Model& model, const BodyModel& source, Index pair) {
   return true;
 }
 
+/// The side of a body that two neighbouring nodes of it belong to, in either order.
+using SidesByNodes = std::map<std::pair<Index, Index>, CellSide>;
+
+SidesByNodes sides_by_nodes(const Mesh& mesh) {
+  SidesByNodes sides;
+  for (const auto& [name, list] : mesh.boundaries)
+    for (const CellSide& side : list) {
+      const std::vector<Index> nodes = mesh.side_nodes(side);
+      for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+        sides.insert({{nodes[k], nodes[k + 1]}, side});
+        sides.insert({{nodes[k + 1], nodes[k]}, side});
+      }
+    }
+  return sides;
+}
+
 }  // namespace
 
 std::vector<char> meshed_contacts(const Model& model) {
@@ -45,18 +61,8 @@ std::vector<char> meshed_contacts(const Model& model) {
 }
 
 std::vector<ContactEdge> contact_edges(const Model& model) {
-  std::vector<std::map<std::pair<Index, Index>, CellSide>> sides(model.bodies.size());
-  for (std::size_t b = 0; b < sides.size(); ++b) {
-    const Mesh& mesh = model.bodies[b].mesh;
-    for (const auto& [name, list] : mesh.boundaries)
-      for (const CellSide& side : list) {
-        const std::vector<Index> nodes = mesh.side_nodes(side);
-        for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
-          sides[b].insert({{nodes[k], nodes[k + 1]}, side});
-          sides[b].insert({{nodes[k + 1], nodes[k]}, side});
-        }
-      }
-  }
+  std::vector<SidesByNodes> sides;
+  for (const BodyModel& body : model.bodies) sides.push_back(sides_by_nodes(body.mesh));
   std::vector<ContactEdge> edges;
   const auto join = [&](Index first, Index second) {
     const BodyModel& body = source_of(model, first);

@@ -48,6 +48,18 @@ NodeSum nodes_of(const Model& model, const Displacement& goal, const std::string
   return {body, place.nodes, place.share.head(static_cast<Index>(place.nodes.size()))};
 }
 
+/// How the unknowns of a model share in such a sum.
+VectorXd shares_of_unknowns(const Model& model, const Displacement& goal, const std::string& name) {
+  const NodeSum sum = nodes_of(model, goal, name);
+  const BodyModel& own = model.bodies[sum.body];
+  VectorXd share = VectorXd::Zero(model.unknowns.count);
+  for (std::size_t k = 0; k < sum.nodes.size(); ++k) {
+    const Index unknown = own.unknowns.number(sum.nodes[k], static_cast<int>(goal.axis));
+    if (unknown >= 0) share(own.first_unknown + unknown) += sum.share(static_cast<Index>(k));
+  }
+  return share;
+}
+
 double peak_of(const Profile& read, double inner = fitted_part) {
   return fit_hertz(read.line.x, read.pressure, inner, read.line.footprint).peak_pressure;
 }
@@ -178,23 +190,11 @@ double value(const Model& model, const Solution& solution, const Goal& goal) {
 
 GoalGradient gradient(const Model& model, const Solution& solution, const Goal& goal) {
   require_numbers(solution, goal);
-  GoalGradient d;
-  if (const auto* moved = std::get_if<Displacement>(&goal.quantity)) {
-    const NodeSum sum = nodes_of(model, *moved, goal.name);
-    const BodyModel& own = model.bodies[sum.body];
-    d.displacement = VectorXd::Zero(model.unknowns.count);
-    for (std::size_t k = 0; k < sum.nodes.size(); ++k) {
-      const Index unknown = own.unknowns.number(sum.nodes[k], static_cast<int>(moved->axis));
-      if (unknown >= 0)
-        d.displacement(own.first_unknown + unknown) += sum.share(static_cast<Index>(k));
-    }
-    return d;
-  }
-  if (const auto* force = std::get_if<ContactForce>(&goal.quantity)) {
-    d.force = resultant(model, solution, *force, goal.name).along;
-    return d;
-  }
-  d.force = VectorXd::Zero(model.programme.A.rows());
+  if (const auto* moved = std::get_if<Displacement>(&goal.quantity))
+    return {shares_of_unknowns(model, *moved, goal.name), {}};
+  if (const auto* force = std::get_if<ContactForce>(&goal.quantity))
+    return {{}, resultant(model, solution, *force, goal.name).along};
+  GoalGradient d{{}, VectorXd::Zero(model.programme.A.rows())};
   if (const auto* force = std::get_if<NormalForce>(&goal.quantity)) {
     for (const Index pair : pairs_of(model, force->contact))
       d.force(pair) = share_at(*force, model, pair);
