@@ -56,14 +56,6 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(Index rows, Index columns,
   return result;
 }
 
-template <typename Array>
-Array below_dense(const Array& upper, const Array& lower) {
-  Array both(upper.rows() + lower.rows(), lower.cols());
-  both.topRows(upper.rows()) = upper;
-  both.bottomRows(lower.rows()) = lower;
-  return both;
-}
-
 /// A side with both ends held cannot open or close: the boundary was meant for a support or for contact.
 void check_not_supported(const Surface& source, const std::set<Index>& held) {
   for (const CellSide& side : boundary(source.mesh, source.boundary)) {
@@ -117,11 +109,6 @@ Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface
   }
   for (const Index node : pairs.unpaired) some.unpaired.push_back(source.first_node + node);
   return some;
-}
-
-std::vector<Index> joined_lists(std::vector<Index> upper, const std::vector<Index>& lower) {
-  upper.insert(upper.end(), lower.begin(), lower.end());
-  return upper;
 }
 
 }  // namespace
@@ -178,20 +165,6 @@ NodalRows below(const NodalRows& upper, const NodalRows& lower) {
   add(upper, 0);
   add(lower, upper.rows());
   return matrix(upper.rows() + lower.rows(), std::max(upper.cols(), lower.cols()), entries);
-}
-
-Gaps stacked(const Gaps& upper, const Gaps& lower) {
-  const Pairs& above = upper.pairs;
-  const Pairs& under = lower.pairs;
-  return {{below(above.opening, under.opening), below(above.sliding, under.sliding),
-           below_dense(above.initial_gap, under.initial_gap),
-           below_dense(above.weight, under.weight), below_dense(above.position, under.position),
-           below_dense(above.normal, under.normal), below_dense(above.moment, under.moment),
-           below_dense(above.target_moment, under.target_moment),
-           joined_lists(above.node, under.node), joined_lists(above.unpaired, under.unpaired)},
-          below(upper.A, lower.A),
-          below(upper.T, lower.T),
-          below_dense(upper.initial_slip, lower.initial_slip)};
 }
 
 }  // namespace signorini

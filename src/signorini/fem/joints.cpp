@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
-#include "signorini/fem/side_curve.hpp"
-#include "signorini/fem/side_tree.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-/// What is nearer than that, measured by the sides of the cells there, is in one place.
-constexpr double near = 1e-3;
 
 /// Calls visit(side, first, last) for the ways from node to node round a cell: one per side, or two by its middle.
 template <typename Visit>
@@ -60,92 +54,6 @@ std::vector<char> on_outline(const Mesh& mesh) {
   for (std::size_t node = 0; node < sum.size(); ++node) outer[node] = sum[node] != 0 ? 1 : 0;
   return outer;
 }
-
-double shortest_side(const Mesh& mesh, Index cell) {
-  double shortest = std::numeric_limits<double>::infinity();
-  const int corners = mesh.corners(cell);
-  for (int k = 0; k < corners; ++k)
-    shortest = std::min(shortest, (mesh.nodes.row(mesh.cells(cell, (k + 1) % corners)) -
-                                   mesh.nodes.row(mesh.cells(cell, k)))
-                                      .norm());
-  return shortest;
-}
-
-/// The outer sides in a tree of boxes, and how near is near at each of their nodes.
-class Outline {
- public:
-  explicit Outline(const Mesh& mesh)
-      : mesh_(mesh), sides_(outer_sides(mesh)), reach_(at(mesh.n_nodes()), 0) {
-    std::vector<SideBox> leaves;
-    for (const CellSide& side : sides_) {
-      curves_.emplace_back(mesh, side);
-      const double reach = near * shortest_side(mesh, side.cell);
-      for (const Index node : curves_.back().nodes()) {
-        double& own = reach_[at(node)];
-        if (own == 0) nodes_.push_back(node);
-        own = own == 0 ? reach : std::min(own, reach);
-      }
-      SideBox box;
-      box.lowest = curves_.back().box().col(0);
-      box.highest = curves_.back().box().col(1);
-      box.axis = Eigen::Vector2d::UnitX();  // normals are not asked for
-      box.first = static_cast<Index>(leaves.size());
-      leaves.push_back(box);
-    }
-    std::sort(nodes_.begin(), nodes_.end());
-    if (!leaves.empty()) tree_ = box_tree(std::move(leaves));
-  }
-
-  [[nodiscard]] std::vector<LooseNode> loose() const {
-    std::vector<LooseNode> found;
-    for (const Index node : nodes_) {
-      LooseNode loose{node, {-1, 0}, -1};
-      look(tree_.back(), loose);
-      if (loose.side.cell >= 0 && loose.other < node) found.push_back(loose);
-    }
-    return found;
-  }
-
- private:
-  void look(const SideBox& box, LooseNode& loose) const {
-    if (box.distance(position(loose.node)) > reach_[at(loose.node)]) return;
-    if (box.is_leaf()) return consider(at(box.first), loose);
-    look(tree_[at(box.first)], loose);
-    look(tree_[at(box.second)], loose);
-  }
-
-  /// A node in the same place counts more than a side, and among nodes the lowest.
-  void consider(std::size_t number, LooseNode& loose) const {
-    const SideCurve& curve = curves_[number];
-    const Eigen::Vector2d x = position(loose.node);
-    const double reach = reach_[at(loose.node)];
-    for (const Index node : curve.nodes())
-      if (node == loose.node) return;
-    for (const Index node : curve.nodes())
-      if ((x - position(node)).norm() <= std::min(reach, reach_[at(node)]) &&
-          (loose.other < 0 || node < loose.other)) {
-        loose.side = sides_[number];
-        loose.other = node;
-      }
-    if (loose.other >= 0 || loose.side.cell >= 0) return;
-    const AnchoredPoint exact(x);
-    const double xi = curve.closest(exact);
-    const double reach_there = near * shortest_side(mesh_, sides_[number].cell);
-    if ((exact - curve.point(xi)).norm() <= std::min(reach, reach_there))
-      loose.side = sides_[number];
-  }
-
-  [[nodiscard]] Eigen::Vector2d position(Index node) const {
-    return mesh_.nodes.row(node).transpose();
-  }
-
-  const Mesh& mesh_;
-  std::vector<CellSide> sides_;
-  std::vector<SideCurve> curves_;
-  std::vector<double> reach_;  // per node, 0 inside
-  std::vector<Index> nodes_;   // on the outline, increasing
-  std::vector<SideBox> tree_;  // the box around all is the last
-};
 
 }  // namespace
 
@@ -231,7 +139,5 @@ std::vector<CellSide> outer_sides(const Mesh& mesh) {
               sides.end());
   return sides;
 }
-
-std::vector<LooseNode> loose_nodes(const Mesh& mesh) { return Outline(mesh).loose(); }
 
 }  // namespace signorini
