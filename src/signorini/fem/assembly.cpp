@@ -1,3 +1,21 @@
+/// \file
+/// From cells to one linear system.
+///
+/// The energy of a body is the sum of the energies of its cells, so that its stiffness is the sum
+/// of theirs. With the nodes of each cell sorted into all nodes,
+///
+/// \f[ K = \sum_{cells} \int B^T D\,B\;dV, \qquad K_{ff}\,u_f = p_f - K_{fh}\,u_h. \f]
+///
+/// The second equation is for the free components f; the held components h have given values, which
+/// move to the right-hand side. Held unknowns are never numbered. Programs that keep them set rows
+/// of \f$K\f$ to those of the unit matrix, and have equations of two kinds with two units in one
+/// matrix.
+///
+/// Two unit squares of the element q4 in a row, \f$E = 1\f$, \f$\nu = 0\f$: a node that only one of
+/// them has gets 12/24 on the diagonal, the two in the middle get 12/24 from each square, that is
+/// 1.
+///
+/// Loads have a page of their own, loads.cpp.
 #include "signorini/fem/assembly.hpp"
 
 #include <algorithm>
@@ -23,12 +41,17 @@ void check_unfolded(const Cell& cell) {
         " folds over itself: move the middle nodes of its sides closer to the straight lines");
 }
 
+/// The sparse matrix needs to know first which unknowns meet. They meet where their nodes share a
+/// cell.
+///
 /// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
 struct CellsAround {
   Eigen::ArrayX<Index> first;
   Eigen::ArrayX<Index> cell;
 };
 
+/// Two passes over the cells: one counts, one files. The second goes backwards, and so does the
+/// counter of each node, which ends at the first of its places.
 CellsAround cells_around(const Mesh& mesh) {
   CellsAround around{Eigen::ArrayX<Index>::Zero(mesh.n_nodes() + 1),
                      Eigen::ArrayX<Index>(mesh.cells.size())};
@@ -48,6 +71,9 @@ Index largest_cell(const Mesh& mesh) {
   return size;
 }
 
+/// What a user gets who names no element. Of the three elements with four nodes it is the one that
+/// bends without locking; the other numbers of nodes leave no choice.
+///
 /// The element to use first for cells of so many nodes.
 const char* usual_element(Index size) {
   static const std::map<Index, const char*> usual = {
@@ -57,6 +83,9 @@ const char* usual_element(Index size) {
 
 }  // namespace
 
+/// A scene names elements in words, and meshes come from files. That the two fit is asked once,
+/// here; an element that is given too many nodes would read only the first of them, and nobody
+/// would notice.
 void check_element(const Mesh& mesh, const Element& element) {
   const Index size = largest_cell(mesh);
   require_input(size == element.n_nodes, "mesh '", mesh.name, "' has cells of ", size,
@@ -70,6 +99,10 @@ const Element& element_for(const Mesh& mesh, const std::string& name) {
   return element;
 }
 
+/// The sum over the strain points, with the number of strains as a constant, so that the products
+/// are unrolled. In exact arithmetic \f$B^T D B\f$ is symmetric. In floating point its two
+/// triangles are rounded in different ways, and a factor that reads only one of them would solve
+/// another problem than the residual measures. The mean of both is symmetric to the last bit.
 CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   StrainPoints points;
   element.strain(cell, points);
@@ -86,6 +119,10 @@ CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   return 0.5 * (K + CellMatrix(K.transpose()));  // exactly symmetric
 }
 
+/// The usual way is to list all entries of all cells as triplets and let the matrix sort them. A
+/// cell of four nodes has 64, and on a large mesh 36 for each node remain. Here each column is
+/// written once, with its rows sorted, and the cells are then added into their places. The unknowns
+/// of one node have the same rows, so that the list is kept for the second one.
 Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& unknowns) {
   const CellsAround around = cells_around(mesh);
   Eigen::SparseMatrix<double> K(unknowns.count, unknowns.count);
@@ -113,6 +150,10 @@ Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& 
   return K;
 }
 
+/// Everything comes together: pattern, loads, and a loop over the cells. Eigenstrains enter as
+/// nodal forces. They are summed on all nodes before the held components are dropped, as all loads
+/// are. An entry of a free row and a held column belongs to the right-hand side, with the
+/// displacement that is given there.
 LinearSystem assemble(const Mesh& mesh, const Element& element, const MaterialField& material,
                       const Unknowns& unknowns, const Loads& loads) {
   check_element(mesh, element);
@@ -139,6 +180,9 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const MaterialFi
   return system;
 }
 
+/// The same sum with all rows, held ones too, and without storing \f$K\f$. In a row that is held,
+/// these forces less the loads are the force of the support: we never solved that row, so it is
+/// free to tell.
 NodeArray internal_forces(const Mesh& mesh, const Element& element, const MaterialField& material,
                           const NodeArray& displacements) {
   require_argument(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
@@ -153,6 +197,8 @@ NodeArray internal_forces(const Mesh& mesh, const Element& element, const Materi
   return forces;
 }
 
+/// Solvers know \f$n\f$ numbers, users know nodes. These two functions are the way from the one to
+/// the other.
 NodeArray expand(const Unknowns& unknowns, const Eigen::Ref<const Eigen::VectorXd>& values) {
   require_argument(values.size() == unknowns.count, "expand: need ", unknowns.count,
                    " values (one per unknown), got ", values.size());
@@ -163,6 +209,7 @@ NodeArray expand(const Unknowns& unknowns, const Eigen::Ref<const Eigen::VectorX
   return all;
 }
 
+/// The way back, for forces: components that are held have no row in the system.
 Eigen::VectorXd restricted(const Unknowns& unknowns, const NodeArray& nodal) {
   Eigen::VectorXd values(unknowns.count);
   for (Index node = 0; node < nodal.rows(); ++node)

@@ -1,3 +1,17 @@
+/// \file
+/// What hangs together with what.
+///
+/// A mesh is a list of cells. Whether they form one body or two, and where its outline is, stands
+/// nowhere in the list. Two questions are answered here, both by looking at nodes that cells share.
+///
+/// *Pieces.* Cells that share a node belong together, and so do their neighbours, and so on. This
+/// is the problem of connected components. Each node points to another one of its piece, or to
+/// itself; to join two pieces, let the root of one point to the root of the other.
+///
+/// *Outer sides.* A side inside of the body belongs to two cells, one of the outline to one.
+/// Sorting all sides and looking for those that stand alone answers it. A mesh of a million cells
+/// has two million sides and only some thousands on its outline, so we first find the nodes there,
+/// in one pass and without sorting.
 #include "signorini/fem/joints.hpp"
 
 #include <algorithm>
@@ -13,6 +27,9 @@ namespace {
 
 using Eigen::Index;
 
+/// A side of three nodes counts as two edges. Then both kinds of mesh look alike from here on: a
+/// graph of nodes and edges between neighbours.
+///
 /// Calls visit(side, first, last) for the ways from node to node round a cell: one per side, or two by its middle.
 template <typename Visit>
 void visit_edges(const Mesh& mesh, Index cell, Visit&& visit) {
@@ -31,6 +48,9 @@ void visit_edges(const Mesh& mesh, Index cell, Visit&& visit) {
   }
 }
 
+/// Node numbers themselves would not do for the sum below. A node where two outlines meet has two
+/// neighbours before it and two behind, such as 1, 4 and 2, 3: the sum \f$2 + 3 - 1 - 4\f$ is 0.
+///
 /// Bits without any pattern of the number (the end of splitmix64).
 std::uint64_t scrambled(std::uint64_t number) {
   std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15U;
@@ -39,6 +59,12 @@ std::uint64_t scrambled(std::uint64_t number) {
   return z ^ (z >> 31);
 }
 
+/// Each cell is walked anticlockwise. A side inside is walked twice, in both directions, and drops
+/// out of the sums of its two nodes. On the outline it is walked once. Sums are of integers that
+/// wrap around, so they are exact: a node inside has exactly 0. A node of the outline keeps the
+/// marks of its neighbours along the outline, with the signs + and -, which add up to 0 only by an
+/// accident of about one in \f$2^{64}\f$.
+///
 /// Whether a node is on the outline. Inside, the edge to each neighbour is walked once there and once back: what
 /// is added for one is taken away for the other.
 std::vector<char> on_outline(const Mesh& mesh) {
@@ -57,6 +83,8 @@ std::vector<char> on_outline(const Mesh& mesh) {
 
 }  // namespace
 
+/// While a root is looked for, each node on the way is made to point one step further up. The ways
+/// stay short, and the whole costs hardly more than one look at each node.
 std::vector<MeshPiece> pieces(const Mesh& mesh) {
   std::vector<Index> parent(at(mesh.n_nodes()));
   std::iota(parent.begin(), parent.end(), Index{0});
@@ -84,12 +112,16 @@ std::vector<MeshPiece> pieces(const Mesh& mesh) {
   for (Index node = 0; node < mesh.n_nodes(); ++node)
     if (const Index piece = number[at(root(node))]; piece >= 0)
       found[at(piece)].nodes.push_back(node);
+  // Which node became the root depends on the order of the cells. The first node of a piece does
+  // not, so that a renumbered list of cells gives the same pieces in the same order.
   std::sort(found.begin(), found.end(), [](const MeshPiece& a, const MeshPiece& b) {
     return a.nodes.front() < b.nodes.front();
   });
   return found;
 }
 
+/// A piece has no name of its own. Messages say where it is, by the middle of its box, and how many
+/// cells it has.
 Eigen::Vector2d middle(const Mesh& mesh, const MeshPiece& piece) {
   Eigen::RowVector2d low = mesh.nodes.row(piece.nodes.front());
   Eigen::RowVector2d high = low;
@@ -100,11 +132,16 @@ Eigen::Vector2d middle(const Mesh& mesh, const MeshPiece& piece) {
   return (low + high).transpose() / 2;
 }
 
+/// Such as "8 cells around (2, 0.5)": a user finds that in a picture, and not the number of a
+/// piece.
 std::string in_words(const Mesh& mesh, const MeshPiece& piece) {
   const Eigen::Vector2d x = middle(mesh, piece);
   return text(piece.cells, " cells around (", x.x(), ", ", x.y(), ')');
 }
 
+/// Only edges with both ends on the outline are sorted. That is not yet enough to be an outer side:
+/// the diagonal of a narrow strip has both ends there and belongs to two cells. Those that stand
+/// alone are outer. The faces of a crack count as well, since their nodes are two at each place.
 std::vector<CellSide> outer_sides(const Mesh& mesh) {
   const std::vector<char> outer = on_outline(mesh);
   struct CellEdge {

@@ -1,3 +1,21 @@
+/// \file
+/// Loads, shared out to the nodes.
+///
+/// A load does the work \f$\int b\cdot u\,dV + \int t\cdot u\,d\Gamma\f$ on a displacement. Forces
+/// on nodes that do the same work on every \f$u = \sum_k N_k u_k\f$ are *consistent*:
+///
+/// \f[ p_k = \int N_k\,b\,dV + \int N_k\,t\,d\Gamma. \f]
+///
+/// A pressure of 1 on a straight edge of length 6 and depth 1 acts on three nodes, which are
+/// equally far apart, as 1.5, 3, 1.5 if two sides of two nodes lie there, and as 1, 4, 1 if they
+/// are one side of three nodes. Had the three nodes been given 2 each, the sum would be right and
+/// the stress below them would not be uniform, on any mesh.
+///
+/// With a tangent \f$x' = dx/d\xi\f$ along the side, and the body on the left of it,
+/// \f$(-x'_y,\ x'_x)\f$ points into the body and is as long as the side is stretched. So a pressure
+/// needs neither a unit normal nor a length. Three Gauss points are exact for polynomials of degree
+/// 5: a parabola for \f$N\f$, degree 1 for \f$x'\f$ on a curved side, and on a body of revolution
+/// degree 2 for the radius.
 #include <algorithm>
 #include <map>
 #include <vector>
@@ -11,6 +29,9 @@ namespace {
 
 using Eigen::Index;
 
+/// The points are those of the stiffness. They are exact for a weight that is constant in the cell,
+/// if its sides are straight. For a force that varies more, the error is one of the mesh, as others
+/// are. A function that users write may return anything, so each value is checked.
 void add_body_force(const Mesh& mesh, const Element& element, const MaterialField& material,
                     const VectorField& force, NodeArray& load) {
   visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
@@ -60,6 +81,8 @@ NodeArray boundary_integrals(const Mesh& mesh, const std::string& name, const De
   return sums;
 }
 
+/// On the edge between two nodes the shape functions share a force out, as a narrow pressure would
+/// be.
 void add_point_forces(const Mesh& mesh, const std::vector<PointForce>& forces, NodeArray& load) {
   auto force = forces.begin();
   for (const EdgePlace& place : places_of(mesh, forces)) {
@@ -71,6 +94,7 @@ void add_point_forces(const Mesh& mesh, const std::vector<PointForce>& forces, N
 
 }  // namespace
 
+/// One Edge for all forces: it looks for the outer sides of the mesh only once.
 std::vector<EdgePlace> places_of(const Mesh& mesh, const std::vector<PointForce>& loads) {
   Edge edge(mesh);
   std::vector<EdgePlace> places;
@@ -83,6 +107,7 @@ std::vector<EdgePlace> places_of(const Mesh& mesh, const std::vector<PointForce>
   return places;
 }
 
+/// A force that is zero may stand anywhere: a user who switches one off need not take it out.
 NodeArray nodal_loads(const Mesh& mesh, const Element& element, const MaterialField& material,
                       const Loads& loads) {
   NodeArray load = NodeArray::Zero(mesh.n_nodes(), 2);
@@ -92,6 +117,11 @@ NodeArray nodal_loads(const Mesh& mesh, const Element& element, const MaterialFi
   return load;
 }
 
+/// Contact reads the same integrals backwards. It finds forces and divides them by the shares
+/// \f$w_k = \int N_k\,d\Gamma\f$ to print pressures. Around the corner of a unit square, with both
+/// sides in one boundary, the corner node has the share \f$\tfrac12 + \tfrac12 = 1\f$. A uniform
+/// pressure pushes there along the diagonal, with \f$\lvert(\tfrac12, -\tfrac12)\rvert = 0.71\f$:
+/// boundary_areas() keeps the direction.
 Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, const Depth& depth) {
   return boundary_integrals(
              mesh, name, depth,
@@ -105,6 +135,10 @@ NodeArray boundary_areas(const Mesh& mesh, const std::string& name, const Depth&
   });
 }
 
+/// On a body of revolution the share is \f$2\pi\int N_k\,x\,dx\f$. For a side of length 1 that
+/// begins on the axis it is \f$2\pi\f$ times (1/6, 1/3) with two nodes, and \f$2\pi\f$ times (0,
+/// 1/3, 1/6) with three. The node on the axis has no share there: a pressure does not push it, and
+/// a pair on it would have none.
 std::vector<Index> nodes_without_share(const Mesh& mesh, const std::string& name,
                                        const Depth& depth) {
   std::vector<Index> nodes;

@@ -1,3 +1,16 @@
+/// \file
+/// Nodes that look joined and are not.
+///
+/// Meshes come from programs that make two blocks beside each other. If each block brings its own
+/// nodes, every place of the common line has two, and the body is cut there: it looks whole in
+/// every picture, and the cut opens under load. Or one block has more nodes than the other, and
+/// some hang on a side without belonging to it. A crack is a legal body, so that no equation
+/// complains. We look for nodes that lie on an outer side without being one of its nodes, and the
+/// user is told.
+///
+/// How near is *on*? Coordinates in files often have six digits. On a body that is a thousand cells
+/// long the sixth digit is a thousandth of a cell, and this is what we take: 1/1000 of the shortest
+/// side there. A true gap between two bodies, or a crack that is open, is usually wider.
 #include <algorithm>
 #include <limits>
 
@@ -14,6 +27,7 @@ using Eigen::Index;
 /// What is nearer than that, measured by the sides of the cells there, is in one place.
 constexpr double near = 1e-3;
 
+/// Not the mean: a long thin cell would allow what is far for its short sides.
 double shortest_side(const Mesh& mesh, Index cell) {
   double shortest = std::numeric_limits<double>::infinity();
   const int corners = mesh.corners(cell);
@@ -24,9 +38,15 @@ double shortest_side(const Mesh& mesh, Index cell) {
   return shortest;
 }
 
+/// To compare each node with each side would cost \f$n^2\f$. The boxes of side_tree.hpp leave a few
+/// sides to look at for each node. The tree is asked for distances only; contact asks it for
+/// normals as well.
+///
 /// The outer sides in a tree of boxes, and how near is near at each of their nodes.
 class Outline {
  public:
+  // The reach of a node is the smallest one of the cells around it that have an outer side there. A
+  // reach of 0 marks the nodes inside.
   explicit Outline(const Mesh& mesh)
       : mesh_(mesh), sides_(outer_sides(mesh)), reach_(at(mesh.n_nodes()), 0) {
     std::vector<SideBox> leaves;
@@ -49,6 +69,8 @@ class Outline {
     if (!leaves.empty()) tree_ = box_tree(std::move(leaves));
   }
 
+  // Two nodes in one place find each other. One entry is enough for a message, that of the higher
+  // number. A node that hangs on a side finds no partner, and is listed in any case.
   [[nodiscard]] std::vector<LooseNode> loose() const {
     std::vector<LooseNode> found;
     for (const Index node : nodes_) {
@@ -60,6 +82,8 @@ class Outline {
   }
 
  private:
+  // From the box around all down to single sides; a box that is too far is left with all that is in
+  // it.
   void look(const SideBox& box, LooseNode& loose) const {
     if (box.distance(position(loose.node)) > reach_[at(loose.node)]) return;
     if (box.is_leaf()) return consider(at(box.first), loose);
@@ -67,6 +91,8 @@ class Outline {
     look(tree_[at(box.second)], loose);
   }
 
+  // Neither node nor side: then the closest place of the side, by the reach of both cells.
+  //
   /// A node in the same place counts more than a side, and among nodes the lowest.
   void consider(std::size_t number, LooseNode& loose) const {
     const SideCurve& curve = curves_[number];
@@ -102,6 +128,7 @@ class Outline {
 
 }  // namespace
 
+/// The mesh must have passed check_mesh(): a side of no length would make every reach there 0.
 std::vector<LooseNode> loose_nodes(const Mesh& mesh) { return Outline(mesh).loose(); }
 
 }  // namespace signorini
