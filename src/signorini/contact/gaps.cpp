@@ -1,3 +1,19 @@
+/// \file
+/// Gaps of what can still move.
+///
+/// Pairs know the displacements of all nodes, gap \f$= g + N u\f$. Supports have given some of
+/// them. Split \f$u\f$ into free and held components:
+///
+/// \f[ gap = (g + N_h u_h) + N_f u_f = g' - A\,u_f, \qquad A = -N_f, \f]
+///
+/// and the same for the slip, with \f$T = S_f\f$. A support that is pushed towards an obstacle so
+/// changes the initial gap, and no unknown stands for it. The minus sign is the first paper's: with
+/// it \f$A^T\lambda\f$ and the stiffness stand on one side of the equation,
+/// \f$K u + A^T\lambda = p\f$ with \f$\lambda \ge 0\f$.
+///
+/// Some rows become empty: both points are held along the normal, and the pair can neither open nor
+/// close. Its contact force would be undetermined, since supports take whatever it gives. Such
+/// pairs are dropped.
 #include "signorini/contact/gaps.hpp"
 
 #include <algorithm>
@@ -15,12 +31,19 @@ namespace {
 using Eigen::Index;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
+/// An empty row is empty up to rounding. The normal of a flat side at \f$10^6\f$ sizes from the
+/// origin is off by \f$10^{-10}\f$ to one side, so that it has a small component along the side. If
+/// a support holds the node across the side and not along it, this component alone would remain,
+/// and only a displacement \f$10^{10}\f$ times as large as the gap could close it.
+///
 /// Entries of one row that are more than rounding, and what given displacements add to it.
 struct FreeRow {
   std::vector<std::pair<Index, double>> entries;
   double held = 0;
 };
 
+/// Each entry is compared with the largest of its row, and with the larger of the two entries of
+/// its node: what the direction is uncertain by turns with the node's own share of the normal.
 FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns, double directions) {
   FreeRow found;
   double largest = 0;
@@ -35,6 +58,7 @@ FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns, dou
     const Index node = it.col() / 2;
     const Index axis = it.col() % 2;
     const Index unknown = unknowns.number(node, axis);
+    // One rounding of the row as a whole, or what the direction of the sides is uncertain by.
     const double rounding = 4 * std::max(epsilon * largest, directions * of_node[node]);
     if (unknown >= 0 && std::abs(it.value()) > rounding)
       found.entries.emplace_back(unknown, it.value());
@@ -44,11 +68,13 @@ FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns, dou
   return found;
 }
 
+/// Signs differ: gaps enter with a minus, slips with a plus.
 void append(Triplets& entries, Index row, const FreeRow& free, double sign) {
   for (const auto& [unknown, value] : free.entries)
     entries.emplace_back(static_cast<int>(row), static_cast<int>(unknown), sign * value);
 }
 
+/// No entries at all is a usual case, such as the slips of a contact without friction.
 Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(Index rows, Index columns,
                                                     const Triplets& entries) {
   Eigen::SparseMatrix<double, Eigen::RowMajor> result(rows, columns);
@@ -56,7 +82,11 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(Index rows, Index columns,
   return result;
 }
 
-/// A side with both ends held cannot open or close: the boundary was meant for a support or for contact.
+/// One node that is held and on the contact is usual, such as the corner between a clamped end and
+/// the contact. A whole side that is held is a mistake in the scene.
+///
+/// A side with both ends held cannot open or close: the boundary was meant for a support or for
+/// contact.
 void check_not_supported(const Surface& source, const std::set<Index>& held) {
   for (const CellSide& side : boundary(source.mesh, source.boundary)) {
     const std::vector<Index> nodes = source.mesh.side_nodes(side);
@@ -69,6 +99,9 @@ void check_not_supported(const Surface& source, const std::set<Index>& held) {
   }
 }
 
+/// A dropped pair that overlaps cannot be repaired by any contact force. Rounding of positions is
+/// not an overlap: two sides that touch may seem to overlap in the last digits.
+///
 /// The pairs that can open or close, of which the others hold no contact force.
 std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openings,
                            const Surface& source, const std::string& what) {
@@ -87,14 +120,18 @@ std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openi
                   ". Move one of the two sides or release the node");
     held.insert(pairs.node[static_cast<std::size_t>(pair)]);
   }
+  // Pairs of Gauss points have no node of their own, and cannot tell which node is held.
   held.erase(-1);
   check_not_supported(source, held);
   return kept;
 }
 
+/// From here on nodes are counted through all bodies, as unknowns are.
+///
 /// Some of the pairs, with the nodes counted among those of all bodies.
 Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface& source) {
   Pairs some;
+  // Every array of the pairs is cut in the same way: by numbers of rows.
   some.opening = selected_rows(pairs.opening, kept);
   if (pairs.sliding.rows() > 0) some.sliding = selected_rows(pairs.sliding, kept);
   some.initial_gap = pairs.initial_gap(kept);
@@ -113,10 +150,15 @@ Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface
 
 }  // namespace
 
+/// A gap is the difference of two positions, each rounded in proportion to its size.
 double gap_rounding(const Pairs& pairs) {
   return 16 * epsilon * (pairs.position.size() > 0 ? pairs.position.cwiseAbs().maxCoeff() : 0);
 }
 
+/// First all openings are read, to know which pairs remain; then the rows of the pairs that do.
+/// Normals, weights and positions follow their pairs. The columns of held components are kept in
+/// `opening` and `sliding`: the force of a support is read from them when the contact forces are
+/// known.
 Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
             const std::string& what, double directions) {
   std::vector<FreeRow> openings;
@@ -127,6 +169,7 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
   const bool slides = pairs.sliding.rows() > 0;
   Gaps gaps;
   gaps.pairs = selected(pairs, kept, source);
+  // Slips that supports prescribe are there from the beginning, like gaps.
   gaps.initial_slip.resize(slides ? n_pairs : 0);
   Triplets normal;
   Triplets tangential;
@@ -142,10 +185,12 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
   }
   gaps.A = matrix(n_pairs, unknowns.count, normal);
   gaps.T = matrix(slides ? n_pairs : 0, unknowns.count, tangential);
+  // What was computed for all candidates is matched with the pairs by these numbers.
   gaps.kept = kept;
   return gaps;
 }
 
+/// Friction uses it: only some pairs rub, and only those get a row for their slip.
 NodalRows selected_rows(const NodalRows& rows, const std::vector<Index>& kept) {
   Triplets entries;
   for (std::size_t k = 0; k < kept.size(); ++k)
@@ -154,6 +199,8 @@ NodalRows selected_rows(const NodalRows& rows, const std::vector<Index>& kept) {
   return matrix(static_cast<Index>(kept.size()), rows.cols(), entries);
 }
 
+/// A scene with several contacts has one list of pairs. A matrix without rows may come from a
+/// contact without friction, which has no slips; then the other one stays as it is.
 NodalRows below(const NodalRows& upper, const NodalRows& lower) {
   if (upper.rows() == 0 && upper.cols() <= lower.cols()) return lower;
   Triplets entries;

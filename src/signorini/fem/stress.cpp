@@ -12,7 +12,7 @@
 ///
 /// with 1 the nearest point and 4 the farthest: 1.866, -0.5, -0.5 and 0.134. The fit magnifies, and
 /// a stress that changes much within a cell is read with a large error. Recovery from patches of
-/// cells [\ref ZienkiewiczZhu1992] is better, and the error estimates use it. The average is for
+/// cells [ZienkiewiczZhu1992] is better, and the error estimates use it. The average is for
 /// pictures: it smears the jump between two materials, which is real.
 ///
 /// Contact pressures do not come from here. They are forces divided by shares of the surface.
