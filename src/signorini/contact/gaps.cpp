@@ -31,12 +31,12 @@ namespace {
 using Eigen::Index;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
+/// Entries of one row that are more than rounding, and what given displacements add to it.
+///
 /// An empty row is empty up to rounding. The normal of a flat side at \f$10^6\f$ sizes from the
 /// origin is off by \f$10^{-10}\f$ to one side, so that it has a small component along the side. If
 /// a support holds the node across the side and not along it, this component alone would remain,
 /// and only a displacement \f$10^{10}\f$ times as large as the gap could close it.
-///
-/// Entries of one row that are more than rounding, and what given displacements add to it.
 struct FreeRow {
   std::vector<std::pair<Index, double>> entries;
   double held = 0;
@@ -82,11 +82,11 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(Index rows, Index columns,
   return result;
 }
 
-/// One node that is held and on the contact is usual, such as the corner between a clamped end and
-/// the contact. A whole side that is held is a mistake in the scene.
-///
 /// A side with both ends held cannot open or close: the boundary was meant for a support or for
 /// contact.
+///
+/// One node that is held and on the contact is usual, such as the corner between a clamped end and
+/// the contact. A whole side that is held is a mistake in the scene.
 void check_not_supported(const Surface& source, const std::set<Index>& held) {
   for (const CellSide& side : boundary(source.mesh, source.boundary)) {
     const std::vector<Index> nodes = source.mesh.side_nodes(side);
@@ -99,10 +99,10 @@ void check_not_supported(const Surface& source, const std::set<Index>& held) {
   }
 }
 
+/// The pairs that can open or close, of which the others hold no contact force.
+///
 /// A dropped pair that overlaps cannot be repaired by any contact force. Rounding of positions is
 /// not an overlap: two sides that touch may seem to overlap in the last digits.
-///
-/// The pairs that can open or close, of which the others hold no contact force.
 std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openings,
                            const Surface& source, const std::string& what) {
   const double rounding = gap_rounding(pairs);
@@ -126,8 +126,6 @@ std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openi
   return kept;
 }
 
-/// From here on nodes are counted through all bodies, as unknowns are.
-///
 /// Some of the pairs, with the nodes counted among those of all bodies.
 Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface& source) {
   Pairs some;
@@ -142,6 +140,8 @@ Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface
   some.target_moment = pairs.target_moment(kept, Eigen::all);
   for (const Index pair : kept) {
     const Index node = pairs.node[static_cast<std::size_t>(pair)];
+    // Nodes are counted through all bodies from here on, as unknowns are. A pair of a Gauss point
+    // has none.
     some.node.push_back(node < 0 ? node : source.first_node + node);
   }
   for (const Index node : pairs.unpaired) some.unpaired.push_back(source.first_node + node);

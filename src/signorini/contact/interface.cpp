@@ -16,11 +16,11 @@ namespace {
 
 using Eigen::Vector2d;
 
+/// The integral of the normal: across the line from its beginning to its end.
+///
 /// The normal of a curve is its tangent turned by a quarter, so its integral is the chord turned by
 /// a quarter: a quick answer to the question which way a boundary looks, however it winds. A closed
 /// boundary has the chord 0 and looks in no direction.
-///
-/// The integral of the normal: across the line from its beginning to its end.
 Vector2d mean_normal(const Surface& surface) {
   Vector2d along = Vector2d::Zero();
   for (const SideCurve& side : side_curves(surface.mesh, surface.boundary))

@@ -26,9 +26,9 @@ using Eigen::Vector2d;
 /// Cuts that are closer than this are one, up to rounding; the sliver joins the next segment [-].
 constexpr double sliver = 1e-12;
 
-/// A sliver has no length, but each of its points would be projected.
-///
 /// Sorts cuts and drops those that would leave a sliver.
+///
+/// A sliver has no length, but each of its points would be projected.
 void tidy(std::vector<double>& cuts) {
   std::sort(cuts.begin(), cuts.end());
   std::vector<double> kept;

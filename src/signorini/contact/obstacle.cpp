@@ -18,9 +18,9 @@
 namespace signorini {
 namespace {
 
-/// In the centre all directions are the same distance away, and no normal is better than another.
-///
 /// Distance from a centre and the direction away from it.
+///
+/// In the centre all directions are the same distance away, and no normal is better than another.
 ObstacleContact seen_from(const Eigen::Vector2d& x, const Eigen::Vector2d& centre,
                           const std::string& name) {
   const Eigen::Vector2d arm = x - centre;
@@ -30,10 +30,10 @@ ObstacleContact seen_from(const Eigen::Vector2d& x, const Eigen::Vector2d& centr
   return {distance, arm / distance};
 }
 
+/// A circle that the body lies outside of (side 1) or inside of (side -1).
+///
 /// One function for both sides of a circle: a hole is a disc whose gap and normal have the other
 /// sign.
-///
-/// A circle that the body lies outside of (side 1) or inside of (side -1).
 Obstacle circle(const char* name, const Eigen::Vector2d& centre, double radius, double side) {
   require_input(radius > 0 && std::isfinite(radius) && centre.allFinite(), "obstacle '", name,
                 "': the radius must be positive, got ", radius);

@@ -41,10 +41,10 @@ void check_unfolded(const Cell& cell) {
         " folds over itself: move the middle nodes of its sides closer to the straight lines");
 }
 
+/// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
+///
 /// The sparse matrix needs to know first which unknowns meet. They meet where their nodes share a
 /// cell.
-///
-/// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
 struct CellsAround {
   Eigen::ArrayX<Index> first;
   Eigen::ArrayX<Index> cell;
@@ -71,10 +71,10 @@ Index largest_cell(const Mesh& mesh) {
   return size;
 }
 
+/// The element to use first for cells of so many nodes.
+///
 /// What a user gets who names no element. Of the three elements with four nodes it is the one that
 /// bends without locking; the other numbers of nodes leave no choice.
-///
-/// The element to use first for cells of so many nodes.
 const char* usual_element(Index size) {
   static const std::map<Index, const char*> usual = {
       {3, "t3"}, {4, "q4_incompatible"}, {6, "t6"}, {8, "q8"}};

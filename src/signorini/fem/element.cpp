@@ -30,11 +30,11 @@
 namespace signorini {
 namespace {
 
-/// Rules of more than three points have no short formula. A table would be more than a hundred
-/// numbers to mistype, so these rules are computed.
-///
 /// The points are the zeros of the Legendre polynomial of degree n, found by Newton's method from
 /// an estimate that is within a few per cent; a pair and its mirror image are exactly symmetric.
+///
+/// Rules of more than three points have no short formula. A table would be more than a hundred
+/// numbers to mistype, so these rules are computed.
 std::vector<GaussPoint> legendre_rule(int n) {
   std::vector<GaussPoint> rule(static_cast<std::size_t>(n), GaussPoint{0, 0, 0});
   for (int k = 0; k < (n + 1) / 2; ++k) {

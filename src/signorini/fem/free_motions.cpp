@@ -32,9 +32,9 @@ namespace {
 
 using Eigen::Index;
 
-/// A mesh may consist of pieces that touch nowhere, and each of them can fly off alone.
-///
 /// One piece of a mesh, and where it is.
+///
+/// A mesh may consist of pieces that touch nowhere, and each of them can fly off alone.
 struct ConnectedBody {
   /// \param mesh   that has it
   /// \param piece  one of its pieces
@@ -54,12 +54,12 @@ struct ConnectedBody {
   Index cells;
 };
 
-/// Arms are divided by the size of the body. Then the three columns are alike in size, and the
-/// singular values measure how firmly a motion is held, not in which unit.
-///
 /// What the translations x and y and a rotation about the centre, each of which moves the body by about 1, do to the
 /// components that are held: `n x 3`, `n` at least 3. What moves or turns the cross-section of a body of revolution
 /// sideways strains the body.
+///
+/// Arms are divided by the size of the body. Then the three columns are alike in size, and the
+/// singular values measure how firmly a motion is held, not in which unit.
 Eigen::MatrixXd held_motions(const ConnectedBody& body, const Unknowns& unknowns,
                              PlaneState state) {
   std::vector<Eigen::Vector3d> rows;
@@ -76,13 +76,13 @@ Eigen::MatrixXd held_motions(const ConnectedBody& body, const Unknowns& unknowns
   return held;
 }
 
+/// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)), and no held component by more than what
+/// rounding of the coordinates makes of it.
+///
 /// The columns of \f$V\f$ of the singular value decomposition that \f$H\f$ does not move by more
 /// than rounding. A motion is scaled so that the body moves by about 1, and entries that are
 /// rounding become 0: a body on rollers moves in \f$x\f$, not in \f$x\f$ with a trace of \f$y\f$,
 /// which a support would resist.
-///
-/// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)), and no held component by more than what
-/// rounding of the coordinates makes of it.
 std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknowns& unknowns,
                                         PlaneState state) {
   const Eigen::MatrixXd held = held_motions(body, unknowns, state);

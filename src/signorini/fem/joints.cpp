@@ -27,10 +27,10 @@ namespace {
 
 using Eigen::Index;
 
+/// Calls visit(side, first, last) for the ways from node to node round a cell: one per side, or two by its middle.
+///
 /// A side of three nodes counts as two edges. Then both kinds of mesh look alike from here on: a
 /// graph of nodes and edges between neighbours.
-///
-/// Calls visit(side, first, last) for the ways from node to node round a cell: one per side, or two by its middle.
 template <typename Visit>
 void visit_edges(const Mesh& mesh, Index cell, Visit&& visit) {
   const int corners = mesh.corners(cell);
@@ -48,10 +48,10 @@ void visit_edges(const Mesh& mesh, Index cell, Visit&& visit) {
   }
 }
 
+/// Bits without any pattern of the number (the end of splitmix64).
+///
 /// Node numbers themselves would not do for the sum below. A node where two outlines meet has two
 /// neighbours before it and two behind, such as 1, 4 and 2, 3: the sum \f$2 + 3 - 1 - 4\f$ is 0.
-///
-/// Bits without any pattern of the number (the end of splitmix64).
 std::uint64_t scrambled(std::uint64_t number) {
   std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15U;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -59,14 +59,12 @@ std::uint64_t scrambled(std::uint64_t number) {
   return z ^ (z >> 31);
 }
 
-/// Each cell is walked anticlockwise. A side inside is walked twice, in both directions, and drops
-/// out of the sums of its two nodes. On the outline it is walked once. Sums are of integers that
-/// wrap around, so they are exact: a node inside has exactly 0. A node of the outline keeps the
-/// marks of its neighbours along the outline, with the signs + and -, which add up to 0 only by an
-/// accident of about one in \f$2^{64}\f$.
-///
 /// Whether a node is on the outline. Inside, the edge to each neighbour is walked once there and once back: what
 /// is added for one is taken away for the other.
+///
+/// Sums are of integers that wrap around, so they are exact: a node inside has exactly 0. An edge of
+/// the outline is walked once. A node there keeps the marks of its neighbours along the outline, with
+/// the signs + and -, which add up to 0 only by an accident of about one in \f$2^{64}\f$.
 std::vector<char> on_outline(const Mesh& mesh) {
   std::vector<std::uint64_t> mark(at(mesh.n_nodes()));
   for (std::size_t node = 0; node < mark.size(); ++node) mark[node] = scrambled(node);
@@ -109,6 +107,7 @@ std::vector<MeshPiece> pieces(const Mesh& mesh) {
     }
     ++found[at(piece)].cells;
   }
+  // A node that no cell has is the root of itself, and that root has no piece.
   for (Index node = 0; node < mesh.n_nodes(); ++node)
     if (const Index piece = number[at(root(node))]; piece >= 0)
       found[at(piece)].nodes.push_back(node);
@@ -162,6 +161,8 @@ std::vector<CellSide> outer_sides(const Mesh& mesh) {
     std::size_t end = k + 1;
     while (end < edges.size() && edges[end].low == edges[k].low && edges[end].high == edges[k].high)
       ++end;
+    // Edges between the same two nodes stand behind each other now. One that stands alone is an
+    // outer one.
     if (end == k + 1) sides.push_back(edges[k].side);
     k = end;
   }

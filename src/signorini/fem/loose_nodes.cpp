@@ -38,11 +38,11 @@ double shortest_side(const Mesh& mesh, Index cell) {
   return shortest;
 }
 
+/// The outer sides in a tree of boxes, and how near is near at each of their nodes.
+///
 /// To compare each node with each side would cost \f$n^2\f$. The boxes of side_tree.hpp leave a few
 /// sides to look at for each node. The tree is asked for distances only; contact asks it for
 /// normals as well.
-///
-/// The outer sides in a tree of boxes, and how near is near at each of their nodes.
 class Outline {
  public:
   // The reach of a node is the smallest one of the cells around it that have an outer side there. A
@@ -91,9 +91,9 @@ class Outline {
     look(tree_[at(box.second)], loose);
   }
 
-  // Neither node nor side: then the closest place of the side, by the reach of both cells.
-  //
   /// A node in the same place counts more than a side, and among nodes the lowest.
+  ///
+  /// Neither node nor side: then the closest place of the side, by the reach of both cells.
   void consider(std::size_t number, LooseNode& loose) const {
     const SideCurve& curve = curves_[number];
     const Eigen::Vector2d x = position(loose.node);

@@ -27,10 +27,10 @@ Index last_node(const Mesh& mesh, const std::vector<CellSide>& sides) {
   return mesh.side_nodes(sides.back()).back();
 }
 
+/// Adds `more` to a boundary, before or after what it has, whichever continues the walk.
+///
 /// Two boundaries of one name become one. Walking order matters: results along a boundary are
 /// printed in this order.
-///
-/// Adds `more` to a boundary, before or after what it has, whichever continues the walk.
 void lengthen(const Mesh& mesh, const std::vector<CellSide>& more, std::vector<CellSide>& sides) {
   const bool before = !sides.empty() && !more.empty() &&
                       last_node(mesh, more) == first_node(mesh, sides) &&
@@ -38,12 +38,12 @@ void lengthen(const Mesh& mesh, const std::vector<CellSide>& more, std::vector<C
   sides.insert(before ? sides.begin() : sides.end(), more.begin(), more.end());
 }
 
+/// Numbers in `first` of the nodes of `second`; those off the line follow the nodes of `first`.
+///
 /// Gluing is renumbering: the second mesh uses the nodes of the first one on the common line, which
 /// it meets in the opposite order. Nodes must lie in the same place, up to rounding. If one mesh
 /// had a node in between, the two would be held together at the others and would gape at this one
 /// (loose_nodes.cpp).
-///
-/// Numbers in `first` of the nodes of `second`; those off the line follow the nodes of `first`.
 std::vector<Index> numbers_after_joining(const Mesh& first, const std::string& along,
                                          const Mesh& second, const std::string& opposite) {
   const std::vector<Index> line = boundary_nodes(first, along);

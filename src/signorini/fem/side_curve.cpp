@@ -40,10 +40,10 @@ struct Cubic {
   [[nodiscard]] double slope(double s) const { return c[1] + s * (2 * c[2] + s * 3 * c[3]); }
 };
 
+/// Roots of a + 2 b s + c s^2 between two bounds, increasing; without cancellation.
+///
 /// The school's formula subtracts two numbers that are nearly equal if \f$b^2 \gg ac\f$. Here the
 /// two terms have the same sign in \f$q\f$, and the second root is a quotient.
-///
-/// Roots of a + 2 b s + c s^2 between two bounds, increasing; without cancellation.
 std::vector<double> roots(double a, double b, double c, double low, double high) {
   std::vector<double> found;
   const auto keep = [&](double s) {
@@ -58,11 +58,11 @@ std::vector<double> roots(double a, double b, double c, double low, double high)
   return found;
 }
 
-/// Newton's method is fast and may leave the interval; halving is slow and cannot. Each step keeps
-/// a bracket \f$[low, high]\f$ around the root, and halves if Newton points out of it.
-///
 /// The root between two places where f <= 0 and f >= 0 and in between f rises: Newton's method,
 /// halving where it leaves the bounds.
+///
+/// Newton's method alone may leave the interval, and halving alone is slow. Each step keeps a
+/// bracket \f$[low, high]\f$ around the root.
 double rising_root(const Cubic& f, double low, double high) {
   double s = low + (high - low) * (f(low) / (f(low) - f(high)));
   for (int step = 0; step < 60; ++step) {

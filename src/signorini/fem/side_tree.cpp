@@ -25,10 +25,10 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 
+/// The smallest box around two, except for the numbers of the children.
+///
 /// The axis of two cones is the middle of their axes; the new angle covers both. It may be larger
 /// than needed. It must not be smaller, or a contact would be overlooked.
-///
-/// The smallest box around two, except for the numbers of the children.
 SideBox around(const SideBox& one, const SideBox& two) {
   SideBox box;
   box.lowest = one.lowest.cwiseMin(two.lowest);
@@ -47,11 +47,11 @@ SideBox around(const SideBox& one, const SideBox& two) {
   return box;
 }
 
+/// Adds the boxes of some leaves. \return the number of the one around them
+///
 /// Halves at the median of the longer direction. The tree is balanced whatever the mesh, and the
 /// order of sides with equal places is decided by their number, so that it is the same on every
 /// machine.
-///
-/// Adds the boxes of some leaves. \return the number of the one around them
 std::size_t build(std::vector<SideBox>& leaves, std::size_t begin, std::size_t end,
                   std::vector<SideBox>& boxes) {
   if (end - begin == 1) {

@@ -43,11 +43,11 @@ void check_entries(const Stiffness& K) {
                  ": look at the material and the thickness of its body"));
 }
 
+/// K with the springs that hold it besides, each as stiff as a diagonal entry.
+///
 /// A factor may be asked to hold some unknowns by springs besides, so that a loose body can be
 /// factored. The forces of the springs are taken out later, by the balance of the body (chapter
 /// 11).
-///
-/// K with the springs that hold it besides, each as stiff as a diagonal entry.
 Matrix with_springs(const Stiffness& K) {
   Matrix held = K.matrix;
   for (const Index unknown : K.grounded) {
@@ -59,13 +59,13 @@ Matrix with_springs(const Stiffness& K) {
   return held;
 }
 
+/// A pivot is a diagonal entry minus an inner product of at most n terms: that bounds its error.
+///
 /// If a body can move freely, \f$K\f$ is singular, and in exact arithmetic the last pivot is 0.
 /// Rounding makes it small, of either sign. Eigen may report success then, and a solution would be
 /// nonsense. So pivots are compared with what rounding can make of them. The chain 1, -1; -1, 2,
 /// -1; -1, 1, whose three nodes nothing holds, ends with the pivot 0, and the message names the
 /// unknown.
-///
-/// A pivot is a diagonal entry minus an inner product of at most n terms: that bounds its error.
 void check_pivots(const Stiffness& K, const Matrix& held, const Cholesky& cholesky) {
   const VectorXd pivots = cholesky.vectorD();
   const VectorXd diagonal = cholesky.permutationP() * VectorXd(held.diagonal());
@@ -81,12 +81,12 @@ void check_pivots(const Stiffness& K, const Matrix& held, const Cholesky& choles
   }
 }
 
-/// A column with \f$k\f$ entries below the diagonal scales them, and subtracts the \f$k(k+1)/2\f$
-/// entries of one triangle of their outer product: \f$k + k(k+1) = k(k+2)\f$ operations. The chain
-/// 2, -1; -1, 2, -1; -1, 2 has 5 entries in the factor, 6 operations, and 11 in each solve. Counts
-/// are the same on every machine, times are not.
-///
 /// What it takes: a column of L with k entries below the diagonal is scaled, and its outer product subtracted.
+///
+/// One triangle of the outer product has \f$k(k+1)/2\f$ entries, each with a multiplication and a
+/// subtraction: \f$k + k(k+1) = k(k+2)\f$ operations. The chain 2, -1; -1, 2, -1; -1, 2 has 5
+/// entries in the factor, 6 operations, and 11 in each solve. Counts are the same on every machine,
+/// times are not.
 Factor::Size size_of(const Cholesky& cholesky) {
   const Matrix L = cholesky.matrixL();
   Factor::Size size;

@@ -31,10 +31,10 @@ namespace {
 using Eigen::Index;
 using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, max_strain_points, 4>;
 
+/// Stress at one strain point; across the plane it is a component of D, or follows from those in the plane.
+///
 /// The fourth number, across the plane, costs little here and could not be reconstructed later
 /// without the material of the cell.
-///
-/// Stress at one strain point; across the plane it is a component of D, or follows from those in the plane.
 /// \param free         strain that needs no stress, null if there is none
 /// \param free_across  the same across the plane
 Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const CellVector& u,
@@ -53,9 +53,9 @@ Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const Cell
   });
 }
 
-/// Nodal values and means of cells both begin with this loop.
-///
 /// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them, row by row.
+///
+/// Nodal values and means of cells both begin with this loop.
 template <typename Visit>
 void visit_stresses(const Mesh& mesh, const Element& element, const MaterialField& material,
                     const NodeArray& displacements, Visit&& visit) {
@@ -78,12 +78,12 @@ void visit_stresses(const Mesh& mesh, const Element& element, const MaterialFiel
   });
 }
 
+/// Takes values at the strain points to the nodes through the function that fits them best: bilinear on the square,
+/// linear on the triangle.
+///
 /// The fit depends on the reference cell alone, not on the shape of the cell. So there is one
 /// matrix for triangles and one for quadrilaterals, whatever the size of the mesh. The rule of q8
 /// has nine points for a function of four terms, so the fit is one by least squares.
-///
-/// Takes values at the strain points to the nodes through the function that fits them best: bilinear on the square,
-/// linear on the triangle.
 Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points) {
   const Index n_terms = element.corners();
   const auto monomials = [n_terms](double x, double y) {
