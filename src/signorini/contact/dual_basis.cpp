@@ -2,9 +2,9 @@
 /// Weights for the two ends of an edge, each blind to the other end.
 ///
 /// A weighted gap of node \f$i\f$ is \f$\int\psi_i\,g\,/\int\psi_i\f$. With \f$\psi_i = N_i\f$ the
-/// gap of a node would contain the displacements of its neighbours too, and pairs along a boundary
-/// could only be closed together. Let \f$m_1, m_2\f$ be the means of \f$N_1, N_2\f$ over the
-/// covered part, \f$c\f$ and \f$v\f$ the mean and the variance of \f$s\f$ there. The ansatz
+/// gap of a node would contain the displacements of its neighbours too, and the gaps along a
+/// boundary would be coupled by a matrix. Let \f$m_1, m_2\f$ be the means of \f$N_1, N_2\f$ over
+/// the covered part, \f$c\f$ and \f$v\f$ the mean and the variance of \f$s\f$ there. The ansatz
 /// \f$\psi_2 = m_2 + k\,(s - c)\f$ has the same mean as \f$N_2\f$, and
 ///
 /// \f[ \text{mean}(\psi_2 N_1) = m_1 m_2 - \tfrac12 k v = 0 \quad\text{gives}\quad k = 2 m_1 m_2 / v. \f]

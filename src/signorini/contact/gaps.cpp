@@ -1,14 +1,14 @@
 /// \file
 /// Gaps of what can still move.
 ///
-/// Pairs know the displacements of all nodes, gap \f$= g + N u\f$. Supports have given some of
-/// them. Split \f$u\f$ into free and held components:
+/// The gap of a pair is \f$g + N u\f$ with the displacements \f$u\f$ of all nodes. Supports have
+/// given some of these. Split \f$u\f$ into free and held components:
 ///
 /// \f[ gap = (g + N_h u_h) + N_f u_f = g' - A\,u_f, \qquad A = -N_f, \f]
 ///
-/// and the same for the slip, with \f$T = S_f\f$. A support that is pushed towards an obstacle so
-/// changes the initial gap, and no unknown stands for it. The minus sign is the first paper's: with
-/// it \f$A^T\lambda\f$ and the stiffness stand on one side of the equation,
+/// and the same for the slip, with \f$T = S_f\f$. A support that pushes the body towards an
+/// obstacle changes the initial gap, and no unknown stands for it. The minus sign is the first
+/// paper's: with it \f$A^T\lambda\f$ and the stiffness stand on one side of the equation,
 /// \f$K u + A^T\lambda = p\f$ with \f$\lambda \ge 0\f$.
 ///
 /// Some rows become empty: both points are held along the normal, and the pair can neither open nor
@@ -42,8 +42,8 @@ struct FreeRow {
   double held = 0;
 };
 
-/// Each entry is compared with the largest of its row, and with the larger of the two entries of
-/// its node: what the direction is uncertain by turns with the node's own share of the normal.
+/// Each entry is compared with two numbers: the largest of its row, for the rounding of the
+/// arithmetic, and the larger of the two entries of its node, for the uncertainty of the direction.
 FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns, double directions) {
   FreeRow found;
   double largest = 0;
@@ -58,7 +58,6 @@ FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns, dou
     const Index node = it.col() / 2;
     const Index axis = it.col() % 2;
     const Index unknown = unknowns.number(node, axis);
-    // One rounding of the row as a whole, or what the direction of the sides is uncertain by.
     const double rounding = 4 * std::max(epsilon * largest, directions * of_node[node]);
     if (unknown >= 0 && std::abs(it.value()) > rounding)
       found.entries.emplace_back(unknown, it.value());

@@ -1,10 +1,10 @@
 /// \file
 /// Two boundaries, and complaints about places that make no sense.
 ///
-/// Most wrong scenes are wrong in the same three ways: source and target face the same way, they
-/// lie beside each other, or one lies inside the other. Each of them would end as a problem that
-/// has no pairs or no solution, with a message that speaks of matrices. Here it is still geometry,
-/// and a user can act on it.
+/// Three mistakes in a scene are found here: source and target face the same way, they lie beside
+/// each other, or one lies inside the other. Each of them would end as a problem that has no pairs
+/// or no solution, with a message that speaks of matrices. Here it is still geometry, and a user
+/// can act on it.
 #include "signorini/contact/interface.hpp"
 
 #include <cmath>

@@ -10,8 +10,7 @@
 /// Take a source edge from \f$x = 0\f$ to 2 above a target with nodes at 0, 1.5 and 3, and the
 /// pressure 1. The nodes of the target should get the integrals of their shape functions over
 /// \f$[0, 2]\f$: 0.75, 1.167 and 0.083. These are what the rows below give. Node to segment gives
-/// 1, 0.667 and 0.333, with the same sum and the same moment. The difference is what a patch test
-/// shows.
+/// 1, 0.667 and 0.333, with the same sum and the same moment. A patch test shows the difference.
 ///
 /// Weights with negative parts look odd: the row of the node at 0 has \f$-0.9375\f$, \f$-0.125\f$
 /// and \f$+0.0625\f$ on the target. They add up to \f$-1\f$, and a uniform pressure uses sums of

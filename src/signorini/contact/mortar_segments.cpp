@@ -2,8 +2,8 @@
 /// Where edges are cut before they are integrated.
 ///
 /// The gap along an edge of the source is smooth as long as its points face one side of the target.
-/// Where they pass on to the next side it has a kink, and Gauss rules know polynomials, not kinks.
-/// So the edge is cut at the kinks, and each *segment* is integrated alone. On straight sides gap
+/// Where they pass on to the next side it has a kink, and Gauss rules are made for polynomials. So
+/// the edge is cut at the kinks, and each *segment* is integrated alone. On straight sides gap
 /// times weight function is of degree 2 there, and two points are exact.
 ///
 /// A groove has the corners (0, 1), (1, 0.5), (2, 1), and a straight edge from (0, 1) to (2, 1)

@@ -10,8 +10,9 @@
 /// can meet it. The nearer child goes first, because its finds let the other one be skipped.
 ///
 /// "Nearest" means nearest up to rounding. Two sides that meet above a node are equally far, and
-/// their two distances differ in the last digit. A search that took the smaller one would toss a
-/// coin at each node. So all candidates within rounding are kept until the end, and rules decide.
+/// their two distances differ in the last digit. A search that took the smaller one would be
+/// decided by rounding at each node. So all candidates within rounding are kept until the end, and
+/// rules decide.
 #include "signorini/contact/target_search.hpp"
 
 #include <algorithm>

@@ -12,8 +12,8 @@
 /// matrix.
 ///
 /// Two unit squares of the element q4 in a row, \f$E = 1\f$, \f$\nu = 0\f$: a node that only one of
-/// them has gets 12/24 on the diagonal, the two in the middle get 12/24 from each square, that is
-/// 1.
+/// them has gets 12/24 on the diagonal, the two in the middle get 12/24 from each square, which
+/// adds up to 1.
 ///
 /// Loads have a page of their own, loads.cpp.
 #include "signorini/fem/assembly.hpp"
@@ -181,8 +181,8 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const MaterialFi
 }
 
 /// The same sum with all rows, held ones too, and without storing \f$K\f$. In a row that is held,
-/// these forces less the loads are the force of the support: we never solved that row, so it is
-/// free to tell.
+/// these forces less the loads are the force of the support. Such a row was not solved, so that it
+/// need not add up to 0.
 NodeArray internal_forces(const Mesh& mesh, const Element& element, const MaterialField& material,
                           const NodeArray& displacements) {
   require_argument(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),

@@ -11,8 +11,8 @@
 /// there it is a quarter of the cross product of the two sides. For the square \f$[0, 1]^2\f$ it is
 /// 1/4 at each corner: the reference square has the area 4. If one corner is pulled in to (0.4,
 /// 0.4), that corner has \f$-0.2\f$ as its cross product: the angle is more than 180 degrees, and a
-/// part of the cell is covered twice. The two ratios that are returned are 1 for a square; a
-/// program warns by them.
+/// part of the cell is covered twice. The two ratios that are returned are 1 for a square; programs
+/// warn by them.
 #include <algorithm>
 #include <cmath>
 #include <ostream>
@@ -201,7 +201,7 @@ MeshQuality check_cell(const Mesh& mesh, Eigen::Index cell, double away, double 
 
 }  // namespace
 
-/// The order is that of the pages above, from the coarse to the fine.
+/// The order is that of the functions above.
 MeshQuality check_mesh(const Mesh& mesh) {
   check_shape_and_positions(mesh);
   check_node_numbers(mesh);

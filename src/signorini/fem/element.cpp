@@ -13,10 +13,10 @@
 /// of two points has \f$\xi = \pm 1/\sqrt3\f$ and weights 1. It gives
 /// \f$\int_{-1}^{1}\xi^2\,d\xi = 2/3\f$, which is right, and \f$\int_{-1}^{1}\xi^4\,d\xi = 2/9\f$
 /// where 2/5 is right. A displacement that is bilinear has strains of degree 1 in each coordinate,
-/// so that the energy of a parallelogram needs degree 2 in each, and 2 x 2 points are exact. On a
-/// curved or distorted cell the integrand is a fraction and no rule is exact. What has to hold
-/// there is the patch test: rigid motions give no strain, and linear displacements give the exact
-/// one.
+/// so that the energy of a parallelogram in the plane needs degree 2 in each, and 2 x 2 points are
+/// exact. On a curved or distorted cell the integrand is a fraction and no rule is exact. What has
+/// to hold there is the patch test: rigid motions give no strain, and linear displacements give the
+/// exact one.
 #include "signorini/fem/element.hpp"
 
 #include <Eigen/LU>

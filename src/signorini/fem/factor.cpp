@@ -7,10 +7,10 @@
 ///
 /// The first is the body without contact. The second is the *compliance* of the pairs: column
 /// \f$j\f$ says how far the gaps open when a force of 1 presses pair \f$j\f$. With \f$n\f$ unknowns
-/// and \f$n_c\f$ pairs it is \f$n_c \times n_c\f$, and from there on no method of contact needs
-/// \f$K\f$ again.
+/// and \f$n_c\f$ pairs it is \f$n_c \times n_c\f$, and from there on the methods of contact work
+/// with it alone.
 ///
-/// A factor is a struct of functions, so that our sparse Cholesky factor, the frontal one of an
+/// A factor is a bundle of functions, so that our sparse Cholesky factor, the frontal one of an
 /// add-on and a library that works with many processes look alike. The sizes of what goes in are
 /// checked here, once, and no back end repeats it.
 #include "signorini/fem/factor.hpp"

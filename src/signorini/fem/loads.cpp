@@ -12,7 +12,7 @@
 /// the stress below them would not be uniform, on any mesh.
 ///
 /// With a tangent \f$x' = dx/d\xi\f$ along the side, and the body on the left of it,
-/// \f$(-x'_y,\ x'_x)\f$ points into the body and is as long as the side is stretched. So a pressure
+/// \f$(-x'_y,\ x'_x)\f$ points into the body, and its length is that of \f$x'\f$. So a pressure
 /// needs neither a unit normal nor a length. Three Gauss points are exact for polynomials of degree
 /// 5: a parabola for \f$N\f$, degree 1 for \f$x'\f$ on a curved side, and on a body of revolution
 /// degree 2 for the radius.
@@ -63,7 +63,8 @@ void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, N
   });
 }
 
-/// The integrals of the shape functions times something along a boundary, in the order of boundary_nodes().
+/// The integrals of the shape functions times something along a boundary, in the order of
+/// boundary_nodes().
 /// \param integrand  two numbers for a tangent, times its length
 template <typename Integrand>
 NodeArray boundary_integrals(const Mesh& mesh, const std::string& name, const Depth& depth,

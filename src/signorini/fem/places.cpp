@@ -83,9 +83,8 @@ EdgePlace Edge::place(const Vector2d& point) {
   if (!nodes.empty()) return {std::move(nodes), {1, 0, 0}};
 
   // On a side the shape functions say what each node gets. In the middle of a straight side of two
-  // nodes that is half and half. Inside of a cell there is no answer: a force on a point of a plane
-  // body makes the displacement there infinite as the mesh becomes finer, and a place on the edge
-  // is bad enough.
+  // nodes that is half and half. Inside of a cell there is no answer but an error: a load there
+  // needs a node.
   if (sides_.empty())
     for (const CellSide& side : outer_sides(mesh_)) sides_.emplace_back(mesh_, side);
   std::vector<EdgePlace> places;

@@ -93,8 +93,8 @@ Mesh moved(Mesh mesh, const Eigen::Vector2d& shift) {
 /// A mirror image runs clockwise until its corners are listed backwards. With the corners 0 1 2 3
 /// read as 1 0 3 2, side 0 stays in its place and sides 1 and 3 change theirs; midpoints follow
 /// their sides. A triangle reads 1 0 2. A boundary must be walked from its other end. New positions
-/// alone would leave all cells inverted, and check_mesh() would refuse them. A position is 2 place
-/// - x; on the line that is exactly x.
+/// alone would leave all cells inverted, and check_mesh() would refuse them. The image of \f$x\f$
+/// is \f$2p - x\f$ with the place \f$p\f$ of the line.
 Mesh mirrored(Mesh mesh, MirrorLine line, double place) {
   const Index axis = line == MirrorLine::Upright ? 0 : 1;
   mesh.nodes.col(axis) = (2 * place - mesh.nodes.col(axis).array()).matrix();

@@ -42,8 +42,8 @@ struct Cubic {
 
 /// Roots of a + 2 b s + c s^2 between two bounds, increasing; without cancellation.
 ///
-/// The school's formula subtracts two numbers that are nearly equal if \f$b^2 \gg ac\f$. Here the
-/// two terms have the same sign in \f$q\f$, and the second root is a quotient.
+/// The usual formula subtracts two numbers that are nearly equal if \f$b^2 \gg ac\f$. Here the two
+/// terms have the same sign in \f$q\f$, and the second root is a quotient.
 std::vector<double> roots(double a, double b, double c, double low, double high) {
   std::vector<double> found;
   const auto keep = [&](double s) {

@@ -1,5 +1,5 @@
 /// \file
-/// The plain factor, in a hundred lines.
+/// The plain factor, by Eigen.
 ///
 /// A symmetric positive definite matrix is \f$P K P^T = L D L^T\f$ with a lower triangle \f$L\f$, a
 /// diagonal \f$D\f$ of pivots, and a permutation \f$P\f$. One step eliminates one unknown and
@@ -46,8 +46,8 @@ void check_entries(const Stiffness& K) {
 /// K with the springs that hold it besides, each as stiff as a diagonal entry.
 ///
 /// A factor may be asked to hold some unknowns by springs besides, so that a loose body can be
-/// factored. The forces of the springs are taken out later, by the balance of the body (chapter
-/// 11).
+/// factored. With the balance of the body as one more equation the springs carry nothing, as
+/// chapter 11 explains.
 Matrix with_springs(const Stiffness& K) {
   Matrix held = K.matrix;
   for (const Index unknown : K.grounded) {
@@ -117,9 +117,9 @@ Factor factored(const Stiffness& K, Ledger& ledger) {
   const auto solve = [cholesky](const Eigen::Ref<const VectorXd>& load) {
     return load.size() > 0 ? VectorXd(cholesky->solve(load)) : VectorXd();
   };
-  // One solve for each pair. Only the rows that \f$A\f$ touches are needed of each solution; the
-  // frontal factor of the add-on uses that, and this one does not. The mean with the transpose is
-  // exactly symmetric.
+  // One solve for each pair. The frontal factor of the add-on needs none: it finds
+  // \f$H = L^{-1} P A^T\f$ and \f$H^T H\f$ in one walk. The mean with the transpose is exactly
+  // symmetric.
   const auto compliance = [cholesky, size](const Factor::Rows& A, Ledger& counts) -> MatrixXd {
     if (A.rows() == 0 || A.cols() == 0) return MatrixXd::Zero(A.rows(), A.rows());
     counts.count("operations",

@@ -31,7 +31,8 @@ namespace {
 using Eigen::Index;
 using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, max_strain_points, 4>;
 
-/// Stress at one strain point; across the plane it is a component of D, or follows from those in the plane.
+/// Stress at one strain point; across the plane it is a component of D, or follows from those in
+/// the plane.
 ///
 /// The fourth number, across the plane, costs little here and could not be reconstructed later
 /// without the material of the cell.
@@ -53,7 +54,8 @@ Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const Cell
   });
 }
 
-/// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them, row by row.
+/// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them,
+/// row by row.
 ///
 /// Nodal values and means of cells both begin with this loop.
 template <typename Visit>
@@ -78,8 +80,8 @@ void visit_stresses(const Mesh& mesh, const Element& element, const MaterialFiel
   });
 }
 
-/// Takes values at the strain points to the nodes through the function that fits them best: bilinear on the square,
-/// linear on the triangle.
+/// Takes values at the strain points to the nodes through the function that fits them best:
+/// bilinear on the square, linear on the triangle.
 ///
 /// The fit depends on the reference cell alone, not on the shape of the cell. So there is one
 /// matrix for triangles and one for quadrilaterals, whatever the size of the mesh. The rule of q8
@@ -140,9 +142,9 @@ StressArray cell_stress(const Mesh& mesh, const Element& element, const Material
   return stress;
 }
 
-/// A sum of squares cannot become negative, nor does it cancel. Take a body that is carried by
-/// \f$10^6\f$ times what it is strained: \f$u^T K u\f$ loses twelve of sixteen digits, this sum
-/// loses six, in \f$Bu\f$.
+/// A sum of squares cannot become negative, nor does it cancel. Take a body whose displacements are
+/// \f$10^6\f$ times as large as their differences within a cell:
+/// \f$u^T K u\f$ loses twelve of sixteen digits, this sum loses six, in \f$Bu\f$.
 double strain_energy(const Mesh& mesh, const Element& element, const MaterialField& material,
                      const NodeArray& displacements) {
   require_argument(displacements.rows() == mesh.n_nodes(),

@@ -6,8 +6,8 @@
 /// gravity a corner counts \f$-1/9\f$ and a midpoint \f$4/9\f$.
 ///
 /// The integral of a corner's function over a straight triangle is 0, that of a midpoint a third of
-/// the area. So the weight of a body hangs on midpoints alone. That looks wrong and is consistent:
-/// these forces do the work of the weight on every parabola that the cell can take.
+/// the area. So the nodal forces of a weight are all at midpoints. That looks wrong and is
+/// consistent: these forces do the work of the weight on every parabola that the cell can take.
 #include "signorini/fem/elements.hpp"
 
 namespace signorini {

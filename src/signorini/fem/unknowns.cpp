@@ -8,7 +8,7 @@
 /// Leaving held components out is more work than keeping them, and worth it. The matrix is smaller
 /// and positive definite, its entries are all stiffnesses, and a given displacement is met to the
 /// last bit. With a penalty, a spring that is stiffer by \f$10^{6}\f$, it would be met to six
-/// digits, and six digits of the stresses were lost.
+/// digits only.
 ///
 /// Two supports may meet at a corner. If both give the same component the same value, they agree.
 /// If not, the user has to decide, since the order of the supports should not.
