@@ -2,6 +2,10 @@
 /// The family of gap operators between two meshes. To add one: write a `.cpp` with a function
 /// `gap_operator::NAME` that returns it, and put NAME into the table in gap_operators.cpp; the conformance suite
 /// finds it.
+///
+/// An operator is one function. It gets two boundaries and fills Pairs; flags tell which options it
+/// reads. Whatever comes later (supports, friction, solvers, forces on nodes) reads Pairs and does
+/// not ask which operator made them.
 #pragma once
 #include <Eigen/Core>
 #include <string>

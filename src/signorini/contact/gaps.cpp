@@ -1,3 +1,19 @@
+/// \file
+/// Gaps of what can still move.
+///
+/// The gap of a pair is \f$g + N u\f$ with the displacements \f$u\f$ of all nodes. Supports have
+/// given some of these. Split \f$u\f$ into free and held components:
+///
+/// \f[ gap = (g + N_h u_h) + N_f u_f = g' - A\,u_f, \qquad A = -N_f, \f]
+///
+/// and the same for the slip, with \f$T = S_f\f$. A support that pushes the body towards an
+/// obstacle changes the initial gap, and no unknown stands for it. The minus sign is the first
+/// paper's: with it \f$A^T\lambda\f$ and the stiffness stand on one side of the equation,
+/// \f$K u + A^T\lambda = p\f$ with \f$\lambda \ge 0\f$.
+///
+/// Some rows become empty: both points are held along the normal, and the pair can neither open nor
+/// close. Its contact force would be undetermined, since supports take whatever it gives. Such
+/// pairs are dropped.
 #include "signorini/contact/gaps.hpp"
 
 #include <algorithm>
@@ -16,11 +32,18 @@ using Eigen::Index;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// Entries of one row that are more than rounding, and what given displacements add to it.
+///
+/// An empty row is empty up to rounding. The normal of a flat side at \f$10^6\f$ sizes from the
+/// origin is off by \f$10^{-10}\f$ to one side, so that it has a small component along the side. If
+/// a support holds the node across the side and not along it, this component alone would remain,
+/// and only a displacement \f$10^{10}\f$ times as large as the gap could close it.
 struct FreeRow {
   std::vector<std::pair<Index, double>> entries;
   double held = 0;
 };
 
+/// Each entry is compared with two numbers: the largest of its row, for the rounding of the
+/// arithmetic, and the larger of the two entries of its node, for the uncertainty of the direction.
 FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns, double directions) {
   FreeRow found;
   double largest = 0;
@@ -44,11 +67,13 @@ FreeRow free_row(const NodalRows& rows, Index row, const Unknowns& unknowns, dou
   return found;
 }
 
+/// Signs differ: gaps enter with a minus, slips with a plus.
 void append(Triplets& entries, Index row, const FreeRow& free, double sign) {
   for (const auto& [unknown, value] : free.entries)
     entries.emplace_back(static_cast<int>(row), static_cast<int>(unknown), sign * value);
 }
 
+/// No entries at all is a usual case, such as the slips of a contact without friction.
 Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(Index rows, Index columns,
                                                     const Triplets& entries) {
   Eigen::SparseMatrix<double, Eigen::RowMajor> result(rows, columns);
@@ -56,15 +81,11 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(Index rows, Index columns,
   return result;
 }
 
-template <typename Array>
-Array below_dense(const Array& upper, const Array& lower) {
-  Array both(upper.rows() + lower.rows(), lower.cols());
-  both.topRows(upper.rows()) = upper;
-  both.bottomRows(lower.rows()) = lower;
-  return both;
-}
-
-/// A side with both ends held cannot open or close: the boundary was meant for a support or for contact.
+/// A side with both ends held cannot open or close: the boundary was meant for a support or for
+/// contact.
+///
+/// One node that is held and on the contact is usual, such as the corner between a clamped end and
+/// the contact. A whole side that is held is a mistake in the scene.
 void check_not_supported(const Surface& source, const std::set<Index>& held) {
   for (const CellSide& side : boundary(source.mesh, source.boundary)) {
     const std::vector<Index> nodes = source.mesh.side_nodes(side);
@@ -78,6 +99,9 @@ void check_not_supported(const Surface& source, const std::set<Index>& held) {
 }
 
 /// The pairs that can open or close, of which the others hold no contact force.
+///
+/// A dropped pair that overlaps cannot be repaired by any contact force. Rounding of positions is
+/// not an overlap: two sides that touch may seem to overlap in the last digits.
 std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openings,
                            const Surface& source, const std::string& what) {
   const double rounding = gap_rounding(pairs);
@@ -95,6 +119,7 @@ std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openi
                   ". Move one of the two sides or release the node");
     held.insert(pairs.node[static_cast<std::size_t>(pair)]);
   }
+  // Pairs of Gauss points have no node of their own, and cannot tell which node is held.
   held.erase(-1);
   check_not_supported(source, held);
   return kept;
@@ -103,6 +128,7 @@ std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openi
 /// Some of the pairs, with the nodes counted among those of all bodies.
 Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface& source) {
   Pairs some;
+  // Every array of the pairs is cut in the same way: by numbers of rows.
   some.opening = selected_rows(pairs.opening, kept);
   if (pairs.sliding.rows() > 0) some.sliding = selected_rows(pairs.sliding, kept);
   some.initial_gap = pairs.initial_gap(kept);
@@ -113,23 +139,25 @@ Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface
   some.target_moment = pairs.target_moment(kept, Eigen::all);
   for (const Index pair : kept) {
     const Index node = pairs.node[static_cast<std::size_t>(pair)];
+    // Nodes are counted through all bodies from here on, as unknowns are. A pair of a Gauss point
+    // has none.
     some.node.push_back(node < 0 ? node : source.first_node + node);
   }
   for (const Index node : pairs.unpaired) some.unpaired.push_back(source.first_node + node);
   return some;
 }
 
-std::vector<Index> joined_lists(std::vector<Index> upper, const std::vector<Index>& lower) {
-  upper.insert(upper.end(), lower.begin(), lower.end());
-  return upper;
-}
-
 }  // namespace
 
+/// A gap is the difference of two positions, each rounded in proportion to its size.
 double gap_rounding(const Pairs& pairs) {
   return 16 * epsilon * (pairs.position.size() > 0 ? pairs.position.cwiseAbs().maxCoeff() : 0);
 }
 
+/// First all openings are read, to know which pairs remain; then the rows of the pairs that do.
+/// Normals, weights and positions follow their pairs. The columns of held components are kept in
+/// `opening` and `sliding`: the force of a support is read from them when the contact forces are
+/// known.
 Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
             const std::string& what, double directions) {
   std::vector<FreeRow> openings;
@@ -140,6 +168,7 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
   const bool slides = pairs.sliding.rows() > 0;
   Gaps gaps;
   gaps.pairs = selected(pairs, kept, source);
+  // Slips that supports prescribe are there from the beginning, like gaps.
   gaps.initial_slip.resize(slides ? n_pairs : 0);
   Triplets normal;
   Triplets tangential;
@@ -155,10 +184,12 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
   }
   gaps.A = matrix(n_pairs, unknowns.count, normal);
   gaps.T = matrix(slides ? n_pairs : 0, unknowns.count, tangential);
+  // What was computed for all candidates is matched with the pairs by these numbers.
   gaps.kept = kept;
   return gaps;
 }
 
+/// Friction uses it: only some pairs rub, and only those get a row for their slip.
 NodalRows selected_rows(const NodalRows& rows, const std::vector<Index>& kept) {
   Triplets entries;
   for (std::size_t k = 0; k < kept.size(); ++k)
@@ -167,6 +198,8 @@ NodalRows selected_rows(const NodalRows& rows, const std::vector<Index>& kept) {
   return matrix(static_cast<Index>(kept.size()), rows.cols(), entries);
 }
 
+/// A scene with several contacts has one list of pairs. A matrix without rows may come from a
+/// contact without friction, which has no slips; then the other one stays as it is.
 NodalRows below(const NodalRows& upper, const NodalRows& lower) {
   if (upper.rows() == 0 && upper.cols() <= lower.cols()) return lower;
   Triplets entries;
@@ -178,20 +211,6 @@ NodalRows below(const NodalRows& upper, const NodalRows& lower) {
   add(upper, 0);
   add(lower, upper.rows());
   return matrix(upper.rows() + lower.rows(), std::max(upper.cols(), lower.cols()), entries);
-}
-
-Gaps stacked(const Gaps& upper, const Gaps& lower) {
-  const Pairs& above = upper.pairs;
-  const Pairs& under = lower.pairs;
-  return {{below(above.opening, under.opening), below(above.sliding, under.sliding),
-           below_dense(above.initial_gap, under.initial_gap),
-           below_dense(above.weight, under.weight), below_dense(above.position, under.position),
-           below_dense(above.normal, under.normal), below_dense(above.moment, under.moment),
-           below_dense(above.target_moment, under.target_moment),
-           joined_lists(above.node, under.node), joined_lists(above.unpaired, under.unpaired)},
-          below(upper.A, lower.A),
-          below(upper.T, lower.T),
-          below_dense(upper.initial_slip, lower.initial_slip)};
 }
 
 }  // namespace signorini

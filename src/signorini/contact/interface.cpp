@@ -1,3 +1,10 @@
+/// \file
+/// Two boundaries, and complaints about places that make no sense.
+///
+/// Three mistakes in a scene are found here: source and target face the same way, they lie beside
+/// each other, or one lies inside the other. Each of them would end as a problem that has no pairs
+/// or no solution, with a message that speaks of matrices. Here it is still geometry, and a user
+/// can act on it.
 #include "signorini/contact/interface.hpp"
 
 #include <cmath>
@@ -10,6 +17,10 @@ namespace {
 using Eigen::Vector2d;
 
 /// The integral of the normal: across the line from its beginning to its end.
+///
+/// The normal of a curve is its tangent turned by a quarter, so its integral is the chord turned by
+/// a quarter: a quick answer to the question which way a boundary looks, however it winds. A closed
+/// boundary has the chord 0 and looks in no direction.
 Vector2d mean_normal(const Surface& surface) {
   Vector2d along = Vector2d::Zero();
   for (const SideCurve& side : side_curves(surface.mesh, surface.boundary))
@@ -17,6 +28,8 @@ Vector2d mean_normal(const Surface& surface) {
   return {along.y(), -along.x()};
 }
 
+/// Columns are counted through all bodies. A wrong offset would write the forces of one body to
+/// another.
 void check_columns(const Surface& surface, const GapOptions& options) {
   const Eigen::Index last = surface.first_node + surface.mesh.n_nodes();
   require_argument(surface.first_node >= 0 && last <= options.n_nodes, "gap operator: the body '",
@@ -24,6 +37,7 @@ void check_columns(const Surface& surface, const GapOptions& options) {
                    " of all bodies, but options.n_nodes is ", options.n_nodes);
 }
 
+/// What messages call the two: boundaries by name, with the name of the body each belongs to.
 std::string names(const Interface& interface) {
   const Surface& source = interface.source;
   const Surface& target = interface.target;
@@ -33,6 +47,7 @@ std::string names(const Interface& interface) {
 
 }  // namespace
 
+/// Sides of the source are kept as curves in walking order, those of the target in a tree.
 Interface::Interface(const Surface& source_side, const Surface& target_side,
                      const GapOptions& options)
     : source(source_side),
@@ -46,6 +61,9 @@ Interface::Interface(const Surface& source_side, const Surface& target_side,
                    "gap operator: the thickness must be positive, got ", depth.factor);
 }
 
+/// A point that lies deeper than the cell behind the side it faces is not paired, as another side
+/// may be meant. If it even lies within the target, no side is: the scene begins with an overlap
+/// that is no small displacement.
 Projection Interface::closest(const AnchoredPoint& x, const Vector2d& normal) const {
   const Projection place = search.closest(x, normal);
   const Vector2d at = x.position();
@@ -58,6 +76,8 @@ Projection Interface::closest(const AnchoredPoint& x, const Vector2d& normal) co
   return place;
 }
 
+/// Two boundaries that look the same way within 60 degrees cannot touch; a wrong name is the usual
+/// reason. Otherwise they only miss each other.
 void Interface::check_paired(std::size_t n_pairs) const {
   if (n_pairs > 0) return;
   const Vector2d a = mean_normal(source);

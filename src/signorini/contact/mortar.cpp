@@ -1,3 +1,20 @@
+/// \file
+/// Gaps as means over edges.
+///
+/// Node to segment puts the force of a node at one place of the target. A pressure is spread out,
+/// and so its work on the target should be an integral:
+///
+/// \f[ \int p\,g\,d\Gamma \quad\text{with}\quad p = \sum_i p_i\,\psi_i, \qquad
+///     \lambda_i = p_i w_i, \quad g_i = \frac1{w_i}\int\psi_i\,g\,d\Gamma. \f]
+///
+/// Take a source edge from \f$x = 0\f$ to 2 above a target with nodes at 0, 1.5 and 3, and the
+/// pressure 1. The nodes of the target should get the integrals of their shape functions over
+/// \f$[0, 2]\f$: 0.75, 1.167 and 0.083. These are what the rows below give. Node to segment gives
+/// 1, 0.667 and 0.333, with the same sum and the same moment. A patch test shows the difference.
+///
+/// Weights with negative parts look odd: the row of the node at 0 has \f$-0.9375\f$, \f$-0.125\f$
+/// and \f$+0.0625\f$ on the target. They add up to \f$-1\f$, and a uniform pressure uses sums of
+/// rows, in which the odd signs cancel.
 #include "signorini/contact/mortar.hpp"
 
 #include <map>
@@ -11,8 +28,8 @@ namespace {
 
 using Eigen::Index;
 
-/// Adds what the points of one edge count in the gaps of its two nodes, which stand for the numbers of the pairs, and
-/// the integrals of psi_i to the weights.
+/// Adds what the points of one edge count in the gaps of its two nodes, which stand for the numbers
+/// of the pairs, and the integrals of psi_i to the weights.
 // [edge]
 void collect(const SourceEdge& edge, const EdgeSamples& samples, std::vector<PairPoint>& points,
              std::map<Index, double>& weights) {
@@ -32,6 +49,8 @@ void collect(const SourceEdge& edge, const EdgeSamples& samples, std::vector<Pai
 
 }  // namespace
 
+/// Edge by edge: cut it into segments, sample them, make the dual functions of what is covered, and
+/// collect. The rows are written at the end, because a node collects from two edges.
 Pairs mortar(const Surface& source, const Surface& target, const GapOptions& options) {
   require_input(options.points >= 0 && options.points <= 16,
                 "mortar: there are rules of 1 to 16 points (0: its own choice), got ",
@@ -60,6 +79,8 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
     pair_of[node] = pair;
     total(pair) = weights.at(node);
   }
+  // Until here a point knows its node. Nodes without weight have dropped out, so pairs are counted
+  // anew.
   for (PairPoint& point : points) point.pair = pair_of.at(point.pair);
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
   pairs.weight = options.depth.factor * total;

@@ -1,5 +1,9 @@
 /// \file
 /// Rigid obstacles: where they are, and how far a point is from them.
+///
+/// An obstacle is given by a function, not by a mesh: a gap and a normal for each point. That is
+/// all that a contact with a rigid body needs, and the normal comes without the steps that sides of
+/// a mesh would have.
 #pragma once
 #include <Eigen/Core>
 #include <functional>

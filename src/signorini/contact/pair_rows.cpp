@@ -1,3 +1,17 @@
+/// \file
+/// From pairs of points to rows of the matrices.
+///
+/// Every operator ends here, with a list of points of the source, each with the place that it faces
+/// and the amount by which it counts in its pair. A row is written once and read twice. Times the
+/// displacements it is the opening of the gap, and its transpose times a force is what the nodes
+/// receive. That is the principle of virtual work: \f$\lambda\,(N u) = (N^T\lambda)\cdot u\f$ for
+/// all \f$u\f$. Whoever writes the two apart has two chances to get a sign wrong, and a stiffness
+/// that is not symmetric.
+///
+/// Action and reaction: on the source the entries of a row add up to \f$n\f$, on the target to
+/// \f$-n\f$. So the forces of a pair add up to zero. Contact forces act along the line of the two
+/// points, so that their moments add up to zero, too. Friction acts across this line: two friction
+/// forces a gap apart turn the bodies a little, and the moments below keep account of it.
 #include "signorini/contact/pair_rows.hpp"
 
 namespace signorini {
@@ -30,6 +44,8 @@ void act_and_react(const Interface& interface, const PairPoint& point, const Vec
             direction, interface.target.first_node, entries);
 }
 
+/// Division by the total turns sums into means. Gaps are lengths then, whatever the size of the
+/// mesh.
 void write_matrix(const Entries& entries, const Eigen::VectorXd& total, Index columns,
                   NodalRows& matrix) {
   matrix.resize(total.size(), columns);
@@ -39,6 +55,9 @@ void write_matrix(const Entries& entries, const Eigen::VectorXd& total, Index co
 
 }  // namespace
 
+/// A mean of several unit normals is shorter than 1 if the target turns among the points of a pair.
+/// It is not normalised: force times this mean is exactly what the points push with. The moments
+/// tell where the resultant of the pair acts, if not at its position.
 void write_rows(const Interface& interface, const std::vector<PairPoint>& points,
                 const Eigen::VectorXd& total, const GapOptions& options, Pairs& pairs) {
   pairs.initial_gap.setZero(total.size());

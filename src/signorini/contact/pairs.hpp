@@ -1,5 +1,13 @@
 /// \file
 /// Candidate pairs of points that may touch, as the geometry gives them: before supports, loads and stiffness.
+///
+/// This struct is the seam between geometry and mechanics. Gap operators fill it and know nothing
+/// of stiffness and loads; solvers read it and know nothing of meshes. What crosses the seam is two
+/// sparse matrices and some numbers per pair, whatever the operator.
+///
+/// A row of \f$N\f$ for a node above the middle of a side of two nodes: \f$n\f$ for the node,
+/// \f$-n/2\f$ for each node of the side. In words: move the node out by 1 and the gap opens by 1;
+/// move the side out by 1 and it closes by 1; move both and nothing changes.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

@@ -1,6 +1,14 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What TargetSearch keeps in mind while it looks for the place that a point faces.
+///
+/// A search asks one question of thousands of sides. What it has found so far, and how much
+/// rounding may have spoilt it, travels along in a Query, so that the search itself is a const
+/// function of the target.
+///
+/// Rounding is estimated once, from the sizes at hand. Lengths of the size of the target are
+/// computed with, each with its error; coordinates far from the origin have lost more before. Two
+/// distances that differ by less are equal, and both candidates stay.
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>

@@ -1,3 +1,17 @@
+/// \file
+/// Which place of the target a point faces, and what is done at its vertices.
+///
+/// On a smooth curve the closest place is clear: the line to it is normal to the curve. A mesh is a
+/// chain of straight sides or parabolas, with a vertex at each node. Two things go wrong there.
+/// Above a vertex that sticks out lies a wedge of points whose line is normal to no side. Above one
+/// that recedes lies a line of points with two closest places. Taken literally, such points would
+/// have no pair or two, and which of them do would be decided by rounding when nodes face nodes,
+/// the most common mesh of all.
+///
+/// So a vertex is a place of its own, with all normals between those of its two sides (the normal
+/// cone of convex analysis). A point in the wedge takes the normal along its line to the vertex,
+/// and the gap is the distance to it. A point with two closest places on sides that meet is given
+/// their vertex, with a normal in between.
 #include <algorithm>
 #include <cmath>
 
@@ -8,10 +22,15 @@ namespace signorini {
 using Eigen::Index;
 using Eigen::Vector2d;
 
+/// Sides are neighbours if one begins at the node where the other ends.
 Index TargetSearch::neighbour(Index number, int end) const {
   return (end < 0 ? before_ : after_)[static_cast<std::size_t>(number)];
 }
 
+/// A line of symmetry cuts a curve at a vertex and leaves one half. The vertex then is an end, and
+/// a point on the line of symmetry lies just in the wedge that the other half would have made. So
+/// the boundary is thought to turn on by the angle of its last vertex. More than 45 degrees is a
+/// corner of the body; nothing follows.
 Vector2d TargetSearch::normal_beyond(Index number, int end) const {
   const Vector2d here = side(number).normal(end);
   const Index other = neighbour(number, -end);
@@ -25,11 +44,16 @@ Vector2d TargetSearch::normal_beyond(Index number, int end) const {
   return {cosine * here.x() - sine * here.y(), sine * here.x() + cosine * here.y()};
 }
 
+/// A side that looks away from the point is no neighbour: the far side of a thin sheet begins
+/// there.
 bool TargetSearch::next_faces(Index number, int end, const Query& query) const {
   const Index next = neighbour(number, end);
   return next >= 0 && faces(side(next).normal(-end), query.normal);
 }
 
+/// Rounding puts a place that should be the vertex a little before it, on one side or on both.
+/// Within rounding of an end it is set to the end, or the two sides would disagree on which of them
+/// the point is above.
 double TargetSearch::projection(Index number, const Query& query) const {
   const SideCurve& curve = side(number);
   const double xi = curve.closest(query.x);
@@ -38,6 +62,10 @@ double TargetSearch::projection(Index number, const Query& query) const {
   return (curve.point(xi) - curve.point(end)).norm() <= query.rounding ? end : xi;
 }
 
+/// The closest place of a side is one of its ends: is the point above the vertex, above the next
+/// side, or beyond the boundary? If the next side faces the point, it decides: either it has the
+/// same vertex as its closest place, or a nearer one. At the end of a boundary, rounding is
+/// forgiven and the wedge is looked at.
 bool TargetSearch::resolve_end(Candidate& candidate, const Query& query) const {
   const SideCurve& curve = side(candidate.side);
   const int end = candidate.xi < 0 ? -1 : 1;
@@ -57,6 +85,9 @@ bool TargetSearch::resolve_end(Candidate& candidate, const Query& query) const {
   return true;
 }
 
+/// One side is asked, in four steps: its closest place, whether that place faces the point, whether
+/// an end is meant, and how far the point lies behind. A point that lies behind it by more than its
+/// cell is deep belongs to another side, or is buried; how deep is kept for the message.
 void TargetSearch::consider(Index number, Query& query) const {
   const SideCurve& curve = side(number);
   Candidate candidate{number, projection(number, query), 0, 0};
@@ -72,6 +103,10 @@ void TargetSearch::consider(Index number, Query& query) const {
   query.add(candidate);
 }
 
+/// With the arm \f$r\f$ from the vertex to the point and the normals \f$n_1, n_2\f$, we want
+/// \f$n \parallel (1-s)\,n_1 + s\,n_2\f$ along \f$r\f$, or against it if the point lies inside:
+/// \f$r\times n = 0\f$ gives \f$s = a/(a-b)\f$ with \f$a = r\times n_1\f$ and
+/// \f$b = r\times n_2\f$. Outside of the wedge \f$s\f$ ends at 0 or 1.
 Projection TargetSearch::at_vertex(Index number, int end, const Query& query) const {
   const Index next = neighbour(number, end);
   const bool between = next_faces(number, end, query);
@@ -85,8 +120,9 @@ Projection TargetSearch::at_vertex(Index number, int end, const Query& query) co
   const Vector2d two = between ? side(next).normal(-end) : normal_beyond(number, end);
   const double a = cross(arm, one);
   const double b = cross(arm, two);
-  // The share of the second normal in the one along the arm. An arm that rounding cannot tell from the middle has half: the
-  // direction of a short one is mostly rounding, which would hold a ring that turns in another.
+  // The share of the second normal in the one along the arm. An arm that rounding cannot tell from
+  // the middle has half: the direction of a short one is mostly rounding, which would hold a ring
+  // that turns in another.
   const bool middle = std::min(std::abs(a - b), std::abs(a + b)) <= query.rounding;
   const double share = middle ? 0.5 : std::clamp(a / (a - b), 0.0, 1.0);
   found.normal = ((1 - share) * one + share * two).normalized();
@@ -105,6 +141,11 @@ Projection TargetSearch::on_side(const Candidate& best, const Query& query) cons
   return found;
 }
 
+/// All that is within rounding of the nearest is a candidate, in the order of the boundary, so that
+/// the answer does not depend on the order of the search. A vertex, or the common vertex of two
+/// sides that meet, counts more than a place within a side. The last rule is for lines of symmetry:
+/// a point on the line that halves the wedge at the end of a boundary gets the normal along this
+/// line.
 Projection TargetSearch::chosen(Query& query) const {
   std::vector<Candidate>& all = query.candidates;
   if (all.empty()) {
@@ -132,6 +173,7 @@ Projection TargetSearch::chosen(Query& query) const {
   return on_side(best, query);
 }
 
+/// For a rectangle it is the height of the cell. Small displacements cannot bring a point deeper.
 double TargetSearch::depth(Index number) const {
   const CellSide& own = boundary(*mesh_, boundary_)[static_cast<std::size_t>(number)];
   const SideCurve& curve = side(number);
@@ -146,6 +188,9 @@ double TargetSearch::depth(Index number) const {
   return depth;
 }
 
+/// The point is in a cell if it lies to the left of all its sides; sides that bulge are taken as
+/// straight. This is only asked for points that are too deep for the side they face, so that a loop
+/// over all cells is cheap enough.
 bool TargetSearch::inside_body(const AnchoredPoint& x) const {
   for (Index cell = 0; cell < mesh_->n_cells(); ++cell) {
     bool inside = true;

@@ -1,3 +1,18 @@
+/// \file
+/// Closest-point projection, with a tree of boxes.
+///
+/// This page is the search; target_rules.cpp says what counts as facing. A point of the source has
+/// a place and a normal of its own, out of its body. A place of the target may be its partner if
+/// the two normals are more than 90 degrees apart. Of those places the nearest counts.
+///
+/// The search walks through the tree of side_tree.hpp from the top. A box is opened only if it may
+/// hold something nearer than what was found, and if a line from the point along one of its normals
+/// can meet it. The nearer child goes first, because its finds let the other one be skipped.
+///
+/// "Nearest" means nearest up to rounding. Two sides that meet above a node are equally far, and
+/// their two distances differ in the last digit. A search that took the smaller one would be
+/// decided by rounding at each node. So all candidates within rounding are kept until the end, and
+/// rules decide.
 #include "signorini/contact/target_search.hpp"
 
 #include <algorithm>
@@ -11,6 +26,7 @@ namespace signorini {
 using Eigen::Index;
 using Eigen::Vector2d;
 
+/// The sides are made first: neighbours and the tree are read from them.
 TargetSearch::TargetSearch(const Mesh& mesh, const std::string& name)
     : mesh_(&mesh),
       boundary_(name),
@@ -19,6 +35,8 @@ TargetSearch::TargetSearch(const Mesh& mesh, const std::string& name)
       after_(sides_.size(), -1),
       tree_(make_tree()) {}
 
+/// Neighbours are found by nodes that end one side and begin another. If the boundary touches
+/// itself, several sides may begin at a node; then the first of the list is taken.
 std::vector<SideBox> TargetSearch::make_tree() {
   std::map<Index, Index> starting;
   for (Index s = n_sides() - 1; s >= 0; --s) starting[side(s).nodes().front()] = s;
@@ -28,11 +46,14 @@ std::vector<SideBox> TargetSearch::make_tree() {
     after_[static_cast<std::size_t>(s)] = next->second;
     before_[static_cast<std::size_t>(next->second)] = s;
   }
+  // One box per side; box_tree() puts boxes around them, two by two.
   std::vector<SideBox> leaves;
   for (Index s = 0; s < n_sides(); ++s) leaves.push_back(leaf(s));
   return box_tree(std::move(leaves));
 }
 
+/// The normals of a leaf are those of its side, of its neighbours at the vertices, and of what is
+/// thought beyond an end: at a vertex a point may face any normal in between.
 SideBox TargetSearch::leaf(Index number) const {
   const SideCurve& curve = side(number);
   SideBox box;
@@ -52,6 +73,9 @@ SideBox TargetSearch::leaf(Index number) const {
   return box;
 }
 
+/// A box is left unopened for two reasons: it is too far, or no normal in it points back to the
+/// point. The distance may exceed the nearest one by rounding, since a tie is decided later, by the
+/// rules.
 void TargetSearch::look(const SideBox& box, Query& query) const {
   ++query.visits;
   if (box.distance(query.position) > query.nearest + query.rounding + box.slack) return;
@@ -64,6 +88,8 @@ void TargetSearch::look(const SideBox& box, Query& query) const {
   look(swap ? first : second, query);
 }
 
+/// A query holds all that changes during a search, and the tree stays as it was made. So the answer
+/// for a point does not depend on the points that were asked before.
 Projection TargetSearch::closest(const AnchoredPoint& x, const Vector2d& normal) const {
   Query query(x, normal, tree_.back());
   look(tree_.back(), query);
@@ -72,6 +98,8 @@ Projection TargetSearch::closest(const AnchoredPoint& x, const Vector2d& normal)
   return found;
 }
 
+/// The other kind of search: not the closest place, but where a line meets the target. Segments are
+/// cut with it.
 void TargetSearch::look_along(const SideBox& box, Query& query) const {
   ++query.visits;
   if (!box.may_meet(query.position, query.normal, query.nearest, query.rounding)) return;
@@ -80,6 +108,7 @@ void TargetSearch::look_along(const SideBox& box, Query& query) const {
     look_along(tree_[static_cast<std::size_t>(box.second)], query);
     return;
   }
+  // A line may meet a parabola twice, and a side that looks the other way does not count.
   const SideCurve& curve = side(box.first);
   for (const double xi : curve.crossings(query.x, query.normal, end_tolerance)) {
     const Vector2d back = query.x - curve.point(xi);
@@ -91,6 +120,8 @@ void TargetSearch::look_along(const SideBox& box, Query& query) const {
   }
 }
 
+/// A cut needs a place and no direction. So there is no rule for vertices here, and the normal is
+/// that of a side.
 Projection TargetSearch::along(const AnchoredPoint& x, const Vector2d& normal) const {
   Query query(x, normal, tree_.back());
   look_along(tree_.back(), query);

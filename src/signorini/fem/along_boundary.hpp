@@ -1,6 +1,15 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Integrals along a boundary, and what forces add up to.
+///
+/// Loads, shares of a boundary and resultants are all integrals over its sides. They differ only in
+/// what is summed, so the loop stands here once, with three Gauss points on every side: exact for
+/// polynomials of degree 5. On a body of revolution a uniform pressure on a curved side needs just
+/// that: degree 2 for the shape functions, 1 for the tangent, 2 for the radius.
+///
+/// A Resultant also sums the *sizes* of its forces. Two forces of 1 that pull against each other
+/// add up to 0, and rounding of that 0 has the size of 1. Whoever asks whether forces balance
+/// divides by this.
 #pragma once
 #include <Eigen/Core>
 #include <string>

@@ -1,3 +1,21 @@
+/// \file
+/// From cells to one linear system.
+///
+/// The energy of a body is the sum of the energies of its cells, so that its stiffness is the sum
+/// of theirs. With the nodes of each cell sorted into all nodes,
+///
+/// \f[ K = \sum_{cells} \int B^T D\,B\;dV, \qquad K_{ff}\,u_f = p_f - K_{fh}\,u_h. \f]
+///
+/// The second equation is for the free components f; the held components h have given values, which
+/// move to the right-hand side. Held unknowns are never numbered. Programs that keep them set rows
+/// of \f$K\f$ to those of the unit matrix, and have equations of two kinds with two units in one
+/// matrix.
+///
+/// Two unit squares of the element q4 in a row, \f$E = 1\f$, \f$\nu = 0\f$: a node that only one of
+/// them has gets 12/24 on the diagonal, the two in the middle get 12/24 from each square, which
+/// adds up to 1.
+///
+/// Loads have a page of their own, loads.cpp.
 #include "signorini/fem/assembly.hpp"
 
 #include <algorithm>
@@ -5,7 +23,6 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/along_boundary.hpp"
 #include "signorini/fem/eigenstrain.hpp"
 #include "signorini/fem/elements.hpp"
 
@@ -24,70 +41,17 @@ void check_unfolded(const Cell& cell) {
         " folds over itself: move the middle nodes of its sides closer to the straight lines");
 }
 
-void add_body_force(const Mesh& mesh, const Element& element, const MaterialField& material,
-                    const VectorField& force, NodeArray& load) {
-  visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
-    for (int i = 0; i < points.size; ++i) {
-      const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
-      const CellScalars N = cell.element.shape(point.local.x(), point.local.y()).value;
-      const Eigen::Vector2d position = cell.body.position(N);
-      const Eigen::Vector2d f = force(position);
-      require_input(f.allFinite(), "body force on '", mesh.name, "': not finite at (", position.x(),
-                    ", ", position.y(), "), but it must be at every point of the body");
-      for (Index k = 0; k < cell.element.n_nodes; ++k)
-        load.row(cell.node(k)) += point.volume * N(k) * f.transpose();
-    }
-  });
-}
-
-void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, NodeArray& load) {
-  integrate_boundary(mesh, edge.boundary, [&](const BoundaryPoint& at) {
-    const Eigen::Vector2d position = at.point.position();
-    const Eigen::Vector2d inward(-at.tangent.y(), at.tangent.x());  // body on the left
-    Eigen::Vector2d force = edge.pressure * inward;
-    if (edge.traction) force += edge.traction(position) * at.tangent.norm();
-    require_input(force.allFinite(), "load on '", edge.boundary, "' of '", mesh.name,
-                  "': not finite at (", position.x(), ", ", position.y(),
-                  "), but it must be at every point of the boundary");
-    Index k = 0;
-    for (const Index node : at.side.nodes())
-      load.row(node) += depth.at(position.x()) * at.weight * at.N(k++) * force.transpose();
-  });
-}
-
-/// The integrals of the shape functions times something along a boundary, in the order of boundary_nodes().
-/// \param integrand  two numbers for a tangent, times its length
-template <typename Integrand>
-NodeArray boundary_integrals(const Mesh& mesh, const std::string& name, const Depth& depth,
-                             const Integrand& integrand) {
-  const std::vector<Index> nodes = boundary_nodes(mesh, name);
-  std::map<Index, Index> number;
-  for (const Index node : nodes) number.emplace(node, static_cast<Index>(number.size()));
-  NodeArray sums = NodeArray::Zero(static_cast<Index>(nodes.size()), 2);
-  integrate_boundary(mesh, name, [&](const BoundaryPoint& at) {
-    const double share = depth.at(at.point.position().x()) * at.weight;
-    Index k = 0;
-    for (const Index node : at.side.nodes())
-      sums.row(number.at(node)) += share * at.N(k++) * integrand(at.tangent);
-  });
-  return sums;
-}
-
-void add_point_forces(const Mesh& mesh, const std::vector<PointForce>& forces, NodeArray& load) {
-  auto force = forces.begin();
-  for (const EdgePlace& place : places_of(mesh, forces)) {
-    for (std::size_t k = 0; k < place.nodes.size(); ++k)
-      load.row(place.nodes[k]) += place.share(static_cast<Index>(k)) * force->force.transpose();
-    ++force;
-  }
-}
-
 /// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
+///
+/// The sparse matrix needs to know first which unknowns meet. They meet where their nodes share a
+/// cell.
 struct CellsAround {
   Eigen::ArrayX<Index> first;
   Eigen::ArrayX<Index> cell;
 };
 
+/// Two passes over the cells: one counts, one files. The second goes backwards, and so does the
+/// counter of each node, which ends at the first of its places.
 CellsAround cells_around(const Mesh& mesh) {
   CellsAround around{Eigen::ArrayX<Index>::Zero(mesh.n_nodes() + 1),
                      Eigen::ArrayX<Index>(mesh.cells.size())};
@@ -108,6 +72,9 @@ Index largest_cell(const Mesh& mesh) {
 }
 
 /// The element to use first for cells of so many nodes.
+///
+/// What a user gets who names no element. Of the three elements with four nodes it is the one that
+/// bends without locking; the other numbers of nodes leave no choice.
 const char* usual_element(Index size) {
   static const std::map<Index, const char*> usual = {
       {3, "t3"}, {4, "q4_incompatible"}, {6, "t6"}, {8, "q8"}};
@@ -116,6 +83,9 @@ const char* usual_element(Index size) {
 
 }  // namespace
 
+/// A scene names elements in words, and meshes come from files. That the two fit is asked once,
+/// here; an element that is given too many nodes would read only the first of them, and nobody
+/// would notice.
 void check_element(const Mesh& mesh, const Element& element) {
   const Index size = largest_cell(mesh);
   require_input(size == element.n_nodes, "mesh '", mesh.name, "' has cells of ", size,
@@ -129,6 +99,10 @@ const Element& element_for(const Mesh& mesh, const std::string& name) {
   return element;
 }
 
+/// The sum over the strain points, with the number of strains as a constant, so that the products
+/// are unrolled. In exact arithmetic \f$B^T D B\f$ is symmetric. In floating point its two
+/// triangles are rounded in different ways, and a factor that reads only one of them would solve
+/// another problem than the residual measures. The mean of both is symmetric to the last bit.
 CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   StrainPoints points;
   element.strain(cell, points);
@@ -145,27 +119,10 @@ CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   return 0.5 * (K + CellMatrix(K.transpose()));  // exactly symmetric
 }
 
-std::vector<EdgePlace> places_of(const Mesh& mesh, const std::vector<PointForce>& loads) {
-  Edge edge(mesh);
-  std::vector<EdgePlace> places;
-  for (const PointForce& load : loads) {
-    require_input(load.force.allFinite(), "point force on '", mesh.name, "' at (", load.point.x(),
-                  ", ", load.point.y(), "): not finite, but its components must be numbers");
-    places.push_back((load.force.array() == 0).all() ? EdgePlace{{}, {0, 0, 0}}
-                                                     : edge.place(load.point));
-  }
-  return places;
-}
-
-NodeArray nodal_loads(const Mesh& mesh, const Element& element, const MaterialField& material,
-                      const Loads& loads) {
-  NodeArray load = NodeArray::Zero(mesh.n_nodes(), 2);
-  if (loads.body_force) add_body_force(mesh, element, material, loads.body_force, load);
-  for (const EdgeLoad& edge : loads.edges) add_edge_load(mesh, depth_of(material), edge, load);
-  add_point_forces(mesh, loads.points, load);
-  return load;
-}
-
+/// The usual way is to list all entries of all cells as triplets and let the matrix sort them. A
+/// cell of four nodes has 64, and on a large mesh 36 for each node remain. Here each column is
+/// written once, with its rows sorted, and the cells are then added into their places. The unknowns
+/// of one node have the same rows, so that the list is kept for the second one.
 Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& unknowns) {
   const CellsAround around = cells_around(mesh);
   Eigen::SparseMatrix<double> K(unknowns.count, unknowns.count);
@@ -193,6 +150,10 @@ Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& 
   return K;
 }
 
+/// Everything comes together: pattern, loads, and a loop over the cells. Eigenstrains enter as
+/// nodal forces. They are summed on all nodes before the held components are dropped, as all loads
+/// are. An entry of a free row and a held column belongs to the right-hand side, with the
+/// displacement that is given there.
 LinearSystem assemble(const Mesh& mesh, const Element& element, const MaterialField& material,
                       const Unknowns& unknowns, const Loads& loads) {
   check_element(mesh, element);
@@ -219,6 +180,9 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const MaterialFi
   return system;
 }
 
+/// The same sum with all rows, held ones too, and without storing \f$K\f$. In a row that is held,
+/// these forces less the loads are the force of the support. Such a row was not solved, so that it
+/// need not add up to 0.
 NodeArray internal_forces(const Mesh& mesh, const Element& element, const MaterialField& material,
                           const NodeArray& displacements) {
   require_argument(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
@@ -233,35 +197,8 @@ NodeArray internal_forces(const Mesh& mesh, const Element& element, const Materi
   return forces;
 }
 
-Eigen::VectorXd boundary_weights(const Mesh& mesh, const std::string& name, const Depth& depth) {
-  return boundary_integrals(
-             mesh, name, depth,
-             [](const Eigen::Vector2d& tangent) { return Eigen::RowVector2d(tangent.norm(), 0); })
-      .col(0);
-}
-
-NodeArray boundary_areas(const Mesh& mesh, const std::string& name, const Depth& depth) {
-  return boundary_integrals(mesh, name, depth, [](const Eigen::Vector2d& tangent) {
-    return Eigen::RowVector2d(tangent.y(), -tangent.x());
-  });
-}
-
-std::vector<Index> nodes_without_share(const Mesh& mesh, const std::string& name,
-                                       const Depth& depth) {
-  std::vector<Index> nodes;
-  if (!depth.axial) return nodes;
-  const std::vector<Index> axis = axis_nodes(mesh);
-  for (const CellSide& side : boundary(mesh, name)) {
-    const std::vector<Index> own = mesh.side_nodes(side);
-    if (own.size() == 2) continue;
-    for (const Index end : {own.front(), own.back()})
-      if (std::binary_search(axis.begin(), axis.end(), end)) nodes.push_back(end);
-  }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
-
+/// Solvers know \f$n\f$ numbers, users know nodes. These two functions are the way from the one to
+/// the other.
 NodeArray expand(const Unknowns& unknowns, const Eigen::Ref<const Eigen::VectorXd>& values) {
   require_argument(values.size() == unknowns.count, "expand: need ", unknowns.count,
                    " values (one per unknown), got ", values.size());
@@ -272,6 +209,7 @@ NodeArray expand(const Unknowns& unknowns, const Eigen::Ref<const Eigen::VectorX
   return all;
 }
 
+/// The way back, for forces: components that are held have no row in the system.
 Eigen::VectorXd restricted(const Unknowns& unknowns, const NodeArray& nodal) {
   Eigen::VectorXd values(unknowns.count);
   for (Index node = 0; node < nodal.rows(); ++node)

@@ -1,5 +1,7 @@
 /// \file
 /// Stiffness matrix and load vector.
+///
+/// The page that explains loads is loads.cpp, the one for the matrix assembly.cpp.
 #pragma once
 #include <Eigen/SparseCore>
 #include <string>

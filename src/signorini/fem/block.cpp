@@ -1,3 +1,14 @@
+/// \file
+/// Rectangles, and lines that are graded.
+///
+/// Stresses change quickly near a contact and slowly far from it. Cells of equal size waste most of
+/// the unknowns where nothing happens, and a sudden change of size is bad for stresses, too. A
+/// geometric row of steps is the way between: each one is \f$q\f$ times the one before. With
+/// \f$n\f$ steps and the *grading* \f$g = q^{n-1}\f$, the last over the first, three steps and
+/// \f$g = 4\f$ have \f$q = 2\f$ and end at 1/7, 3/7 and 1.
+///
+/// Users name the grading, not \f$q\f$: doubling the number of cells then leaves the picture as it
+/// is.
 #include "signorini/fem/block.hpp"
 
 #include <cmath>
@@ -12,6 +23,9 @@ using Eigen::Index;
 
 namespace {
 
+/// All blocks end here: two rows of lines, and a lattice that puts a node on each crossing. The
+/// middle of a side is half way between its lines, also where steps grow, since a midpoint off the
+/// middle would distort the map of the cell.
 Mesh block_of(const std::string& name, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
               MeshOrder order) {
   return make_lattice(name, {x.size() - 1, y.size() - 1, order}, [&](Index i, Index j) {
@@ -21,6 +35,8 @@ Mesh block_of(const std::string& name, const Eigen::VectorXd& x, const Eigen::Ve
 
 }  // namespace
 
+/// Sums of steps, divided by the last sum: the last position is exactly 1, whatever \f$q\f$ was
+/// rounded to.
 Eigen::VectorXd graded_steps(Index n, double grading) {
   require_argument(n > 0, "graded_steps: need at least one step, got ", n);
   require_argument(grading > 0 && std::isfinite(grading),
@@ -47,11 +63,15 @@ Mesh make_block(const BlockSpec& spec) {
   return block_of(spec.name, x, y, spec.order);
 }
 
+/// The short form for equal cells, as examples and tests have them.
 Mesh block(const std::string& name, const Eigen::Vector2d& corner, const Eigen::Vector2d& size,
            Index cells_x, Index cells_y, MeshOrder order) {
   return make_block({name, corner, size, cells_x, cells_y, 1, 1, order});
 }
 
+/// A line of several parts, as a drawing has it: fine, growing, coarse. Each end is set to the
+/// number that was given, since other bodies will have nodes there, which must be in the same
+/// place.
 Eigen::VectorXd stretched(double start, const std::vector<Stretch>& stretches) {
   require_argument(!stretches.empty(), "stretched: need at least one stretch");
   Index cells = 0;
@@ -65,6 +85,7 @@ Eigen::VectorXd stretched(double start, const std::vector<Stretch>& stretches) {
         " needs at least one cell and a positive grading, got ", part.cells, " and ", part.grading);
     cells += part.cells;
   }
+  // Every part is scaled to its own length; only its steps are relative.
   Eigen::VectorXd positions(cells + 1);
   positions(0) = start;
   Index at = 0;
@@ -79,6 +100,14 @@ Eigen::VectorXd stretched(double start, const std::vector<Stretch>& stretches) {
   return positions;
 }
 
+/// The other way round: given the first cell, which grading fills the line? With \f$q = e^t\f$ the
+/// sum is
+///
+/// \f[ h_1\,\frac{q^n - 1}{q - 1} = h_1\,\frac{e^{nt} - 1}{e^t - 1} = L. \f]
+///
+/// It grows with \f$t\f$. Bounds are doubled until the root lies between them, and halving finds
+/// it. For \f$L = 10\f$, \f$n = 3\f$ and \f$h_1 = 1\f$ the lines are at 0, 1, 3.54 and 10, and the
+/// grading is 6.46. expm1 keeps the digits near \f$t = 0\f$, where both differences vanish.
 double grading_from(double length, Index cells, double first) {
   require_argument(
       cells > 1 && first > 0 && first < length && std::isfinite(length),
@@ -96,8 +125,12 @@ double grading_from(double length, Index cells, double first) {
   return std::exp((n - 1) * bisected(low, high, fits).first);
 }
 
+/// Lines that do not increase would make cells inside out. A message that names the two lines says
+/// more than one that names a cell. Here the user gives all lines, for example some of stretched()
+/// and some of another body.
 Mesh make_graded_block(const std::string& name, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
                        MeshOrder order) {
+  // NaN compares false with everything and would slip through a test for `<=`.
   const auto check = [&](char axis, const Eigen::VectorXd& lines) {
     require_argument(lines.size() > 1, "make_graded_block '", name, "': need at least 2 lines of ",
                      axis, ", got ", lines.size());

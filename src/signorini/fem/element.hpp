@@ -2,6 +2,13 @@
 /// What an element is, and the family of elements. To add one: write `NAME.cpp` with a function
 /// that returns an Element, declare it in elements.hpp and add its line to the table in
 /// elements.cpp.
+///
+/// An element is a struct of functions: shape functions at a place, and strain operators at the
+/// points of its rule. Whatever an element does to avoid locking (mean volume, internal modes) ends
+/// in its matrices \f$B\f$, so that stiffness \f$\int B^T D B\f$, stress \f$D B u\f$ and thermal
+/// forces \f$\int B^T D \epsilon_0\f$ are computed by the same lines for all of them. Classes with
+/// virtual functions would say the same with more words. Matrices of a cell have a largest size
+/// that the compiler knows, so that no cell asks the heap for memory.
 #pragma once
 #include <Eigen/Core>
 #include <array>

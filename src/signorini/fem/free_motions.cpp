@@ -1,3 +1,21 @@
+/// \file
+/// Rigid motions that supports leave, found before anything is factored.
+///
+/// A body that only contact holds has a singular stiffness matrix. The null space is known in
+/// advance: a plane body can only move by
+///
+/// \f[ u(x) = \begin{pmatrix} a - c\,(y-y_0) \\ b + c\,(x-x_0) \end{pmatrix}, \f]
+///
+/// two translations and a rotation about its centre, which strain nothing. A held component of a
+/// node asks that one row of this is zero. All of them make a matrix \f$H\f$ of three columns, and
+/// the free motions are its null space. A block of 2 x 1 that is pinned at its lower left corner
+/// has two rows in \f$H\f$ and one motion left, \f$(a, b, c) = (-0.22, 0.45, 0.45)\f$: it turns
+/// about the corner.
+///
+/// One could look for zero eigenvalues of \f$K\f$ instead. They cost more, and one would have to
+/// guess how small a zero is when soft cells stand beside stiff ones. Here only lengths are
+/// compared with lengths. We need the motions themselves as well: their amplitudes become unknowns,
+/// each with the balance of forces along it as its equation (chapter 11).
 #include "signorini/fem/free_motions.hpp"
 
 #include <algorithm>
@@ -15,6 +33,8 @@ namespace {
 using Eigen::Index;
 
 /// One piece of a mesh, and where it is.
+///
+/// A mesh may consist of pieces that touch nowhere, and each of them can fly off alone.
 struct ConnectedBody {
   /// \param mesh   that has it
   /// \param piece  one of its pieces
@@ -37,6 +57,9 @@ struct ConnectedBody {
 /// What the translations x and y and a rotation about the centre, each of which moves the body by about 1, do to the
 /// components that are held: `n x 3`, `n` at least 3. What moves or turns the cross-section of a body of revolution
 /// sideways strains the body.
+///
+/// Arms are divided by the size of the body. Then the three columns are alike in size, and the
+/// singular values measure how firmly a motion is held, not in which unit.
 Eigen::MatrixXd held_motions(const ConnectedBody& body, const Unknowns& unknowns,
                              PlaneState state) {
   std::vector<Eigen::Vector3d> rows;
@@ -55,6 +78,11 @@ Eigen::MatrixXd held_motions(const ConnectedBody& body, const Unknowns& unknowns
 
 /// Rigid motions (a, b, c) that move x by (a - c (y - y0), b + c (x - x0)), and no held component by more than what
 /// rounding of the coordinates makes of it.
+///
+/// The columns of \f$V\f$ of the singular value decomposition that \f$H\f$ does not move by more
+/// than rounding. A motion is scaled so that the body moves by about 1, and entries that are
+/// rounding become 0: a body on rollers moves in \f$x\f$, not in \f$x\f$ with a trace of \f$y\f$,
+/// which a support would resist.
 std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknowns& unknowns,
                                         PlaneState state) {
   const Eigen::MatrixXd held = held_motions(body, unknowns, state);
@@ -71,6 +99,8 @@ std::vector<Eigen::Vector3d> motions_of(const ConnectedBody& body, const Unknown
   return motions;
 }
 
+/// From here on it is about messages.
+///
 /// One more digit than is printed.
 constexpr double visible = 1e-6;
 
@@ -81,6 +111,8 @@ double displacement(const FreeMotion& free) {
 
 }  // namespace
 
+/// A translation with a rotation is a rotation about another point, the one at rest: \f$u = 0\f$ at
+/// \f$(x_0 - b/c,\ y_0 + a/c)\f$. That point is what a user can look at.
 std::string in_words(const FreeMotion& free) {
   const Eigen::Vector3d motion = free.motion / displacement(free);
   const std::string can = free.body + " can ";
@@ -117,6 +149,7 @@ std::vector<std::string> in_words(const std::vector<FreeMotion>& motions,
   return words;
 }
 
+/// For each motion the displacement of all unknowns, which the solver multiplies by the amplitude.
 std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPiece>& pieces,
                                      const Unknowns& unknowns, PlaneState state) {
   std::vector<FreeMotion> found;

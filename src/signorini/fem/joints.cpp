@@ -1,25 +1,36 @@
+/// \file
+/// What hangs together with what.
+///
+/// A mesh is a list of cells. Whether they form one body or two, and where its outline is, stands
+/// nowhere in the list. Two questions are answered here, both by looking at nodes that cells share.
+///
+/// *Pieces.* Cells that share a node belong together, and so do their neighbours, and so on. This
+/// is the problem of connected components. Each node points to another one of its piece, or to
+/// itself; to join two pieces, let the root of one point to the root of the other.
+///
+/// *Outer sides.* A side inside of the body belongs to two cells, one of the outline to one.
+/// Sorting all sides and looking for those that stand alone answers it. A mesh of a million cells
+/// has two million sides and only some thousands on its outline, so we first find the nodes there,
+/// in one pass and without sorting.
 #include "signorini/fem/joints.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
-#include "signorini/fem/side_curve.hpp"
-#include "signorini/fem/side_tree.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
 
-/// What is nearer than that, measured by the sides of the cells there, is in one place.
-constexpr double near = 1e-3;
-
 /// Calls visit(side, first, last) for the ways from node to node round a cell: one per side, or two by its middle.
+///
+/// A side of three nodes counts as two edges. Then both kinds of mesh look alike from here on: a
+/// graph of nodes and edges between neighbours.
 template <typename Visit>
 void visit_edges(const Mesh& mesh, Index cell, Visit&& visit) {
   const int corners = mesh.corners(cell);
@@ -38,6 +49,9 @@ void visit_edges(const Mesh& mesh, Index cell, Visit&& visit) {
 }
 
 /// Bits without any pattern of the number (the end of splitmix64).
+///
+/// Node numbers themselves would not do for the sum below. A node where two outlines meet has two
+/// neighbours before it and two behind, such as 1, 4 and 2, 3: the sum \f$2 + 3 - 1 - 4\f$ is 0.
 std::uint64_t scrambled(std::uint64_t number) {
   std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15U;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -47,6 +61,10 @@ std::uint64_t scrambled(std::uint64_t number) {
 
 /// Whether a node is on the outline. Inside, the edge to each neighbour is walked once there and once back: what
 /// is added for one is taken away for the other.
+///
+/// Sums are of integers that wrap around, so they are exact: a node inside has exactly 0. An edge of
+/// the outline is walked once. A node there keeps the marks of its neighbours along the outline, with
+/// the signs + and -, which add up to 0 only by an accident of about one in \f$2^{64}\f$.
 std::vector<char> on_outline(const Mesh& mesh) {
   std::vector<std::uint64_t> mark(at(mesh.n_nodes()));
   for (std::size_t node = 0; node < mark.size(); ++node) mark[node] = scrambled(node);
@@ -61,94 +79,10 @@ std::vector<char> on_outline(const Mesh& mesh) {
   return outer;
 }
 
-double shortest_side(const Mesh& mesh, Index cell) {
-  double shortest = std::numeric_limits<double>::infinity();
-  const int corners = mesh.corners(cell);
-  for (int k = 0; k < corners; ++k)
-    shortest = std::min(shortest, (mesh.nodes.row(mesh.cells(cell, (k + 1) % corners)) -
-                                   mesh.nodes.row(mesh.cells(cell, k)))
-                                      .norm());
-  return shortest;
-}
-
-/// The outer sides in a tree of boxes, and how near is near at each of their nodes.
-class Outline {
- public:
-  explicit Outline(const Mesh& mesh)
-      : mesh_(mesh), sides_(outer_sides(mesh)), reach_(at(mesh.n_nodes()), 0) {
-    std::vector<SideBox> leaves;
-    for (const CellSide& side : sides_) {
-      curves_.emplace_back(mesh, side);
-      const double reach = near * shortest_side(mesh, side.cell);
-      for (const Index node : curves_.back().nodes()) {
-        double& own = reach_[at(node)];
-        if (own == 0) nodes_.push_back(node);
-        own = own == 0 ? reach : std::min(own, reach);
-      }
-      SideBox box;
-      box.lowest = curves_.back().box().col(0);
-      box.highest = curves_.back().box().col(1);
-      box.axis = Eigen::Vector2d::UnitX();  // normals are not asked for
-      box.first = static_cast<Index>(leaves.size());
-      leaves.push_back(box);
-    }
-    std::sort(nodes_.begin(), nodes_.end());
-    if (!leaves.empty()) tree_ = box_tree(std::move(leaves));
-  }
-
-  [[nodiscard]] std::vector<LooseNode> loose() const {
-    std::vector<LooseNode> found;
-    for (const Index node : nodes_) {
-      LooseNode loose{node, {-1, 0}, -1};
-      look(tree_.back(), loose);
-      if (loose.side.cell >= 0 && loose.other < node) found.push_back(loose);
-    }
-    return found;
-  }
-
- private:
-  void look(const SideBox& box, LooseNode& loose) const {
-    if (box.distance(position(loose.node)) > reach_[at(loose.node)]) return;
-    if (box.is_leaf()) return consider(at(box.first), loose);
-    look(tree_[at(box.first)], loose);
-    look(tree_[at(box.second)], loose);
-  }
-
-  /// A node in the same place counts more than a side, and among nodes the lowest.
-  void consider(std::size_t number, LooseNode& loose) const {
-    const SideCurve& curve = curves_[number];
-    const Eigen::Vector2d x = position(loose.node);
-    const double reach = reach_[at(loose.node)];
-    for (const Index node : curve.nodes())
-      if (node == loose.node) return;
-    for (const Index node : curve.nodes())
-      if ((x - position(node)).norm() <= std::min(reach, reach_[at(node)]) &&
-          (loose.other < 0 || node < loose.other)) {
-        loose.side = sides_[number];
-        loose.other = node;
-      }
-    if (loose.other >= 0 || loose.side.cell >= 0) return;
-    const AnchoredPoint exact(x);
-    const double xi = curve.closest(exact);
-    const double reach_there = near * shortest_side(mesh_, sides_[number].cell);
-    if ((exact - curve.point(xi)).norm() <= std::min(reach, reach_there))
-      loose.side = sides_[number];
-  }
-
-  [[nodiscard]] Eigen::Vector2d position(Index node) const {
-    return mesh_.nodes.row(node).transpose();
-  }
-
-  const Mesh& mesh_;
-  std::vector<CellSide> sides_;
-  std::vector<SideCurve> curves_;
-  std::vector<double> reach_;  // per node, 0 inside
-  std::vector<Index> nodes_;   // on the outline, increasing
-  std::vector<SideBox> tree_;  // the box around all is the last
-};
-
 }  // namespace
 
+/// While a root is looked for, each node on the way is made to point one step further up. The ways
+/// stay short, and the whole costs hardly more than one look at each node.
 std::vector<MeshPiece> pieces(const Mesh& mesh) {
   std::vector<Index> parent(at(mesh.n_nodes()));
   std::iota(parent.begin(), parent.end(), Index{0});
@@ -173,15 +107,20 @@ std::vector<MeshPiece> pieces(const Mesh& mesh) {
     }
     ++found[at(piece)].cells;
   }
+  // A node that no cell has is the root of itself, and that root has no piece.
   for (Index node = 0; node < mesh.n_nodes(); ++node)
     if (const Index piece = number[at(root(node))]; piece >= 0)
       found[at(piece)].nodes.push_back(node);
+  // Which node became the root depends on the order of the cells. The first node of a piece does
+  // not, so that a renumbered list of cells gives the same pieces in the same order.
   std::sort(found.begin(), found.end(), [](const MeshPiece& a, const MeshPiece& b) {
     return a.nodes.front() < b.nodes.front();
   });
   return found;
 }
 
+/// A piece has no name of its own. Messages say where it is, by the middle of its box, and how many
+/// cells it has.
 Eigen::Vector2d middle(const Mesh& mesh, const MeshPiece& piece) {
   Eigen::RowVector2d low = mesh.nodes.row(piece.nodes.front());
   Eigen::RowVector2d high = low;
@@ -192,11 +131,16 @@ Eigen::Vector2d middle(const Mesh& mesh, const MeshPiece& piece) {
   return (low + high).transpose() / 2;
 }
 
+/// Such as "8 cells around (2, 0.5)": a user finds that in a picture, and not the number of a
+/// piece.
 std::string in_words(const Mesh& mesh, const MeshPiece& piece) {
   const Eigen::Vector2d x = middle(mesh, piece);
   return text(piece.cells, " cells around (", x.x(), ", ", x.y(), ')');
 }
 
+/// Only edges with both ends on the outline are sorted. That is not yet enough to be an outer side:
+/// the diagonal of a narrow strip has both ends there and belongs to two cells. Those that stand
+/// alone are outer. The faces of a crack count as well, since their nodes are two at each place.
 std::vector<CellSide> outer_sides(const Mesh& mesh) {
   const std::vector<char> outer = on_outline(mesh);
   struct CellEdge {
@@ -217,6 +161,8 @@ std::vector<CellSide> outer_sides(const Mesh& mesh) {
     std::size_t end = k + 1;
     while (end < edges.size() && edges[end].low == edges[k].low && edges[end].high == edges[k].high)
       ++end;
+    // Edges between the same two nodes stand behind each other now. One that stands alone is an
+    // outer one.
     if (end == k + 1) sides.push_back(edges[k].side);
     k = end;
   }
@@ -231,7 +177,5 @@ std::vector<CellSide> outer_sides(const Mesh& mesh) {
               sides.end());
   return sides;
 }
-
-std::vector<LooseNode> loose_nodes(const Mesh& mesh) { return Outline(mesh).loose(); }
 
 }  // namespace signorini

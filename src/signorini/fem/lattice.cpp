@@ -1,13 +1,33 @@
+/// \file
+/// Cells in rows and columns, the pattern behind every mesh that we generate.
+///
+/// A ring, a plate with a hole and a beam are the same table of cells, bent into place by a
+/// function of \f$(i, j)\f$. Numbering and boundaries are settled here, once; a generator only says
+/// where nodes go.
+///
+/// Places are counted in half steps, so that corners of cells have even \f$i\f$ and \f$j\f$ and
+/// midpoints of sides one odd number. With three nodes per side a row of two cells has the nodes
+///
+///     8-----9----10----11----12
+///     |           |           |
+///     5           6           7
+///     |           |           |
+///     0-----1-----2-----3-----4
+///
+/// Its first cell is 0, 2, 10, 8 for the corners, then 1, 6, 9, 5 for the midpoints of its four
+/// sides.
 #include "signorini/fem/lattice.hpp"
 
 namespace signorini {
 
 using Eigen::Index;
 
+/// Both numbers odd is the middle of a cell. Serendipity elements have no node there.
 bool Lattice::has(Index i, Index j) const {
   return order == MeshOrder::Quadratic ? i % 2 == 0 || j % 2 == 0 : i % 2 == 0 && j % 2 == 0;
 }
 
+/// Around a hole the last row is the first one again, with the same nodes.
 Index Lattice::node(Index i, Index j) const {
   const Index row = closed && j == 2 * cells_y ? 0 : j;
   return row_start(row) + (order == MeshOrder::Quadratic && row % 2 == 0 ? i : i / 2);
@@ -45,6 +65,8 @@ Mesh make_lattice(const std::string& name, const Lattice& lattice,
             lattice.node(i + 1, j + 2), lattice.node(i, j + 1);
     }
 
+  // Sides are listed so that one walks around the body anticlockwise, with the body on the left.
+  // The top therefore begins at its right end.
   const auto add = [&](int side, Index n, Index first, Index step) {
     std::vector<CellSide>& named = mesh.boundaries[lattice.sides[static_cast<std::size_t>(side)]];
     for (Index k = 0; k < n; ++k) named.push_back({first + k * step, side});

@@ -1,3 +1,19 @@
+/// \file
+/// Hooke's law of an isotropic body, reduced to the plane.
+///
+/// In three dimensions \f$\varepsilon_{xx} = (\sigma_{xx} - \nu(\sigma_{yy}+\sigma_{zz}))/E\f$, and
+/// likewise for the others. One of the two numbers across the plane is taken to be 0:
+/// \f$\sigma_{zz}\f$ in a thin sheet (plane stress), \f$\varepsilon_{zz}\f$ in a long body (plane
+/// strain). The other one follows, and
+///
+/// \f[ D = \frac{E}{1-\nu^2}\begin{pmatrix}1&\nu&\\ \nu&1&\\ &&\frac{1-\nu}{2}\end{pmatrix}
+///     \quad\text{or}\quad
+///     \frac{E}{(1+\nu)(1-2\nu)}\begin{pmatrix}1-\nu&\nu&\\ \nu&1-\nu&\\ &&\frac{1-2\nu}{2}\end{pmatrix}. \f]
+///
+/// For \f$E = 1\f$ and \f$\nu = 0.3\f$ the first entry is 1.099 or 1.346: what is held across the
+/// plane is stiffer. Both give the modulus of shear \f$G = E/(2(1+\nu)) = 0.385\f$, since shear in
+/// the plane changes no thickness. A body of revolution has all four strains, and the second matrix
+/// with one more row.
 #include "signorini/fem/material.hpp"
 
 #include <cmath>
@@ -13,6 +29,9 @@ const char* to_string(PlaneState state) {
                                        : "axial symmetry";
 }
 
+/// What is wrong here would show much later, as a factor that breaks down or as a body that grows
+/// under pressure. So each constant is checked before the first integral, and the message says what
+/// to do.
 void check_material(const Material& material) {
   const double E = material.youngs_modulus;
   const double nu = material.poisson_ratio;
@@ -35,6 +54,8 @@ void check_material(const Material& material) {
       material.thickness);
 }
 
+/// Forces are forces, not forces per length: every integral is multiplied by the depth. On a body
+/// of revolution that is the length \f$2\pi x\f$ of the circle.
 Depth depth_of(const Material& material) {
   if (material.state == PlaneState::Axial) return {2 * pi, true};
   return {material.thickness, false};
@@ -59,6 +80,9 @@ Elasticity elasticity_matrix(const Material& material) {
   return D;
 }
 
+/// What plane strain holds across the plane pushes back:
+/// \f$\sigma_{zz} = \nu(\sigma_{xx}+\sigma_{yy})\f$, less \f$E\f$ times the strain that the
+/// material would have taken freely. Von Mises stress needs it.
 double stress_across(const Material& material, const Eigen::Vector3d& stress, double free) {
   require_argument(
       material.state != PlaneState::Axial,

@@ -1,5 +1,11 @@
 /// \file
 /// What a body is made of, cell by cell, and how it would strain without stress.
+///
+/// Most bodies are of one material. So there is a `base`, and cells that are made of something else
+/// have the number of another one. Thickness and plane state are the base's for all: cells of one
+/// body do not differ in what happens across the plane. Stiffness and stress ask for the material
+/// of each cell and for nothing else, which is why a new material in some cells changes no other
+/// file.
 #pragma once
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,14 @@
 /// \file
 /// A mesh of triangles and quadrilaterals with named boundaries, and the checks that come before any computation.
+///
+/// Two conventions carry everything that follows. Cells run anticlockwise, and so do their sides:
+/// side \f$s\f$ goes from corner \f$s\f$ to corner \f$s+1\f$. Whoever walks along a side has the
+/// body on the left, and the normal \f$(t_y, -t_x)\f$ of the tangent \f$t\f$ points out of it. A
+/// boundary is a list of such sides, not of nodes, because a node at a corner belongs to two
+/// boundaries with two normals.
+///
+/// A mesh is plain data, which readers of files, generators and users fill. It may be wrong in many
+/// ways, so check_mesh() looks at it once, before any integral.
 #pragma once
 #include <Eigen/Core>
 #include <map>

@@ -1,3 +1,15 @@
+/// \file
+/// Places that a user names by where they are.
+///
+/// Node numbers belong to a mesh, and a finer mesh has others. A scene says "hold the point (0, 5)"
+/// or "press at (3, 0)", and means it on any mesh. Hence two rules: a position finds its node up to
+/// rounding, and a position that finds none is an error, never the nearest node. To snap to the
+/// nearest one is what many programs do; it moves a load by half a cell, and the result still looks
+/// right.
+///
+/// How much is rounding? A user types decimals, and a generator multiplies radii with cosines. A
+/// few roundings of the largest coordinate lie between the two. We allow a thousand: on a mesh that
+/// reaches to 10 that is \f$2\cdot10^{-12}\f$. No cell is so small.
 #include "signorini/fem/places.hpp"
 
 #include <algorithm>
@@ -23,6 +35,7 @@ double distance(const Mesh& mesh, Index node, const Vector2d& point) {
   return (mesh.nodes.row(node).transpose() - point).norm();
 }
 
+/// The nearest node is for messages only. Of two that are equally near it is the first in the list.
 Index nearest(const Mesh& mesh, const std::vector<Index>& nodes, const Vector2d& point) {
   return *std::min_element(nodes.begin(), nodes.end(), [&](Index a, Index b) {
     return distance(mesh, a, point) < distance(mesh, b, point);
@@ -35,6 +48,8 @@ std::string describe(const Mesh& mesh, Index node) {
 
 }  // namespace
 
+/// A message that names the nearest node tells at once whether the place was mistyped or the mesh
+/// has no node where one is needed.
 std::vector<Index> nodes_at(const Mesh& mesh, const std::string& boundary,
                             const std::optional<Vector2d>& only_at, const std::string& what) {
   std::vector<Index> nodes = boundary_nodes(mesh, boundary);
@@ -46,10 +61,13 @@ std::vector<Index> nodes_at(const Mesh& mesh, const std::string& boundary,
   return {found};
 }
 
+/// For one place. Whoever has several keeps an Edge, which finds the outer sides once.
 EdgePlace place_on_edge(const Mesh& mesh, const Vector2d& point) { return Edge(mesh).place(point); }
 
 Edge::Edge(const Mesh& mesh) : mesh_(mesh) {}
 
+/// First nodes, then sides. If two nodes lie there and are not joined, as on a cut, a force acts on
+/// one of two faces that move apart, and only the user knows on which.
 EdgePlace Edge::place(const Vector2d& point) {
   const double rounding = position_rounding(mesh_);
   const std::string at = text("point (", point.x(), ", ", point.y(), ") of '", mesh_.name, "': ");
@@ -61,8 +79,12 @@ EdgePlace Edge::place(const Vector2d& point) {
   require_input(nodes.size() <= 1, at, "nodes ", nodes.empty() ? 0 : nodes.front(), " and ",
                 nodes.empty() ? 0 : nodes.back(),
                 " both lie there and are not joined. Choose a place beside them");
+  // A node takes the whole force, also inside of the body, where there is no side to share it.
   if (!nodes.empty()) return {std::move(nodes), {1, 0, 0}};
 
+  // On a side the shape functions say what each node gets. In the middle of a straight side of two
+  // nodes that is half and half. Inside of a cell there is no answer but an error: a load there
+  // needs a node.
   if (sides_.empty())
     for (const CellSide& side : outer_sides(mesh_)) sides_.emplace_back(mesh_, side);
   std::vector<EdgePlace> places;

@@ -1,5 +1,7 @@
 /// \file
 /// Places of a body that a user names by where they are.
+///
+/// Coordinates name a place on every mesh, numbers of nodes on one mesh only.
 #pragma once
 #include <Eigen/Core>
 #include <optional>

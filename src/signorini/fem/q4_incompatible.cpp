@@ -1,3 +1,22 @@
+/// \file
+/// Four nodes, and four modes inside of the cell that let it bend.
+///
+/// The q4 element lacks the parabola of a bent beam. Wilson added it to each cell as modes of its
+/// own,
+///
+/// \f[ u = \sum_k N_k\,u_k + (1-\xi^2)\,\alpha_1 + (1-\eta^2)\,\alpha_2, \f]
+///
+/// with two components in each \f$\alpha\f$. The modes are zero at the nodes but not along the
+/// sides: neighbours gape or overlap there, whence the name *incompatible*. With the strain
+/// \f$M\alpha\f$ of the modes, energy is least where \f$K_{mm}\alpha = -K_{mu}u\f$. So the
+/// amplitudes follow from the nodes cell by cell, and no equation outside of the cell contains them
+/// (*static condensation*):
+///
+/// \f[ \bar B = B - M K_{mm}^{-1} K_{mu}, \qquad
+///     \int \bar B^T D \bar B = K_{uu} - K_{um} K_{mm}^{-1} K_{mu}. \f]
+///
+/// A rectangle of any length then bends with the energy of a beam to the last digit: the factor
+/// \f$1 + a^2/2\f$ of q4.cpp is 1. The number of unknowns is the same.
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <array>
@@ -7,6 +26,7 @@
 namespace signorini {
 namespace {
 
+/// Numbers of rows are template arguments because these are the innermost loops of an assembly.
 template <int n_rows>
 using ModeStrain = Eigen::Matrix<double, n_rows, 4>;  // one column per internal unknown
 
@@ -58,6 +78,8 @@ std::array<ModeStrain<n_rows>, 4> mode_strains(const CellBody& cell, const Strai
   return modes;
 }
 
+/// Condensation, at the strain points. Since \f$\bar B\f$ is stored in the place of \f$B\f$,
+/// stiffness and stress need not know that there are modes.
 template <int n_rows>
 void add_modes(const CellBody& cell, StrainPoints& points) {
   const auto& D = fixed_rows<n_rows>(cell.D);
@@ -75,6 +97,10 @@ void add_modes(const CellBody& cell, StrainPoints& points) {
   for (std::size_t i = 0; i < 4; ++i) points.point[i].B += modes[i] * amplitudes;
 }
 
+/// An eigenstrain \f$\epsilon_0\f$ that varies in the cell moves the modes although no node moves.
+/// They take the part \f$M\alpha\f$ of it with \f$K_{mm}\alpha = \int M^T D\,\epsilon_0\f$; what is
+/// left causes stress. For a uniform \f$\epsilon_0\f$ the right side is
+/// \f$(\int M)^T D\,\epsilon_0 = 0\f$.
 template <int n_rows>
 void relax_modes(const CellBody& cell, const StrainPoints& points, PointStrains& strains) {
   const auto& D = fixed_rows<n_rows>(cell.D);

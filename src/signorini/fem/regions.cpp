@@ -1,3 +1,9 @@
+/// \file
+/// Parts of a body that have a name.
+///
+/// A region is a list of cells, usually those of another material. It needs no nodes of its own:
+/// cells of two regions share the nodes of the line between them, and so they are joined. Parts
+/// that may separate are two bodies with a contact.
 #include "signorini/fem/regions.hpp"
 
 #include <utility>
@@ -8,6 +14,8 @@ namespace signorini {
 
 using Eigen::Index;
 
+/// A name that does not exist is usually mistyped. The message lists those that exist. Numbers of
+/// cells are looked at here, because whoever cuts or refines a mesh by hand may forget them.
 const std::vector<Index>& region(const Mesh& mesh, const std::string& name) {
   const auto found = mesh.regions.find(name);
   if (found == mesh.regions.end()) {
@@ -24,6 +32,9 @@ const std::vector<Index>& region(const Mesh& mesh, const std::string& name) {
   return found->second;
 }
 
+/// A cell belongs to the region if its middle does. A line of the drawing that runs through a cell
+/// cannot be followed by it, and a cell belongs to one side as a whole. If the line between two
+/// materials matters, cells must end on it.
 Mesh with_region(Mesh mesh, const std::string& name, const Eigen::Vector2d& low,
                  const Eigen::Vector2d& high) {
   std::vector<Index> cells;
@@ -31,6 +42,8 @@ Mesh with_region(Mesh mesh, const std::string& name, const Eigen::Vector2d& low,
     Eigen::Vector2d middle(0, 0);
     const int n = mesh.corners(cell);
     for (int k = 0; k < n; ++k) middle += mesh.nodes.row(mesh.cells(cell, k)).transpose() / n;
+    // With `<=` at both ends a middle that lies on the common line of two regions is in both.
+    // Two layers of a body must not share a cell; the message then says which one they share.
     if ((middle.array() >= low.array()).all() && (middle.array() <= high.array()).all())
       cells.push_back(cell);
   }

@@ -1,3 +1,23 @@
+/// \file
+/// A side of a cell as a curve, and the closest place on it.
+///
+/// Contact needs three things of a side: a point, a normal, and the place that is nearest to a
+/// point of another body. A side is a straight line or a parabola,
+///
+/// \f[ x(\xi) = x_m + \xi\,s + \xi^2\,b, \qquad s = \tfrac12(x_2 - x_1), \quad b = \tfrac12(x_1 + x_2) - x_m, \f]
+///
+/// with the middle node \f$x_m\f$ and \f$b = 0\f$ on a straight side. At the closest place the way
+/// to the point \f$p\f$ is normal to the curve: \f$f(\xi) = (x(\xi) - p)\cdot x'(\xi) = 0\f$. That
+/// is linear on a line, and of third degree on a parabola. A parabola can have two places that are
+/// nearest, and one between them that is farthest. For \f$x = (\xi,\ \xi^2 - 1)\f$ and
+/// \f$p = (0, 0)\f$ they are \f$\xi = \pm 0.707\f$ and 0. Newton's method from \f$\xi = 0\f$ would
+/// stay there, at the worst place. So the extreme points of \f$f\f$, which a quadratic equation
+/// gives, cut \f$[-1, 1]\f$ into pieces on which \f$f\f$ rises or falls, and each root is looked
+/// for on its own piece.
+///
+/// The body lies to the left of the walk, hence \f$n = (t_y, -t_x)\f$ points out of it. An
+/// AnchoredPoint keeps a node and the way from it apart, so that differences of places are exact to
+/// rounding of the way.
 #include "signorini/fem/side_curve.hpp"
 
 #include <algorithm>
@@ -21,6 +41,9 @@ struct Cubic {
 };
 
 /// Roots of a + 2 b s + c s^2 between two bounds, increasing; without cancellation.
+///
+/// The usual formula subtracts two numbers that are nearly equal if \f$b^2 \gg ac\f$. Here the two
+/// terms have the same sign in \f$q\f$, and the second root is a quotient.
 std::vector<double> roots(double a, double b, double c, double low, double high) {
   std::vector<double> found;
   const auto keep = [&](double s) {
@@ -37,6 +60,9 @@ std::vector<double> roots(double a, double b, double c, double low, double high)
 
 /// The root between two places where f <= 0 and f >= 0 and in between f rises: Newton's method,
 /// halving where it leaves the bounds.
+///
+/// Newton's method alone may leave the interval, and halving alone is slow. Each step keeps a
+/// bracket \f$[low, high]\f$ around the root.
 double rising_root(const Cubic& f, double low, double high) {
   double s = low + (high - low) * (f(low) / (f(low) - f(high)));
   for (int step = 0; step < 60; ++step) {
@@ -70,17 +96,21 @@ SideCurve::SideCurve(const Mesh& mesh, const CellSide& side)
   bend_ = chord - middle_;
 }
 
+/// Ends are the nodes to the last bit: two sides that meet agree on where.
 AnchoredPoint SideCurve::point(double xi) const {
   if (xi == -1) return first_;
   if (xi == 1) return last_;
   return middle_ + xi * (slope_ + xi * bend_);
 }
 
+/// The body is on the left of the walk, so that outwards is a quarter turn to the right.
 Vector2d SideCurve::normal(double xi) const {
   const Vector2d t = tangent(xi).normalized();
   return {t.y(), -t.x()};
 }
 
+/// The tangents at the two ends of a parabola meet at \f$x_m - b\f$. A box around this point and
+/// the ends is a little too large, and needs no search for extreme points.
 Eigen::Matrix2d SideCurve::box() const {
   // A parabola lies in the triangle of its ends and the point where the tangents there meet.
   const Vector2d apex = (middle_ + -bend_).position();
@@ -90,6 +120,10 @@ Eigen::Matrix2d SideCurve::box() const {
   return box;
 }
 
+/// The distance falls where \f$f < 0\f$ and rises where \f$f > 0\f$. So a minimum is a root at
+/// which \f$f\f$ rises, or the first end if \f$f \ge 0\f$ there, or the last one if \f$f \le 0\f$
+/// there. All of them are compared. Equal distances leave the lower \f$\xi\f$, which keeps the
+/// answer the same on every machine.
 double SideCurve::closest(const AnchoredPoint& x) const {
   const Vector2d arm = middle_ - x;
   const Cubic f{{arm.dot(slope_), slope_.squaredNorm() + 2 * arm.dot(bend_), 3 * slope_.dot(bend_),
@@ -115,6 +149,9 @@ double SideCurve::closest(const AnchoredPoint& x) const {
   return best;
 }
 
+/// Rounding of coordinates may put a point just beyond the end of a boundary. Four steps of
+/// Newton's method from the end follow the curve a little further. If the point lies at the centre
+/// of curvature or beyond it, the distance has no minimum there, and the answer is no number.
 double SideCurve::continued(const AnchoredPoint& x, int end) const {
   double xi = end;
   for (int step = 0; step < 4; ++step) {
@@ -127,6 +164,7 @@ double SideCurve::continued(const AnchoredPoint& x, int end) const {
   return xi;
 }
 
+/// A line meets the curve where its distance across the line is 0: again a quadratic equation.
 std::vector<double> SideCurve::crossings(const AnchoredPoint& x, const Vector2d& direction,
                                          double beyond) const {
   const Vector2d across(direction.y(), -direction.x());
@@ -134,6 +172,8 @@ std::vector<double> SideCurve::crossings(const AnchoredPoint& x, const Vector2d&
                1 + beyond);
 }
 
+/// The normal of a node between two sides is the sum of theirs. It says which way the node looks,
+/// and no force acts along it: forces act along the normal of the target.
 std::map<Index, NodeOnSide> nodes_on_sides(const std::vector<SideCurve>& sides) {
   std::map<Index, NodeOnSide> found;
   for (const SideCurve& side : sides) {

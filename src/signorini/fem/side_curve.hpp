@@ -1,5 +1,10 @@
 /// \file
 /// The line along which two nodes, or three, of a cell side lie: shape functions, normals, projections.
+///
+/// A place on a side is computed from three nodes, and its gap to another body is a difference of
+/// two such places. At \f$x = 10^6\f$ a place is rounded to \f$10^{-10}\f$, and a gap of
+/// \f$10^{-9}\f$ would have one digit. So a point is kept as a node and a short way from it
+/// (AnchoredPoint), and differences are taken part by part.
 #pragma once
 #include <Eigen/Core>
 #include <map>

@@ -1,3 +1,17 @@
+/// \file
+/// A tree of boxes, so that not every point has to look at every side.
+///
+/// A boundary of \f$n\f$ sides, asked from \f$n\f$ points, costs \f$n^2\f$ looks. Boxes around
+/// pairs of boxes make a tree of \f$2n - 1\f$ boxes: a point that is farther from a box than from
+/// the best place found so far skips all that is in it. Then each point costs about \f$\log n\f$.
+///
+/// Distance alone is not enough. Take a punch that is wider than a flat target: a point far beside
+/// it has no place that it faces, but no side is so far away that distance would exclude it, since
+/// nothing was found yet. All sides would be opened, for nothing. So a box also knows the normals
+/// of its sides, as a cone: an axis and the angle \f$\alpha\f$ from it to the farthest normal. The
+/// line from \f$p\f$ to its closest place runs along a normal. If the box reaches \f$r\f$ far at
+/// most, it can hold such a place only if it comes within \f$r\sin\alpha\f$ of the axis through
+/// \f$p\f$. A flat target has \f$\alpha = 0\f$, and what lies beside it is told at the first box.
 #include "signorini/fem/side_tree.hpp"
 
 #include <algorithm>
@@ -12,6 +26,9 @@ using Eigen::Index;
 using Eigen::Vector2d;
 
 /// The smallest box around two, except for the numbers of the children.
+///
+/// The axis of two cones is the middle of their axes; the new angle covers both. It may be larger
+/// than needed. It must not be smaller, or a contact would be overlooked.
 SideBox around(const SideBox& one, const SideBox& two) {
   SideBox box;
   box.lowest = one.lowest.cwiseMin(two.lowest);
@@ -31,6 +48,10 @@ SideBox around(const SideBox& one, const SideBox& two) {
 }
 
 /// Adds the boxes of some leaves. \return the number of the one around them
+///
+/// Halves at the median of the longer direction. The tree is balanced whatever the mesh, and the
+/// order of sides with equal places is decided by their number, so that it is the same on every
+/// machine.
 std::size_t build(std::vector<SideBox>& leaves, std::size_t begin, std::size_t end,
                   std::vector<SideBox>& boxes) {
   if (end - begin == 1) {
@@ -62,6 +83,7 @@ std::size_t build(std::vector<SideBox>& leaves, std::size_t begin, std::size_t e
 
 }  // namespace
 
+/// The arc tangent of sine and cosine. An arc cosine would lose half of the digits of small angles.
 double angle_between(const Vector2d& a, const Vector2d& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
@@ -70,6 +92,9 @@ double SideBox::distance(const Vector2d& x) const {
   return (x - x.cwiseMax(lowest).cwiseMin(highest)).norm();
 }
 
+/// `aside` is how far the box is at least from the line through \f$x\f$ along the axis. `farthest`
+/// is the \f$r\f$ of above. With a cone of a right angle or more, every direction is possible and
+/// nothing is excluded.
 bool SideBox::may_hold_foot(const Vector2d& x, double rounding) const {
   if (spread >= pi / 2) return true;
   const Vector2d arm = x - (lowest + highest) / 2;
@@ -80,6 +105,8 @@ bool SideBox::may_hold_foot(const Vector2d& x, double rounding) const {
   return aside <= farthest * std::sin(spread) + slack + rounding;
 }
 
+/// A line of given direction meets the box only if the box is neither beside it nor too far ahead.
+/// Normals do not matter here.
 bool SideBox::may_meet(const Vector2d& x, const Vector2d& direction, double reach,
                        double rounding) const {
   const Vector2d arm = (lowest + highest) / 2 - x;

@@ -1,3 +1,21 @@
+/// \file
+/// Stresses, and where to read them.
+///
+/// Displacements are continuous and strains jump between cells, so that a node has as many stresses
+/// as it has cells. Inside of a cell not all places are alike: the strain of an element is nearest
+/// to the truth at the points of a low Gauss rule, and worst at the corners. So stresses are
+/// computed at the strain points, carried to the nodes by a fit, and averaged over the cells there.
+/// For four points at \f$\xi, \eta = \pm 1/\sqrt3\f$ and a bilinear fit, a corner gets
+///
+/// \f[ \bigl(1 + \tfrac{\sqrt3}{2}\bigr)\,\sigma_1 - \tfrac12\,\sigma_2 - \tfrac12\,\sigma_3
+///     + \bigl(1 - \tfrac{\sqrt3}{2}\bigr)\,\sigma_4, \f]
+///
+/// with 1 the nearest point and 4 the farthest: 1.866, -0.5, -0.5 and 0.134. The fit magnifies, and
+/// a stress that changes much within a cell is read with a large error. Recovery from patches of
+/// cells [ZienkiewiczZhu1992] is better, and the error estimates use it. The average is for
+/// pictures: it smears the jump between two materials, which is real.
+///
+/// Contact pressures do not come from here. They are forces divided by shares of the surface.
 #include "signorini/fem/stress.hpp"
 
 #include <array>
@@ -13,7 +31,11 @@ namespace {
 using Eigen::Index;
 using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, max_strain_points, 4>;
 
-/// Stress at one strain point; across the plane it is a component of D, or follows from those in the plane.
+/// Stress at one strain point; across the plane it is a component of D, or follows from those in
+/// the plane.
+///
+/// The fourth number, across the plane, costs little here and could not be reconstructed later
+/// without the material of the cell.
 /// \param free         strain that needs no stress, null if there is none
 /// \param free_across  the same across the plane
 Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const CellVector& u,
@@ -32,7 +54,10 @@ Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const Cell
   });
 }
 
-/// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them, row by row.
+/// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them,
+/// row by row.
+///
+/// Nodal values and means of cells both begin with this loop.
 template <typename Visit>
 void visit_stresses(const Mesh& mesh, const Element& element, const MaterialField& material,
                     const NodeArray& displacements, Visit&& visit) {
@@ -55,8 +80,12 @@ void visit_stresses(const Mesh& mesh, const Element& element, const MaterialFiel
   });
 }
 
-/// Takes values at the strain points to the nodes through the function that fits them best: bilinear on the square,
-/// linear on the triangle.
+/// Takes values at the strain points to the nodes through the function that fits them best:
+/// bilinear on the square, linear on the triangle.
+///
+/// The fit depends on the reference cell alone, not on the shape of the cell. So there is one
+/// matrix for triangles and one for quadrilaterals, whatever the size of the mesh. The rule of q8
+/// has nine points for a function of four terms, so the fit is one by least squares.
 Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points) {
   const Index n_terms = element.corners();
   const auto monomials = [n_terms](double x, double y) {
@@ -94,6 +123,9 @@ StressArray nodal_stress(const Mesh& mesh, const Element& element, const Materia
   return stress;
 }
 
+/// A mean over the volume, with the weights of the integration. It is not smoothed across sides, so
+/// that it shows the jump between two cells, which the nodal average hides. A jump that is large
+/// beside the stress itself says that the mesh is too coarse there.
 StressArray cell_stress(const Mesh& mesh, const Element& element, const MaterialField& material,
                         const NodeArray& displacements) {
   StressArray stress = StressArray::Zero(mesh.n_cells(), 4);
@@ -110,6 +142,9 @@ StressArray cell_stress(const Mesh& mesh, const Element& element, const Material
   return stress;
 }
 
+/// A sum of squares cannot become negative, nor does it cancel. Take a body whose displacements are
+/// \f$10^6\f$ times as large as their differences within a cell:
+/// \f$u^T K u\f$ loses twelve of sixteen digits, this sum loses six, in \f$Bu\f$.
 double strain_energy(const Mesh& mesh, const Element& element, const MaterialField& material,
                      const NodeArray& displacements) {
   require_argument(displacements.rows() == mesh.n_nodes(),
@@ -129,6 +164,8 @@ double strain_energy(const Mesh& mesh, const Element& element, const MaterialFie
   return energy;
 }
 
+/// What is left when the mean of the three direct stresses is taken out. For tension \f$\sigma\f$
+/// in one direction it is \f$\sigma\f$, for the same pressure from all sides it is 0.
 double von_mises(const Eigen::Vector4d& stress) {
   const double xy = stress(0) - stress(1);
   const double yz = stress(1) - stress(3);

@@ -1,5 +1,8 @@
 /// \file
 /// Stresses from displacements, and what a stress does to a face.
+///
+/// The sign is that of mechanics: tension is positive. Contact pressures have the other sign, and
+/// they are computed elsewhere, from contact forces.
 #pragma once
 #include <Eigen/Core>
 

@@ -1,5 +1,10 @@
 /// \file
 /// Supports, and the numbering of what they leave free.
+///
+/// A component of a node is either unknown or given, never both. Supports decide, boundary by
+/// boundary, and what they leave is numbered node by node. There is no penalty and no multiplier
+/// for a support: a given displacement is exact, and its force is read afterwards from the rows
+/// that were left out.
 #pragma once
 #include <Eigen/Core>
 #include <functional>

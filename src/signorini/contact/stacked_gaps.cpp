@@ -1,0 +1,50 @@
+/// \file
+/// The pairs of several contacts as one problem.
+///
+/// Contacts do not know each other, and solvers know only one list of pairs. So rows, gaps, weights
+/// and normals of one contact are put below those of another. They meet again in the stiffness
+/// matrix: a force of one contact moves the body that the other one touches. A block between two
+/// plates is such a case.
+///
+/// Every member of Gaps is stacked but `kept`, which counts the candidates of one contact and means
+/// nothing for two. The list below has the order of the struct, and braces leave out nothing but
+/// what stands last.
+#include <vector>
+
+#include "signorini/contact/gaps.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+template <typename Array>
+Array below_dense(const Array& upper, const Array& lower) {
+  Array both(upper.rows() + lower.rows(), lower.cols());
+  both.topRows(upper.rows()) = upper;
+  both.bottomRows(lower.rows()) = lower;
+  return both;
+}
+
+std::vector<Index> joined_lists(std::vector<Index> upper, const std::vector<Index>& lower) {
+  upper.insert(upper.end(), lower.begin(), lower.end());
+  return upper;
+}
+
+}  // namespace
+
+Gaps stacked(const Gaps& upper, const Gaps& lower) {
+  const Pairs& above = upper.pairs;
+  const Pairs& under = lower.pairs;
+  return {{below(above.opening, under.opening), below(above.sliding, under.sliding),
+           below_dense(above.initial_gap, under.initial_gap),
+           below_dense(above.weight, under.weight), below_dense(above.position, under.position),
+           below_dense(above.normal, under.normal), below_dense(above.moment, under.moment),
+           below_dense(above.target_moment, under.target_moment),
+           joined_lists(above.node, under.node), joined_lists(above.unpaired, under.unpaired)},
+          below(upper.A, lower.A),
+          below(upper.T, lower.T),
+          below_dense(upper.initial_slip, lower.initial_slip)};
+}
+
+}  // namespace signorini
