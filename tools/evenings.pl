@@ -80,6 +80,7 @@ sub pieces {
     my ($n, $in) = (0, '');
     for my $line (split /\n/, $_[0]) {
         ++$n;
+        next if $line =~ m{^// \[[\w ]+\]$};    # where a chapter quotes the file
         if ($line =~ m{^///? ?(.*)}) {
             push @piece, { prose => [], code => [] } if $in ne 'prose' && !(@piece && !@{ $piece[-1]{code} });
             push @{ $piece[-1]{prose} }, $1;
