@@ -4,7 +4,7 @@
 
 #include "footing.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
+#include "signorini/solvers/portfolio.hpp"
 
 namespace ch13 {
 

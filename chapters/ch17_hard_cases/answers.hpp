@@ -9,6 +9,7 @@
 
 #include "addons/certified/dense_programme.hpp"
 #include "addons/certified/programme_rows.hpp"
+#include "addons/certified/solve_with_proofs.hpp"
 #include "addons/files/problem_file.hpp"
 #include "addons/files/scene_file.hpp"
 #include "addons/steps/steps_limit.hpp"
@@ -112,16 +113,6 @@ inline Answer answer_of(const signorini::Solution& solution) {
   return answer;
 }
 
-/// Whether a member takes a problem. \param solver  a member \param problem  condensed \return whether it does
-inline bool takes(const signorini::Solver& solver, const signorini::ContactProblem& problem) {
-  using namespace signorini;
-  const bool frictional = !problem.law.pair.empty();
-  const bool asymmetric = !frictional && !is_symmetric(problem);
-  return too_many(solver, problem.free_gap.size()).empty() &&
-         (solver.friction != (frictional ? Takes::No : Takes::Only)) &&
-         !(asymmetric && may_fail(solver, Trait::Asymmetric));
-}
-
 /// The answer of a member of the family; as the command `signorini` asks it.
 /// \param posed   the exhibit
 /// \param solver  name, or empty for that of the scene or the first that takes the problem
@@ -153,7 +144,7 @@ inline Answer answer(const Posed& posed, const std::string& solver = "") {
       answer.unknowns = solution.refined.displacement;
       answer.objective = objective(posed.rows, solution.refined);
     } else {
-      answer.contact = member->solve(posed.small, {});
+      answer.contact = solve_with_proofs(posed.small, *member);
       answer.said = to_string(answer.contact.report.status);
       answer.certificate = certify(posed.small, answer.contact);
     }

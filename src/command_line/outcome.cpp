@@ -6,6 +6,7 @@
 
 #include "addons/certified/dense_programme.hpp"
 #include "addons/certified/floating_programme.hpp"
+#include "addons/certified/solve_with_proofs.hpp"
 #include "addons/certified/undetermined.hpp"
 #include "command_line/ambiguity.hpp"
 #include "papers/solver_table.hpp"
@@ -162,7 +163,7 @@ std::vector<Outcome> solve_all(const ContactProblem& problem, Matrix kind, const
   const Index pairs = problem.free_gap.size();
   const Index slips = problem.free_slip.size();
   const auto run = [&](Outcome& outcome) {
-    ContactState state = outcome.solver->solve(problem, {});
+    ContactState state = solve_with_proofs(problem, *outcome.solver);
     outcome.status = state.report.status;
     outcome.iterations = state.report.iterations;
     if (state.force.size() == pairs && state.gap.size() == pairs &&

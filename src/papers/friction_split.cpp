@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "addons/certified/proofs.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -174,7 +173,6 @@ ContactState friction_split_literal(const ContactProblem& problem, const SolverO
 
 ContactState friction_split(const ContactProblem& problem, const SolverOptions& options) {
   const ScaledProblem scaled = equilibrate(problem);
-  if (auto away = infeasible_resultant(problem, scaled)) return *away;
   Iterate iterate = first_iterate(scaled);
   follow_newton(scaled, mended,
                 options.iteration_limit > 0 ? options.iteration_limit : newton_limit, iterate);

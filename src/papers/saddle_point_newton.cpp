@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/line_search.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/sparse_lu.hpp"
 #include "signorini/problem/complementarity_functions.hpp"
@@ -17,9 +18,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-/// Armijo's rule, as in newton.cpp.
-constexpr double enough = 1e-4;
 
 /// What rows and unknowns are multiplied by to have one unit.
 struct Units {
@@ -120,19 +118,19 @@ Point moved(const QuadraticProgramme& programme, const Units& units, const Point
   return to;
 }
 
-/// Halves the step until |F|^2 falls by enough; an exact step promises the slope -2 |F|^2 of it.
+/// Goes as far as Armijo's rule allows for |F|^2; an exact step promises the slope -2 |F|^2 of it.
 /// \return false if it falls no more
 bool search(const QuadraticProgramme& programme, const Units& units, const VectorXd& step,
             Point& point) {
-  for (double length = 1; length > epsilon; length /= 2) {
-    Point trial = moved(programme, units, point, step, length);
-    if (!(trial.size < point.size) ||
-        trial.size * trial.size > (1 - 2 * enough * length) * point.size * point.size)
-      continue;
-    std::swap(point, trial);
-    return true;
-  }
-  return false;
+  Point trial;
+  const auto merit_at = [&](double length) {
+    trial = moved(programme, units, point, step, length);
+    return trial.size * trial.size;
+  };
+  const double merit = point.size * point.size;
+  if (armijo(merit, -2 * merit, merit_at) == 0) return false;
+  std::swap(point, trial);
+  return true;
 }
 
 Iteration summary(const Units& units, const Point& point, const std::vector<bool>& last,

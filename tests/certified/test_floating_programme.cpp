@@ -2,9 +2,9 @@
 #include <string>
 
 #include "addons/certified/floating_programme.hpp"
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "support/floating.hpp"
 #include "support/message.hpp"
 #include "support/problems.hpp"
@@ -29,7 +29,7 @@ TEST_CASE("a soft body and other units: the certificate stays, the iterations to
     CHECK(solution.dense.certificate.worst() <= 1e-12);
 
     ContactProblem problem = condense(known.programme, known.null_vectors).problem;
-    const ContactState state = solve(problem, solver);
+    const ContactState state = solve_with_proofs(problem, solver);
     REQUIRE(certify(problem, state).worst() <= 1e-12);
     const ContactProblem scaled = in_units({problem.compliance, problem.free_gap}, 0x1p20, 0x1p-20);
     problem.compliance = scaled.compliance;  // exact in binary
@@ -37,7 +37,7 @@ TEST_CASE("a soft body and other units: the certificate stays, the iterations to
     problem.rigid.col(0) *= 0x1p10;  // a mode in other units, too
     problem.resultant *= 0x1p-20;
     problem.resultant(0) *= 0x1p10;
-    const ContactState other = solve(problem, solver);
+    const ContactState other = solve_with_proofs(problem, solver);
     CHECK(other.report.iterations == state.report.iterations);
     CHECK(other.active == state.active);
     CHECK((0x1p20 * other.force - state.force).norm() <= 1e-12 * state.force.norm());

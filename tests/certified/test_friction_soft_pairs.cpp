@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/active_set_system.hpp"
@@ -70,7 +71,7 @@ ContactProblem pile(Index columns, Index layers, double mu) {
 TEST_CASE("a pile of discs: soft pairs spare the pivots", "[friction][soft]") {
   for (const double mu : {0.1, 0.3, 0.6, 1.0}) {
     const ContactProblem problem = pile(10, 10, mu);
-    const ContactState state = find_solver("primal_dual_active_set").solve(problem, {});
+    const ContactState state = solve_with_proofs(problem, find_solver("primal_dual_active_set"));
     CAPTURE(mu, state.reason, state.report.iterations);
     REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(certify(problem, state).worst() <= 1e-13);
@@ -82,7 +83,7 @@ TEST_CASE("a pile of discs: soft pairs spare the pivots", "[friction][soft]") {
 TEST_CASE("a large pile of discs is closed by its few entries", "[friction][soft]") {
   const ContactProblem problem = pile(15, 15, 0.1);
   REQUIRE(equilibrate_any(problem).sparse.size() > 0);
-  const ContactState state = find_solver("primal_dual_active_set").solve(problem, {});
+  const ContactState state = solve_with_proofs(problem, find_solver("primal_dual_active_set"));
   CAPTURE(state.reason, state.report.iterations);
   REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(certify(problem, state).worst() <= 1e-13);

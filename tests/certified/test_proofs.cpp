@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "addons/certified/proofs.hpp"
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
+#include "papers/solver_table.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/lemke.hpp"
 #include "support/problems.hpp"
@@ -54,8 +56,9 @@ TEST_CASE("gaps that no forces open are refuted for asymmetric matrices, and no 
     const ContactProblem never{M, d};
     if (is_symmetric(never)) continue;
     CHECK(verify_farkas(never, farkas_certificate(equilibrate_any(never))));
-    CHECK(enumerate(never).report.status == SolveStatus::Infeasible);
-    const ContactState path = lemke(never);
+    CHECK(solve_with_proofs(never, find_solver("enumerate")).report.status ==
+          SolveStatus::Infeasible);
+    const ContactState path = solve_with_proofs(never, lemke());
     CHECK(path.report.status == SolveStatus::Infeasible);
     CHECK(verify_farkas(never, path.farkas_certificate));
   }

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "support/chosen.hpp"
@@ -15,7 +16,7 @@ TEST_CASE("every solver: none is wrong about a random condensed problem", "[conf
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const RandomCondensed random = random_condensed(seed);
       CAPTURE(solver.name, random.name);
-      CHECK(verdict(random, solver.solve(random.problem, {})) != Verdict::Wrong);
+      CHECK(verdict(random, solve_with_proofs(random.problem, solver)) != Verdict::Wrong);
     }
 }
 
@@ -27,7 +28,7 @@ TEST_CASE("every solver: the default solves all but three in a thousand random c
     std::map<Verdict, int> infeasible;
     for (std::uint64_t seed = 0; seed < 3000; ++seed) {
       const RandomCondensed random = random_condensed(seed);
-      const Verdict found = verdict(random, solver.solve(random.problem, {}));
+      const Verdict found = verdict(random, solve_with_proofs(random.problem, solver));
       CAPTURE(solver.name, random.name);
       CHECK(found != Verdict::Wrong);
       ++(random.feasible ? feasible : infeasible)[found];

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "support/chosen.hpp"
 #include "support/problem_classes.hpp"
 #include "support/problems.hpp"
@@ -44,8 +44,8 @@ std::vector<Instance> sample_for(const Solver& solver) {
 TEST_CASE("every solver: the same problem gives the same bits", "[conformance]") {
   for (const Solver& solver : chosen(all_solvers()))
     for (const Instance& instance : sample_for(solver)) {
-      const ContactState first = solve(instance.problem, solver);
-      const ContactState second = solve(instance.problem, solver);
+      const ContactState first = solve_with_proofs(instance.problem, solver);
+      const ContactState second = solve_with_proofs(instance.problem, solver);
       CAPTURE(solver.name, instance.name);
       CHECK(first.force == second.force);
       CHECK(first.gap == second.gap);
@@ -74,9 +74,9 @@ TEST_CASE("every solver: units and scales of rows change no bit but the exponent
       for (Index i = 0; i < n; ++i) row(i) = std::ldexp(1, static_cast<int>((7 * i + 3) % 61) - 30);
       const double length = 0x1p20;
       const double force = 0x1p-30;
-      const ContactState plain = solve(instance.problem, solver);
+      const ContactState plain = solve_with_proofs(instance.problem, solver);
       const ContactState other =
-          solve(in_units(with_rows(instance.problem, row), length, force), solver);
+          solve_with_proofs(in_units(with_rows(instance.problem, row), length, force), solver);
       CAPTURE(solver.name, instance.name);
       CHECK(other.report.status == plain.report.status);
       CHECK(other.report.iterations == plain.report.iterations);

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "support/problems.hpp"
 
 using Eigen::Matrix2d;
@@ -71,8 +71,8 @@ TEST_CASE("a row that no force moves has no unit of its own", "[active_set][unit
       CHECK(other.free == one.free);
       CHECK(other.rigid == one.rigid);
       CHECK(other.resultant == one.resultant);
-      const ContactState state = solve(problem(unit, rigid), find_solver("lemke"));
-      const ContactState same = solve(problem(1, rigid), find_solver("lemke"));
+      const ContactState state = solve_with_proofs(problem(unit, rigid), find_solver("lemke"));
+      const ContactState same = solve_with_proofs(problem(1, rigid), find_solver("lemke"));
       REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK(state.report.iterations == same.report.iterations);
       CHECK(state.active == same.active);

@@ -1,12 +1,12 @@
 #include <Eigen/SparseCholesky>
 #include <cmath>
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/rigid_modes.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "support/refined.hpp"
 
 using Eigen::Index;
@@ -47,7 +47,7 @@ Solved solved(const Floating& body, double ground = 1, double share = 1) {
   Solved result;
   result.problem = {G, body.programme.initial_gap - A * u0};
   add_rigid_modes(body.programme, body.modes, result.problem);
-  result.state = solve(result.problem, find_solver("primal_dual_active_set"));
+  result.state = solve_with_proofs(result.problem, find_solver("primal_dual_active_set"));
   result.refined = refined(
       body.programme, [&](const VectorXd& f) { return VectorXd(factor.solve(f)); }, G,
       {u0, {}, share * result.state.force}, result.state.active, body.modes);

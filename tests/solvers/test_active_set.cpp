@@ -7,6 +7,7 @@
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/solvers/enumerate.hpp"
+#include "signorini/solvers/portfolio.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"
 #include "support/problems.hpp"
@@ -191,14 +192,15 @@ TEST_CASE("pairs that depend on each other are solved, or refuted with a proof",
   CHECK(primal_dual_active_set({G, Eigen::Vector2d(-1, -1)}).report.status == SolveStatus::Solved);
   G << 1, -1, -1, 1;  // pushing one pair opens the other: no forces can close both
   const ContactProblem wedged{G, Eigen::Vector2d(-1, -0.5)};
-  for (const ContactState& state : {primal_dual_active_set(wedged), enumerate(wedged)}) {
+  for (const ContactState& state : {solve(wedged, primal_dual_active_set()), enumerate(wedged)}) {
     CHECK(state.report.status == SolveStatus::Infeasible);
     REQUIRE(state.farkas_certificate.size() == 2);
     CHECK(state.farkas_certificate(0) > 0);
     CHECK(state.farkas_certificate(0) == Approx(state.farkas_certificate(1)).epsilon(1e-15));
   }
   const ContactState rigid =
-      primal_dual_active_set({Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Constant(1, -1)});
+      solve(ContactProblem{Eigen::MatrixXd::Zero(1, 1), Eigen::VectorXd::Constant(1, -1)},
+            primal_dual_active_set());
   CHECK(rigid.report.status == SolveStatus::Infeasible);
   CHECK(rigid.farkas_certificate.size() == 1);
 }

@@ -1,10 +1,10 @@
 #include <algorithm>
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/examples.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 using Eigen::Index;
@@ -34,7 +34,7 @@ std::vector<Solver> direct() {
 
 /// Solves, certified, without springs and in at most so many iterations.
 ContactState direct_solution(const ContactProblem& problem, const Solver& solver, Index most) {
-  const ContactState state = solver.solve(problem, {});
+  const ContactState state = solve_with_proofs(problem, solver);
   REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.report.iterations <= most);
   CHECK(certify(problem, state).worst() <= 1e-14);
@@ -115,7 +115,7 @@ TEST_CASE("loads and gaps of any size, and none", "[floating-newton]") {
     flat.free_gap.setConstant(1e-16);
     flat.resultant(0) = 1e-16;
     CHECK(direct_solution(flat, solver, 2).force.sum() == Approx(1e-16));
-    CHECK(solve(punch(100, 0.1, 0), solver).report.status == SolveStatus::Solved);
+    CHECK(solve_with_proofs(punch(100, 0.1, 0), solver).report.status == SolveStatus::Solved);
   }
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("where the direct way ends without a solution, springs come in", "[flo
     nothing.report.iterations = 7;
     return nothing;
   };
-  const ContactState state = solve(punch(30, 0.1), solver);
+  const ContactState state = solve_with_proofs(punch(30, 0.1), solver);
   REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.report.iterations > 7);
 }

@@ -1,4 +1,5 @@
 // Bodies that only contact stops, and that nothing pushes: no forces at all, at a place where nothing overlaps.
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
@@ -26,7 +27,7 @@ TEST_CASE("a body that nothing pushes rests without forces, however many pairs j
     // Ten pairs touch after the motion (1, 0.1, -0.1), the others stay open.
     problem.free_gap = -problem.rigid * Eigen::Vector3d(1, 0.1, -0.1);
     problem.free_gap.tail(2).array() += 0.5;
-    const ContactState state = find_solver("primal_dual_active_set").solve(problem, {});
+    const ContactState state = solve_with_proofs(problem, find_solver("primal_dual_active_set"));
     CAPTURE(seed, state.reason, state.report.iterations);
     REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.force.cwiseAbs().maxCoeff() <= 1e-14);

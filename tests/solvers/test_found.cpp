@@ -4,13 +4,13 @@
 #include <variant>
 
 #include "addons/certified/proofs.hpp"
+#include "addons/certified/solve_with_proofs.hpp"
 #include "addons/files/problem_file.hpp"
 #include "catch_compat.hpp"
 #include "papers/projected_gauss_seidel.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "signorini/solvers/enumerate.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/lemke.hpp"
@@ -172,7 +172,7 @@ TEST_CASE("an amplitude of any size moves no pair that its mode does not move",
   const ContactProblem problem =
       floating(MatrixXd::Identity(3, 3), VectorXd::Constant(3, -1), R, VectorXd::Zero(3));
   for (const char* name : {"primal_dual_active_set", "fischer_burmeister"}) {
-    const ContactState state = solve(problem, find_solver(name));
+    const ContactState state = solve_with_proofs(problem, find_solver(name));
     CAPTURE(name);
     REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.force(1) == Approx(1));  // pair 2 overlaps by 1 and has the compliance 1
@@ -187,7 +187,7 @@ TEST_CASE("rounding of a load that contact can balance is no proof that it canno
   const ContactProblem problem =
       floating(MatrixXd::Identity(3, 3), VectorXd::Ones(3), R, Vector2d(-2, 2));
   for (const char* name : {"primal_dual_active_set", "quasi_active_set", "lemke"}) {
-    const ContactState state = solve(problem, find_solver(name));
+    const ContactState state = solve_with_proofs(problem, find_solver(name));
     CAPTURE(name);
     CHECK(state.unbounded_direction.size() == 0);
     REQUIRE(state.report.status == SolveStatus::Solved);  // by pair 2 alone
@@ -213,5 +213,5 @@ TEST_CASE("a mode that moves no pair is no mode to hold", "[found][floating]") {
   F << 1, -2, -2, 4;
   const ContactProblem problem =
       floating(F, Vector2d(-4, -2), MatrixXd::Zero(2, 1), VectorXd::Zero(1));
-  CHECK_NOTHROW(solve(problem, find_solver("primal_dual_active_set")));
+  CHECK_NOTHROW(solve_with_proofs(problem, find_solver("primal_dual_active_set")));
 }

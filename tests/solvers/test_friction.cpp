@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
@@ -16,7 +17,7 @@ using namespace signorini_test;
 namespace {
 
 ContactState solved(const ContactProblem& problem) {
-  ContactState state = friction_solvers().front().solve(problem, {});
+  ContactState state = solve_with_proofs(problem, friction_solvers().front());
   CAPTURE(state.reason);
   REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(certify(problem, state).holds());

@@ -2,6 +2,7 @@
 // |x| < c = sqrt(1 - Q/(mu P)), and the traction mu p0 (sqrt(1 - x^2) - c sqrt(1 - x^2/c^2)).
 #include <cmath>
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "closed_form/cattaneo.hpp"
 #include "papers/solver_table.hpp"
@@ -43,7 +44,7 @@ TEST_CASE("a cylinder in partial slip: stick zone and traction of Cattaneo and M
     const PartialSlip slip{1, 0.5, mu};
     const double c = std::sqrt(1 - part);
     const ContactState state =
-        find_solver("primal_dual_active_set").solve(cylinder(n, mu, part), {});
+        solve_with_proofs(cylinder(n, mu, part), find_solver("primal_dual_active_set"));
     CAPTURE(part);
     REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(certify(cylinder(n, mu, part), state).worst() <= 1e-14);
@@ -67,11 +68,11 @@ TEST_CASE("a cylinder in partial slip: stick zone and traction of Cattaneo and M
 
 TEST_CASE("every method finds the same partial slip, the split as printed does not", "[friction]") {
   const ContactProblem problem = cylinder(100, 0.3, 0.6);
-  const ContactState first = friction_solvers().front().solve(problem, {});
+  const ContactState first = solve_with_proofs(problem, friction_solvers().front());
   for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister",
                            "friction_split", "friction_split_literal"}) {
     const Solver& solver = find_solver(name);
-    const ContactState state = solver.solve(problem, {});
+    const ContactState state = solve_with_proofs(problem, solver);
     CAPTURE(solver.name, state.reason);
     if (std::string(solver.name) == "friction_split_literal") {
       CHECK(state.report.status == SolveStatus::Breakdown);
@@ -89,9 +90,9 @@ TEST_CASE("every method finds the same partial slip, the split as printed does n
 TEST_CASE("tiny and huge coefficients of friction: the same stick zone, within 25 steps",
           "[friction][hard]") {
   // Without coupling, tau / mu depends on Q / (mu P) alone.
-  const ContactState plain = friction_solvers().front().solve(cylinder(n, 0.3, 0.6), {});
+  const ContactState plain = solve_with_proofs(cylinder(n, 0.3, 0.6), friction_solvers().front());
   for (const double mu : {1e-6, 1e4}) {
-    const ContactState state = friction_solvers().front().solve(cylinder(n, mu, 0.6), {});
+    const ContactState state = solve_with_proofs(cylinder(n, mu, 0.6), friction_solvers().front());
     CAPTURE(mu);
     REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(state.report.iterations <= 25);
@@ -107,7 +108,7 @@ TEST_CASE("a push beyond mu P finds no equilibrium, and the way out is shown",
   for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister",
                            "friction_split", "friction_split_literal"}) {
     const Solver& solver = find_solver(name);
-    const ContactState state = solver.solve(problem, {});
+    const ContactState state = solve_with_proofs(problem, solver);
     CAPTURE(solver.name);
     CHECK(state.report.status != SolveStatus::Solved);
     if (std::string(solver.name) == "friction_split_literal") continue;
@@ -120,11 +121,11 @@ TEST_CASE("a push beyond mu P finds no equilibrium, and the way out is shown",
     CHECK(problem.resultant.dot(state.unbounded_direction) < 0);
   }
   // Just below, and with cohesion to take up the rest, it holds.
-  CHECK(friction_solvers().front().solve(cylinder(60, 0.3, 1 - 1e-9), {}).report.status ==
+  CHECK(solve_with_proofs(cylinder(60, 0.3, 1 - 1e-9), friction_solvers().front()).report.status ==
         SolveStatus::Solved);
   ContactProblem glued = problem;
   glued.law.cohesion.setConstant(1e-3);
-  const ContactState state = friction_solvers().front().solve(glued, {});
+  const ContactState state = solve_with_proofs(glued, friction_solvers().front());
   REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(certify(glued, state).holds());
 }

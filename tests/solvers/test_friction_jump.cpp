@@ -1,5 +1,6 @@
 // Cohesion that ends with contact: where a pair closes only without it and opens only with it, nothing solves the
 // problem, and the end says so.
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
@@ -29,7 +30,7 @@ TEST_CASE("a pair that only its own cohesion opens is named", "[friction][cohesi
     for (const double cohesion : {0.1, 0.19, 0.21, 1.0}) {
       CAPTURE(name, cohesion);
       const ContactProblem problem = one_pair(pulling(), -0.1, 2, 0, cohesion);
-      const ContactState state = find_solver(name).solve(problem, {});
+      const ContactState state = solve_with_proofs(problem, find_solver(name));
       const bool solvable = cohesion < 0.2;
       CHECK(all_solutions(problem).empty() == !solvable);
       CHECK(state.report.status == (solvable ? SolveStatus::Solved : SolveStatus::Jump));
@@ -52,10 +53,10 @@ TEST_CASE("among pairs that can be solved, the one that jumps is named", "[frict
   ContactProblem problem{F, Eigen::Map<const Eigen::Vector3d>(gaps), VectorXd::Constant(3, 2),
                          law_of_all(VectorXd::Zero(3), VectorXd::Constant(3, 1))};
   REQUIRE(all_solutions(problem).empty());
-  const ContactState state = find_solver("primal_dual_active_set").solve(problem, {});
+  const ContactState state = solve_with_proofs(problem, find_solver("primal_dual_active_set"));
   CHECK(state.report.status == SolveStatus::Jump);
   CHECK_THAT(state.reason, ContainsSubstring("pair 1 closes only without"));
   problem.law.cohesion(1) = 0.05;
-  CHECK(find_solver("primal_dual_active_set").solve(problem, {}).report.status ==
+  CHECK(solve_with_proofs(problem, find_solver("primal_dual_active_set")).report.status ==
         SolveStatus::Solved);
 }

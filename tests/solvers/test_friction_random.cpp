@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "addons/certified/proofs.hpp"
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"
@@ -31,7 +32,7 @@ TEST_CASE("moderate friction: few iterations of every kind of method", "[frictio
     for (const auto& [name, most] :
          {std::pair("primal_dual_active_set", 12), {"fischer_burmeister", 12}, {"lemke", 60}}) {
       CAPTURE(trial, name);
-      CHECK(find_solver(name).solve(problem, {}).report.iterations <= most);
+      CHECK(solve_with_proofs(problem, find_solver(name)).report.iterations <= most);
     }
   }
 }
@@ -73,8 +74,8 @@ TEST_CASE("one node with several solutions: one is found, with the warning", "[f
   for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister",
                            "friction_split", "friction_split_literal"}) {
     const Solver& solver = find_solver(name);
-    const ContactState unique = solver.solve(one_pair(F, 0.1, 3, 0.3), {});
-    const ContactState state = solver.solve(one_pair(F, 0.1, 3, 0.6), {});
+    const ContactState unique = solve_with_proofs(one_pair(F, 0.1, 3, 0.3), solver);
+    const ContactState state = solve_with_proofs(one_pair(F, 0.1, 3, 0.6), solver);
     CAPTURE(solver.name);
     REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK(certify(one_pair(F, 0.1, 3, 0.6), state).worst() <= 1e-15);
@@ -95,7 +96,7 @@ TEST_CASE("the warning starts where one node has other solutions", "[friction][c
   Matrix2d F;
   F << 1 / 0.64, -0.6 / 0.64, -0.6 / 0.64, 1 / 0.64;
   const auto verdict = [&](double gap, double slip, double mu) {
-    return friction_solvers().front().solve(one_pair(F, gap, slip, mu), {}).uniqueness;
+    return solve_with_proofs(one_pair(F, gap, slip, mu), friction_solvers().front()).uniqueness;
   };
   CHECK(verdict(-1, 0.3, 1.59) == Uniqueness::Proved);
   for (const double mu : {1.61, 1.66, 1.67, 3.0})
@@ -117,7 +118,7 @@ TEST_CASE("the warning names the pair, its determinant and the friction from whi
       // K u = f - r with f = (-0.2, 0.5) would be u = F f without contact.
       const Eigen::Vector2d free = F * Eigen::Vector2d(-0.2, 0.5);
       const ContactState state =
-          friction_solvers().front().solve(one_pair(F, free(0), free(1), mu), {});
+          solve_with_proofs(one_pair(F, free(0), free(1), mu), friction_solvers().front());
       REQUIRE(state.report.status == SolveStatus::Solved);
       const bool several = mu > 2.5;
       CHECK((state.uniqueness == Uniqueness::Doubtful) == several);
@@ -135,7 +136,7 @@ TEST_CASE("without the friction of the pair that is named, beyond its share, the
   int named = 0;
   for (int sample = 0; sample < 1500; ++sample) {
     ContactProblem problem = random_friction(random, 2 + sample % 4, 8);
-    const ContactState solution = friction_solvers().front().solve(problem, {});
+    const ContactState solution = solve_with_proofs(problem, friction_solvers().front());
     if (solution.report.status != SolveStatus::Solved || solution.uniqueness_warning.pair < 0)
       continue;
     const std::vector<ContactStatus> statuses = all_statuses(solution);
@@ -174,7 +175,7 @@ TEST_CASE("others are said to exist where they do", "[friction][hard]") {
   for (int trial = 0; trial < 900; ++trial) {
     const ContactProblem problem =
         random_friction(random, 1 + trial % 3, std::vector<double>{3, 30, 1e4}[trial / 300]);
-    const ContactState state = friction_solvers().front().solve(problem, {});
+    const ContactState state = solve_with_proofs(problem, friction_solvers().front());
     if (state.report.status != SolveStatus::Solved) continue;
     const bool more = all_solutions(problem).size() > 1;
     CAPTURE(trial);

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "addons/files/problem_file.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
@@ -65,7 +66,7 @@ TEST_CASE("plane problems of Siconos: the figures of its sweeps", "[friction][da
     for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister",
                              "friction_split", "friction_split_literal"}) {
       const Solver& solver = find_solver(name);
-      const ContactState state = solver.solve(problem, {});
+      const ContactState state = solve_with_proofs(problem, solver);
       CAPTURE(known.name, solver.name, state.reason);
       REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK(certify(problem, state).worst() <= 1e-14);
@@ -82,7 +83,7 @@ TEST_CASE("plane problems of Siconos: the figures of its sweeps", "[friction][da
 
 TEST_CASE("data that are rounding only: an answer as small", "[friction][data]") {
   const ContactProblem problem = from_file("FrictionContactProblem00394");
-  const ContactState state = friction_solvers().front().solve(problem, {});
+  const ContactState state = solve_with_proofs(problem, friction_solvers().front());
   REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(certify(problem, state).worst() <= 1e-14);
   CHECK(forces(state).norm() <= 1e-14);
@@ -102,7 +103,7 @@ TEST_CASE("a matrix that is not symmetric: the only solution, both pairs sliding
     const ContactProblem problem = from_file(known.name);
     REQUIRE_FALSE(is_symmetric(problem));
     for (const char* name : {"primal_dual_active_set", "lemke", "fischer_burmeister"}) {
-      const ContactState state = find_solver(name).solve(problem, {});
+      const ContactState state = solve_with_proofs(problem, find_solver(name));
       CAPTURE(known.name, name, state.reason);
       REQUIRE(state.report.status == SolveStatus::Solved);
       CHECK(certify(problem, state).worst() <= 1e-14);

@@ -1,3 +1,4 @@
+#include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/solvers/lemke.hpp"
@@ -99,7 +100,9 @@ TEST_CASE("pivots and solutions of published problems, known in exact arithmetic
       if (!scaled) CHECK(state.report.iterations == expected.pivots);
       if (expected.force.size() == 0) {
         const bool refuted = expected.name == std::string("Pang, perturbed");
-        CHECK(state.report.status == (refuted ? SolveStatus::Infeasible : SolveStatus::Ray));
+        CHECK(state.report.status == SolveStatus::Ray);
+        CHECK(solve_with_proofs(expected.problem, lemke()).report.status ==
+              (refuted ? SolveStatus::Infeasible : SolveStatus::Ray));
         continue;
       }
       REQUIRE(state.report.status == SolveStatus::Solved);

@@ -3,12 +3,12 @@
 #include <Eigen/Core>
 #include <algorithm>
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "closed_form/footing.hpp"
 #include "meshes/half_space.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "signorini/scene/readings.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
 
 namespace signorini_test {
 
@@ -111,7 +111,7 @@ inline RigidRest rigid_on(const signorini::EdgeBlockSpec& spec,
     problem.rigid.col(1) = -x;
     problem.resultant = -2 * footing_load * footing_half * Eigen::Vector2d(1, *eccentricity);
   }
-  const ContactState state = solve(problem, scene.solver);
+  const ContactState state = solve_with_proofs(problem, scene.solver);
   if (state.report.status != SolveStatus::Solved) throw NotSolved("the rigid footing");
   return {x.reverse(), state.force.reverse(), state.amplitude(0),
           eccentricity == nullptr ? 0 : state.amplitude(1)};

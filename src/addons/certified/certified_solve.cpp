@@ -8,8 +8,8 @@
 
 #include "addons/certified/dense_programme.hpp"
 #include "addons/certified/separate.hpp"
+#include "addons/certified/solve_with_proofs.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
 
 namespace signorini {
 namespace {
@@ -226,7 +226,7 @@ CertifiedSolution CertifiedSolve::run(const Solver& solver, const SolverOptions&
     ContactState claim;
     {
       const Ledger::Phase phase(ledger_, "contact");
-      claim = solve(corrected_ ? *corrected_ : problem_, solver, options);
+      claim = solve_with_proofs(corrected_ ? *corrected_ : problem_, solver, options);
       ledger_.count("iterations", claim.report.iterations);
       ledger_.count("factorisations", claim.report.factorisations);
     }

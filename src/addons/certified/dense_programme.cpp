@@ -9,6 +9,7 @@
 
 #include "addons/certified/floating_programme.hpp"
 #include "addons/certified/programme_rows.hpp"
+#include "addons/certified/solve_with_proofs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/exact_sum.hpp"
@@ -88,7 +89,7 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
   VectorXd gap;
   VectorXd rounding;
   while (true) {
-    ContactState state = solver.solve(problem, options);
+    ContactState state = solve_with_proofs(problem, solver, options);
     solution.report = std::move(state.report);
     for (Index& row : state.active) row += first;
     solution.active = std::move(state.active);

@@ -9,22 +9,12 @@
 
 namespace signorini {
 
-/// Looks for the proof that nothing solves a problem: y with y_p = 1 and \f$ y_W = -G_{WW}^{-1} G_{Wp} \f$,
-/// the forces that hold the pairs of a set where they are while one more is pressed.
-/// \param problem  scaled, without friction
-/// \param active   W, without p
-/// \param pair     p, which depends on W
-/// \return y `n_c` in the units of the forces, such that the scaled ones sum to 1, if verify_farkas() holds for the scaled
-///   problem; otherwise an empty vector
-[[nodiscard]] Eigen::VectorXd farkas_certificate(const ScaledProblem& problem,
-                                                 const std::vector<Eigen::Index>& active,
-                                                 Eigen::Index pair);
-
-/// The same for a matrix of any kind, for which no set of pairs need give the proof: y is what the nearest gaps that forces can
-/// leave lack of being none below 0, the least \f$ |w - F z - d| \f$ with w, z >= 0, by least squares with bounds
+/// Looks for the proof that nothing solves a problem with a matrix of any kind, for which no set of pairs need give it: y is what
+/// the nearest gaps that forces can leave lack of being none below 0, the least \f$ |w - F z - d| \f$ with w, z >= 0, by least squares with bounds
 /// [\ref LawsonHanson1995]. Then \f$ F^T y \le 0 \f$ and \f$ d^T y = -|y|^2 \f$.
 /// \param problem  scaled, without friction and rigid modes
-/// \return as above
+/// \return y `n_c` in the units of the forces, such that the scaled ones sum to 1, if verify_farkas() holds for the scaled
+///   problem; otherwise an empty vector
 [[nodiscard]] Eigen::VectorXd farkas_certificate(const ScaledProblem& problem);
 
 /// Looks for the proof that no contact forces balance r: amplitudes a such that the motion

@@ -1,9 +1,9 @@
-// Pairs that give way, where the exchange of all wrong pairs at once runs in circles.
-#include <algorithm>
+#include "addons/certified/soft_pairs.hpp"
+
 #include <utility>
 
 #include "signorini/core/rounding.hpp"
-#include "signorini/solvers/newton.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {
 namespace {
@@ -31,10 +31,9 @@ Iterate exchanged(const ScaledProblem& problem, const Iterate& from, Index limit
   return next;
 }
 
-}  // namespace
-
+/// Makes pairs soft, and less and less so. \param iterate  where to start; kept but for its report unless this is the end
 void follow_soft_pairs(const ScaledProblem& problem, Iterate& iterate) {
-  const Index most = iterate.report.iterations + exchange_limit + 2 * problem.free.size();
+  const Index most = iterate.report.iterations + most_exchanges(problem) + 2 * problem.free.size();
   ScaledProblem soft = problem;
   Iterate at{iterate.solution, iterate.statuses, {}};
   for (double softness = 1; softness > epsilon && iterate.report.iterations < most;) {
@@ -53,6 +52,23 @@ void follow_soft_pairs(const ScaledProblem& problem, Iterate& iterate) {
     iterate = std::move(end);
     return;
   }
+}
+
+}  // namespace
+
+ContactState soft_pairs(const ContactProblem& problem, const SolverOptions& /*options*/) {
+  const ScaledProblem scaled =
+      problem.resultant.size() > 0 ? equilibrate(problem) : equilibrate_any(problem);
+  Iterate iterate = first_iterate(scaled);
+  follow_soft_pairs(scaled, iterate);
+  return finished(problem, scaled, std::move(iterate));
+}
+
+Solver soft_pairs() {
+  return Solver{"soft_pairs", "pairs that give way less and less", soft_pairs}
+      .may_fail_on({Trait::Friction})
+      .with_friction(Takes::Only)
+      .with_rigid_modes();
 }
 
 }  // namespace signorini

@@ -1,11 +1,11 @@
 #include "signorini/scene/moved_forces.hpp"
 
+#include "addons/certified/solve_with_proofs.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/rigid_modes.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {
@@ -39,7 +39,7 @@ ContactState solved(const ContactProblem& problem, const ContactState& contact) 
   SolverOptions options;
   options.start = all_statuses(contact);
   options.start.resize(static_cast<std::size_t>(problem.free_gap.size()), ContactStatus::Open);
-  return solve(problem, primal_dual_active_set(), options);
+  return solve_with_proofs(problem, primal_dual_active_set(), options);
 }
 
 }  // namespace

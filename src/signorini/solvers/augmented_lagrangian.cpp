@@ -5,10 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "addons/certified/proofs.hpp"
-#include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/solvers/primal_dual_active_set.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 namespace signorini {
 namespace {
@@ -46,12 +44,12 @@ ContactProblem with_penalty(const ScaledProblem& problem, const VectorXd& amplit
   return held;
 }
 
-/// The method of multipliers, after what was tried before it.
-ContactState augmented_lagrangian(const ContactProblem& problem, const Solver& solver,
-                                  const SolverOptions& options, Report report) {
+}  // namespace
+
+ContactState augmented_lagrangian(const ContactProblem& problem, const HeldSolver& solve_held) {
   const ScaledProblem scaled = equilibrate(problem);
   const Index pairs = scaled.pairs();
-  if (auto away = infeasible_resultant(problem, scaled)) return *away;
+  Report report;
   ActiveSetSolution last;
   last.amplitude = first_touch(scaled);
   last.force.setZero(pairs);
@@ -60,7 +58,7 @@ ContactState augmented_lagrangian(const ContactProblem& problem, const Solver& s
   double rho = trace > 0 ? trace : 1;
   double last_spring = std::numeric_limits<double>::infinity();
   for (Index passes = 0; passes < most_passes; ++passes) {
-    now = solver.solve(with_penalty(scaled, last.amplitude, rho), options);
+    now = solve_held(with_penalty(scaled, last.amplitude, rho));
     append(report, now.report);
     const VectorXd spring = scaled.rigid.transpose() * now.force - scaled.resultant;
     last.amplitude += rho * spring;
@@ -84,24 +82,6 @@ ContactState augmented_lagrangian(const ContactProblem& problem, const Solver& s
   if (now.farkas_certificate.size() > 0) proof = scaled.scale.cwiseProduct(now.farkas_certificate);
   return finished(problem, scaled, last, statuses_of(now.active, pairs), std::move(report),
                   std::move(proof));
-}
-
-}  // namespace
-
-ContactState solve(const ContactProblem& problem, const Solver& solver,
-                   const SolverOptions& options) {
-  const bool floats = problem.resultant.size() > 0;
-  require_input(problem.law.pair.empty() || solver.friction != Takes::No, "solver '", solver.name,
-                "' takes no friction: take '", primal_dual_active_set().name, "'");
-  if (!floats || solver.rigid_modes || !problem.law.pair.empty()) {
-    ContactState state = solver.solve(problem, options);
-    const SolveStatus status = state.report.status;
-    if (!floats || !problem.law.pair.empty() || status == SolveStatus::Solved ||
-        state.unbounded_direction.size() > 0)
-      return state;
-    return augmented_lagrangian(problem, solver, options, std::move(state.report));
-  }
-  return augmented_lagrangian(problem, solver, options, {});
 }
 
 }  // namespace signorini

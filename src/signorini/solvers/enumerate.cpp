@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "addons/certified/proofs.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/problem/farkas.hpp"
 
 namespace signorini {
 
@@ -56,8 +56,7 @@ ContactState enumerate(const ContactProblem& problem, const SolverOptions& /*opt
     report.status = SolveStatus::Solved;
   }
   Eigen::VectorXd y;
-  if (report.status != SolveStatus::Solved)
-    y = scaled.symmetric ? proof(scaled) : farkas_certificate(scaled);
+  if (report.status != SolveStatus::Solved && scaled.symmetric) y = proof(scaled);
   if (y.size() > 0) report.status = SolveStatus::Infeasible;
   return finished(problem, scaled, best, statuses_of(best_active, n), std::move(report),
                   std::move(y));

@@ -2,26 +2,21 @@
 
 #include <utility>
 
-#include "addons/certified/proofs.hpp"
+#include "signorini/solvers/lemke.hpp"
 #include "signorini/solvers/newton.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {
 
 using Eigen::Index;
-using Eigen::VectorXd;
 
 ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptions& options) {
-  const bool frictional = !problem.law.pair.empty();
   if (problem.resultant.size() > 0) check_problem(problem);
   const ScaledProblem scaled = equilibrate_any(problem);
-  if (auto away = infeasible_resultant(problem, scaled)) return *away;
-  const bool limited = options.iteration_limit > 0;
-  const Index own_limit = frictional ? newton_limit : 10 * scaled.pairs() + 100;
+  const Index most = problem.law.pair.empty() ? 10 * scaled.pairs() + 100 : newton_limit;
   Iterate iterate = first_iterate(scaled);
-  follow_newton(scaled, nested_friction, limited ? options.iteration_limit : own_limit, iterate);
-  if (frictional && !limited && !iterate.confirmed)
-    primal_dual_iterations(scaled, exchange_limit, iterate);
-  if (frictional && !limited && !iterate.confirmed) follow_pivots(scaled, {}, iterate);
+  follow_newton(scaled, nested_friction,
+                options.iteration_limit > 0 ? options.iteration_limit : most, iterate);
   return finished(problem, scaled, std::move(iterate));
 }
 
@@ -31,7 +26,8 @@ Solver fischer_burmeister() {
                 fischer_burmeister}
       .may_fail_on({Trait::Dependent, Trait::Infeasible})
       .with_friction(Takes::Also)
-      .with_rigid_modes();
+      .with_rigid_modes()
+      .before({primal_dual_active_set, lemke});
 }
 
 }  // namespace signorini

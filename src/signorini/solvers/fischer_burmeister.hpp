@@ -26,22 +26,19 @@ namespace signorini {
 /// rounding.
 ///
 /// With friction there is one more equation per slip, see nested_friction; no pair of unknowns u+ and u- as in
-/// friction_split() is needed. Where that does not end in a solution, primal_dual_iterations() and then the pivots of
-/// lemke() go on from there; the last one finds a solution of every held body without cohesion. With rigid
-/// modes it starts from the least forces that balance the load, for one mode of equal pairs the equal share of
-/// each, and from the amplitudes of least gaps; see ContactEquations.
+/// friction_split() is needed. With rigid modes it starts from the least forces that balance the load, for one mode of
+/// equal pairs the equal share of each, and from the amplitudes of least gaps; see ContactEquations.
 ///
 /// \param problem  any; without friction and rigid modes F may be any square matrix
-/// \param options  `iteration_limit` 0 stands for 10 n_c + 100 steps, with friction for 25; with a limit nothing
-///   follows them
-/// \return `Solved`; `Infeasible` with `unbounded_direction` if no forces balance r; `Breakdown` if \f$ |\Phi| \f$ falls no
+/// \param options  `iteration_limit` 0 stands for 10 n_c + 100 steps, with friction for 25
+/// \return `Solved`; `Breakdown` if \f$ |\Phi| \f$ falls no
 ///   more at a point that is no solution, as happens if nothing solves the problem; `IterationLimit`.
 ///   `report.history` holds \f$ |\Phi| \f$ relative to its first value as `residual`
 /// \throws std::invalid_argument as check_finite(), with rigid modes as check_problem()
 [[nodiscard]] ContactState fischer_burmeister(const ContactProblem& problem,
                                               const SolverOptions& options = {});
 
-/// \return the member of the family
+/// \return the member of the family, with primal_dual_active_set() and lemke() to ask after it
 [[nodiscard]] Solver fischer_burmeister();
 
 }  // namespace signorini

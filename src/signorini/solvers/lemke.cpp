@@ -5,11 +5,11 @@
 #include <tuple>
 #include <utility>
 
-#include "addons/certified/proofs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/farkas.hpp"
 #include "signorini/solvers/dictionary.hpp"
-#include "signorini/solvers/newton.hpp"
+#include "signorini/solvers/lemke_path.hpp"
 
 namespace signorini {
 namespace {
@@ -94,7 +94,7 @@ End ray(const ScaledProblem& scaled, const Dictionary& dictionary, Index enterin
   report.status = SolveStatus::Ray;
   Eigen::VectorXd direction;
   End end = last_point(scaled, dictionary, entering, report, direction);
-  end.proof = scaled.symmetric ? proof(scaled, direction) : farkas_certificate(scaled);
+  if (scaled.symmetric) end.proof = proof(scaled, direction);
   if (end.proof.size() > 0) end.report.status = SolveStatus::Infeasible;
   return end;
 }
@@ -163,7 +163,6 @@ ContactState lemke(const ContactProblem& problem, const SolverOptions& options) 
   if (!problem.law.pair.empty() || problem.resultant.size() > 0) {
     if (problem.resultant.size() > 0) check_problem(problem);
     const ScaledProblem scaled = equilibrate_any(problem);
-    if (auto away = infeasible_resultant(problem, scaled)) return *away;
     Iterate iterate = first_iterate(scaled);
     follow_pivots(scaled, options, iterate);
     return finished(problem, scaled, std::move(iterate));

@@ -61,8 +61,8 @@ namespace signorini {
 ///
 /// \param problem  any; without friction and rigid modes any M and q
 /// \param options  as above, for all paths together; with friction or rigid modes of each path
-/// \return as above; `iterations` counts the pivots of all paths. With friction or rigid modes also `Infeasible`
-///   with `unbounded_direction` if no forces balance r, and `Jump` if a set of cohesive pairs cannot be found
+/// \return as above; `iterations` counts the pivots of all paths. With friction or rigid modes also `Jump` if a set of
+///   cohesive pairs cannot be found
 /// \throws std::invalid_argument as check_finite(), with rigid modes as check_problem()
 [[nodiscard]] ContactState lemke(const ContactProblem& problem, const SolverOptions& options = {});
 

@@ -5,9 +5,8 @@
 #include <tuple>
 #include <utility>
 
-#include "addons/certified/proofs.hpp"
+#include "signorini/core/line_search.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/solvers/goldfarb_idnani.hpp"
 
 namespace signorini {
 namespace {
@@ -15,10 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// What Armijo's rule asks of a step: this part of the decrease that the slope promises. Any number
-/// below 1/2 lets the full Newton step pass near a solution.
-constexpr double enough = 1e-4;
 
 /// Newton's method with memory of its own.
 class Newton {
@@ -59,16 +54,15 @@ class Newton {
     equations_.evaluate(x_, residual_);
     merit_ = 0.5 * residual_.squaredNorm();
   }
-  /// Halves the step until the merit falls by enough.
+  /// Goes as far along the direction as Armijo's rule allows. \return false if the merit falls no more
   bool search() {
-    const double slope = gradient_.dot(direction_);
-    const double merit = merit_;
     trial_ = x_;
-    for (double length = 1; length > epsilon; length /= 2) {
+    const auto merit_at = [&](double length) {
       x_ = trial_ + length * direction_;
       evaluate();
-      if (merit_ <= merit + enough * length * slope && merit_ < merit) return true;
-    }
+      return merit_;
+    };
+    if (armijo(merit_, gradient_.dot(direction_), merit_at) > 0) return true;
     x_ = trial_;
     evaluate();
     return false;
@@ -134,54 +128,6 @@ bool ends(const ScaledProblem& problem, double force_scale, Iterate& iterate) {
 }
 
 }  // namespace
-
-Iterate first_iterate(const ScaledProblem& problem) {
-  const Index pairs = problem.pairs();
-  const MatrixXd& U = problem.rigid;
-  Iterate iterate;
-  ActiveSetSolution& now = iterate.solution;
-  now.force.setZero(problem.free.size());
-  now.amplitude.setZero(U.cols());
-  double unit = force_scale(problem);
-  if (U.cols() > 0) {
-    unit = ContactEquations(problem, nested_friction).force_scale();
-    now.force = U * problem.resultant;
-    now.amplitude = -U.transpose() * (problem.free + problem.compliance * now.force);
-  } else if (!problem.law.pair.empty() && problem.symmetric && problem.sparse.size() == 0) {
-    const ContactState normal =
-        goldfarb_idnani({problem.compliance.topLeftCorner(pairs, pairs), problem.free.head(pairs)});
-    if (normal.report.status == SolveStatus::Solved) now.force.head(pairs) = normal.force;
-  }
-  now.movement = problem.free + problem.compliance * now.force;
-  VectorXd size = problem.free.cwiseAbs() + problem.compliance.cwiseAbs() * now.force.cwiseAbs();
-  if (U.cols() > 0) {
-    now.movement += U * now.amplitude;
-    size += U.cwiseAbs() * now.amplitude.cwiseAbs();
-  }
-  // A pair that touches is open until something presses it, whatever rounding says of its gap.
-  now.movement_rounding = static_cast<double>(size.size() + U.cols() + 1) * epsilon * size;
-  iterate.statuses = statuses_of({}, pairs);
-  predict(problem, now, unit, iterate.statuses);
-  return iterate;
-}
-
-ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled, Iterate iterate) {
-  Report& report = iterate.report;
-  if (iterate.confirmed) {
-    report.status = SolveStatus::Solved;
-    iterate.reason.clear();
-  } else if (report.status == SolveStatus::Solved) {
-    report.status = SolveStatus::Breakdown;  // of another problem that was solved on the way
-  }
-  ContactState state =
-      finished(problem, scaled, iterate.solution, iterate.statuses, std::move(report));
-  if (state.reason.empty()) state.reason = std::move(iterate.reason);
-  if (iterate.confirmed && !scaled.law.pair.empty() && scaled.symmetric)
-    state.uniqueness = uniqueness(scaled, iterate.statuses, iterate.solution);
-  if (state.uniqueness == Uniqueness::Doubtful)
-    state.uniqueness_warning = uniqueness_warning(scaled, iterate.statuses, iterate.solution);
-  return state;
-}
 
 void follow_newton(const ScaledProblem& problem, const Formulation& form, Index limit,
                    Iterate& iterate) {

@@ -1,6 +1,7 @@
 /// \file
-/// Primal-dual active set method with a safeguard that makes it finite.
+/// The primal-dual active set method, which is a semi-smooth Newton method.
 #pragma once
+#include "signorini/solvers/iterate.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
@@ -12,42 +13,45 @@ namespace signorini {
 /// [\ref HintermuellerItoKunisch2002]. This is fast but can run in circles. When a set of closed
 /// pairs comes back, only the wrong pair with the lowest number changes sides from then on, which
 /// for a positive definite G ends after finitely many steps [\ref Murty1974]. A pair counts as
-/// wrong only beyond the rounding errors of its own force or gap.
+/// wrong only beyond the rounding errors of its own force or gap. Of pairs that depend on each other,
+/// those that overlapped most are closed.
 ///
-/// Where 64 pairs or more overlap at the start, the same method solves every second one of them alone, and those of
-/// these again, until few are left. Closed at the start are then the pairs between closed ones. It saves most of
-/// the steps, and those that it costs are on smaller problems.
+/// With friction a pair has four statuses instead of two: Newton's method for the conditions written with projections
+/// [\ref AlartCurnier1991], which arrives in five to ten steps for hundreds of pairs, or runs in circles. With rigid
+/// modes the resultant is kept, and the first set are the pairs that would be nearer than the gap their share of the
+/// load makes.
 ///
-/// Two things keep pairs that depend on each other from stopping it. Of a set with a singular block only
-/// independent pairs are closed, those that overlapped most first. And where the exchange does not arrive
-/// - single pairs change sides and meet a singular block, or 10 n_c + 10 sets were not enough, or rounding
-/// hides the answer, or there is none - quasi_active_set() takes over from the start: its dual energy rises
-/// at every step, so that it needs no regular block to end.
-///
-/// With friction a pair has four statuses instead of two, see primal_dual_iterations(): Newton's method for the
-/// conditions written with projections [\ref AlartCurnier1991], which arrives in five to ten steps for hundreds
-/// of pairs, or runs in circles. In that case frictional pairs are made soft, see follow_soft_pairs(); then Newton's
-/// method of fischer_burmeister() starts anew, and the pivots of lemke() end it. With rigid modes the resultant is
-/// kept, the first set are the pairs that would be nearer than the gap their share of the load makes, and the same
-/// methods follow; then there is solve() with springs.
-///
-/// Where `options.start` says what the pairs of a similar problem do, the exchange begins there; if it does not arrive,
-/// all is as without it.
+/// Where `options.start` says what the pairs of a similar problem do, the exchange begins there, and if it does not arrive,
+/// again from the start.
 ///
 /// \param problem  any, F positive semidefinite
-/// \param options  `iteration_limit` for the exchange with all pairs and quasi_active_set() together; 0 stands for 10 n_c + 10
-///   and what that takes, with friction for 50 exchanges, after which nothing else comes if there is a limit
-/// \return `Solved` with forces and gaps >= 0; `Infeasible` with `unbounded_direction` if no forces balance r; otherwise what the
-///   last method says. `iterations` and `history` are those of all methods, one behind the other, with all
-///   pairs; `factorisations` has those of every second pair as well
+/// \param options  `iteration_limit` 0 stands for 10 n_c + 10 sets, with friction for 50
+/// \return `Solved` with forces and gaps >= 0, `IterationLimit` or `Breakdown`. `iterations` are sets of all pairs;
+///   `factorisations` has those of coarse_iterate() as well
 /// \throws std::invalid_argument as check_problem(); where pairs have friction and there are no rigid modes, as check_finite(): F
 ///   need not be symmetric then
 [[nodiscard]] ContactState primal_dual_active_set(const ContactProblem& problem,
                                                   const SolverOptions& options = {});
 
-/// The default: with its fall-back it solves the same random condensed problems as `quasi_active_set`, 99.8 % of the
-/// feasible ones, and on ordinary contact its own few steps are all it needs.
-/// \return the member of the family, with fischer_burmeister() and lemke() to ask after it
+/// The default: on ordinary contact its own few steps are all that is needed.
+/// \return the member of the family, with quasi_active_set(), fischer_burmeister() and lemke() to ask after it
 [[nodiscard]] Solver primal_dual_active_set();
+
+/// Exchanges the statuses of all wrong pairs at once: takes what each pair does as known, open, sticking, or
+/// sliding one way or the other, and solves the linear equations of these statuses exactly. From the result, a
+/// pair opens if its force is tensile, closes if it overlaps, starts to slide if its friction force exceeds the
+/// bound, and stops if it slides along with its friction force; and again.
+///
+/// If a set comes back, only the first wrong pair changes from then on where bodies are held and no pair has friction
+/// [\ref Murty1974]; else the method stops. Of pairs that depend on each other, those that overlapped most
+/// stay closed.
+/// \param problem  scaled
+/// \param limit    on the exchanges
+/// \param[in,out] iterate  where to start, and where it ended
+void primal_dual_iterations(const ScaledProblem& problem, Eigen::Index limit, Iterate& iterate);
+
+/// \param problem  scaled
+/// \return how many sets are looked at if the caller sets no limit
+[[nodiscard]] Eigen::Index most_exchanges(const ScaledProblem& problem);
 
 }  // namespace signorini

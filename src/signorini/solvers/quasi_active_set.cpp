@@ -4,8 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "addons/certified/proofs.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/certificate.hpp"
+#include "signorini/problem/farkas.hpp"
 #include "signorini/solvers/dual_active_set.hpp"
 #include "signorini/solvers/goldfarb_idnani.hpp"
 
@@ -23,6 +24,24 @@ std::vector<Index> sorted_rows(const ActiveSetFactor& basis, Index equations) {
   return active;
 }
 
+namespace {
+
+/// The proof that a row cannot be closed, from the set or from what the method says of it; or nothing.
+VectorXd proof_of(const ScaledProblem& scaled, const DualActiveSet& method) {
+  VectorXd proof = farkas_certificate(scaled, method.basis().rows(), method.pressed());
+  if (proof.size() == 0 && verify_farkas(as_posed(scaled), method.proof()))
+    proof = scaled.scale.cwiseProduct(method.proof());
+  return proof;
+}
+
+/// Whether an open pair overlaps by more than the method can see.
+bool overlaps(const ActiveSetSolution& closed) {
+  const double trusted = std::pow(epsilon, -0.2);  // as in ActiveSetFactor::smallest_distance()
+  return (closed.movement.array() < -trusted * closed.movement_rounding.array()).any();
+}
+
+}  // namespace
+
 ContactState grow_active_set(const ContactProblem& problem, Index limit, DualActiveSet::Step kind) {
   const ScaledProblem scaled = equilibrate(problem);
   const VectorXd ones = VectorXd::Ones(scaled.free.size());
@@ -31,36 +50,28 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit, DualAct
   DualActiveSet method(rows, ActiveSetFactor(0, rows.count), report, limit, kind);
   ActiveSetSolution closed;
   VectorXd proof;
-  const auto close_rows = [&] {
-    closed = solve_active_set(scaled, ActiveSet{sorted_rows(method.basis())});
-    if (kind == DualActiveSet::Step::Single && method.basis().size() > 0) ++report.factorisations;
-    return closed.solvable && static_cast<Index>(closed.rows.size()) == method.basis().size();
-  };
   for (Index round = 0;; ++round) {
     report.status = method.run();
     if (report.status == SolveStatus::Infeasible) {
-      proof = farkas_certificate(scaled, method.basis().rows(), method.pressed());
-      if (proof.size() == 0 && verify_farkas(as_posed(scaled), method.proof()))
-        proof = scaled.scale.cwiseProduct(method.proof());
-      if (proof.size() > 0) break;
-      method.pass_over();
-      continue;
+      proof = proof_of(scaled, method);
+      if (proof.size() == 0) {
+        method.pass_over();
+        continue;
+      }
     }
-    if (!close_rows() && report.status == SolveStatus::Solved)
+    closed = solve_active_set(scaled, ActiveSet{sorted_rows(method.basis())});
+    if (kind == DualActiveSet::Step::Single && method.basis().size() > 0) ++report.factorisations;
+    const bool all = static_cast<Index>(closed.rows.size()) == method.basis().size();
+    if (report.status == SolveStatus::Solved && !(closed.solvable && all))
       report.status = SolveStatus::Breakdown;
     if (report.status != SolveStatus::Solved) break;
     const VectorXd force = closed.force(method.basis().rows());
     const VectorXd tension = (-force.array() - closed.force_rounding).max(0.0);
-    const double trusted = std::pow(epsilon, -0.2);  // as in ActiveSetFactor::smallest_distance()
-    const bool overlap =
-        (closed.movement.array() < -trusted * closed.movement_rounding.array()).any();
-    if (!overlap && (tension.size() == 0 || tension.maxCoeff() == 0)) break;
+    if (!overlaps(closed) && (tension.size() == 0 || tension.maxCoeff() == 0)) break;
     if (round >= rows.count) break;  // sets come back: the certificate will say whether it matters
     method.basis().set_force(force);
     method.release(tension);
   }
-  if (report.status == SolveStatus::Infeasible)
-    static_cast<void>(close_rows());  // where the method stood
   return finished(problem, scaled, closed, statuses_of(sorted_rows(method.basis()), rows.count),
                   std::move(report), std::move(proof));
 }
@@ -77,6 +88,13 @@ ContactState goldfarb_idnani(const ContactProblem& problem, const SolverOptions&
   const Index limit =
       options.iteration_limit > 0 ? options.iteration_limit : 100 * problem.free_gap.size() + 100;
   return grow_active_set(problem, limit, DualActiveSet::Step::Single);
+}
+
+Solver quasi_active_set() {
+  return Solver{"quasi_active_set",
+                "whole groups of violated pairs join while the dual energy rises: finite and exact",
+                quasi_active_set}
+      .may_fail_on({Trait::Asymmetric});
 }
 
 }  // namespace signorini

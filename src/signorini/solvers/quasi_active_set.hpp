@@ -1,7 +1,7 @@
 /// \file
 /// The quasi-active-set method with the safeguard that makes it finite and exact.
 #pragma once
-#include "signorini/problem/problem.hpp"
+#include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 
@@ -34,5 +34,8 @@ namespace signorini {
 /// \throws std::invalid_argument as check_problem()
 [[nodiscard]] ContactState quasi_active_set(const ContactProblem& problem,
                                             const SolverOptions& options = {});
+
+/// \return the member of the family
+[[nodiscard]] Solver quasi_active_set();
 
 }  // namespace signorini

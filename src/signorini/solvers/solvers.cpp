@@ -40,6 +40,13 @@ std::string too_many(const Solver& solver, Eigen::Index pairs) {
   return text("takes at most ", solver.largest, " pairs, here are ", pairs);
 }
 
+bool takes(const Solver& solver, const ContactProblem& problem) {
+  const bool frictional = !problem.law.pair.empty();
+  return too_many(solver, problem.free_gap.size()).empty() &&
+         solver.friction != (frictional ? Takes::No : Takes::Only) &&
+         (frictional || !may_fail(solver, Trait::Asymmetric) || is_symmetric(problem));
+}
+
 Solver Solver::up_to(Eigen::Index pairs) const {
   Solver member = *this;
   member.largest = pairs;

@@ -83,4 +83,10 @@ struct Solver {
 /// \return why it does not take so many, or nothing if it does
 [[nodiscard]] std::string too_many(const Solver& solver, Eigen::Index pairs);
 
+/// Whether a problem is of a kind that a member takes; rigid modes apart, which `rigid_modes` tells.
+/// \param solver   a member
+/// \param problem  any
+/// \return whether it takes so many pairs, friction if there is any, and a matrix like this one
+[[nodiscard]] bool takes(const Solver& solver, const ContactProblem& problem);
+
 }  // namespace signorini

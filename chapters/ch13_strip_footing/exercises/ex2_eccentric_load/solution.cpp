@@ -1,7 +1,7 @@
 #include "exercise.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/solvers/augmented_lagrangian.hpp"
+#include "signorini/solvers/portfolio.hpp"
 
 namespace ex13_2 {
 

@@ -1,12 +1,14 @@
-// Friction and rigid modes as one linear complementarity problem, for lemke().
+#include "signorini/solvers/lemke_path.hpp"
+
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/solvers/lemke.hpp"
-#include "signorini/solvers/newton.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {
 namespace {
@@ -29,7 +31,7 @@ ContactProblem complementarity(const ScaledProblem& problem, const VectorXd& coh
   ContactProblem lcp{MatrixXd::Zero(size, size), VectorXd(size)};
   MatrixXd& M = lcp.compliance;
   for (Index j = 0; j < slips; ++j) {
-    const Index pair = problem.law.pair[static_cast<std::size_t>(j)];
+    const Index pair = problem.law.pair[at(j)];
     E(pairs + j, pair) = -problem.law.coefficient(j);
     M(rows + j, pair) = 2 * problem.law.coefficient(j);
   }
@@ -76,18 +78,15 @@ void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd
   now.force = z.head(rows);
   now.amplitude = z.segment(rows + slips, k) - z.tail(k);
   const auto bound = [&](Index j) {
-    return problem.law.coefficient(j) * z(problem.law.pair[static_cast<std::size_t>(j)]) +
-           cohesion(j);
+    return problem.law.coefficient(j) * z(problem.law.pair[at(j)]) + cohesion(j);
   };
   for (Index j = 0; j < slips; ++j) now.force(pairs + j) -= bound(j);
   now.movement = problem.free + problem.compliance * now.force;
   if (k > 0) now.movement += problem.rigid * now.amplitude;
   for (Index i = 0; i < pairs; ++i)
-    iterate.statuses[static_cast<std::size_t>(i)] =
-        z(i) > now.movement(i) ? ContactStatus::Stick : ContactStatus::Open;
+    iterate.statuses[at(i)] = z(i) > now.movement(i) ? ContactStatus::Stick : ContactStatus::Open;
   for (Index j = 0; j < slips; ++j) {
-    ContactStatus& contact_status =
-        iterate.statuses[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])];
+    ContactStatus& contact_status = iterate.statuses[at(problem.law.pair[at(j)])];
     const double slip = now.movement(pairs + j);
     const double forward = z(pairs + j);
     if (contact_status == ContactStatus::Open) continue;
@@ -102,72 +101,96 @@ void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd
 VectorXd carried(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses) {
   VectorXd cohesion = problem.law.cohesion;
   for (Index j = 0; j < cohesion.size(); ++j)
-    if (statuses[static_cast<std::size_t>(problem.law.pair[static_cast<std::size_t>(j)])] ==
-        ContactStatus::Open)
-      cohesion(j) = 0;
+    if (statuses[at(problem.law.pair[at(j)])] == ContactStatus::Open) cohesion(j) = 0;
   return cohesion;
 }
 
-/// The first slip of which two sets do not say the same, other than `last` if there is one; -1 if they are the same.
-Index first_change(const VectorXd& now, const VectorXd& next, Index last) {
-  Index found = -1;
-  for (Index j = 0; j < now.size() && (found < 0 || found == last); ++j)
-    if (now(j) != next(j)) found = j;
-  return found;
+/// Which pairs carry cohesion: first all, then those that came out closed, until both are the same.
+class CohesiveSets {
+ public:
+  enum class Next {
+    Try,      ///< now() is a new set
+    Settled,  ///< what came out is what was assumed
+    Jump,     ///< pair() closes only without its cohesion and opens only with it
+    Circle    ///< all that follows was tried
+  };
+
+  explicit CohesiveSets(const VectorXd& all) : now_(all), seen_{all} {}
+
+  [[nodiscard]] const VectorXd& now() const { return now_; }
+  /// \return the slip that changed last, if it was the only one
+  [[nodiscard]] Index changed() const { return changed_; }
+
+  /// Takes what came out, all at once, and one pair at a time from where a set comes back.
+  Next follow(const VectorXd& next) {
+    const Index change = first_change(next);
+    if (change < 0) return Next::Settled;
+    if (one_at_a_time_ && change == changed_) return Next::Jump;
+    if (one_at_a_time_)
+      now_(change) = next(change);
+    else
+      now_ = next;
+    changed_ = one_at_a_time_ ? change : -1;
+    const bool known = std::find(seen_.begin(), seen_.end(), now_) != seen_.end();
+    if (known && one_at_a_time_) return Next::Circle;
+    if (known) seen_.clear();
+    one_at_a_time_ = one_at_a_time_ || known;
+    seen_.push_back(now_);
+    return Next::Try;
+  }
+
+ private:
+  /// The first slip of which two sets do not say the same, other than the last one if there is one; -1 if they agree.
+  [[nodiscard]] Index first_change(const VectorXd& next) const {
+    Index found = -1;
+    for (Index j = 0; j < now_.size() && (found < 0 || found == changed_); ++j)
+      if (now_(j) != next(j)) found = j;
+    return found;
+  }
+
+  VectorXd now_;
+  std::vector<VectorXd> seen_;
+  bool one_at_a_time_ = false;
+  Index changed_ = -1;
+};
+
+/// Why no set of cohesive pairs is left to try.
+std::string in_words(CohesiveSets::Next end, Index pair) {
+  if (end == CohesiveSets::Next::Settled)
+    return "rounding hides what the pairs do where Lemke's method arrived";
+  if (end == CohesiveSets::Next::Circle)
+    return "no set of pairs that was tried stays closed with the cohesion it is given, and no "
+           "other; change the load or the cohesion";
+  return text("pair ", pair,
+              " closes only without its cohesion and opens only with it: cohesion that ends "
+              "with contact leaves no equilibrium here; change the load or the cohesion");
 }
 
 }  // namespace
 
 void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, Iterate& iterate) {
-  VectorXd cohesion = problem.law.cohesion;
-  std::vector<VectorXd> seen;
-  bool one_at_a_time = false;
-  Index changed = -1;  // the slip whose pair got or lost its cohesion last, if it was the only one
-  Index jumping = -1;
-  bool circle = false;
-  while (true) {
-    if (std::find(seen.begin(), seen.end(), cohesion) != seen.end()) {
-      circle = one_at_a_time;
-      if (circle) break;
-      one_at_a_time = true;
-      seen.clear();
-    }
-    seen.push_back(cohesion);
-    const ContactState state = arrived(complementarity(problem, cohesion), options, iterate.report);
-    std::string reason =
-        std::string("Lemke's method ended with '") + to_string(state.report.status) + "'";
-    iterate.reason = reason;
+  using Next = CohesiveSets::Next;
+  CohesiveSets sets(problem.law.cohesion);
+  Next end = Next::Try;
+  while (end == Next::Try) {
+    const ContactState state =
+        arrived(complementarity(problem, sets.now()), options, iterate.report);
+    const std::string ended =
+        text("Lemke's method ended with '", to_string(state.report.status), "'");
+    iterate.reason = ended;
     if (!state.force.allFinite()) return;
-    take(problem, cohesion, state.force, iterate);
+    take(problem, sets.now(), state.force, iterate);
     const VectorXd next = carried(problem, iterate.statuses);
-    primal_dual_iterations(problem, 3,
-                           iterate);  // rounding may have the say over pairs that barely touch
+    // Rounding may have the say over pairs that barely touch.
+    primal_dual_iterations(problem, 3, iterate);
     if (iterate.confirmed) return;
-    iterate.report.status = state.report.status;
-    iterate.reason = std::move(reason);
+    iterate.stop(state.report.status, ended.c_str());
     if (state.report.status != SolveStatus::Solved) return;
-    const Index change = first_change(cohesion, next, changed);
-    if (change < 0) break;
-    if (one_at_a_time && change == changed) {
-      jumping = change;
-      break;
-    }
-    if (one_at_a_time)
-      cohesion(change) = next(change);
-    else
-      cohesion = next;
-    changed = one_at_a_time ? change : -1;
+    end = sets.follow(next);
   }
-  iterate.report.status = circle || jumping >= 0 ? SolveStatus::Jump : SolveStatus::Breakdown;
-  iterate.reason =
-      jumping >= 0
-          ? text("pair ", problem.law.pair[static_cast<std::size_t>(jumping)],
-                 " closes only without its cohesion and opens only with it: cohesion that ends "
-                 "with contact leaves no equilibrium here; change the load or the cohesion")
-      : circle
-          ? "no set of pairs that was tried stays closed with the cohesion it is given, and no "
-            "other; change the load or the cohesion"
-          : "rounding hides what the pairs do where Lemke's method arrived";
+  const Index pair = sets.changed() < 0 ? -1 : problem.law.pair[at(sets.changed())];
+  iterate.stop(end == Next::Settled ? SolveStatus::Breakdown : SolveStatus::Jump,
+               in_words(end, pair).c_str());
 }
 
 }  // namespace signorini

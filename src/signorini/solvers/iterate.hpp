@@ -1,0 +1,49 @@
+/// \file
+/// Where the methods for all kinds of contact start, and how they end.
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "signorini/problem/active_set_system.hpp"
+
+namespace signorini {
+
+/// Where a method stands: the numbers, what they say of each pair, and the report so far.
+struct Iterate {
+  ActiveSetSolution solution;           ///< the end if `confirmed`, else the last iterate
+  std::vector<ContactStatus> statuses;  ///< `n_c`
+  Report report;                        ///< its status is set at the end
+  std::string reason = {};              ///< why the method stopped, if it did
+  bool confirmed = false;               ///< whether it solves the problem
+
+  /// Says how a method ends here. \param status  of the run \param why  in words; null: as before
+  void stop(SolveStatus status, const char* why = nullptr);
+  /// Moves to the solution of a set, one iteration. \param problem  scaled \param set  what is known
+  /// \param start  as of solve_active_set()
+  void solve(const ScaledProblem& problem, const ActiveSet& set, const ActiveSetSolution* start);
+};
+
+/// The point from which all methods start, and what it says of the pairs: no forces; with friction forces
+/// without friction, unless F has few entries, where these cost more than they are good for; for bodies with rigid
+/// modes the least forces that balance r, and the amplitudes of least gaps.
+/// \param problem  scaled
+/// \return the point
+[[nodiscard]] Iterate first_iterate(const ScaledProblem& problem);
+
+/// Where to start from if a problem like this one is solved: no forces, and what its pairs do.
+/// \param problem   scaled
+/// \param statuses  `n_c`
+/// \return the start
+[[nodiscard]] Iterate iterate_from(const ScaledProblem& problem,
+                                   const std::vector<ContactStatus>& statuses);
+
+/// The state where a method ended.
+/// \param problem  as it was posed
+/// \param scaled   the same, equilibrated
+/// \param iterate  the end
+/// \return the state, `Solved` if the end was confirmed
+[[nodiscard]] ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
+                                    Iterate iterate);
+
+}  // namespace signorini
