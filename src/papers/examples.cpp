@@ -89,10 +89,10 @@ KnownProgramme rosen_suzuki(Index n, Index m, std::uint64_t seed) {
   return known;
 }
 
-// A line force on a half-plane moves a surface point at the distance r by \f$ -\tfrac{2}{\pi}
-// \ln(r/c) \f$, if forces are measured such that \f$ E/(1-\nu^2) = 1 \f$ and points at the distance
-// c stay where they are. Spread over an element of length h it is the mean of that, and the
-// integral of the logarithm is elementary:
+// A line force on a half-plane moves a surface point at the distance r by
+// \f$ -\tfrac{2}{\pi} \ln(r/c) \f$, if forces are measured such that \f$ E/(1-\nu^2) = 1 \f$ and
+// points at the distance c stay where they are. Spread over an element of length h it is the mean
+// of that, and the integral of the logarithm is elementary:
 // \f[ \int \ln\frac{|s|}{c}\,ds = s\left(\ln\frac{|s|}{c} - 1\right). \f]
 // All elements are equal, so the influence depends on the distance alone: n numbers make the whole
 // matrix.

@@ -1,9 +1,9 @@
 // # The surrogate dual
 //
 // Contact has as many conditions as pairs. Xuan and Li replace them by one, a weighted sum. Weights
-// \f$ \xi \ge 0 \f$ with sum 1 say how one total force \f$ \eta \f$ is shared among the pairs, \f$
-// \lambda = \eta\xi \f$. For given weights the best total force is the one that closes the weighted
-// gap, and it adds the energy s:
+// \f$ \xi \ge 0 \f$ with sum 1 say how one total force \f$ \eta \f$ is shared among the pairs,
+// \f$ \lambda = \eta\xi \f$. For given weights the best total force is the one that closes the
+// weighted gap, and it adds the energy s:
 // \f[ \eta = \frac{(b^T\xi)_+}{\xi^T G\xi}, \qquad s(\xi) = \frac12\,\frac{(b^T\xi)_+^2}{\xi^T G\xi}, \f]
 // where \f$ b = -d \f$ is the overlap without contact. The weights with the largest s give the
 // contact forces.

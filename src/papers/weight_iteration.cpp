@@ -145,11 +145,11 @@ bool WeightIteration::take_in(Index vertex) {
 }
 // [face step]
 
-// A direction is \f$ \delta = p\,e_{to} - q\,e_{from} + r\,\xi \f$. Towards a vertex it is \f$
-// e_{to} - \xi \f$, with steps up to 1. Away from the vertex that is wanted least it is \f$ \xi -
-// e_{from} \f$; its weight w becomes \f$ w(1 + t) - t \f$, which vanishes at \f$ t = w/(1 - w) \f$.
-// We go away if the gap of that vertex is larger than the largest overlap. The pairwise rule moves
-// weight from one vertex to another, at most all of it.
+// A direction is \f$ \delta = p\,e_{to} - q\,e_{from} + r\,\xi \f$. Towards a vertex it is
+// \f$ e_{to} - \xi \f$, with steps up to 1. Away from the vertex that is wanted least it is
+// \f$ \xi - e_{from} \f$; its weight w becomes \f$ w(1 + t) - t \f$, which vanishes at
+// \f$ t = w/(1 - w) \f$. We go away if the gap of that vertex is larger than the largest overlap.
+// The pairwise rule moves weight from one vertex to another, at most all of it.
 WeightIteration::Direction WeightIteration::direction(Index best) const {
   const Direction towards{best, best, 1, 0, -1, 1};
   if (rule_ != WeightRule::AwaySteps && rule_ != WeightRule::Pairwise) return towards;
@@ -162,8 +162,8 @@ WeightIteration::Direction WeightIteration::direction(Index best) const {
   return {worst, worst, 0, 1, 1, weight / (1 - weight)};
 }
 
-// The five numbers of the line follow from \f$ b^T\xi \f$, \f$ \xi^T G\xi \f$ and the vector \f$
-// G\xi \f$, which are at hand, and three entries of G. No product with G is needed.
+// The five numbers of the line follow from \f$ b^T\xi \f$, \f$ \xi^T G\xi \f$ and the vector
+// \f$ G\xi \f$, which are at hand, and three entries of G. No product with G is needed.
 double WeightIteration::step_length(const Direction& along) const {
   if (rule_ == WeightRule::Harmonic) return 2 / static_cast<double>(steps_ + 2);
   const auto [to, from, p, q, r, largest] = along;
