@@ -102,6 +102,7 @@ sub markdown {    # the commands of Doxygen in Markdown: arguments, result and e
     my (@out, $list);
     for (grep { !/^\\file\s*$/ } @_) {
         my $line = s/\\ref (\S+?)(?=[\s.,;:)]|$)/`$1`/gr;
+        push @out, '' if $line eq '';
         for (split /(?=\\(?:t?param|return|throws)\b)/, $line) {
             my $item = s/^\\t?param(?:\[\w+\])?\s+(\S+)\s*/- `$1`: / || s/^\\return\s+/- returns / || s/^\\throws\s+(\S+)/- throws `$1`/;
             push @out, '' if $item && !$list && @out;

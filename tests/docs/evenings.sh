@@ -50,6 +50,11 @@ for part in '[`surrogate_dual_value()`](../../src/papers/surrogate_dual.hpp) · 
     grep surrogate_dual_value $page | grep -qF -- "$part" || { echo "evenings.sh: surrogate_dual_value() does not lead to: $part"; failures=1; }
 done
 
+# Paragraphs and indented lines stay what they are.
+printf '// one\n//\n//     two\n' >> $errors
+perl tools/evenings.pl . pages || exit 1
+perl -0ne 'exit !/^one\n\n    two\n/m' pages/src+signorini+core+errors.hpp.md || { echo "evenings.sh: paragraphs are lost"; failures=1; }
+
 # Numbers of lines are those of the file, and nothing of it is lost.
 perl -e '
     my ($page, $file) = map { local $/; open my $in, "<", $_ or die "$_: $!"; <$in> } @ARGV;
