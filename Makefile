@@ -72,6 +72,7 @@ lint:                     ## check what needs no compiling: quotations, formulas
 	@perl tools/equations.pl --check
 	@perl tools/words.pl --check
 	@perl tools/course.pl --check
+	@perl tools/evenings.pl --check
 	@perl tools/lint-md.pl $(TEXTS) chapters/equations.md chapters/words.md tests/reference/claims.md
 	@perl tools/claims.pl
 	@tests/faults/run.pl --check

@@ -75,9 +75,9 @@ SEARCH = r"""(async () => {
 TABS = 4     # pages that are open at once
 EVERY = 16   # of the pages of one kind that Doxygen made, the first of this many is opened
 
-# Doxygen's names of the pages that it makes by the hundred; the part in brackets is the kind.
+# Names of the pages that Doxygen makes by the hundred, and of those of sources; the part in brackets is the kind.
 MADE = re.compile(r"(struct|class|union|namespace)\w+?(-members)?\.html$|(dir_)[0-9a-f]+\.html$"
-                  r"|(functions|globals|namespacemembers)\w*\.html$|.*(_8[a-z]+(?:_source)?)\.html$")
+                  r"|(functions|globals|namespacemembers)\w*\.html$|(page)-.*\.html$|.*(_8[a-z]+(?:_source)?)\.html$")
 
 
 class PageFile(html.parser.HTMLParser):

@@ -49,6 +49,10 @@ for text in "$root"/chapters/README.md "$root"/examples/README.md "$root"/chapte
     "$root"/chapters/words.md "$root"/chapters/equations.md "$root"/chapters/ch[0-9][0-9]_*/README.md; do
     [ ! -f "$text" ] || input="$input \"$text\""
 done
+perl "$root/tools/evenings.pl" "$root" "$work/pages"
+for text in "$work"/pages/src+evenings.md "$work"/pages/src+evening-*.md "$work"/pages/*pp.md; do
+    input="$input \"$text\""
+done
 input="$input \"$root/docs/references.md\" \"$root/CONTRIBUTING.md\" \"$root/CHANGELOG.md\" \"$root/docs/library.dox\" \"$root/src\""
 for file in "$root"/chapters/ch[0-9][0-9]_*/*.cpp "$root"/chapters/ch*/exercises/ex*/README.md; do
     [ ! -f "$file" ] || input="$input \"$file\""
@@ -73,6 +77,6 @@ done
 
 cd "$root"
 status=0
-BOOK_ROOT=$root BOOK_HTML=$book doxygen "$work/Doxyfile" 2> "$work/warnings" || status=$?
+BOOK_ROOT=$root BOOK_HTML=$book BOOK_PAGES=$work/pages doxygen "$work/Doxyfile" 2> "$work/warnings" || status=$?
 cat "$work/warnings" >&2
 [ "$status" -eq 0 ] && [ ! -s "$work/warnings" ]

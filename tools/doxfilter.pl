@@ -15,11 +15,13 @@
 #   [text](any other file)        ->  a link to a copy of it, files/PATH.txt
 #   ![caption](figure.svg)        ->  a figure with its caption; class "field" if its script uses a palette
 #   <details>, </details>         ->  the same as raw HTML: Doxygen closes its own at the end of a paragraph
+#   [text](a source, or its list)  ->  @ref page-..., the page that evenings.pl made of it below BOOK_PAGES
 #   <!-- live name -->            ->  the place of a figure that computes, see docs/live.js
 #   <!-- code file#name --> ...   ->  a line that links to the file, and the code
 #   \PaperEq{XuanLi2002, 23}      ->  an alias that links to the reference, and if a chapter explains this
 #                                     equation, to the equation
-# Expects BOOK_ROOT, the project, and BOOK_HTML, the folder of the pages.
+# Expects BOOK_ROOT, the project, BOOK_HTML, the folder of the pages, and BOOK_PAGES, that of the texts made from sources: a + in
+# the name of one stands for a /, and its links are as from there.
 use strict;
 use warnings;
 use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
@@ -29,7 +31,9 @@ use Cwd 'abs_path';
 my ($file) = @ARGV;
 my $root = abs_path($ENV{BOOK_ROOT} // '.');
 my $html = $ENV{BOOK_HTML} // "$root/build/book";
+my $made = $ENV{BOOK_PAGES} // "$html.work/pages";
 my $rel  = abs_path($file) =~ s{^\Q$root\E/}{}r;
+$rel = basename($file) =~ tr{+}{/}r if dirname(abs_path($file)) eq $made;
 
 # Which chapters speak of which paper: its equation numbers are their equation numbers.
 my %chapters_of = (XuanLi2002 => [1 .. 7], LinEtAl => [8 .. 14]);
@@ -49,6 +53,7 @@ sub label {    # the label of a text, given relative to the root
     return 'ways'  if $text eq 'chapters/README.md';
     return "exercise-$1-$2" if $text =~ m{^chapters/ch(\d\d)_[^/]+/exercises/ex(\d+)_[^/]+/README\.md$};
     return "chapter-$1"     if $text =~ m{^chapters/ch(\d\d)_[^/]+/README\.md$};
+    return 'page-' . $1 =~ tr{/.}{-}r if $text =~ m{^src/(.*\.[ch]pp)\.md$};
     return basename($text, '.md');
 }
 
@@ -100,10 +105,11 @@ sub link_to {
     return reference(place($rel, $1), $words) if $url =~ /^#(.*)/;
     my ($path, $name) = $url =~ /^([^#]*)(?:#(.*))?$/;
     $path = clean(dirname($rel) . "/$path");
+    $path .= '.md' if $path !~ /\.hpp$/ && -f "$made/" . "$path.md" =~ tr{/}{+}r;
     if ($path =~ /\.md$/ && $path !~ m{/results/}) {
         my $to = place($path, $name);
-        return reference($to, $words) if label($rel) !~ /^chapter/ || $to !~ /^exercise-\d+-\d+$/ || $nested{$to}++;
-        return "\\subpage $to \"" . ($words =~ s/["`]//gr) . '"';    # an exercise belongs to its chapter
+        return reference($to, $words) if (label($rel) . " $to") !~ /^(chapter\S* exercise-\d+-\d+|evenings evening-\d+|evening-\d+ page-\S+)$/ || $nested{$to}++;
+        return "\\subpage $to \"" . ($words =~ s/["`]//gr) . '"';    # an exercise belongs to its chapter, a page to its evening
     }
     return $words if -d "$root/$path";
     return reference("signorini::$1", $words) if $path =~ m{^src/} && $words =~ /^`(?:signorini::)?([\w:~]+)(?:\(\))?`$/;
@@ -123,6 +129,7 @@ sub prose {       # one line of Markdown outside of fences
     $s =~ s{(?<![^\s(])\*(?=[^\s*])([^*\$`]*\$[^\$]+\$(?:[^*\$`]|\$[^\$]+\$)*)(?<=\S)\*(?!\w)}{<em>$1</em>}g;
     $s =~ s{(?<=\w-)\*([^*\$`]+)\*(?!\w)}{<em>$1</em>}g;
     $s =~ s{<a id="([\w-]+)"></a>}{'\anchor ' . place($rel, $1)}ge;
+    $s =~ s/\\PaperEq\{\s*(\w+)\s*,\s*([^}]*?)\s*\}/paper_equation($1, $2)/ge;
     $s =~ s{(?<!!)\[((?:`[^`]*`|[^\]`])+)\]\(([^)\s]+)\)}{
         my ($all, $words, $url) = ($&, $1, $2);
         $url =~ m{^\w+:} ? $all : link_to($words, $url, $n) }ge;

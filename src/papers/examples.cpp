@@ -1,3 +1,9 @@
+// # Problems whose answer is known
+//
+// A method is judged by problems that somebody else has solved. There are three ways to come by
+// such: build the problem backwards from its solution, take a case that the theory of elasticity
+// solves in closed form, or take a small one that is made to be hard.
+
 #include "papers/examples.hpp"
 
 #include <algorithm>
@@ -13,6 +19,8 @@ namespace {
 
 using Eigen::Index;
 
+// Entries are drawn column by column, always in the same order: the seed alone says which matrix it
+// is.
 Eigen::MatrixXd random_matrix(Random& random, Index rows, Index cols) {
   Eigen::MatrixXd matrix(rows, cols);
   for (Index j = 0; j < cols; ++j)
@@ -20,7 +28,8 @@ Eigen::MatrixXd random_matrix(Random& random, Index rows, Index cols) {
   return matrix;
 }
 
-/// The first `count` of a random order of 0, ..., n - 1.
+// The first `count` of a random order of 0, ..., n - 1.
+// Every step swaps one of those that are left to the front, so the rest of the order is never made.
 std::vector<Index> random_choice(Random& random, Index n, Index count) {
   std::vector<Index> order(static_cast<std::size_t>(n));
   std::iota(order.begin(), order.end(), Index{0});
@@ -32,7 +41,9 @@ std::vector<Index> random_choice(Random& random, Index n, Index count) {
   return order;
 }
 
-/// Share of the total force left of x, under Hertz's pressure (2 / pi b) sqrt(1 - (x/b)^2).
+// Share of the total force left of x, under Hertz's pressure (2 / pi b) sqrt(1 - (x/b)^2).
+// The exact pressure of a punch is summed over the length of each pair, as the difference of two of
+// these shares. Both are integrals of the pressure, divided by the total force.
 double share_parabola(double x, double b) {
   const double t = std::clamp(x / b, -1.0, 1.0);
   return 0.5 + (t * std::sqrt(1 - t * t) + std::asin(t)) / pi;
@@ -43,6 +54,13 @@ double share_flat(double x) { return 0.5 + std::asin(std::clamp(x, -1.0, 1.0)) /
 
 }  // namespace
 
+// Backwards: choose a stiffness, displacements, forces and gaps, and ask which load and which
+// initial gaps they solve,
+// \f[ K = BB^T + \tfrac{n}{3} I, \qquad p = Ku + A^T\lambda, \qquad g = Au + \text{gap}. \f]
+// Each pair has a force or a gap and not both, so all conditions hold. K is positive definite, so
+// there is no other solution.
+// At most n rows are independent. Half of min(n, m) rows are closed, and random rows are
+// independent, so there are no other forces either.
 KnownProgramme rosen_suzuki(Index n, Index m, std::uint64_t seed) {
   require_argument(n > 0 && m > 0, "rosen_suzuki: sizes must be positive, got n = ", n,
                    ", m = ", m);
@@ -71,6 +89,16 @@ KnownProgramme rosen_suzuki(Index n, Index m, std::uint64_t seed) {
   return known;
 }
 
+// A line force on a half-plane moves a surface point at the distance r by
+// \f$ -\tfrac{2}{\pi} \ln(r/c) \f$, if forces are measured such that \f$ E/(1-\nu^2) = 1 \f$ and
+// points at the distance c stay where they are. Spread over an element of length h it is the mean
+// of that, and the integral of the logarithm is elementary:
+// \f[ \int \ln\frac{|s|}{c}\,ds = s\left(\ln\frac{|s|}{c} - 1\right). \f]
+// All elements are equal, so the influence depends on the distance alone: n numbers make the whole
+// matrix.
+//
+// Under the parabola the exact solution is Hertz's, under the flat punch the pressure is infinite
+// at the edges. Its integral over an element is not.
 Indentation half_plane_indentation(Index n, Punch punch) {
   require_argument(n > 0, "half_plane_indentation: needs at least one pair, got n = ", n);
   const double h = 2.0 / static_cast<double>(n);
@@ -104,6 +132,9 @@ Indentation half_plane_indentation(Index n, Punch punch) {
   return made;
 }
 
+// For two pairs \f$ G = \begin{pmatrix} 1 & 2 \\ 2 & 5 \end{pmatrix} \f$ and \f$ d = (-1, -1) \f$:
+// the force 1 on the first pair closes it and opens the second by \f$ 2 - 1 = 1 \f$. The answer is
+// as simple for any n; Lemke's method passes \f$ 2^n \f$ bases on the way to it.
 ContactProblem fathi(Index n) {
   require_argument(n > 0, "fathi: needs at least one pair, got n = ", n);
   Eigen::MatrixXd L = Eigen::MatrixXd::Identity(n, n);
@@ -111,6 +142,9 @@ ContactProblem fathi(Index n) {
   return {L * L.transpose(), Eigen::VectorXd::Constant(n, -1)};
 }
 
+// For two pairs \f$ M = \begin{pmatrix} 1 & 2 \\ 0 & 1 \end{pmatrix} \f$ and \f$ q = (-6, -4) \f$:
+// the force 4 on the second pair closes it and opens the first by \f$ 8 - 6 = 2 \f$. All numbers
+// are powers of two or their differences, so up to \f$ n = 50 \f$ a double holds them exactly.
 ContactProblem murty(Index n) {
   require_argument(n > 0 && n <= 50, "murty: n must be from 1 to 50, so that 2^n is exact, got ",
                    n);

@@ -1,3 +1,15 @@
+// # A field in colours
+//
+// gnuplot fills polygons, but it does not know elements. So a field on a deformed mesh is written
+// as polygons, each closed and followed by an empty line. Three pictures need three kinds: a cell
+// with one value, bands between levels, and the line where a field changes its sign.
+//
+// Bands are cut where the field meets a level. Within a triangle the field is linear: if it is
+// \f$ v_1 \f$ at one corner and \f$ v_2 \f$ at the next, it has the value v at the share
+// \f[ t = \frac{v - v_1}{v_2 - v_1} \f]
+// of the way between them. A quadrilateral is cut into four triangles about its middle, which has
+// the mean of the corners.
+
 #include "papers/field_csv.hpp"
 
 #include <algorithm>
@@ -11,9 +23,14 @@ namespace signorini {
 
 namespace {
 
+// The corners of a polygon in order. A point carries its value with it, so that a cut interpolates
+// position and value at once.
 using Polygon = std::vector<Eigen::Vector3d>;  // x, y and the field
 
 // What is left of a polygon where sign * (field - level) >= 0.
+// Walk around the polygon: keep the corners on the right side of the level, and add a point
+// wherever a side crosses it. A square with the values 0, 0, 1, 1 at its corners, cut at 0.5, keeps
+// two corners and gets two points, half-way up.
 Polygon part(const Polygon& whole, double level, int sign) {
   Polygon kept;
   for (std::size_t k = 0; k < whole.size(); ++k) {
@@ -29,6 +46,8 @@ Polygon part(const Polygon& whole, double level, int sign) {
 }
 
 // The pieces of a cell between two levels: of a triangle one, of a quadrilateral those of four triangles.
+// Cut off what is below the lower level, then what is above the upper one. What has fewer than
+// three corners is no piece.
 std::vector<Polygon> between(const Polygon& corners, const Eigen::Vector3d& middle, double low,
                              double high) {
   std::vector<Polygon> pieces;
@@ -74,6 +93,8 @@ void add_bands(const Polygon& corners, const Eigen::Vector3d& middle,
 }
 
 // Values that rounding alone keeps from a level are moved onto it: every machine cuts the same cells.
+// Otherwise such a value would be on one side with one compiler and on the other with the next, and
+// the committed figure would change.
 double snapped(double value, const std::vector<double>& levels, double tolerance) {
   for (const double level : levels)
     if (std::abs(value - level) <= tolerance) return level;
@@ -82,6 +103,18 @@ double snapped(double value, const std::vector<double>& levels, double tolerance
 
 }  // namespace
 
+// The first corner is written again at the end, so that the polygon is closed. Numbers have five
+// digits, which is more than a picture shows, and the tolerance in the first line allows for the
+// last of them.
+// A square of side 10 with the value 3.5 is
+//
+//     # tolerance rel 1e-4 abs 0.0002
+//     x,y,value
+//     0,0,3.5
+//     10,0,3.5
+//     10,10,3.5
+//     0,10,3.5
+//     0,0,3.5
 std::string deformed_cells_csv(const Mesh& mesh, const NodeArray& displacements,
                                const Eigen::Ref<const Eigen::VectorXd>& value, double scale) {
   require_argument(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_cells(),
@@ -96,6 +129,11 @@ std::string deformed_cells_csv(const Mesh& mesh, const NodeArray& displacements,
   return field.csv(text("rel 1e-4 abs ", 2e-5 * std::max(size, largest)));
 }
 
+// Two levels more, minus and plus infinity, make the first and the last band like the others. A
+// cell that lies within one band is written whole; only the others are cut.
+// The colour of a band is its number: how many levels lie below it. A picture of bands shows the
+// value to a reader without a scale of hundreds of colours, and it is the same on every screen.
+// The mean in the middle is moved onto a level like the corners, so that no sliver is cut there.
 std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
                                const Eigen::Ref<const Eigen::VectorXd>& value,
                                const std::vector<double>& levels, double scale) {
@@ -129,6 +167,12 @@ std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
   return field.csv(text("rel 1e-4 abs ", 2e-5 * moved.cwiseAbs().maxCoeff()));
 }
 
+// A triangle whose corners have different signs is crossed on two of its sides: the line between
+// these two points is its part of the zero line. Zero counts as positive, so a line through a
+// corner is found on one of the two sides that meet there, not on both.
+// Each triangle is treated alone. Neighbours share a side and compute the same point on it, so the
+// short pieces join to a line.
+// A triangle without change of sign adds nothing.
 std::string deformed_zero_line_csv(const Mesh& mesh, const NodeArray& displacements,
                                    const Eigen::Ref<const Eigen::VectorXd>& value, double scale) {
   require_argument(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_nodes(),

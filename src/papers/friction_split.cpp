@@ -1,3 +1,24 @@
+// # The slip in two parts
+//
+// Coulomb's law has three cases: a pair sticks, slides forwards or slides backwards. Lin et al.
+// write it with two conditions of the kind that contact has already. The slip is the difference of
+// two parts that are not negative, and each part has a condition with the friction that is left on
+// its side,
+// \f[ \text{slip} = u^+ - u^-, \qquad \varphi(u^+, b + \tau) = 0, \qquad \varphi(u^-, b - \tau) = 0, \qquad b = c + \mu\lambda, \f]
+// where \f$ \varphi \f$ is the Fischer-Burmeister function: \f$ \varphi(x, y) = 0 \f$ says that x
+// and y are not negative and one of them is zero. So \f$ u^+ > 0 \f$ needs \f$ \tau = -b \f$: who
+// slides forwards is held back with all the friction there is.
+//
+// One pair with \f$ b = 0.5 \f$ whose slip is \f$ 1 + \tau \f$: with \f$ \tau = -0.5 \f$ it slides
+// by 0.5, so \f$ u^+ = 0.5 \f$ and \f$ u^- = 0 \f$; the two conditions are
+// \f$ \varphi(0.5, 0) = 0 \f$ and \f$ \varphi(0, 1) = 0 \f$. With \f$ b = 2 \f$ it sticks,
+// \f$ \tau = -1 \f$, and both parts are zero.
+//
+// The weak place is \f$ b = 0 \f$, as at every open pair without cohesion. Both conditions then say
+// only \f$ \tau = 0 \f$, the parts may grow together, and the Jacobian is singular.
+// [Chapter 8](../../chapters/ch08_complementarity/README.md) has the table. This file has the
+// equations, the method as it is printed, and what makes it work.
+
 #include "papers/friction_split.hpp"
 
 #include <cmath>
@@ -23,11 +44,14 @@ using Eigen::VectorXd;
 /// Newton step needs; where both entries vanish, 1e-10 still leaves six digits of their difference.
 constexpr double shift = 1e-10;
 
-// The law: phi(u+, b + tau) = 0, phi(u-, b - tau) = 0, slip = u+ - u-.
+// The law: phi(u+, b + tau) = 0, phi(u-, b - tau) = 0, slip = u+ - u-. The unknowns are those of
+// ContactEquations, forces and amplitudes, and behind them all \f$ u^+ \f$ and then all
+// \f$ u^- \f$.
 Index first_forward(const ContactEquations& equations) {
   return equations.rows() + equations.modes();
 }
 
+// At the start each slip is one part alone.
 void start(const ContactEquations& equations, VectorXd& x) {
   const Index slips = equations.slips();
   const Index plus = first_forward(equations);
@@ -35,7 +59,8 @@ void start(const ContactEquations& equations, VectorXd& x) {
   x.segment(plus + slips, slips) = (-equations.movement().tail(slips)).cwiseMax(0.0);
 }
 
-/// \PaperEq{LinEtAl, 30}
+// \PaperEq{LinEtAl, 30}
+// Three equations for each pair with friction: the split itself, and a condition for each part.
 void evaluate(const ContactEquations& equations, const VectorXd& x, VectorXd& residual) {
   const Index slips = equations.slips();
   for (Index k = 0; k < slips; ++k) {
@@ -48,7 +73,9 @@ void evaluate(const ContactEquations& equations, const VectorXd& x, VectorXd& re
   }
 }
 
-/// \PaperEq{LinEtAl, 31}, without the displacements
+// \PaperEq{LinEtAl, 31}, without the displacements
+// Each of the three has entries in the columns of its own part, of \f$ \tau \f$ and, through the
+// bound b, of \f$ \lambda \f$.
 void jacobian(const ContactEquations& equations, const VectorXd& x, MatrixXd& J) {
   const Index slips = equations.slips();
   for (Index k = 0; k < slips; ++k) {
@@ -70,15 +97,22 @@ void jacobian(const ContactEquations& equations, const VectorXd& x, MatrixXd& J)
   }
 }
 
+// The repair lowers two entries of each pair with friction by \f$ 10^{-10} \f$. It changes the step
+// and not the equations, so the solution stays where it is.
 void shifted_jacobian(const ContactEquations& equations, const VectorXd& x, MatrixXd& J) {
   jacobian(equations, x, J);
   J.diagonal().tail(2 * equations.slips()).array() -= shift;
 }
 
+// The two methods of this file are the same equations with different Jacobians, starts and readings
+// of the bound.
 constexpr Formulation mended = {2, start, evaluate, shifted_jacobian};
 constexpr Formulation printed = {2, nullptr, evaluate, jacobian, Reading::AsPrinted};
 
-/// A problem that is not scaled, in the form of one that is.
+// A problem that is not scaled, in the form of one that is.
+// The paper compares lengths with forces as they come. To do the same, the printed method gets a
+// problem whose scales are all 1.
+// Rows of friction and rigid modes are handed on as they are.
 ScaledProblem unscaled(const ContactProblem& problem) {
   const Index modes = problem.resultant.size();
   const VectorXd free = free_movement(problem);
@@ -92,7 +126,10 @@ ScaledProblem unscaled(const ContactProblem& problem) {
           MatrixXd::Identity(modes, modes)};
 }
 
-/// In words, what makes the Jacobian singular: a pair whose two slip equations do not know u+ and u-.
+// In words, what makes the Jacobian singular: a pair whose two slip equations do not know u+ and u-.
+// A user who sees the printed method break down wants to know where. The slope of \f$ \varphi \f$
+// with respect to a part is zero if that part is positive and the friction left on its side is
+// zero. If this happens to both parts of a pair, that pair is named.
 std::string singular(const ContactEquations& equations, const VectorXd& x) {
   const auto free = [](double slope) { return std::abs(slope) < 1e-6; };
   for (Index k = 0; k < equations.slips(); ++k) {
@@ -108,8 +145,11 @@ std::string singular(const ContactEquations& equations, const VectorXd& x) {
          "modes, or pairs repeat each other";
 }
 
-/// Newton's method until the residual, once below the tolerance, falls no more: its steps are cheap there.
-/// \return why it ended, or nothing if there
+// Newton's method until the residual, once below the tolerance, falls no more: its steps are cheap there.
+// \return why it ended, or nothing if there
+// No step is shortened here, and none is checked: this is the method that the paper describes.
+// Below the tolerance it goes on as long as the residual falls: near a solution each step doubles
+// the digits, and one or two steps more give all that there are.
 std::string newton_iterations(ContactEquations& equations, const SolverOptions& options,
                               VectorXd& x, Report& report) {
   const Index limit = options.iteration_limit > 0 ? options.iteration_limit : 50;
@@ -144,6 +184,8 @@ std::string newton_iterations(ContactEquations& equations, const SolverOptions& 
 
 }  // namespace
 
+// Without force nothing holds a body that only contact holds, and the first Jacobian would be
+// singular. In that case the method starts from forces that balance the load.
 ContactState friction_split_literal(const ContactProblem& problem, const SolverOptions& options) {
   check_problem(problem);
   const ScaledProblem raw = unscaled(problem);
@@ -171,6 +213,8 @@ ContactState friction_split_literal(const ContactProblem& problem, const SolverO
   return state;
 }
 
+// The repaired method is the Newton method of the library with these equations in the place of its
+// own.
 ContactState friction_split(const ContactProblem& problem, const SolverOptions& options) {
   const ScaledProblem scaled = equilibrate(problem);
   Iterate iterate = first_iterate(scaled);

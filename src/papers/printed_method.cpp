@@ -1,3 +1,10 @@
+// # The printed method, looked at
+//
+// Chapters 6 and 7 show on their own problems what the method of the paper does: which pairs
+// overlap before a step, which of them are taken, which the step presses, and how the weights of
+// the first step come about. Two readings of the paper are the limits: all pairs that overlap are
+// taken at once, or only the one that overlaps most.
+
 #include "papers/printed_method.hpp"
 
 #include <algorithm>
@@ -12,12 +19,17 @@ using Eigen::Index;
 
 namespace {
 
+// Sets of pairs are sorted, so that a member is found by halving.
+// In a table, membership is the number 1 or 0.
 double is_in(const std::vector<Index>& sorted, Index pair) {
   return std::binary_search(sorted.begin(), sorted.end(), pair) ? 1 : 0;
 }
 
 }  // namespace
 
+// The first quasi-active set is a problem of its own. The best rule for its weights and the printed
+// one are both run on it, and of the printed one we count the vertices that it jumps to before one
+// comes back.
 PrintedMethod printed_method(const ContactProblem& problem) {
   constexpr Index no_limit = 1000000;  // both rules end by themselves
   PrintedMethod run;
@@ -32,6 +44,9 @@ PrintedMethod printed_method(const ContactProblem& problem) {
   return run;
 }
 
+// If no pair overlaps after the first step, the problem is solved: the step presses only pairs that
+// it closes. Three of the four readings are asked. The fourth takes one pair per step, so it needs
+// at least as many steps as it presses pairs.
 bool solved_in_one_step(const ContactProblem& problem, const ContactState& solution) {
   const QuasiActiveRows readings[] = {QuasiActiveRows::AllViolated,
                                       QuasiActiveRows::IndependentByIndex,
@@ -44,6 +59,14 @@ bool solved_in_one_step(const ContactProblem& problem, const ContactState& solut
   });
 }
 
+// The rest of this file is bookkeeping: sets of pairs as rows of a table, which gnuplot draws as
+// points, a row of points per step.
+//
+//     step,at,quasi_active,closed
+//     0,12.5,1,1
+//     0,25,1,0
+//
+// says of step 0 that two pairs overlapped, both were taken, and the first was pressed.
 Table outer_steps(const QuasiActiveRun& run, const Eigen::VectorXd& at) {
   require_argument(at.size() == run.state.gap.size(), "outer_steps: need ", run.state.gap.size(),
                    " positions, one per pair, got ", at.size());
@@ -55,6 +78,7 @@ Table outer_steps(const QuasiActiveRun& run, const Eigen::VectorXd& at) {
   return table;
 }
 
+// A pair that carries weight now and did not one step before has joined; the figure marks it.
 Table inner_steps(const std::vector<std::vector<Index>>& supports, const Eigen::VectorXd& at) {
   Table table({"step", "at", "joins"});
   for (std::size_t k = 0; k < supports.size(); ++k)
@@ -66,6 +90,7 @@ Table inner_steps(const std::vector<std::vector<Index>>& supports, const Eigen::
   return table;
 }
 
+// Pairs of the first group are numbered within the group, so their positions are picked first.
 void write_printed_method(const std::filesystem::path& stem, const PrintedMethod& run,
                           const Eigen::VectorXd& at) {
   write_file(stem.string() + "_all.csv", outer_steps(run.all, at).csv());
@@ -73,6 +98,7 @@ void write_printed_method(const std::filesystem::path& stem, const PrintedMethod
   write_file(stem.string() + "_inner.csv", inner_steps(run.weights, at(run.group)).csv());
 }
 
+// The sizes of the sets are what the text of a chapter quotes.
 void add_counts(Results& results, const PrintedMethod& run, const std::string& suffix) {
   const auto add = [&](const char* name, Index count) {
     results.add(name + suffix, static_cast<double>(count), "-");

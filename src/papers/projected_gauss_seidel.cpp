@@ -1,3 +1,20 @@
+// # Sweeps
+//
+// The oldest idea: close one pair after the other, as if nothing else moved, and begin again. Pair
+// i gets the force
+// \f[ \lambda_i \leftarrow \max\left(0,\; \lambda_i - \frac{g_i}{G_{ii}}\right), \f]
+// where \f$ g_i \f$ is its gap at this moment, and every other gap changes by a column of G. For
+// the two pairs with \f$ G = \begin{pmatrix} 2 & 1 \\ 1 & 2 \end{pmatrix} \f$ and overlaps (7, 5)
+// the forces are
+//
+//     sweep 1: 3.5     0.75
+//     sweep 2: 3.125   0.9375
+//     limit:   3       1
+//
+// and the error falls to a quarter in each sweep. With many pairs that push each other the factor
+// is close to 1. But *which* pairs press is known long before the forces are. In the example the
+// set stays the same in sweep 2, and this set, closed exactly, is the solution.
+
 #include "papers/projected_gauss_seidel.hpp"
 
 #include <algorithm>
@@ -10,7 +27,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Sweeps over all pairs until the set of those with a force can be closed exactly.
+// Sweeps over all pairs until the set of those with a force can be closed exactly.
+// In the loop, the gaps are computed anew after each sweep: a sweep changes them in n small steps,
+// and the rounding of all these would add up.
+// A set that cannot be closed exactly is tried again after 1, 2, 4, ... sweeps that leave it as it
+// is: its pairs are taken by falling force, and if some depend on others, that order decides.
 class Sweeps {
  public:
   explicit Sweeps(const ScaledProblem& problem)
@@ -81,6 +102,11 @@ class Sweeps {
 
 }  // namespace
 
+// Sweeps ask for nothing but a positive diagonal, so an asymmetric matrix is taken as well. Whether
+// they converge then is another matter.
+//
+// A pair that its own force does not close cannot be swept. It is allowed where no force moves it
+// at all: its row and its column are zero.
 ContactState projected_gauss_seidel(const ContactProblem& problem, const SolverOptions& options) {
   check_plain(problem, "projected_gauss_seidel");
   const ScaledProblem scaled = equilibrate_any(problem);

@@ -1,3 +1,14 @@
+// # All solvers in one list
+//
+// A solver is a function from a problem to a state, with a name, a line for lists, and a promise.
+// Every member promises to say `Solved` only if the conditions of contact hold. What it need not
+// solve it lists as *traits*: a member that lists `IllConditioned` may end without a solution if
+// rows are nearly dependent, and then says so. The conformance suite takes this list, makes
+// problems with every trait, and tests each member on all that it promises.
+//
+// The list is the place where a new member enters. It stands with the papers and not with the
+// library, because most of its members are here to be compared.
+
 #include "papers/solver_table.hpp"
 
 #include "addons/certified/active_set_programme.hpp"
@@ -17,12 +28,15 @@
 namespace signorini {
 namespace {
 
+// Most members need no more than these three.
 Solver member(const char* name, const char* summary,
               ContactState (*solve)(const ContactProblem&, const SolverOptions&)) {
   return {name, summary, solve};
 }
 
 /// What no method for the weights of the surrogate dual promises but the one that ends by itself.
+// Two lists of traits that several members share. `Several`, more than one closed pair, is hard
+// only for the rule that jumps from vertex to vertex.
 const std::vector<Trait> all_but_several = {
     Trait::Ordinary,   Trait::Asymmetric,     Trait::Dependent, Trait::Infeasible,
     Trait::Degenerate, Trait::IllConditioned, Trait::Slow};
@@ -30,7 +44,9 @@ const std::vector<Trait> everything = {Trait::Ordinary,   Trait::Asymmetric, Tra
                                        Trait::Infeasible, Trait::Degenerate, Trait::IllConditioned,
                                        Trait::Slow,       Trait::Several};
 
-/// One weighted gap in the place of all.
+// One weighted gap in the place of all.
+// The six rules for the weights of the surrogate dual are one function with a fixed rule each. Only
+// the fully corrective rule ends by itself, so only it promises to solve ordinary problems.
 std::vector<Solver> weight_rules() {
   return {
       member("surrogate_dual", "one weighted gap; weights best on the face of all vertices in use",
@@ -57,6 +73,7 @@ std::vector<Solver> weight_rules() {
           .may_fail_on(all_but_several)};
 }
 
+// The order of the list is that of tables and messages, so the rules stand in its middle.
 std::vector<Solver> joined(const std::vector<Solver>& first, const std::vector<Solver>& second,
                            const std::vector<Solver>& third) {
   std::vector<Solver> all = first;
@@ -65,7 +82,8 @@ std::vector<Solver> joined(const std::vector<Solver>& first, const std::vector<S
   return all;
 }
 
-/// The members that do not say `no` of friction.
+// The members that do not say `no` of friction.
+// A member takes friction always, never or only: the two lists below are parts of the one above.
 std::vector<Solver> without(Takes no) {
   std::vector<Solver> members;
   for (const Solver& solver : all_solvers())
@@ -75,6 +93,17 @@ std::vector<Solver> without(Takes no) {
 
 }  // namespace
 
+// Methods that the library itself uses come with their traits, as a function of their name. The
+// others get theirs here.
+//
+// The literal method and the printed split are kept as they are. That they fail is a result of the
+// chapters, so they promise next to nothing.
+// Two members also solve a programme K, p, A, g as it is (`on_programmes`), without condensing it
+// to the pairs first. `enumerate` tries every set, so it takes only few pairs (`up_to`). Members
+// `with_rigid_modes` take bodies that only contact holds.
+// To add a member, write one line here:
+//
+//     member("my_method", "what it does in a line", my_method).may_fail_on({Trait::Slow}),
 const std::vector<Solver>& all_solvers() {
   static const std::vector<Solver> family = joined(
       {quasi_active_set().on_programmes(quasi_active_set),
@@ -113,16 +142,23 @@ const std::vector<Solver>& all_solvers() {
   return family;
 }
 
+// A scene without friction is offered these.
+// Members that are made for friction alone are left out.
 const std::vector<Solver>& solvers() {
   static const std::vector<Solver> members = without(Takes::Only);
   return members;
 }
 
+// A scene with friction is offered these, the one to use first.
+// Members without friction would refuse its problems.
 const std::vector<Solver>& friction_solvers() {
   static const std::vector<Solver> members = without(Takes::No);
   return members;
 }
 
+// A name that is not in the list is answered with the nearest one.
+//
+//     unknown solver 'lemk'; did you mean 'lemke'? There are: quasi_active_set, ...
 const Solver& find_solver(const std::string& name) {
   return find_member(all_solvers(), name, "solver");
 }

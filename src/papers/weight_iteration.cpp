@@ -1,3 +1,19 @@
+// # Better weights, step by step
+//
+// At the weights \f$ \xi \f$ the pairs still overlap by \f$ b - \eta G\xi \f$, and the slope of s
+// is \f$ \eta \f$ times that. The linear programme (28) of the paper, the largest linear increase
+// over the simplex, is solved by looking for the largest overlap: all weight goes to that pair.
+// Taken literally this hops. In the example of [surrogate_dual.cpp](surrogate_dual.cpp) pair 1
+// alone leaves pair 2 an overlap of \f$ 5 - 7/2 = 3/2 \f$, and pair 2 alone leaves pair 1 an
+// overlap of \f$ 7 - 5/2 = 9/2 \f$: each vertex answers with the other, for ever, although the
+// solution needs both.
+//
+// As a direction the vertex is right. From equal weights towards the first vertex the five numbers
+// of the line are \f$ b_0 = 6,\ b_1 = 1,\ c_0 = 3/2,\ c_1 = 0,\ c_2 = 1/2 \f$, and the best step is
+// \f[ t = \frac{b_0 c_1 - b_1 c_0}{b_1 c_1 - b_0 c_2} = \frac{-3/2}{-3} = \frac12, \f]
+// which arrives at the solution (3/4, 1/4). With more pairs it takes more steps, and the rules
+// differ in how they avoid going to and fro.
+
 #include "papers/weight_iteration.hpp"
 
 #include <algorithm>
@@ -11,6 +27,8 @@ namespace signorini {
 
 using Eigen::Index;
 
+// The last rule starts at the vertex with the largest overlap, because a face begins with one
+// vertex. The others start in the middle.
 WeightIteration::WeightIteration(const ContactProblem& problem, WeightRule rule)
     : problem_(problem),
       rule_(rule),
@@ -25,11 +43,17 @@ WeightIteration::WeightIteration(const ContactProblem& problem, WeightRule rule)
   evaluate();
 }
 
+// A step changes \f$ G\xi \f$ by one column of G, which costs little and collects rounding. Now and
+// then it is computed anew.
 void WeightIteration::renew() {
   if (weights_.size() > 0 && weights_.sum() > 0) weights_ /= weights_.sum();
   product_.noalias() = problem_.compliance * weights_;
 }
 
+// All that a step asks for: the weighted overlap, the total force, s, and what every pair still
+// overlaps by.
+// If the weights move no pair and still overlap, the total force is infinite, and the overlaps are
+// those without contact.
 void WeightIteration::evaluate() {
   const double weighted = -problem_.free_gap.dot(weights_);
   compliance_ = weights_.dot(product_);
@@ -39,6 +63,8 @@ void WeightIteration::evaluate() {
   if (std::isfinite(total_force_)) overlap_ -= total_force_ * product_;
 }
 
+// s cannot grow by more than about \f$ \eta \f$ times the largest overlap. Divided by s this is a
+// number without unit, which says when to stop.
 double WeightIteration::relative_gap() const {
   const double worst = overlap_.size() > 0 ? overlap_.maxCoeff() : 0;
   if (worst <= 0) return 0;
@@ -46,11 +72,17 @@ double WeightIteration::relative_gap() const {
                                              : std::numeric_limits<double>::infinity();
 }
 
+// An end has a reason, and the caller has only to know that nothing moved.
 bool WeightIteration::stop(WeightEnd why) {
   end_ = why;
   return false;
 }
 
+// Before it moves, a step looks for two ends. Weights that move no pair and still overlap prove
+// that the gaps contradict each other. And if no pair overlaps by more than the rounding of its own
+// terms, all conditions hold.
+// All rules but the harmonic one raise s with every step. If s falls by more than rounding
+// nevertheless, the iteration ends.
 bool WeightIteration::step() {
   if (end_ != WeightEnd::None) return false;
   if (weights_.size() == 0) return stop(WeightEnd::Optimal);
@@ -80,6 +112,8 @@ bool WeightIteration::step() {
   return true;
 }
 
+// A vertex alone determines the next one. So the first that comes back closes a cycle, and there is
+// no point in going on.
 bool WeightIteration::jump(Index best) {
   if (visited_[static_cast<std::size_t>(best)]) return stop(WeightEnd::Repeats);
   visited_[static_cast<std::size_t>(best)] = true;
@@ -87,6 +121,10 @@ bool WeightIteration::jump(Index best) {
   evaluate();
   return true;
 }
+
+// The last rule needs no length of a step: the face takes the vertex in and moves to its best point.
+// Each of these points is better than the one before, and there are finitely many faces, so this
+// rule ends by itself.
 
 // [face step]
 bool WeightIteration::correct(Index best) {
@@ -107,6 +145,11 @@ bool WeightIteration::take_in(Index vertex) {
 }
 // [face step]
 
+// A direction is \f$ \delta = p\,e_{to} - q\,e_{from} + r\,\xi \f$. Towards a vertex it is
+// \f$ e_{to} - \xi \f$, with steps up to 1. Away from the vertex that is wanted least it is
+// \f$ \xi - e_{from} \f$; its weight w becomes \f$ w(1 + t) - t \f$, which vanishes at
+// \f$ t = w/(1 - w) \f$. We go away if the gap of that vertex is larger than the largest overlap.
+// The pairwise rule moves weight from one vertex to another, at most all of it.
 WeightIteration::Direction WeightIteration::direction(Index best) const {
   const Direction towards{best, best, 1, 0, -1, 1};
   if (rule_ != WeightRule::AwaySteps && rule_ != WeightRule::Pairwise) return towards;
@@ -119,6 +162,8 @@ WeightIteration::Direction WeightIteration::direction(Index best) const {
   return {worst, worst, 0, 1, 1, weight / (1 - weight)};
 }
 
+// The five numbers of the line follow from \f$ b^T\xi \f$, \f$ \xi^T G\xi \f$ and the vector
+// \f$ G\xi \f$, which are at hand, and three entries of G. No product with G is needed.
 double WeightIteration::step_length(const Direction& along) const {
   if (rule_ == WeightRule::Harmonic) return 2 / static_cast<double>(steps_ + 2);
   const auto [to, from, p, q, r, largest] = along;
@@ -133,6 +178,8 @@ double WeightIteration::step_length(const Direction& along) const {
   return best_step(line, largest);
 }
 
+// A vertex that gives away all its weight gets exactly zero: otherwise it would stay in use for
+// ever.
 void WeightIteration::move(const Direction& along, double step) {
   const auto [to, from, p, q, r, largest] = along;
   weights_ *= 1 + r * step;
@@ -147,6 +194,8 @@ void WeightIteration::move(const Direction& along, double step) {
   }
 }
 
+// Figures show which pairs carry weight. They want all steps, not only the last.
+// The problem is equilibrated as in surrogate_dual(), so that the steps are the same.
 std::vector<std::vector<Index>> weight_supports(const ContactProblem& problem, WeightRule rule,
                                                 Index limit) {
   check_plain(problem, "weight_supports");

@@ -1,3 +1,10 @@
+// # Factors that tell the rank
+//
+// LU and Cholesky need a matrix that can be inverted. Contact has others: rows that say the same
+// twice, and bodies that can still move. Four factorisations with orthonormal columns answer what
+// is left to ask: which columns are independent, what a matrix takes to zero, which x fits best,
+// and how large the matrix is in each direction.
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -11,6 +18,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// QR with column pivoting takes the longest column first, removes its direction from the others,
+// and goes on with the longest of what is left. It stops when nothing is left but rounding. Of the
+// columns (1, 0), (2, 0), (0, 1) it takes the second, then the third; the first adds nothing, and
+// the rank is 2.
 ColumnSpan column_span(const MatrixXd& matrix, double threshold) {
   Eigen::ColPivHouseholderQR<MatrixXd> factor(matrix);
   if (threshold >= 0) factor.setThreshold(threshold);
@@ -22,6 +33,10 @@ ColumnSpan column_span(const MatrixXd& matrix, double threshold) {
   return span;
 }
 
+// \f$ Ex = 0 \f$ says that x is orthogonal to every row of E. A QR of \f$ E^T \f$ has an
+// orthonormal basis of these rows in its first columns; the other columns of Q are orthogonal to
+// them all. Pivoting of rows and columns is slower than that of columns alone, and finds the rank
+// more surely.
 MatrixXd null_space(const MatrixXd& matrix) {
   const Eigen::FullPivHouseholderQR<MatrixXd> factor(matrix.transpose());
   const MatrixXd Q = factor.matrixQ();
@@ -36,7 +51,9 @@ struct Block {
   std::vector<Index> columns;
 };
 
-/// The blocks that a matrix falls into: columns that have an entry in one row are in one.
+// The blocks that a matrix falls into: columns that have an entry in one row are in one.
+// A new column joins all blocks with which it shares a row, and these become one. `owner` says for
+// each row in which block it is by now.
 std::vector<Block> blocks_of(const MatrixXd& matrix) {
   std::vector<Block> blocks;
   std::vector<Index> owner(static_cast<std::size_t>(matrix.rows()), -1);
@@ -63,6 +80,8 @@ std::vector<Block> blocks_of(const MatrixXd& matrix) {
 
 }  // namespace
 
+// If A has not full rank, many x fit equally well. We take the shortest, so that the answer is
+// defined.
 // A matrix of rigid motions has a block per body. One by one they cost as many operations as there are bodies; as one
 // matrix, the cube of that.
 VectorXd least_norm_solution(const MatrixXd& matrix, const VectorXd& b) {
@@ -77,15 +96,21 @@ VectorXd least_norm_solution(const MatrixXd& matrix, const VectorXd& b) {
   return x;
 }
 
+// If there are many right-hand sides, the matrix that leads from b to this x is worth having.
 MatrixXd pseudo_inverse(const MatrixXd& matrix) {
   return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(matrix).pseudoInverse();
 }
 
+// \f$ A = U\,\mathrm{diag}(\sigma)\,V^T \f$: the columns of V are directions that stay orthogonal
+// under A, \f$ \sigma \f$ says how much each is stretched, and the columns of U say where it goes.
+// Jacobi's method is slow and accurate.
 SingularValues singular_values(const MatrixXd& matrix) {
   const Eigen::JacobiSVD<MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
   return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
 }
 
+// The signs of the eigenvalues say whether A is definite. The vectors are not computed, which is
+// the larger part of the work.
 VectorXd symmetric_eigenvalues(const MatrixXd& matrix) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }

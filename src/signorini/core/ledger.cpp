@@ -1,3 +1,15 @@
+// # What a run costs
+//
+// "Contact costs about two linear solves" is a claim that can be measured. Every part of a run that
+// takes time opens a phase, a local object, and the phase ends with its block:
+//
+//     const Ledger::Phase outer(ledger, "factor");
+//     { const Ledger::Phase inner(ledger, "numeric"); ... }
+//
+// writes the lines `factor` and `factor/numeric`. The first contains the seconds of the second;
+// counts belong only to the line where they were counted. Seconds differ from run to run, counts do
+// not: so tests read counts.
+
 #include "signorini/core/ledger.hpp"
 
 #include <algorithm>
@@ -7,6 +19,8 @@
 
 namespace signorini {
 
+// A phase remembers the number of its line, not the line: `entries_` moves in memory when a new
+// line is added.
 Ledger::Phase::Phase(Ledger& ledger, const std::string& name)
     : ledger_(ledger), parent_(ledger.open_), begin_(std::chrono::steady_clock::now()) {
   entry_ = ledger.line(parent_ == none ? name : ledger.entries_[parent_].path + '/' + name);
@@ -20,6 +34,8 @@ Ledger::Phase::~Phase() {
   ledger_.open_ = parent_;
 }
 
+// A phase in a loop opens the same path again and adds to its line. A run has few lines, so we look
+// through all of them.
 std::size_t Ledger::line(const std::string& path) {
   if (const LedgerEntry* known = find(path))
     return static_cast<std::size_t>(known - entries_.data());
@@ -28,14 +44,18 @@ std::size_t Ledger::line(const std::string& path) {
   return entries_.size() - 1;
 }
 
+// What is counted while no phase is open is not lost: it goes to a line of its own.
 LedgerEntry& Ledger::open_entry() { return entries_[open_ != none ? open_ : line("outside")]; }
 
+// Any name may be counted. A new one begins at 0.
 void Ledger::count(const std::string& name, long long amount) {
   open_entry().counts[name] += amount;
 }
 
 void Ledger::bytes(long long amount) { open_entry().bytes += amount; }
 
+// A test may ask for a phase that never ran. That is no error: it took no time, and nothing was
+// counted.
 const LedgerEntry* Ledger::find(const std::string& path) const {
   const auto known = std::find_if(entries_.begin(), entries_.end(),
                                   [&](const LedgerEntry& e) { return e.path == path; });
@@ -54,6 +74,8 @@ long long Ledger::counted(const std::string& path, const std::string& name) cons
   return known == entry->counts.end() ? 0 : known->second;
 }
 
+// Each line is indented by its depth, the number of `/` in its path. The table is written into a
+// string first, so that the number formats of `out` stay as they are.
 std::ostream& operator<<(std::ostream& out, const Ledger& ledger) {
   std::ostringstream table;
   table << std::left << std::setw(34) << "phase" << std::right << std::setw(10) << "seconds"

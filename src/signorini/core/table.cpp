@@ -1,3 +1,9 @@
+// # Numbers as text
+//
+// A program writes its numbers twice: as Markdown for the text of its chapter and as comma
+// separated values for its figures. Both come from one table. A fresh run is compared with the
+// committed numbers, so the first line of the second kind says how far two runs may differ.
+
 #include "signorini/core/table.hpp"
 
 #include <array>
@@ -10,6 +16,7 @@
 namespace signorini {
 namespace {
 
+// Both kinds of text are cells with something between them.
 std::string joined(const std::vector<std::string>& cells, const char* separator) {
   std::string line;
   for (std::size_t k = 0; k < cells.size(); ++k) line += (k == 0 ? "" : separator) + cells[k];
@@ -18,6 +25,7 @@ std::string joined(const std::vector<std::string>& cells, const char* separator)
 
 }  // namespace
 
+// Ten digits are enough for a figure, and few enough that rounding in the last bits is not seen.
 std::string number(double value, const char* format) {
   std::array<char, 64> buffer{};
   const int length = std::snprintf(buffer.data(), buffer.size(), format, value);
@@ -26,6 +34,9 @@ std::string number(double value, const char* format) {
   return buffer.data();
 }
 
+// A number that is read again has to be the same number: so as few digits as identify it, which are
+// never more than 17. 0.1 is written as `0.1`, but 0.1 + 0.2 as `0.30000000000000004`, because it
+// is another double than 0.3.
 std::string shortest(double value) {
   std::array<char, 32> buffer{};  // "-2.2250738585072014e-308" is the longest
 #ifdef __cpp_lib_to_chars
@@ -42,12 +53,16 @@ std::string shortest(double value) {
 
 Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
 
+// A table is filled row by row or, with table_of() below, column by column.
+//
+// A row that is too short would shift every cell behind it. So it is refused where it is written.
 void Table::row(std::vector<std::string> cells) {
   require_argument(cells.size() == columns_.size(), "Table::row: need ", columns_.size(),
                    " cells (", joined(columns_, ", "), "), got ", cells.size());
   rows_.push_back(std::move(cells));
 }
 
+// Numbers become text here and not when the table is written, because a cell may also hold a word.
 void Table::row(const std::vector<double>& values) {
   std::vector<std::string> cells;
   cells.reserve(values.size());
@@ -55,8 +70,14 @@ void Table::row(const std::vector<double>& values) {
   row(std::move(cells));
 }
 
+// gnuplot lifts its pen at an empty line.
 void Table::blank_line() { rows_.emplace_back(); }
 
+// For the text. The colons set all columns flush right, so that numbers stand below each other:
+//
+//     | x | gap |
+//     |---:|---:|
+//     | 0 | 0.3 |
 std::string Table::markdown() const {
   std::string text = "| " + joined(columns_, " | ") + " |\n|";
   for (std::size_t k = 0; k < columns_.size(); ++k) text += "---:|";
@@ -65,12 +86,18 @@ std::string Table::markdown() const {
   return text;
 }
 
+// For gnuplot, which takes a line with `#` for a comment and the next one for the names of columns:
+//
+//     # tolerance rel 1e-6 abs 1e-9
+//     x,gap
+//     0,0.3
 std::string Table::csv(const std::string& tolerance) const {
   std::string text = "# tolerance " + tolerance + '\n' + joined(columns_, ",") + '\n';
   for (const std::vector<std::string>& cells : rows_) text += joined(cells, ",") + '\n';
   return text;
 }
 
+// Results are vectors more often than rows. Each column has its own format.
 Table table_of(const std::vector<Column>& columns) {
   require_argument(!columns.empty(), "table_of: need at least one column");
   std::vector<std::string> names;

@@ -1,3 +1,11 @@
+// # What may have been meant
+//
+// A user who writes `frictoin` wants to be told `friction`. The distance of two words is the least
+// number of letters that must be put in, taken out or changed. If \f$ d_{ij} \f$ is that of the
+// first i letters of one and the first j of the other, then
+// \f[ d_{ij} = \min\bigl(d_{i-1,j-1} + [a_i \ne b_j],\; d_{i-1,j} + 1,\; d_{i,j-1} + 1\bigr), \qquad d_{i0} = i,\; d_{0j} = j. \f]
+// Two letters that changed places are two changes, so `frictoin` is 2 away from `friction`.
+
 #include "signorini/core/wording.hpp"
 
 #include <algorithm>
@@ -7,7 +15,15 @@
 namespace signorini {
 namespace {
 
-/// How many letters must be put in, taken out or changed to make one word the other.
+// How many letters must be put in, taken out or changed to make one word the other.
+// The table of `gap` and `gasp` ends, at its lower right, with 1: put in an s.
+//
+//            g a s p
+//          0 1 2 3 4
+//        g 1 0 1 2 3
+//        a 2 1 0 1 2
+//        p 3 2 1 1 1
+// Row i needs only row i - 1, so one row is kept and overwritten.
 std::size_t edits(const std::string& from, const std::string& to) {
   std::vector<std::size_t> row(to.size() + 1);
   std::iota(row.begin(), row.end(), 0U);
@@ -30,6 +46,7 @@ std::size_t distance(const std::string& from, const std::string& to) {
 
 }  // namespace
 
+// What a message shows of a file may hold anything, and a terminal would obey some of it.
 std::string printable(std::string_view text) {
   std::string result(text);
   std::replace_if(
@@ -55,6 +72,9 @@ std::string listed(const std::vector<std::string>& names) {
   return names.empty() ? "none" : joined(names, ", ");
 }
 
+// A word is near another if at least half of the letters of the longer one stay. Without that rule
+// every word would suggest something. A very long word is no misspelling, and the table of its
+// distances would take long.
 std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
   constexpr std::size_t longest = 64;  // of a word that can be a misspelling
   std::size_t least = std::numeric_limits<std::size_t>::max();

@@ -1,3 +1,13 @@
+// # What is known of a pair
+//
+// A pair has a place, a gap, a pressure, a force, and with friction a shear, a slip and a motion.
+// Tables, files for viewers and the printed output all list these. They are collected once, as
+// columns with a name, a unit and one number per pair, so that everything that lists pairs has the
+// same names and the same signs.
+//
+// A column of words is one of numbers too: the numbers count in a list of words. A pair for which a
+// column means nothing has "not a number" there, and an empty cell in a table.
+
 #include "signorini/report/pair_columns.hpp"
 
 #include <cmath>
@@ -16,7 +26,9 @@ using Eigen::VectorXd;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A number for each frictional pair in the place of those that all pairs have.
+// A number for each frictional pair in the place of those that all pairs have.
+// Only some pairs may have friction. The state has their numbers in the order of the frictional
+// pairs; a column has one for each pair.
 VectorXd of_frictional(const ContactState& contact, const VectorXd& values, VectorXd all) {
   for (std::size_t k = 0; k < contact.frictional_pairs.size(); ++k)
     all(contact.frictional_pairs[k]) = values(static_cast<Index>(k));
@@ -28,7 +40,9 @@ VectorXd of_frictional(const ContactState& contact, const VectorXd& values, doub
   return of_frictional(contact, values, VectorXd::Constant(contact.force.size(), other));
 }
 
-/// Words between commas: quoted if they have commas or quotes of their own.
+// Words between commas: quoted if they have commas or quotes of their own.
+// Names of contacts are the user's, and may have commas in them. A quote within a word is written
+// twice, as spreadsheets expect it.
 std::string csv_word(const std::string& word) {
   if (word.find_first_of(",\"\n\r") == std::string::npos) return word;
   std::string quoted = "\"";
@@ -36,7 +50,13 @@ std::string csv_word(const std::string& word) {
   return quoted + '"';
 }
 
-/// \param slip  in total, as displacements tell it of pairs without friction
+// \param slip  in total, as displacements tell it of pairs without friction
+// Friction has five columns, and load steps two more. The shear traction is the friction force over
+// the weight of the pair, as the pressure is the contact force over it. The motion is a word: one
+// of the four that a pair can do.
+//
+// A step of a path has two slips: since the step before, and since the beginning. For a pair
+// without friction only the second is known: displacements tell the whole, not the part of a step.
 void add_friction(const Model& model, const Solution& solution,
                   const std::optional<PathTotals>& totals, const VectorXd& slip,
                   std::vector<PairColumn>& columns) {
@@ -67,6 +87,8 @@ void add_friction(const Model& model, const Solution& solution,
 
 }  // namespace
 
+// A state that is no solution has forces and gaps as well. To list them as if they were the answer
+// would be a trap, so who asks is stopped.
 void check_solved(const Solution& solution, const std::optional<PathTotals>& totals,
                   const char* function) {
   const ContactState& contact = solution.contact;
@@ -85,17 +107,31 @@ void check_solved(const Solution& solution, const std::optional<PathTotals>& tot
                    " slips, but the state of its path ", totals ? totals->slip.size() : 0);
 }
 
+// The weight turns a force into a traction. It is the area of the pair's part of the boundary.
 VectorXd shear_tractions(const Model& model, const Solution& solution) {
   const ContactState& contact = solution.contact;
   return of_frictional(contact, contact.friction, 0).cwiseQuotient(model.pairs.weight);
 }
 
+// One cell, whether the column has numbers or words.
 std::string PairColumn::cell(Index pair, const char* format) const {
   const double value = values(pair);
   if (std::isnan(value)) return "";
   return words.empty() ? number(value, format) : words[static_cast<std::size_t>(value)];
 }
 
+// A column that a scene has not is left out rather than filled with zeros: a table without friction
+// does not mention friction. Slip is the exception, because bodies slide along each other also
+// where nothing rubs.
+// The signs of all columns:
+//
+// | column | is positive if |
+// |:---|:---|
+// | gap | the pair is open |
+// | pressure, force | the pair is pressed |
+// | slip | the source moves to the right, looking out of the target |
+// | shear_traction, shear_force | the source is pushed to the right, looking out of the target |
+// | dissipated | a pair slides: friction acts against its slip |
 std::vector<PairColumn> pair_columns(const Model& model, const Solution& solution,
                                      const std::optional<PathTotals>& totals) {
   check_solved(solution, totals, "pair_columns");
@@ -131,6 +167,10 @@ std::vector<PairColumn> pair_columns(const Model& model, const Solution& solutio
   return columns;
 }
 
+// The rest is the comma separated form of it.
+//
+//     x,y,gap,pressure,force,status
+//     0,0,0,0.3,3,closed
 std::string csv_head(const std::vector<PairColumn>& columns) {
   std::string line;
   for (const PairColumn& column : columns) line += (line.empty() ? "" : ",") + column.name;

@@ -1,3 +1,15 @@
+// # What contact does in sum
+//
+// A table of pairs answers where a body is pressed, a sum answers how strongly. The forces of all
+// pairs add up to one force and one moment about the origin,
+// \f[ F = \sum_i \left(\lambda_i n_i + \tau_i t_i\right), \qquad M = \sum_i x_i \times \left(\lambda_i n_i + \tau_i t_i\right) + \dots, \f]
+// with the normal n out of the target and the tangent \f$ t = (n_y, -n_x) \f$. They act on the
+// source, and the opposite ones on the target. The dots stand for what a pair knows of its own
+// moment: if it is a mean of several points, its force does not act exactly at its position.
+//
+// With the loads and the forces of the supports these sums are in balance. A reader can check that
+// by hand.
+
 #include "signorini/report/pressure_table.hpp"
 
 #include <algorithm>
@@ -12,7 +24,7 @@ namespace {
 
 using Eigen::Index;
 
-/// Adds the force of a pair and its moments. \param tangent  0 along the normal, 1 along the tangent
+// Adds the force of a pair and its moments. \param tangent  0 along the normal, 1 along the tangent
 void add_force(const Pairs& pairs, Index pair, int tangent, double force, bool axial,
                Resultants& sum) {
   const Eigen::Vector2d n = pairs.normal.row(pair).transpose();
@@ -25,7 +37,14 @@ void add_force(const Pairs& pairs, Index pair, int tangent, double force, bool a
   sum.target_moment += -here + force * pairs.target_moment(pair, tangent);
 }
 
-/// Adds every pair to the sum that it belongs to. \param sum_of  gives that of a pair
+// Adds every pair to the sum that it belongs to. \param sum_of  gives that of a pair
+// One walk over the pairs serves all sums: the caller says to which sum a pair belongs.
+//
+// In axial symmetry a pair stands for a whole circle. Radial forces cancel around it, and so do the
+// moments; only the force along the axis is left.
+//
+// Normal force and shear force are sums of numbers and not of vectors. Around a curved boundary the
+// normal force is larger than the force F without friction, because parts of F cancel.
 template <typename SumOf>
 void add_pairs(const Model& model, const Solution& solution,
                const std::optional<PathTotals>& totals, const SumOf& sum_of) {
@@ -59,6 +78,13 @@ void add_pairs(const Model& model, const Solution& solution,
   }
 }
 
+// What a person reads of a sum is one line in front of the table. What friction adds is not
+// mentioned without friction.
+// If two pairs at x = 0 and x = 10, each with the weight 10, carry the forces 3 and 5 upwards, the
+// line is
+//
+//     # force on the sources (0, 8), moment about the origin 50, closed boundary 20, peak pressure 0.5
+// The total work of sliding is told if it is not that of this step.
 void write_comment(std::ostream& out, const std::string& what, const Resultants& sum) {
   out << "# " << what << " (" << sum.force.x() << ", " << sum.force.y()
       << "), moment about the origin " << sum.moment << ", closed boundary " << sum.closed_weight
@@ -74,6 +100,7 @@ void write_comment(std::ostream& out, const std::string& what, const Resultants&
 
 }  // namespace
 
+// All pairs into one sum.
 Resultants resultants(const Model& model, const Solution& solution,
                       const std::optional<PathTotals>& totals) {
   Resultants sum{Eigen::Vector2d::Zero(), 0, 0, 0};
@@ -81,6 +108,9 @@ Resultants resultants(const Model& model, const Solution& solution,
   return sum;
 }
 
+// A sum for each contact.
+// The pair knows its contact by number, and the sums have the order of the names in the model. A
+// contact that is open everywhere has a sum, too: zero.
 std::vector<Resultants> resultants_of_contacts(const Model& model, const Solution& solution,
                                                const std::optional<PathTotals>& totals) {
   std::vector<Resultants> sums(model.contacts.size(), Resultants{Eigen::Vector2d::Zero(), 0, 0, 0});
@@ -90,6 +120,10 @@ std::vector<Resultants> resultants_of_contacts(const Model& model, const Solutio
   return sums;
 }
 
+// Notes of the solution and sums come first, as comments, which gnuplot passes over. Then the
+// columns.
+// One contact without friction has one line of sums; several have one for all and one each. With
+// friction even a single contact is named.
 std::string pressure_csv(const Model& model, const Solution& solution, const std::string& tolerance,
                          const std::optional<PathTotals>& totals) {
   const std::vector<PairColumn> columns = pair_columns(model, solution, totals);

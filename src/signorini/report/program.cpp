@@ -1,3 +1,17 @@
+// # The frame of a chapter program
+//
+// A program of a chapter computes something and writes files. What all of them share stands here:
+// the options, the folder, the message if something goes wrong, and the exit code.
+//
+// | code | meaning |
+// |---:|:---|
+// | 0 | solved, and all files are there |
+// | 1 | a method did not arrive, or the program has an error of its own |
+// | 2 | the command line, the folder or the problem is wrong |
+//
+// A program that fails half-way must not leave a new table beside an old figure. So the files of a
+// run appear at its end.
+
 #include "signorini/report/program.hpp"
 
 #include <algorithm>
@@ -16,7 +30,14 @@
 namespace signorini {
 namespace {
 
-/// A folder inside the output folder that takes what a program writes, until it is known to be complete.
+// A folder inside the output folder that takes what a program writes, until it is known to be complete.
+//
+// At the end the files are moved out. A move within one file system is a new name and copies
+// nothing. If a file cannot be moved, because a folder of its name is in the way, the message says
+// which.
+//
+// Whatever ends the run, the destructor removes the folder. So a run that fails, or is stopped by
+// an exception, leaves the files of the run before it as they were.
 class Staging {
  public:
   explicit Staging(std::filesystem::path out) : out_(std::move(out)), draft_(out_ / ".draft") {
@@ -33,6 +54,7 @@ class Staging {
   Staging& operator=(Staging&&) = delete;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return draft_; }
+  // Called only after everything was computed and printed.
   void publish() const {
     for (const auto& entry : std::filesystem::directory_iterator(draft_)) {
       const std::filesystem::path file = out_ / entry.path().filename();
@@ -48,15 +70,27 @@ class Staging {
   std::filesystem::path draft_;
 };
 
-/// What a command line says.
+// What a command line says.
+//
+// The frame is used by two kinds of command lines. A single program has only options. A chapter of
+// several programs also takes the name of one of them:
+//
+//     ch06 --out somewhere --full
+//     ch06 pressure
+//
+// What is not understood ends the program before it computes anything:
+//
+//     ch06: unknown option '--fast'. Known options: --out FOLDER, --full, --help
 struct Command {
   std::set<std::string> flags;
   std::string program;        ///< of a chapter, empty if none is named
   std::filesystem::path out;  ///< empty if it is not said
 };
 
-/// \param flags     known options besides `--out FOLDER`
-/// \param programs  of a chapter, of which one may be named
+// \param flags     known options besides `--out FOLDER`
+// \param programs  of a chapter, of which one may be named
+// Words of a command line come in any order. A word that is unknown is answered with those that are
+// known.
 Command read(int argc, const char* const* argv, const std::vector<std::string>& flags,
              const std::vector<std::string>& programs) {
   const auto among = [](const std::string& word, const std::vector<std::string>& known) {
@@ -85,6 +119,8 @@ Command read(int argc, const char* const* argv, const std::vector<std::string>& 
   return command;
 }
 
+// The help of a program says how it is called by a person: a program is compiled as ch06_pressure
+// and asked for as `ch06 pressure`.
 void print_help(const std::string& name, const std::string& title,
                 const std::filesystem::path& default_out) {
   std::string usage = name;  // ch06_pressure is asked for as ch06 pressure
@@ -96,11 +132,16 @@ void print_help(const std::string& name, const std::string& title,
             << "  --help        this text\n";
 }
 
+// The three codes have names, so that nobody has to remember them.
 constexpr int well = 0;
 constexpr int not_solved = 1;
 constexpr int bad_input = 2;
 
-/// The exit code that `body` returns, or that belongs to what it throws, with one line on the error stream.
+// The exit code that `body` returns, or that belongs to what it throws, with one line on the error stream.
+// Every error becomes one line and a number. The order of the handlers matters: NotSolved and
+// ProblemError are exceptions of the standard library too, and would be caught by the last one.
+// What the library throws is meant for a person: the message says what to change. What it does not
+// know is an error of the program, and the line says so.
 int exit_code(const std::string& name, const std::function<int()>& body) {
   try {
     return body();
@@ -118,7 +159,9 @@ int exit_code(const std::string& name, const std::function<int()>& body) {
   return bad_input;
 }
 
-/// Calls a program of a chapter with what its own command line may say.
+// Calls a program of a chapter with what its own command line may say.
+// A chapter with several programs calls the `main` of each as the shell would, with a command line
+// made from its own.
 int call(const ChapterProgram& program, const std::string& chapter, const Command& command) {
   std::vector<std::string> words = {chapter};
   if (!command.out.empty()) words.insert(words.end(), {"--out", command.out.string()});
@@ -132,6 +175,10 @@ int call(const ChapterProgram& program, const std::string& chapter, const Comman
 
 }  // namespace
 
+// The body runs with the hidden folder as its output folder. Its files become visible if it reports
+// `Solved` and everything it printed has arrived.
+// The body is the chapter. It knows nothing of options, folders and exit codes except what
+// ProgramOptions tells it, so it can be called from a test as well.
 int run_program(const std::string& name, const std::string& title,
                 const std::filesystem::path& default_out, int argc, const char* const* argv,
                 const std::function<SolveStatus(const ProgramOptions&)>& body) {
@@ -154,6 +201,9 @@ int run_program(const std::string& name, const std::string& title,
   });
 }
 
+// Programs run one after the other, and the first that fails ends the chapter. With `--quick` those
+// that take long are left out, with a line that names the committed files which can serve in their
+// place.
 int run_programs(const std::string& chapter, const std::vector<ChapterProgram>& programs, int argc,
                  const char* const* argv) {
   return exit_code(chapter, [&] {

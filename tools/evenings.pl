@@ -1,0 +1,293 @@
+#!/usr/bin/env perl
+# evenings.pl --check [ROOT], evenings.pl ROOT FOLDER: the sources of the library as pages to read.
+#
+# src/evenings lists the files of src/signorini/ and src/papers/ in the order in which they are read. --check complains if a file
+# stands on no evening or on two, if a header includes one that comes later, if a file has more than 250 lines or if less than a
+# quarter of its lines that are not blank are comments (and no line `still long:` or `still short:` excuses it), and if a link or
+# an equation in a comment leads nowhere. With a FOLDER, writes src/PATH.md for every file, src/evening-N.md and src/evenings.md
+# into it, with + for / in their names: Markdown with links as from there, which tools/doxfilter.pl turns into pages.
+#
+# A page is the file itself: comments at the left edge are prose, what stands between them is code. Prose is Markdown with formulas,
+# as \f$ \f$ or $ $; a comment `# Title` gives the page its title. Above the code of a source stands, for each function that a header
+# declares: its contract, tests that use it, chapters that use it, and equations of the papers that the comments above it name.
+use strict;
+use warnings;
+use File::Basename qw(basename dirname);
+use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
+use File::Path 'make_path';
+
+my ($longest, $share) = (250, 4);    # lines of a file; one line of so many narrates
+my $check = @ARGV && $ARGV[0] eq '--check' ? shift @ARGV : '';
+my ($root, $folder) = ($ARGV[0] // '.', $ARGV[1]);
+die "usage: evenings.pl --check [ROOT] | ROOT FOLDER\n" if !$check && !defined $folder;
+make_path($folder) if !$check;
+$folder = Cwd::abs_path($folder) if !$check && require Cwd;
+chdir $root or die "evenings.pl: no folder $root\n";
+my @complaints;
+
+sub slurp {
+    my ($file) = @_;
+    open my $in, '<', $file or die "evenings.pl: $file: $!\n";
+    local $/;
+    return <$in>;
+}
+
+# ---- The list: evenings with title, text and files; debts.
+
+my (@evening, %debt, @page);
+for (split /\n/, slurp('src/evenings')) {
+    next if /^#|^$/;
+    if (/^evening \d+: (.+)/) { push @evening, { title => $1, text => '', files => [] } }
+    elsif (/^still (long|short): (\S+)$/) { $debt{"$1: $2"} = 1 }
+    elsif (/^ +(.*)/ && @evening) { $evening[-1]{text} .= "$1\n" }
+    elsif (/^\w[\w\/]*$/ && @evening) {
+        my @there = grep { -f "src/$_" } "$_.hpp", "$_.cpp";
+        push @complaints, "src/evenings: there is no $_.hpp and no $_.cpp" if !@there;
+        push @{ $evening[-1]{files} }, @there;
+    }
+    else { push @complaints, "src/evenings: expected an evening, a name or a debt, got: $_" }
+}
+for my $n (1 .. @evening) { push @page, map { { path => $_, evening => $n } } @{ $evening[$n - 1]{files} } }
+my (%at, %text);
+$at{ $page[$_]{path} }++ && push @complaints, "src/evenings: $page[$_]{path} stands twice" for 0 .. $#page;
+%at = map { $page[$_]{path} => $_ } 0 .. $#page;
+for (map { s{^src/}{}r } glob('src/{signorini/*,papers}/*.[ch]pp')) {
+    push @complaints, "src/evenings: $_ stands on no evening" if !exists $at{$_};
+}
+$text{ $_->{path} } = slurp("src/$_->{path}") for @page;
+
+# ---- What a file has to be.
+
+sub narrates { my @line = grep { /\S/ } split /\n/, $_[0]; return $share * grep({ m{^\s*//} } @line) >= @line }
+
+for my $path (sort keys %text) {
+    my $lines = ($text{$path} =~ tr/\n//);
+    my %fault;
+    $fault{"long: $path"}  = "$lines lines, at most $longest are read in one go" if $lines > $longest;
+    $fault{"short: $path"} = "fewer comments than one line of $share" if !narrates($text{$path});
+    for (sort keys %fault) { push @complaints, "src/$path: $fault{$_}" if !delete $debt{$_} }
+    next if $path !~ /hpp$/;
+    for my $used ($text{$path} =~ /^#include "([^"]+)"/mg) {
+        push @complaints, "src/evenings: $path includes $used, which comes later" if exists $at{$used} && $at{$used} > $at{$path};
+    }
+}
+push @complaints, "src/evenings: this debt is paid, take it out: still $_" for sort keys %debt;
+
+# ---- A file as pieces of prose and code.
+
+sub pieces {
+    my @piece;
+    my ($n, $in) = (0, '');
+    for my $line (split /\n/, $_[0]) {
+        ++$n;
+        next if $line =~ m{^// \[[\w ]+\]$};    # where a chapter quotes the file
+        if ($line =~ m{^///? ?(.*)}) {
+            push @piece, { prose => [], code => [] } if $in ne 'prose' && !(@piece && !@{ $piece[-1]{code} });
+            push @{ $piece[-1]{prose} }, $1;
+            $in = 'prose';
+        }
+        elsif ($line =~ /\S/ || $in eq 'code') {
+            push @piece, { prose => [], code => [] } if !@piece;
+            $piece[-1]{first} //= $n;
+            push @{ $piece[-1]{code} }, $line;
+            $in = 'code';
+        }
+        else { push @{ $piece[-1]{prose} }, '' if @piece; $in = '' }    # a blank line after a comment
+    }
+    for (@piece) { pop @{ $_->{code} } while @{ $_->{code} } && $_->{code}[-1] !~ /\S/ }
+    return @piece;
+}
+
+sub markdown {    # the commands of Doxygen in Markdown: arguments, result and errors are a list
+    my (@out, $list);
+    for (grep { !/^\\file\s*$/ } @_) {
+        my $line = s/\\ref (\S+?)(?=[\s.,;:)]|$)/`$1`/gr;
+        push @out, '' if $line eq '';
+        for (split /(?=\\(?:t?param|return|throws)\b)/, $line) {
+            my $item = s/^\\t?param(?:\[\w+\])?\s+(\S+)\s*/- `$1`: / || s/^\\return\s+/- returns / || s/^\\throws\s+(\S+)/- throws `$1`/;
+            push @out, '' if $item && !$list && @out;
+            push @out, '' if @out && $out[-1] =~ /^ +\S/ && /^\w/;    # a list ends where its indentation does
+            $list = $item || ($list && /^  /);
+            push @out, s/\s+$//r;
+        }
+    }
+    return join '', map { "$_\n" } @out;
+}
+
+# ---- What functions lead to.
+
+# Functions that a piece of code defines at file scope, as NAMESPACE::CLASS::NAME; $spaces are the namespaces that are open.
+sub defined_here {
+    my ($code, $spaces) = @_;
+    my (@name, $head);
+    for (@$code) {
+        if    (/^(?:inline )?namespace ([\w:]*) ?\{/) { push @$spaces, $1 eq '' ? '-' : $1 }
+        elsif (m{^\}  // namespace}) { pop @$spaces }
+        elsif (/^[a-zA-Z\[]/ && !/^(?:using|struct|class|enum|template|namespace|typedef|extern|static_assert)\b/) { $head = $_ }
+        elsif (/^\s/ && defined $head && $head !~ /[{;]$/) { $head .= $_ }
+        next if !defined $head || $head !~ /[{;}]\s*(?:\/\/.*)?$/;
+        my $inside = join '::', grep { $_ ne 'signorini' } @$spaces;
+        push @name, ($inside ? "${inside}::" : '') . $1
+            if $head !~ /;\s*(?:\/\/.*)?$/ && $head !~ /^[^(]*=/ && $head =~ /^[^(]*?((?:\w+::)*~?\w+)\(/ && $inside !~ /-/;
+        undef $head;
+    }
+    return @name;
+}
+
+# Functions that headers declare for everybody, as NAMESPACE::CLASS::NAME: the header, and the equations of their contract.
+my %declared;
+for my $header (glob 'src/{signorini/*,papers}/*.hpp') {
+    my (@space, $class, $public, $said, $kept);
+    for (split /\n/, slurp($header)) {
+        if    (/^namespace (\w*) ?\{/) { push @space, $1 }
+        elsif (m{^\}  // namespace}) { pop @space }
+        elsif (/^(?:class|struct) (\w+)[^;]*$/) { ($class, $public) = ($1, /^struct/) }
+        elsif (/^\};/) { undef $class }
+        elsif (/^\s*(public|private|protected):/) { $public = $1 eq 'public' }
+        if (m{^\s*///}) { $said = ($kept ? '' : $said // '') . "$_\n"; $kept = 0; next }
+        $kept = 1 if !/\S/ || /[;{}]/;    # the comment belongs to what is declared below it, until that ends
+        next if !/^( *)[^ ].*?(?<![\w.>:])(~?[A-Za-z]\w*)\((?!\*)/ || length $1 > (defined $class ? 2 : 0) || (defined $class && !$public);
+        next if $2 =~ /^(?:if|for|while|return|switch|defined|decltype|sizeof)$/ || /^\s*(?:\/\/|#|using)/;
+        my $name = join '::', (grep { $_ ne 'signorini' } @space), (defined $class && $1 ne '' ? $class : ()), $2;
+        $declared{$name} //= { header => $header, equations => [($said // '') =~ /\\PaperEq\{[^}]*\}/g] };
+    }
+}
+
+# Which texts and programs of chapters, and which tests, use a function; one that defines the name itself does not use the library's.
+my (%used_by, %explained);
+for my $file (glob('chapters/ch[0-9][0-9]_*/*.{md,cpp,hpp}'), glob('tests/*/test_*.cpp')) {
+    my $content = slurp($file);
+    my %own  = map { $_ => 1 } $content =~ /^\w[^\n(=;]* (\w+)\([^;{}]*\{$/mg;
+    my %name = map { $_ => 1 } $content =~ /(?<![\w.>:])(\w+)(?:<[\w:]+>)?\(/g, $content =~ /`([\w:]+)(?:\(\))?`/g, $content =~ /\b([A-Z]\w*) \w+[({]/g;
+    my %member = map { $_ => 1 } $content =~ /(?:\.|->|::)(\w+)\(/g;
+    my %type   = map { $_ => 1 } $content =~ /\b([A-Z]\w*)\b/g;
+    push @{ $used_by{$_} }, $file for grep { !$own{$_} } keys %name;
+    for (keys %declared) { push @{ $used_by{$_} }, $file if /(\w+)::(\w+)$/ && !$name{$_} && $type{$1} && $member{$2} }
+    my $paper = $file =~ /ch0[1-7]/ ? 'XuanLi2002' : 'LinEtAl';    # whose numbers the equations of a chapter are
+    for ($file =~ /README/ ? $content =~ /<a id="eq-(\w+)">/g : ()) { $explained{"$paper $_"} = 1 }
+}
+$used_by{"${_}::$_"} = $used_by{$_} for grep { /^[A-Z]\w*$/ } keys %used_by;    # a constructor
+
+sub users { my ($name, $where) = @_; return sort grep { /$where/ } @{ $used_by{$name} // $used_by{ $name =~ s/^[a-z]\w*:://r } // [] } }
+
+sub away { my ($from, $to) = @_; return '../' x (() = $from =~ m{/}g) . $to }    # a path from the root, as from the file $from
+
+sub own_test { return 'tests/' . basename(dirname($_[0])) . '/test_' . basename($_[0]) =~ s/\.[ch]pp$/.cpp/r }
+
+sub leads {    # the line above the code of a function
+    my ($from, $name, @equations) = @_;
+    my $known = $declared{$name};
+    my $line = '[`' . ($name =~ /(\w+)::\1$/ ? $1 : "$name()") . '`](' . away($from, $known->{header}) . ')';
+    my $own   = own_test($from);
+    my @tests = users($name, '^' . dirname($own) . '/');
+    @tests = ($own) if grep { $_ eq $own } @tests;
+    my %number = map { m{ch(\d\d)_} => '[' . ($1 + 0) . '](' . away($from, dirname($_) . '/README.md') . ')' } users($name, '^chapters/');
+    my %seen;
+    @equations = grep { !$seen{$_}++ } @{ $known->{equations} }, @equations;
+    $line .= ' · ' . join ', ', map { '[' . basename($_) . '](' . away($from, $_) . ')' } @tests[0 .. ($#tests < 2 ? $#tests : 2)] if @tests;
+    $line .= ' · chapter' . (keys %number > 1 ? 's ' : ' ') . join ', ', map { $number{$_} } sort keys %number if %number;
+    $line .= ' · ' . join ', ', @equations if @equations;
+    return "$line<br>\n";
+}
+
+# ---- The pages.
+
+sub title { return $_[0] =~ m{^///? # (.+)$}m ? $1 : basename($_[1]) }
+
+sub sentence {    # the first one of the comment at the head of a file
+    my ($text) = @_;
+    my ($piece) = pieces($text);
+    my $prose = join "\n", grep { !/^# / } split /\n/, markdown(@{ $piece->{prose} });
+    $prose =~ s/^\s+//;
+    my ($first) = $prose =~ /^(.*?[.:])(?:\s|$)/s;
+    return defined $first && $first !~ /\\f\[/ ? $first =~ s/\s+/ /gr =~ s/:$/./r : '';
+}
+
+sub page {
+    my ($i) = @_;
+    my ($path, $from) = ($page[$i]{path}, "src/$page[$i]{path}");
+    my $out = '# ' . title($text{$path}, $path) . "\n\n";
+    my @also = map { '[`' . basename($_) . "`](" . basename($_) . '.md)' } grep { $_ ne $path && exists $at{$_} } map { my $e = $_; $path =~ s/\.[ch]pp$/$e/r } '.hpp', '.cpp';
+    push @also, '[reference](' . basename($path) . ')' if $path =~ /hpp$/;
+    push @also, map { '[' . basename($_) . '](' . away($from, $_) . ')' } grep { -f } own_test($path);
+    $out .= "`src/$path`" . join('', map { " · $_" } @also) . "\n\n";
+    my @spaces;
+    for my $piece (pieces($text{$path})) {
+        my @prose = grep { !/^# / } @{ $piece->{prose} };
+        $out .= markdown(@prose) . "\n";
+        next if !@{ $piece->{code} };
+        my @equations = join("\n", @prose) =~ /\\PaperEq\{[^}]*\}/g;
+        my ($n, @code) = ($piece->{first});
+        for my $part (split /(?<=\n)(?=\n\S)/, join '', map { "$_\n" } @{ $piece->{code} }) {    # a function that leads somewhere begins a listing
+            my %seen;
+            my @name = grep { exists $declared{$_} && !$seen{$_}++ } $path =~ /cpp$/ ? defined_here([split /\n/, $part], \@spaces) : ();
+            if (@name || !@code) { push @code, { first => $n, leads => join('', map { leads($from, $_, @equations) } @name), text => '' } }
+            @equations = () if @name;
+            $code[-1]{text} .= $part;
+            $n += ($part =~ tr/\n//);
+        }
+        for (@code) {
+            my $blank = $_->{text} =~ s/^\n// ? 0 : 1;
+            $out .= "<div class=\"leads\">$_->{leads}</div>\n\n" if $_->{leads} ne '';
+            $out .= '\htmlonly[block]<div class="listing" style="counter-reset: line ' . ($_->{first} - $blank) . "\">\\endhtmlonly\n"
+                . "```cpp\n$_->{text}```\n\\htmlonly[block]</div>\\endhtmlonly\n\n";
+        }
+    }
+    my @nav = ("[evening $page[$i]{evening}](" . away($path, "evening-$page[$i]{evening}.md") . ')');
+    unshift @nav, '← [' . title($text{ $_->{path} }, $_->{path}) . '](' . away($path, "$_->{path}.md") . ')' for $i > 0 ? $page[$i - 1] : ();
+    push @nav, '[' . title($text{ $_->{path} }, $_->{path}) . '](' . away($path, "$_->{path}.md") . ') →' for $i < $#page ? $page[$i + 1] : ();
+    return $out . "<!-- nav -->\n" . join(' · ', @nav) . "\n<!-- /nav -->\n";
+}
+
+sub lines { my $sum = 0; $sum += ($text{$_} =~ tr/\n//) for @_; return $sum }
+
+sub evening {
+    my ($n) = @_;
+    my $this = $evening[$n - 1];
+    my $out = "# Evening $n: $this->{title}\n\n$this->{text}\n";
+    my $last = '';
+    for my $path (@{ $this->{files} }) {
+        my $stem = $path =~ s/\.[ch]pp$//r;
+        my $title = title($text{$path}, $path);
+        $title = $title eq basename($path) ? '' : "$title: ";
+        $out .= "- ${title}[`" . basename($path) . "`]($path.md), " . lines($path) . ' lines. ' . sentence($text{$path}) . "\n";
+    }
+    return $out;
+}
+
+sub evenings {
+    my $out = "# Reading Signorini in six evenings\n\nThe library is short enough to be read. Its files stand here in an order in which what is used is explained before; each\n"
+        . "is a page, made from the file itself, and every function leads to its contract, its tests, the chapters that use it and the equations\n"
+        . "of the papers. Two more evenings are for what the papers print.\n\n";
+    $out .= "- [Evening $_: $evening[$_ - 1]{title}](evening-$_.md), " . @{ $evening[$_ - 1]{files} } . ' files, ' . lines(@{ $evening[$_ - 1]{files} }) . " lines\n" for 1 .. @evening;
+    return $out;
+}
+
+sub show {
+    my ($path, $content) = @_;
+    if ($check) {    # links and equations lead somewhere
+        my ($here, $source) = (dirname("src/$path"), "src/" . $path =~ s/\.md$//r);
+        $content =~ s/^```cpp\n.*?^```\n|`[^`\n]*`//msg;
+        for my $to ($content =~ /\]\(([^)\s#]+)[^)]*\)/g) {
+            next if $to =~ /^\w+:/;
+            my $target = "$here/$to";
+            1 while $target =~ s{(^|/)(?!\.\./)[^/]+/\.\./}{$1};
+            my $made = $target =~ /^src\/(.*)\.md$/ && (exists $at{$1} || $1 =~ /^evening/);
+            push @complaints, "$source: there is no $to" if !$made && !-e $target;
+        }
+        while ($content =~ /\\PaperEq\{\s*(\w+)\s*,\s*(\w+)\s*\}/g) {
+            push @complaints, "$source: no chapter explains equation ($2) of $1" if !$explained{"$1 $2"};
+        }
+        return;
+    }
+    my $file = "$folder/" . "src/$path" =~ tr{/}{+}r;    # one folder for all: Doxygen lists folders
+    open my $out, '>', $file or die "evenings.pl: $file: $!\n";
+    print $out $content;
+    close $out or die "evenings.pl: $file: $!\n";
+}
+
+show('evenings.md', evenings());
+show("evening-$_.md", evening($_)) for 1 .. @evening;
+show("$page[$_]{path}.md", page($_)) for 0 .. $#page;
+print STDERR "$_\n" for @complaints;
+exit(@complaints ? 1 : 0);
