@@ -40,6 +40,7 @@ void visit(const std::vector<Case>& all, const ProgramOptions& run, Results& res
   const Tally& sum = found.rooms.at("");
   results.add("exhibits", sum.exhibits, "-");
   results.add("solved", sum.solved, "-");
+  results.add("alone", sum.alone, "-");
   results.add("honest", sum.honest, "-");
   results.add("claims", sum.claims, "-");
   results.add("refuted", sum.refuted, "-");

@@ -13,10 +13,18 @@ namespace museum {
 /// Who is asked about every exhibit.
 /// \return the library as it is, then members and methods by name
 inline const std::vector<std::string>& visitors() {
-  static const std::vector<std::string> names = {
-      "ours",         "lemke",           "fischer_burmeister", "quasi_active_set_literal",
-      "q4",           "node_to_segment", "trial_and_error",    "penalty",
-      "soft_springs", "uncoupled",       "lenient_reader"};
+  static const std::vector<std::string> names = {"ours",
+                                                 "small_library",
+                                                 "lemke",
+                                                 "fischer_burmeister",
+                                                 "quasi_active_set_literal",
+                                                 "q4",
+                                                 "node_to_segment",
+                                                 "trial_and_error",
+                                                 "penalty",
+                                                 "soft_springs",
+                                                 "uncoupled",
+                                                 "lenient_reader"};
   return names;
 }
 
@@ -32,6 +40,7 @@ inline const char* icon(Verdict verdict) {
 struct Tally {
   int exhibits = 0;  ///< in it
   int solved = 0;    ///< by the library
+  int alone = 0;     ///< by the library without the add-on certified
   int honest = 0;    ///< refused, or with a status that claims nothing
   int claims = 0;    ///< of a solution, by all others
   int refuted = 0;   ///< of these
@@ -68,6 +77,8 @@ inline Tour tour(const std::vector<Case>& all) {
                                                      said.said, "', but the exhibit states '",
                                                      given.exhibit.status, "'"));
         (verdict == Verdict::Solved ? tally.solved : tally.honest) = 1;
+      } else if (visitor == "small_library" && verdict != Verdict::Refuted) {
+        tally.alone = verdict == Verdict::Solved ? 1 : 0;
       } else if (verdict == Verdict::Solved || verdict == Verdict::Refuted) {
         ++tally.claims;
         tally.refuted += verdict == Verdict::Refuted ? 1 : 0;
@@ -80,6 +91,7 @@ inline Tour tour(const std::vector<Case>& all) {
     for (Tally* sum : {&found.rooms[given.exhibit.room], &found.rooms[""]}) {
       sum->exhibits += tally.exhibits;
       sum->solved += tally.solved;
+      sum->alone += tally.alone;
       sum->honest += tally.honest;
       sum->claims += tally.claims;
       sum->refuted += tally.refuted;

@@ -16,7 +16,6 @@ src/addons/certified/programme_refine.cpp beyond_doubt
 src/addons/certified/dense_programme.cpp solve_condensed
 src/addons/certified/floating_programme.cpp semidefinite_solution
 src/addons/certified/known_forces.cpp force_uncertainty
-src/addons/certified/proofs.cpp bounded_least_squares
 END
 
 sub blank { my ($said) = @_; return $said =~ s/[^\n]/ /gr }

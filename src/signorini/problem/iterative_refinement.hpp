@@ -1,4 +1,3 @@
-// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The last step of every exact method: the equations of a known set, from the original data.
 #pragma once

@@ -1,4 +1,3 @@
-// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// How a condensed model is solved: the way of the library, and the place where an add-on puts its own.
 #pragma once

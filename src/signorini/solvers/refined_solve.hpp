@@ -1,4 +1,3 @@
-// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// From a condensed programme to a solution with a certificate.
 #pragma once
