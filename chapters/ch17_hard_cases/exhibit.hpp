@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "addons/text/text_reader.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/text_reader.hpp"
 
 namespace museum {
 

@@ -14,11 +14,11 @@
 #include <system_error>
 #include <utility>
 
+#include "addons/text/text_reader.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/scene_print.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/core/text_reader.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/results.hpp"
 

@@ -10,12 +10,12 @@
 
 #include "addons/files/problem_file.hpp"
 #include "addons/steps/steps_limit.hpp"
+#include "addons/text/text_reader.hpp"
 #include "command_line/overdue.hpp"
 #include "command_line/picture.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/core/text_reader.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/results.hpp"
 #include "signorini/report/vtu.hpp"

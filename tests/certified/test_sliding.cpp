@@ -3,13 +3,13 @@
 #include <cmath>
 #include <utility>
 
+#include "addons/certified/follow.hpp"
 #include "addons/certified/moved_forces.hpp"
 #include "addons/certified/sliding.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
-#include "signorini/scene/follow.hpp"
 #include "support/paths.hpp"
 #include "support/random_scenes.hpp"
 #include "support/sliding_scenes.hpp"
@@ -135,7 +135,7 @@ TEST_CASE("along a half plane sliding is exact however far it goes", "[sliding]"
     const Solved all = solved(ironed(along, 0.01, half_plane({0, 0}, {0, 1})));
     REQUIRE(all.solution.contact.report.status == SolveStatus::Solved);
     CHECK_FALSE(tells(all.solution));
-    CHECK(all.model.follow == nullptr);
+    CHECK(all.model.followed == nullptr);
     // Poisson's ratio widens the block evenly about its middle, which moves as the top does.
     const Eigen::VectorXd slip = slips(all.model, all.solution.displacements);
     CHECK(slip.mean() == Approx(along).epsilon(1e-12));
@@ -259,7 +259,7 @@ TEST_CASE("pairs found where bodies moved together are those that they were", "[
     Model model = build(on_base(0, 0.01, gap_operator.name), ledger);
     NodeArray together(count_nodes(model.bodies), 2);
     together.rowwise() = Eigen::RowVector2d(3, -0.25);
-    const MovedPairs there = model.follow(model, together);
+    const MovedPairs there = follow(*model.followed, model, together);
     CAPTURE(gap_operator.name);
     CHECK((there.opening - model.pairs.opening).norm() <= 1e-12);
     CHECK(there.opens.cwiseAbs().maxCoeff() <= 1e-13);
@@ -276,7 +276,7 @@ TEST_CASE("a pair that faces nothing any more is open, one that is new and overl
   const Model model = build(scene, ledger);
   NodeArray moved = NodeArray::Zero(count_nodes(model.bodies), 2);
   moved.topRows(model.bodies[0].mesh.n_nodes()).rowwise() = Eigen::RowVector2d(2 * edge, -0.01);
-  const MovedPairs there = model.follow(model, moved);
+  const MovedPairs there = follow(*model.followed, model, moved);
   CHECK(there.opens.array().isInf().count() == 2);
   CHECK(there.fresh_gap.size() == 2);
   CHECK((there.fresh_gap.array() + 0.01).abs().maxCoeff() <= 1e-15);
@@ -290,11 +290,10 @@ TEST_CASE("gaps of a pin that are linear stay linear", "[sliding]") {
   Ledger ledger;
   const Scene scene = ironed(0, 0.01, pin, 3);
   const Model model = build(scene, ledger);
-  CHECK(model.follow == nullptr);
+  CHECK(model.followed == nullptr);
   NodeArray moved(count_nodes(model.bodies), 2);
   moved.rowwise() = Eigen::RowVector2d(0.5, -0.25);
-  const FollowPairs follows = follow({{scene.contacts[0], model.pairs.initial_gap}});
-  const MovedPairs there = follows(model, moved);
+  const MovedPairs there = follow({{scene.contacts[0], model.pairs.initial_gap}}, model, moved);
   const Eigen::Map<const Eigen::VectorXd> u(moved.data(), moved.size());
   CHECK(there.opening.isApprox(model.pairs.opening, 0));
   CHECK((there.opens - model.pairs.opening * u).norm() == 0);

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "addons/certified/elimination.hpp"
 #include "addons/certified/polyhedron.hpp"
 #include "addons/certified/undetermined.hpp"
 #include "addons/files/problem_file.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
-#include "signorini/problem/elimination.hpp"
 #include "support/friction.hpp"
 #include "support/problems.hpp"
 

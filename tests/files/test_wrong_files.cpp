@@ -7,9 +7,9 @@
 
 #include "addons/files/scene_file.hpp"
 #include "addons/steps/steps.hpp"
+#include "addons/text/text_reader.hpp"
 #include "catch_compat.hpp"
 #include "fuzz/check_scene.hpp"
-#include "signorini/core/text_reader.hpp"
 #include "support/message.hpp"
 #include "support/random.hpp"
 

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "addons/certified/elimination.hpp"
 #include "addons/certified/undetermined.hpp"
-#include "signorini/problem/elimination.hpp"
 
 namespace signorini {
 

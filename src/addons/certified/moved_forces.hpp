@@ -2,7 +2,7 @@
 /// \file
 /// What pairs do to the nodes, in the meshes and where the bodies have moved to.
 #pragma once
-#include "signorini/scene/follow.hpp"
+#include "addons/certified/follow.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {

@@ -134,7 +134,7 @@ std::vector<SlidingChange> sliding_changes(const Model& model, const Condensed& 
   std::vector<SlidingChange> all(model.contacts.size());
   const VectorXd u = all_displacements(model, solution.displacements);
   const MovedPairs there =
-      model.follow(model, Eigen::Map<const NodeArray>(u.data(), u.size() / 2, 2));
+      follow(*model.followed, model, Eigen::Map<const NodeArray>(u.data(), u.size() / 2, 2));
   const VectorXd slip = slips(model, solution.displacements);
   const VectorXd opens = opened(there, model.pairs.opening * u, slip);
   find_moving(model, u, opens, there, all);

@@ -30,7 +30,7 @@ std::string in_words(const Model& model, const SlidingChange& one) {
 
 void judge_sliding(const Model& model, const Condensed& condensed,
                    const std::function<double()>& none, Solution& solution) {
-  if (!model.follow || solution.contact.force.size() == 0) return;
+  if (!model.followed || solution.contact.force.size() == 0) return;
   const std::vector<SlidingChange> all = sliding_changes(model, condensed, none, solution);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const SlidingChange& one = all[k];

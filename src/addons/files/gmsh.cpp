@@ -10,10 +10,10 @@
 
 #include "addons/files/gmsh_boundaries.hpp"
 #include "addons/files/gmsh_records.hpp"
+#include "addons/text/text_reader.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/core/index.hpp"
-#include "signorini/core/text_reader.hpp"
 
 namespace signorini {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/core/text_reader.hpp"
+#include "addons/text/text_reader.hpp"
 
 namespace signorini {
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "addons/files/siconos.hpp"
+#include "addons/text/text_reader.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/core/text_reader.hpp"
 
 namespace signorini {
 namespace {

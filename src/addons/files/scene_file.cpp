@@ -5,7 +5,7 @@
 
 #include "addons/files/kinds.hpp"
 #include "addons/files/scene_keys.hpp"
-#include "signorini/core/text_reader.hpp"
+#include "addons/text/text_reader.hpp"
 #include "signorini/scene/notes.hpp"
 
 namespace signorini {

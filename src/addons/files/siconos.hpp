@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "addons/files/problem_file.hpp"
-#include "signorini/core/text_reader.hpp"
+#include "addons/text/text_reader.hpp"
 
 namespace signorini {
 

@@ -1,9 +1,9 @@
 #include <ostream>
 
 #include "addons/steps/steps.hpp"
+#include "addons/text/text_reader.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/core/text_reader.hpp"
 
 namespace signorini {
 namespace {

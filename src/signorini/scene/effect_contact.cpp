@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
@@ -6,8 +7,8 @@
 #include "signorini/scene/checks.hpp"
 #include "signorini/scene/contact_input.hpp"
 #include "signorini/scene/effects.hpp"
-#include "signorini/scene/follow.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/pair_up.hpp"
 
 namespace signorini::effect {
 namespace {
@@ -75,7 +76,7 @@ void declare_contact(const Scene& scene, Plan& draft) {
     draft.contact_bodies.push_back(bodies_of(contact, draft.bodies));
   }
   if (!std::all_of(scene.contacts.begin(), scene.contacts.end(), stays_linear))
-    draft.follow = follow(std::move(followed));
+    draft.followed = std::make_shared<const std::vector<FollowedContact>>(std::move(followed));
 }
 
 /// Number of pairs that overlap by more than rounding.

@@ -2,6 +2,7 @@
 /// The plan of a scene, and the model that is made of it: the plan with its numbers.
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,11 +41,7 @@ struct ContactBodies {
   std::optional<std::size_t> target;  ///< of the target; a rigid obstacle has none
 };
 struct Model;
-struct MovedPairs;
-
-/// Finds the pairs of a model again where its bodies have moved to, see follow.hpp. \param model  with its bodies
-/// \param displacement  `n_nodes x 2` of all nodes [length] \return the pairs there
-using FollowPairs = std::function<MovedPairs(const Model& model, const NodeArray& displacement)>;
+struct FollowedContact;
 
 /// Changes the gaps of a contact before supports move anything.
 /// \param contact       of the scene, whose lengths have been checked
@@ -67,7 +64,8 @@ struct Plan {
   std::vector<std::string> contacts;               ///< names of the contacts, see contact_names()
   std::vector<std::size_t> contact_of;             ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
-  FollowPairs follow = {};               ///< null without contact, or if all gaps are linear
+  /// All contacts as they were paired, to find their pairs again; null without contact, or if all gaps are linear
+  std::shared_ptr<const std::vector<FollowedContact>> followed = {};
   std::vector<bool> small_sliding = {};  ///< of each contact, see ContactSpec
   FrictionLaw law;  ///< of the pairs that can slide and whose own contact has friction
   Solver solver = primal_dual_active_set();  ///< of the scene

@@ -1,10 +1,9 @@
-#include "signorini/scene/follow.hpp"
+#include "addons/certified/follow.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -147,52 +146,37 @@ class Following {
 
 }  // namespace
 
-Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, bool sliding) {
-  const Surface source = surface(bodies, contact.source);
-  const Depth depth = depth_of(bodies[body_index(bodies, contact.source)].material);
-  const GapOptions options{count_nodes(bodies), depth, sliding, contact.points, contact.quadrature};
-  if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
-    return node_to_obstacle(source, *obstacle, options);
-  const Side& side = std::get<Side>(contact.target);
-  const Depth other = depth_of(bodies[body_index(bodies, side)].material);
-  require_input(depth.factor == other.factor, describe(bodies, contact), ": the bodies are ",
-                depth.factor, " and ", other.factor,
-                " thick, but contact in the plane needs one thickness");
-  return find_gap_operator(contact.gap_operator).pair(source, surface(bodies, side), options);
-}
-
-FollowPairs follow(std::vector<FollowedContact> contacts) {
-  return [contacts = std::move(contacts)](const Model& model, const NodeArray& displacement) {
-    const NodalRows& old = model.pairs.opening;
-    MovedPairs all;
-    all.opens.resize(old.rows());
-    all.edge.setZero(old.rows());
-    all.lost.resize(contacts.size());
-    const std::vector<BodyModel> there = moved(model.bodies, displacement);
-    Following following(model, displacement, all);
-    Index first = 0;
-    for (std::size_t k = 0; k < contacts.size(); first += contacts[k++].gap.size()) {
-      const ContactSpec& contact = contacts[k].contact;
-      const Surface source = surface(model.bodies, contact.source);
-      VectorXd length = VectorXd::Zero(displacement.rows());
-      see_sides(source, length);
-      if (const Side* target = std::get_if<Side>(&contact.target))
-        see_sides(surface(model.bodies, *target), length);
-      for (Index pair = first; pair < first + contacts[k].gap.size(); ++pair)
-        for (NodalRows::InnerIterator it(old, pair); it; ++it)
-          all.edge(pair) = std::max(all.edge(pair), length(it.col() / 2));
-      const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target);
-      if (obstacle != nullptr && obstacle->linear) {
-        following.stay(first, contacts[k].gap.size());
-        continue;
-      }
-      auto [pairs, lost] = found_pairs(contact, there);
-      following.match(source, pairs, k, first, contacts[k].gap);
-      all.lost[k] = std::move(lost);
+MovedPairs follow(const std::vector<FollowedContact>& contacts, const Model& model,
+                  const NodeArray& displacement) {
+  const NodalRows& old = model.pairs.opening;
+  MovedPairs all;
+  all.opens.resize(old.rows());
+  all.edge.setZero(old.rows());
+  all.lost.resize(contacts.size());
+  const std::vector<BodyModel> there = moved(model.bodies, displacement);
+  Following following(model, displacement, all);
+  Index first = 0;
+  for (std::size_t k = 0; k < contacts.size(); first += contacts[k++].gap.size()) {
+    const ContactSpec& contact = contacts[k].contact;
+    const Surface source = surface(model.bodies, contact.source);
+    VectorXd length = VectorXd::Zero(displacement.rows());
+    see_sides(source, length);
+    if (const Side* target = std::get_if<Side>(&contact.target))
+      see_sides(surface(model.bodies, *target), length);
+    for (Index pair = first; pair < first + contacts[k].gap.size(); ++pair)
+      for (NodalRows::InnerIterator it(old, pair); it; ++it)
+        all.edge(pair) = std::max(all.edge(pair), length(it.col() / 2));
+    const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target);
+    if (obstacle != nullptr && obstacle->linear) {
+      following.stay(first, contacts[k].gap.size());
+      continue;
     }
-    following.finish();
-    return all;
-  };
+    auto [pairs, lost] = found_pairs(contact, there);
+    following.match(source, pairs, k, first, contacts[k].gap);
+    all.lost[k] = std::move(lost);
+  }
+  following.finish();
+  return all;
 }
 
 }  // namespace signorini

@@ -16,7 +16,7 @@
 // Lines and words can be asked for (next_line(), word()) or demanded (the functions that begin with
 // `expect_`); what is demanded and not there ends the reading with a ProblemError.
 
-#include "signorini/core/text_reader.hpp"
+#include "addons/text/text_reader.hpp"
 
 #include <algorithm>
 #include <charconv>

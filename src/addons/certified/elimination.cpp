@@ -1,4 +1,4 @@
-#include "signorini/problem/elimination.hpp"
+#include "addons/certified/elimination.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
-/// The pairs of a scene: found in the meshes as they are, and found again where bodies have moved to.
+/// The pairs of a scene, found again where bodies have moved to.
 #pragma once
 #include <vector>
 
-#include "signorini/scene/scene.hpp"
+#include "signorini/scene/pair_up.hpp"
 
 namespace signorini {
 
@@ -24,23 +24,12 @@ struct MovedPairs {
   std::vector<std::string> lost;
 };
 
-/// Pairs of one contact by its operator, before supports.
-/// \param contact  of the scene
-/// \param bodies   of the scene
-/// \param sliding  whether the matrix S is wanted
-/// \return the pairs
-/// \throws ProblemError as GapOperator and node_to_obstacle(), or for bodies of two thicknesses
-[[nodiscard]] Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
-                            bool sliding);
-
-/// A contact that has been paired.
-struct FollowedContact {
-  ContactSpec contact;  ///< of the scene
-  Eigen::VectorXd gap;  ///< of the pairs that supports leave, in the meshes before fit() [length]
-};
-
-/// \param contacts  all of a scene, in its order
-/// \return what finds their pairs again
-[[nodiscard]] FollowPairs follow(std::vector<FollowedContact> contacts);
+/// Finds the pairs of a model again where its bodies have moved to.
+/// \param contacts      all of the scene, in its order
+/// \param model         with its bodies and pairs
+/// \param displacement  `n_nodes x 2` of all nodes [length]
+/// \return the pairs there
+[[nodiscard]] MovedPairs follow(const std::vector<FollowedContact>& contacts, const Model& model,
+                                const NodeArray& displacement);
 
 }  // namespace signorini

@@ -1,0 +1,23 @@
+#include "signorini/scene/pair_up.hpp"
+
+#include "signorini/contact/node_to_obstacle.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+
+Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, bool sliding) {
+  const Surface source = surface(bodies, contact.source);
+  const Depth depth = depth_of(bodies[body_index(bodies, contact.source)].material);
+  const GapOptions options{count_nodes(bodies), depth, sliding, contact.points, contact.quadrature};
+  if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
+    return node_to_obstacle(source, *obstacle, options);
+  const Side& side = std::get<Side>(contact.target);
+  const Depth other = depth_of(bodies[body_index(bodies, side)].material);
+  require_input(depth.factor == other.factor, describe(bodies, contact), ": the bodies are ",
+                depth.factor, " and ", other.factor,
+                " thick, but contact in the plane needs one thickness");
+  return find_gap_operator(contact.gap_operator).pair(source, surface(bodies, side), options);
+}
+
+}  // namespace signorini

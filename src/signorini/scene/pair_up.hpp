@@ -1,0 +1,26 @@
+// This header is internal: chapters do not include it, and it is not installed.
+/// \file
+/// The pairs of a contact, found in the meshes as they are.
+#pragma once
+#include <vector>
+
+#include "signorini/scene/scene.hpp"
+
+namespace signorini {
+
+/// Pairs of one contact by its operator, before supports.
+/// \param contact  of the scene
+/// \param bodies   of the scene
+/// \param sliding  whether the matrix S is wanted
+/// \return the pairs
+/// \throws ProblemError as GapOperator and node_to_obstacle(), or for bodies of two thicknesses
+[[nodiscard]] Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
+                            bool sliding);
+
+/// A contact that has been paired.
+struct FollowedContact {
+  ContactSpec contact;  ///< of the scene
+  Eigen::VectorXd gap;  ///< of the pairs that supports leave, in the meshes before fit() [length]
+};
+
+}  // namespace signorini
