@@ -1,9 +1,9 @@
 // The tree of the target search: it finds what a look at all sides finds, and looks at few.
 #include <cmath>
 
-#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
+#include "meshes/split.hpp"
 #include "signorini/contact/target_search.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <limits>
 
-#include "addons/effects/split.hpp"
 #include "addons/estimate/accuracy.hpp"
 #include "addons/estimate/goal_words.hpp"
 #include "addons/estimate/mesh_refinement.hpp"
 #include "catch_compat.hpp"
 #include "closed_form/hertz.hpp"
 #include "meshes/disc.hpp"
+#include "meshes/split.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"

@@ -2,9 +2,9 @@
 #include <numeric>
 
 #include "addons/effects/layers.hpp"
-#include "addons/effects/split.hpp"
 #include "addons/estimate/error_products.hpp"
 #include "catch_compat.hpp"
+#include "meshes/split.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/regions.hpp"
 #include "signorini/fem/reshape.hpp"

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "addons/effects/split.hpp"
 #include "addons/estimate/mesh_refinement.hpp"
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
+#include "meshes/split.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"

@@ -1,6 +1,6 @@
 // How far a mesh lies from the origin, and what that does to its directions.
-#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
+#include "meshes/split.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/far.hpp"

@@ -2,11 +2,11 @@
 #include <numeric>
 #include <set>
 
-#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
 #include "meshes/disc.hpp"
 #include "meshes/half_space.hpp"
 #include "meshes/ring.hpp"
+#include "meshes/split.hpp"
 #include "signorini/fem/joints.hpp"
 #include "support/loose_meshes.hpp"
 #include "support/random.hpp"

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <limits>
 
-#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
+#include "meshes/split.hpp"
 #include "signorini/fem/block.hpp"
 #include "support/message.hpp"
 

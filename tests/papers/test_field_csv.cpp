@@ -1,8 +1,8 @@
 #include <map>
 #include <sstream>
 
-#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
+#include "meshes/split.hpp"
 #include "papers/field_csv.hpp"
 #include "signorini/fem/block.hpp"
 

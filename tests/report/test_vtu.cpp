@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
+#include "meshes/split.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"

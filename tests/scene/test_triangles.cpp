@@ -1,7 +1,7 @@
 // Scenes on triangles and on mixed meshes.
-#include "addons/effects/split.hpp"
 #include "addons/files/gmsh.hpp"
 #include "catch_compat.hpp"
+#include "meshes/split.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/message.hpp"

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
 #include "meshes/disc.hpp"
+#include "meshes/split.hpp"
 
 namespace signorini_test {
 

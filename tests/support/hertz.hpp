@@ -3,10 +3,10 @@
 #include <string>
 #include <utility>
 
-#include "addons/effects/split.hpp"
 #include "closed_form/hertz.hpp"
 #include "closed_form/moduli.hpp"
 #include "meshes/hertz_meshes.hpp"
+#include "meshes/split.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "signorini/scene/scene.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-#include "addons/effects/split.hpp"
+#include "meshes/split.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/element.hpp"
 #include "signorini/fem/unknowns.hpp"

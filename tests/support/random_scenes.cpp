@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "addons/effects/split.hpp"
+#include "meshes/split.hpp"
 #include "signorini/core/errors.hpp"
 #include "support/far.hpp"
 #include "support/random_paths.hpp"

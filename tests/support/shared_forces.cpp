@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "addons/effects/split.hpp"
+#include "meshes/split.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/reshape.hpp"

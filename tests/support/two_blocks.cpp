@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "addons/certified/floating_programme.hpp"
-#include "addons/effects/split.hpp"
+#include "meshes/split.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/assembly.hpp"

@@ -3,13 +3,13 @@
 #include <optional>
 #include <utility>
 
-#include "addons/effects/split.hpp"
 #include "addons/files/gmsh.hpp"
 #include "addons/files/kinds.hpp"
 #include "meshes/disc.hpp"
 #include "meshes/half_space.hpp"
 #include "meshes/plate_with_hole.hpp"
 #include "meshes/ring.hpp"
+#include "meshes/split.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"

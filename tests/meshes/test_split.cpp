@@ -2,8 +2,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "addons/effects/split.hpp"
 #include "catch_compat.hpp"
+#include "meshes/split.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/regions.hpp"
 #include "signorini/fem/reshape.hpp"

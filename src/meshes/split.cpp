@@ -1,4 +1,4 @@
-#include "addons/effects/split.hpp"
+#include "meshes/split.hpp"
 
 #include <algorithm>
 #include <numeric>
