@@ -1,4 +1,4 @@
-// What both certificates ask of pairs, by hand.
+// What every certificate asks of pairs, by hand.
 #include "catch_compat.hpp"
 #include "signorini/problem/certificate.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 Certificate figures(const VectorXd& force, const VectorXd& movement, double cohesion = 0,
                     const VectorXd& unit = VectorXd::Ones(4)) {
   const FrictionLaw law = law_of_all(Vector2d(0.5, 0.5), Vector2d(cohesion, cohesion));
-  return pair_figures({force, movement, unit, 10, 4}, law);
+  return certify(ClaimResiduals{force, movement, unit, 10, 4}, law);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ TEST_CASE("an equation has a gap and a force of any sign", "[certificate]") {
   const VectorXd force = Vector2d(-2, 3);
   const VectorXd movement = Vector2d(0.8, 0);
   const VectorXd unit = Vector2d(1, 1);
-  const Certificate found = pair_figures({force, movement, unit, 10, 4}, {}, 1);
+  const Certificate found = certify(ClaimResiduals{force, movement, unit, 10, 4}, {}, 1);
   CHECK(found.penetration == Approx(0.2));
   CHECK(found.tension == 0);
   CHECK(found.complementarity == Approx(0.04));
@@ -67,7 +67,7 @@ TEST_CASE("units of rows do not count", "[certificate][units]") {
   const VectorXd other_movement = movement.cwiseProduct(unit);
   const VectorXd units = unit;
   const Certificate one = figures(force, movement, 1);
-  const Certificate other = pair_figures({other_force, other_movement, units, 10, 4}, law);
+  const Certificate other = certify(ClaimResiduals{other_force, other_movement, units, 10, 4}, law);
   CHECK(other.penetration == one.penetration);
   CHECK(other.tension == one.tension);
   CHECK(other.complementarity == one.complementarity);

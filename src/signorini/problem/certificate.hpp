@@ -6,6 +6,7 @@
 
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/problem.hpp"
+#include "signorini/problem/residual.hpp"
 
 namespace signorini {
 
@@ -14,18 +15,32 @@ constexpr double certificate_tolerance = 1e-12;
 
 /// How far a claimed solution is from satisfying each condition, made free of units; 0 is perfect.
 ///
-/// Lengths are divided by the largest |a_i||u| of a row, or by what the largest entry of p - A^T lambda would move the stiffest
-/// unknown by, if that is larger. Forces are divided by the largest load or net contact force on an unknown; a residual also by
-/// what its own unknown has, behind what the forces of equations could still balance: own_imbalance(). Rows of A are scaled to norm 1. So no
-/// figure changes with units or with the scaling of a row, and what cancels or lies elsewhere hides nothing. Where no load acts,
-/// contact forces of rounding size are measured by the forces that the displacements could make. Of a programme, each of the
-/// unconnected_systems() is measured by itself, and the worst figures count. See chapters/notation.md.
+/// Row i of a problem, a gap or a slip, has the claimed force f_i and the movement w_i, which the data give in twice the working
+/// precision. \f$ \hat f_i = s_i f_i \f$ and \f$ \hat w_i = w_i / s_i \f$ have one unit each, whatever the scale of the row.
+/// They are measured by one force \f$ \varphi \f$ and one length \f$ \ell \f$, which ClaimResiduals brings along with the rest:
+/// \f[ \text{penetration} = \max_{gaps} \frac{(-\hat w_i)^+}{\ell},\qquad
+///     \text{tension} = \max_{gaps} \frac{(-\hat f_i)^+}{\varphi},\qquad
+///     \text{complementarity} = \max_{gaps} \frac{|\hat f_i \hat w_i|}{\ell\varphi}, \f]
+/// \f[ \text{duality gap} =
+///     \frac{|\sum_{gaps} f_i w_i - \sum_j q_j \rho_j|}
+///          {\max(\sum_{gaps} |f_i g_i| + \sum_j |b_j q_j|,\ \ell\varphi)}. \f]
+/// Of an equation \f$ |\hat w_i| \f$ counts as penetration, and no force as tension. The numerator of the duality gap is the
+/// primal minus the dual energy, see ClaimResiduals for g, q, b and rho. Of a frictional pair with gap i, slip k,
+/// \f$ \beta = s_k \mu f_i^+ \f$ and \f$ \gamma = s_k c \f$,
+/// \f[ \text{cone} = \max\left(\frac{(|\hat f_k| - \beta)^+}{\varphi}, \text{status}\right),\qquad
+///     \text{sliding} = \min\left(\frac{|\hat w_k|}{\ell},
+///                               \frac{|\hat f_k + \beta\,\mathrm{sign}\,\hat w_k|}{\varphi}\right), \f]
+/// twice: open, with status \f$ \hat f_i^+ / \varphi \f$ if c > 0, else 0; closed, with \f$ \beta + \gamma \f$ for
+/// \f$ \beta \f$ and status \f$ \hat w_i^+ / \ell \f$. The two figures with the smaller maximum count.
+///
+/// No figure changes with units or with the scale of a row, and what cancels or lies elsewhere hides nothing.
+/// See chapters/notation.md.
 struct Certificate {
   double penetration = 0;      ///< largest overlap / length
   double tension = 0;          ///< largest tensile contact force / force
   double complementarity = 0;  ///< largest |force * gap| / (length * force)
-  double equilibrium = 0;      ///< largest of p - K u - A^T lambda / force, or own force
-  double duality_gap = 0;      ///< |primal - dual energy| / their size, see certify()
+  double equilibrium = 0;      ///< what forces and movements lack of their equations, see certify()
+  double duality_gap = 0;      ///< |primal - dual energy| / their size
   double cone = 0;  ///< largest |friction force| beyond its bound / force; 0 without friction
   /// What a pair slides without being resisted: the smaller of |slip| / length and |friction force minus
   /// that of its bound| / force, the largest over the pairs; 0 without friction
@@ -48,36 +63,46 @@ struct Certificate {
 /// \return infinity in all
 [[nodiscard]] Certificate uncertified();
 
-/// A claimed solution of a quadratic programme; u is kept as the unevaluated sum of two vectors.
-struct PrimalDual {
-  Eigen::VectorXd displacement;      ///< u `n` [length], rounded to double
-  Eigen::VectorXd displacement_low;  ///< what rounding took away, `n` [length]; empty means zero
-  Eigen::VectorXd force;             ///< lambda `n_c` [force], compression > 0
-  /// The part of u that moves whole bodies `n` [length], empty if there is none. That it strains nothing
-  /// is known beforehand and not computed: K times a motion is rounding, which in a stiff body may exceed
-  /// the loads of all others. So equilibrium is that of u without it.
-  Eigen::VectorXd rigid = {};
+/// What a claim leaves of a problem, and what that is measured by: all that a certificate looks at.
+struct ClaimResiduals {
+  Eigen::VectorXd force;     ///< f `n_c + n_s` [force]
+  Eigen::VectorXd movement;  ///< w `n_c + n_s`: gaps, then slips, from the data [length]
+  /// s `n_c + n_s` > 0: of all rows force * unit is in one unit, and so is movement / unit
+  Eigen::VectorXd unit;
+  double force_size = 0;           ///< phi, that forces are measured by, in that unit
+  double length = 0;               ///< l, that movements are measured by, in that unit
+  double equilibrium = 0;          ///< the figure of that name
+  Eigen::VectorXd free = {};       ///< g or d [length], which forces work on; empty: no duality gap
+  Eigen::VectorXd load = {};       ///< b: p, with friction forces as loads, or r [force]
+  Eigen::VectorXd position = {};   ///< q: u or a, which loads work on [length]
+  Eigen::VectorXd imbalance = {};  ///< rho: what the equilibrium of each entry of q lacks [force]
 };
 
-/// u += change, keeping in `displacement_low` what does not fit into the leading double.
-/// \param solution  whose displacement grows; both parts `n`
-/// \param change    `n` [length]
-void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
-
-/// The displacements that strain the bodies, which stresses are computed from: beside a large motion the
-/// rounding of u may be larger than all the strain of a stiff body.
-/// \param solution  u in two parts, and its rigid part
-/// \return u without the rigid part `n` [length], rounded once
-[[nodiscard]] Eigen::VectorXd strained(const PrimalDual& solution);
+/// The one certificate, of whatever was claimed.
+/// \param left       what the claim leaves
+/// \param law        of the frictional pairs
+/// \param equations  so many of the first rows are equations
+/// \return the figures, by the formulas at Certificate
+[[nodiscard]] Certificate certify(const ClaimResiduals& left, const FrictionLaw& law,
+                                  Eigen::Index equations = 0);
 
 /// Certificate of (u, lambda) against K, p, A, g. \PaperEq{XuanLi2002, 6}, \PaperEq{XuanLi2002, 21},
 /// \PaperEq{LinEtAl, 2} to \PaperEq{LinEtAl, 4}
 ///
-/// Residuals are summed in twice the working precision. The equilibrium is measured against the
-/// loads and not against |K||u|, which is far larger in a slender body: with u in plain doubles it
-/// cannot be better than about 1e-16 |K||u| / |p|, whatever the solver; `displacement_low` removes
-/// this floor. The energies are measured against the sum of |lambda g| and |p u|, or length * force
-/// if that is larger.
+/// The numbers of ClaimResiduals are
+/// \f[ s_i = |a_i|,\quad w = g - A u,\quad \rho = p - K u - A^T\lambda,\quad q = u,\quad b = p - A_s^T\lambda_s \f]
+/// with the slips s, sums in twice the working precision, and
+/// \f[ \varphi = \max(|p|_\infty, |A^T\lambda|_\infty),\qquad
+///     \ell = \max\left(\max_i \frac{1}{s_i}\sum_j |a_{ij} u_j|,
+///                      \frac{|p - A^T\lambda|_\infty}{\max_j K_{jj}}\right), \f]
+/// \f[ \text{equilibrium} = \max\left(\frac{|\rho|_\infty}{\varphi},\ \max_j \frac{|\rho_j|}{o_j}\right),\qquad
+///     o_j = |p_j| + \sum_i |a_{ij}\lambda_i| + \sqrt{K_{jj}} \max_i \sqrt{K_{ii}} |u_i|, \f]
+/// where own_imbalance() says what equations and rounding change in the last one. Where p - A^T lambda is nothing but rounding,
+/// phi takes its place in the length. Without loads, contact forces below what u in two doubles resolves are measured by
+/// \f$ \max_j K_{jj}|u_j| \f$. Of each of the unconnected_systems() all this is taken by itself, and the worst figures count.
+///
+/// The equilibrium is measured against the loads and not against |K||u|, which is far larger in a slender body: with u in plain
+/// doubles it cannot be better than about 1e-16 |K||u| / |p|, whatever the solver; `displacement_low` removes this floor.
 /// \param programme  K, p, A, g as they were posed
 /// \param solution   u and lambda, from any solver
 /// \param equations  so many of the first rows are equations: both signs of their gap count as
@@ -103,24 +128,6 @@ void add_displacement(PrimalDual& solution, const Eigen::VectorXd& change);
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                                   const FrictionLaw& law);
 
-/// Forces and movements of all rows, gaps first, and what they are measured by.
-struct RowNumbers {
-  const Eigen::VectorXd& force;     ///< `n_c + n_s` [force]
-  const Eigen::VectorXd& movement;  ///< `n_c + n_s`: gaps, then slips [length]
-  /// `n_c + n_s` > 0: of all rows force * unit is in one unit, and so is movement / unit
-  const Eigen::VectorXd& unit;
-  double largest_force;  ///< that forces are measured by, in that unit
-  double length;         ///< that movements are measured by, in that unit
-};
-
-/// What both certificates ask of pairs: no overlap, no tension, no force across a gap, the law of friction.
-/// \param rows       as they were found
-/// \param law        of the frictional pairs
-/// \param equations  so many of the first rows are equations
-/// \return penetration, tension, complementarity, cone and sliding; the other figures are 0
-[[nodiscard]] Certificate pair_figures(const RowNumbers& rows, const FrictionLaw& law,
-                                       Eigen::Index equations = 0);
-
 /// A condensed problem by its blocks, see ContactProblem.
 struct ProblemBlocks {
   const Eigen::MatrixXd& compliance;  ///< F
@@ -139,16 +146,20 @@ struct Claim {
 
 /// Certificate of forces, gaps, slips and amplitudes against a condensed problem.
 ///
-/// Row i is measured in movement / sqrt(F_ii) and force sqrt(F_ii), which have one unit: lengths against the
-/// largest overlap without contact, or what forces and rigid motions move in sum, forces against the largest
-/// of them. Any matrix can stand in the place of G, see row_scales(). The movements are recomputed in twice the
-/// working precision; `equilibrium` is the largest difference of the claimed from the recomputed ones, or the
-/// largest entry of R^T f - r over r or what the largest force could add to it. With friction there is no duality
-/// gap; open or closed as for a programme.
-/// \param problem  by its blocks, wherever they are
+/// The numbers of ClaimResiduals are
+/// \f[ s_i = \sqrt{|F_{ii}|},\quad w = w^0 + F f + R a,\quad \rho = R^T f - r,\quad q = a,\quad b = r \f]
+/// with the free gaps and slips w^0 and sums in twice the working precision; where F_ii = 0, s_i is that of row_scales(), and any
+/// matrix can stand in the place of F. With the claimed movements v, and \f$ o_i = (-w^0_i)^+ \f$ of a gap, \f$ |w^0_i| \f$ of a
+/// slip,
+/// \f[ \varphi = \max_i s_i |f_i|,\qquad \ell = \max_i \frac{\max(o_i, |F f|_i, |R a|_i)}{s_i}, \f]
+/// \f[ \text{equilibrium} = \max\left(
+///     \max_j \frac{|\rho_j|}{\max(|r_j|,\ \varphi \max_i |R_{ij}| / s_i)},
+///     \max_i \frac{|w_i - v_i|}{\max(s_i\ell, |w_i|)}\right). \f]
+/// If rigid modes leave no more than rounding of that length, the smaller of \f$ \max_{ij} |F_{ij} f_j| / s_i \f$ and
+/// \f$ \max_j |r_j| / \max_i (|R_{ij}| / s_i) \f$ takes its place. With friction there is no duality gap.
+/// \param problem  by its blocks, wherever they are; sizes fit, and the law passes check_law()
 /// \param claim    of all rows
 /// \return the figures; all infinite if any number of F, d, s, R, r, given or claimed, is not finite
-/// \throws std::invalid_argument if sizes do not fit, or as check_law()
 [[nodiscard]] Certificate certify(const ProblemBlocks& problem, const Claim& claim);
 
 /// The same for a state.
@@ -175,20 +186,10 @@ inline constexpr double proof_rounding = 1e3 * epsilon;
 /// \return whether it does
 [[nodiscard]] bool verify_farkas(const ContactProblem& problem, const Eigen::VectorXd& y);
 
-/// The forces that are missing in the equilibrium, summed in twice the working precision.
-/// \param programme  K, p, A
-/// \param solution   u in its two parts, and lambda; K is not applied to the rigid part
-/// \return \f$ p - K u - A^T \lambda \f$ `n` [force]
-/// \throws std::invalid_argument if sizes do not fit
-[[nodiscard]] Eigen::VectorXd equilibrium_residual(const QuadraticProgramme& programme,
-                                                   const PrimalDual& solution);
-
-/// The gaps that displacements leave, summed in twice the working precision.
-/// \param programme  A and g
-/// \param solution   u in its two parts
-/// \return \f$ g - A u \f$ `n_c` [length], overlap < 0
-/// \throws std::invalid_argument if sizes do not fit
-[[nodiscard]] Eigen::VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solution);
+/// \param one    figures
+/// \param other  more of them
+/// \return the larger of each
+[[nodiscard]] Certificate worst_of(Certificate one, const Certificate& other);
 
 /// Prints the figures on one line, those of friction if they are not zero.
 /// \param out          where to

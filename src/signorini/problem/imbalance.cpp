@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/systems.hpp"
@@ -31,10 +32,8 @@ VectorXd stretches(const QuadraticProgramme& programme, const VectorXd& own, boo
 VectorXd own_forces(const QuadraticProgramme& programme, const PrimalDual& solution,
                     bool equations) {
   const VectorXd root = programme.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
-  VectorXd own = programme.load.cwiseAbs();
-  for (Index row = 0; row < programme.A.rows(); ++row)
-    for (RowMatrix::InnerIterator entry(programme.A, row); entry; ++entry)
-      own(entry.col()) += std::abs(entry.value() * solution.force(row));
+  VectorXd own =
+      programme.load.cwiseAbs() + programme.A.cwiseAbs().transpose() * solution.force.cwiseAbs();
   VectorXd stretch = root.cwiseProduct(strained(solution)).cwiseAbs();
   for (Index j = 0; j < own.size(); ++j)
     if (root(j) > 0) stretch(j) = std::max(stretch(j), epsilon * own(j) / root(j));
@@ -43,22 +42,14 @@ VectorXd own_forces(const QuadraticProgramme& programme, const PrimalDual& solut
   return (own.array() + std::numeric_limits<double>::min()).matrix();
 }
 
-/// Where a combination of equations is felt most, and how much of that others feel.
-struct Felt {
-  Index unknown = -1;
-  double others = std::numeric_limits<double>::infinity();
-};
-
-/// \param weight  1 over what each unknown has
-Felt felt(const VectorXd& row, const VectorXd& weight) {
-  const VectorXd share = row.cwiseAbs().cwiseProduct(weight);
-  Felt found;
-  if (!(share.maxCoeff(&found.unknown) > 0)) return {};
-  double second = 0;
-  for (Index j = 0; j < share.size(); ++j)
-    if (j != found.unknown) second = std::max(second, share(j));
-  found.others = second / share(found.unknown);
-  return found;
+/// Of a combination of equations, what each unknown feels of it over what the unknown has.
+/// \return the second largest share over the largest, and the unknown with that; infinity if nothing feels it
+std::pair<double, Index> most_felt(VectorXd share) {
+  Index unknown = 0;
+  const double most = share.maxCoeff(&unknown);
+  if (!(most > 0)) return {std::numeric_limits<double>::infinity(), unknown};
+  share(unknown) = 0;
+  return {share.maxCoeff() / most, unknown};
 }
 
 /// Takes from the columns of E, combinations of equations, what they have of an unknown by one that has it. What is left of an
@@ -67,14 +58,11 @@ void eliminate(MatrixXd& E, Index pivot, Index unknown) {
   const VectorXd row = E.col(pivot);
   const double rounding = static_cast<double>(E.cols()) * epsilon;
   for (Index i = 0; i < E.cols(); ++i) {
-    const double factor = E(unknown, i) / row(unknown);
-    if (factor == 0) continue;
-    for (Index j = 0; j < row.size(); ++j) {
-      const double taken = factor * row(j);
-      const double size = std::abs(E(j, i)) + std::abs(taken);
-      E(j, i) -= taken;
-      if (std::abs(E(j, i)) <= rounding * size) E(j, i) = 0;
-    }
+    if (E(unknown, i) == 0) continue;
+    const VectorXd taken = E(unknown, i) / row(unknown) * row;
+    const VectorXd size = E.col(i).cwiseAbs() + taken.cwiseAbs();
+    const VectorXd left = E.col(i) - taken;
+    E.col(i) = (left.array().abs() <= rounding * size.array()).select(0.0, left);
     E(unknown, i) = 0;
   }
 }
@@ -83,22 +71,23 @@ void eliminate(MatrixXd& E, Index pivot, Index unknown) {
 /// each measured by what it has. \param E  the equations as columns
 double rebalanced(MatrixXd E, const VectorXd& own, VectorXd residual) {
   const double worst = largest(residual.cwiseQuotient(own));
-  const VectorXd weight = own.cwiseInverse();
   double rounding = 0;
   for (Index step = 0; step < E.cols(); ++step) {
-    Felt least;
-    Index equation = 0;
+    std::pair<double, Index> least{std::numeric_limits<double>::infinity(), 0};
+    Index equation = -1;
     for (Index i = 0; i < E.cols(); ++i)
-      if (const Felt now = felt(E.col(i), weight); now.others < least.others) {
+      if (const auto now = most_felt(E.col(i).cwiseAbs().cwiseQuotient(own));
+          now.first < least.first) {
         least = now;
         equation = i;
       }
-    if (least.unknown < 0) break;
-    const double taken = residual(least.unknown);
-    rounding = std::max(rounding, epsilon * std::abs(taken) / own(least.unknown));
-    residual -= taken / E(least.unknown, equation) * E.col(equation);
-    residual(least.unknown) = 0;
-    eliminate(E, equation, least.unknown);
+    if (equation < 0) break;
+    const Index unknown = least.second;
+    const double taken = residual(unknown);
+    rounding = std::max(rounding, epsilon * std::abs(taken) / own(unknown));
+    residual -= taken / E(unknown, equation) * E.col(equation);
+    residual(unknown) = 0;
+    eliminate(E, equation, unknown);
   }
   const double now = std::max(rounding, largest(residual.cwiseQuotient(own)));
   return now < worst ? now : worst;
