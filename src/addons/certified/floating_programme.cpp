@@ -100,7 +100,7 @@ std::optional<DenseSolution> held_solution(const DenseProgramme& programme,
 
 }  // namespace
 
-FloatingCondensed condense(const DenseProgramme& programme, const MatrixXd& null_vectors) {
+DenseCondensed condense(const DenseProgramme& programme, const MatrixXd& null_vectors) {
   check(programme, null_vectors);
   const VectorXd scale = unknown_scale(programme.stiffness);
   const MatrixXd C =
@@ -108,7 +108,7 @@ FloatingCondensed condense(const DenseProgramme& programme, const MatrixXd& null
   MatrixXd grounded = programme.stiffness;
   grounded.selfadjointView<Eigen::Lower>().rankUpdate(C);
   const VectorXd diagonal = grounded.diagonal();
-  FloatingCondensed condensed{CholeskyFactor(grounded), {}, {}};
+  DenseCondensed condensed{CholeskyFactor(grounded), programme.A.transpose(), {}, {}};
   const VectorXd pivots = condensed.factor.lower().diagonal().cwiseAbs2();
   const double tiny = static_cast<double>(diagonal.size() + 1) * epsilon;
   require_input(
@@ -117,9 +117,8 @@ FloatingCondensed condense(const DenseProgramme& programme, const MatrixXd& null
       " grounded modes is not positive definite; the body can move in more ways than the null "
       "vectors say, or K is indefinite");
   condensed.free_displacement = condensed.factor.solve(programme.load);
-  MatrixXd half = programme.A.transpose();
-  solve_lower_columns(condensed.factor.lower(), half);
-  condensed.problem = {gram(half),
+  solve_lower_columns(condensed.factor.lower(), condensed.half);
+  condensed.problem = {gram(condensed.half),
                        programme.initial_gap - programme.A * condensed.free_displacement};
   add_rigid_modes(sparse(programme), null_vectors, condensed.problem);
   return condensed;
@@ -127,7 +126,7 @@ FloatingCondensed condense(const DenseProgramme& programme, const MatrixXd& null
 
 FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vectors,
                        const Solver& solver, const SolverOptions& options) {
-  const FloatingCondensed condensed = condense(programme, null_vectors);
+  const DenseCondensed condensed = condense(programme, null_vectors);
   const CondensedProgramme small{
       condensed.problem, condensed.free_displacement,
       [&](const VectorXd& load) { return VectorXd(condensed.factor.solve(load)); }};

@@ -6,16 +6,8 @@
 #include <optional>
 
 #include "addons/certified/dense_programme.hpp"
-#include "signorini/core/dense.hpp"
 
 namespace signorini {
-
-/// A dense programme with displacements eliminated and rigid modes left as unknowns.
-struct FloatingCondensed {
-  CholeskyFactor factor;   ///< of the grounded stiffness K_s `n x n`
-  ContactProblem problem;  ///< G = A K_s^-1 A^T, d = g - A K_s^-1 p, R = -A N, r = -N^T p
-  Eigen::VectorXd free_displacement;  ///< K_s^-1 p `n`, of the grounded body
-};
 
 /// Grounds the rigid modes of a body and eliminates the displacements.
 ///
@@ -29,12 +21,13 @@ struct FloatingCondensed {
 /// R^T lambda = r, which the floating problem demands, and the gaps are g - A u = d + G lambda + R a.
 /// \param programme     K singular, p, A, g, no equations
 /// \param null_vectors  N `n x n_r`: all rigid modes, independent, K N = 0
-/// \return factor, floating problem and the displacement of the grounded body
+/// \return the factor of K_s, \f$ H = L^{-1} A^T \f$, the floating problem G = H^T H, d = g - A K_s^-1 p, R = -A N, r = -N^T p,
+///   and the displacement K_s^-1 p of the grounded body
 /// \throws std::invalid_argument if sizes do not fit, a number is not finite or there are equations
 /// \throws ProblemError if a column of N is stretched by K, if the columns are dependent, or if the
 ///   grounded stiffness is not positive definite to rounding: then a mode is missing in N
-[[nodiscard]] FloatingCondensed condense(const DenseProgramme& programme,
-                                         const Eigen::MatrixXd& null_vectors);
+[[nodiscard]] DenseCondensed condense(const DenseProgramme& programme,
+                                      const Eigen::MatrixXd& null_vectors);
 
 /// A solution of a dense programme with rigid modes.
 struct FloatingSolution {

@@ -59,13 +59,7 @@ void ProgrammeRows::correct(const ActiveSetFactor& basis, Refined& refined, Work
     const Index row = basis.rows()[static_cast<std::size_t>(i)];
     if (row < equations()) work.along(i) += rho_(row) * gap(i) * work.norm(i);
   }
-  for (Index j = 0; j < n; ++j) {  // u is kept as a sum of two doubles
-    const double addend = solution.displacement_low(j) + work.z(j);
-    const double sum = solution.displacement(j) + addend;
-    const double part = sum - solution.displacement(j);
-    solution.displacement_low(j) = (solution.displacement(j) - (sum - part)) + (addend - part);
-    solution.displacement(j) = sum;
-  }
+  add_displacement(solution, work.z);
   work.force += work.along;
   work.raw += work.along.cwiseQuotient(work.norm);
   ++refined.sweeps;
