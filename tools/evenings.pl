@@ -9,7 +9,7 @@
 #
 # A page is the file itself: comments at the left edge are prose, what stands between them is code. Prose is Markdown with formulas,
 # as \f$ \f$ or $ $; a comment `# Title` gives the page its title. Above the code of a source stands, for each function that a header
-# declares: its contract, tests that use it, chapters that use it, and equations of the papers that the comments above it name.
+# declares: its contract (of a private one, that of its class), tests that use it, chapters that use it, and equations of the papers that the comments above it name.
 use strict;
 use warnings;
 use File::Basename qw(basename dirname);
@@ -119,14 +119,16 @@ sub markdown {    # the commands of Doxygen in Markdown: arguments, result and e
 # Functions that a piece of code defines at file scope, as NAMESPACE::CLASS::NAME; $spaces are the namespaces that are open.
 sub defined_here {
     my ($code, $spaces) = @_;
-    my (@name, $head);
+    my (@name, $head, $open);
     for (@$code) {
-        if    (/^(?:inline )?namespace ([\w:]*) ?\{/) { push @$spaces, $1 eq '' ? '-' : $1 }
-        elsif (m{^\}  // namespace}) { pop @$spaces }
+        if    (/^(?:inline )?namespace ?([\w:]*) ?\{/) { push @$spaces, $1 eq '' ? '-' : $1 }
+        elsif (m{^\}  // namespace} || (/^\}$/ && !$open)) { pop @$spaces }
         elsif (/^[a-zA-Z\[]/ && !/^(?:using|struct|class|enum|template|namespace|typedef|extern|static_assert)\b/) { $head = $_ }
         elsif (/^\s/ && defined $head && $head !~ /[{;]$/) { $head .= $_ }
+        $open = 0 if /^\}/;
         next if !defined $head || $head !~ /[{;}]\s*(?:\/\/.*)?$/;
-        my $inside = join '::', grep { $_ ne 'signorini' } @$spaces;
+        $open = 1 if $head =~ /\{$/;
+        my $inside = join('::', grep { $_ ne 'signorini' } @$spaces) =~ s/^signorini:://r;
         push @name, ($inside ? "${inside}::" : '') . $1
             if $head !~ /;\s*(?:\/\/.*)?$/ && $head !~ /^[^(]*=/ && $head =~ /^[^(]*?((?:\w+::)*~?\w+)\(/ && $inside !~ /-/;
         undef $head;
@@ -135,20 +137,20 @@ sub defined_here {
 }
 
 # Functions that headers declare for everybody, as NAMESPACE::CLASS::NAME: the header, and the equations of their contract.
-my %declared;
+my (%declared, %class_in);
 for my $header (glob 'src/{signorini/*,papers}/*.hpp') {
-    my (@space, $class, $public, $said, $kept);
+    my (@space, @class, $said, $kept);    # a class has a name, its indentation, and whether what follows is public
     for (split /\n/, slurp($header)) {
         if    (/^namespace (\w*) ?\{/) { push @space, $1 }
         elsif (m{^\}  // namespace}) { pop @space }
-        elsif (/^(?:class|struct) (\w+)[^;]*$/) { ($class, $public) = ($1, /^struct/) }
-        elsif (/^\};/) { undef $class }
-        elsif (/^\s*(public|private|protected):/) { $public = $1 eq 'public' }
+        elsif (/^( *)(class|struct) (\w+)[^;]*\{$/) { push @class, { name => $3, at => length $1, public => $2 eq 'struct' }; $class_in{$3} = $header if $1 eq '' }
+        elsif (/^( *)\};/ && @class && length $1 == $class[-1]{at}) { pop @class }
+        elsif (/^ *(public|private|protected):/ && @class) { $class[-1]{public} = $1 eq 'public' }
         if (m{^\s*///}) { $said = ($kept ? '' : $said // '') . "$_\n"; $kept = 0; next }
         $kept = 1 if !/\S/ || /[;{}]/;    # the comment belongs to what is declared below it, until that ends
-        next if !/^( *)[^ ].*?(?<![\w.>:])(~?[A-Za-z]\w*)\((?!\*)/ || length $1 > (defined $class ? 2 : 0) || (defined $class && !$public);
+        next if !/^( *)(?=\S)(?:.*?[^\w.>:~])??(~?[A-Za-z]\w*)\((?!\*)/ || length $1 != (@class ? $class[-1]{at} + 2 : 0) || grep { !$_->{public} } @class;
         next if $2 =~ /^(?:if|for|while|return|switch|defined|decltype|sizeof)$/ || /^\s*(?:\/\/|#|using)/;
-        my $name = join '::', (grep { $_ ne 'signorini' } @space), (defined $class && $1 ne '' ? $class : ()), $2;
+        my $name = join '::', (grep { $_ ne 'signorini' } @space), (map { $_->{name} } @class), $2;
         $declared{$name} //= { header => $header, equations => [($said // '') =~ /\\PaperEq\{[^}]*\}/g] };
     }
 }
@@ -177,11 +179,13 @@ sub own_test { return 'tests/' . basename(dirname($_[0])) . '/test_' . basename(
 sub leads {    # the line above the code of a function
     my ($from, $name, @equations) = @_;
     my $known = $declared{$name};
-    my $line = '[`' . ($name =~ /(\w+)::\1$/ ? $1 : "$name()") . '`](' . away($from, $known->{header}) . ')';
+    return "part of [`$1`](" . away($from, $class_in{$1}) . ")<br>\n" if !$known && $name =~ /^(\w+)::\w+$/;    # a private function
+    my $line = '[`' . ($name =~ /^(.*\b(\w+))::~?\2$/ ? $1 : "$name()") . '`](' . away($from, $known->{header}) . ')';
     my $own   = own_test($from);
     my @tests = users($name, '^' . dirname($own) . '/');
     @tests = ($own) if grep { $_ eq $own } @tests;
-    my %number = map { m{ch(\d\d)_} => '[' . ($1 + 0) . '](' . away($from, dirname($_) . '/README.md') . ')' } users($name, '^chapters/');
+    my %number = map { m{ch(\d\d)_} => '[' . ($1 + 0) . '](' . away($from, dirname($_) . '/README.md') . ')' }
+        users($name, '^chapters/');
     my %seen;
     @equations = grep { !$seen{$_}++ } @{ $known->{equations} }, @equations;
     $line .= ' · ' . join ', ', map { '[' . basename($_) . '](' . away($from, $_) . ')' } @tests[0 .. ($#tests < 2 ? $#tests : 2)] if @tests;
@@ -220,7 +224,7 @@ sub page {
         my ($n, @code) = ($piece->{first});
         for my $part (split /(?<=\n)(?=\n\S)/, join '', map { "$_\n" } @{ $piece->{code} }) {    # a function that leads somewhere begins a listing
             my %seen;
-            my @name = grep { exists $declared{$_} && !$seen{$_}++ } $path =~ /cpp$/ ? defined_here([split /\n/, $part], \@spaces) : ();
+            my @name = grep { (exists $declared{$_} || /^(\w+)::\w+$/ && exists $class_in{$1}) && !$seen{$_}++ } $path =~ /cpp$/ ? defined_here([split /\n/, $part], \@spaces) : ();
             if (@name || !@code) { push @code, { first => $n, leads => join('', map { leads($from, $_, @equations) } @name), text => '' } }
             @equations = () if @name;
             $code[-1]{text} .= $part;

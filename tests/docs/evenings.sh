@@ -50,6 +50,10 @@ for part in '[`surrogate_dual_value()`](../../src/papers/surrogate_dual.hpp) · 
     grep surrogate_dual_value $page | grep -qF -- "$part" || { echo "evenings.sh: surrogate_dual_value() does not lead to: $part"; failures=1; }
 done
 
+grep -qF '[`Ledger::Phase`](../../../src/signorini/core/ledger.hpp)' pages/src+signorini+core+ledger.cpp.md || { echo "evenings.sh: a constructor does not lead to its class"; failures=1; }
+grep -qF '[`Ledger::count()`]' pages/src+signorini+core+ledger.cpp.md || { echo "evenings.sh: a member that follows a class within the class leads nowhere"; failures=1; }
+grep -qF 'part of [`Ledger`]' pages/src+signorini+core+ledger.cpp.md || { echo "evenings.sh: a private function does not lead to its class"; failures=1; }
+
 # Paragraphs and indented lines stay what they are.
 printf '// one\n//\n//     two\n' >> $errors
 perl tools/evenings.pl . pages || exit 1
