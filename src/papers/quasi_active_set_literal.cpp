@@ -1,14 +1,33 @@
+// # The quasi-active set, as it is printed
+//
+// The loop of the paper: take pairs that overlap, close them as if there were no others, and look
+// again. A step does not begin anew. It moves the point to the solution of these pairs, and the
+// objective with it, so that the next step starts from where this one ended. Its forces are added
+// to those before and are never taken back.
+//
+// That is the flaw, and a small problem shows it. Let
+// \f[ G = \begin{pmatrix} 1 & -1 \\ -1 & 2 \end{pmatrix}, \qquad d = (-2, 1). \f]
+// The first pair overlaps by 2. The force 2 closes it and pushes the second into an overlap of 1.
+// The force 1/2 closes that one, and now the first overlaps by 1/2. The forces come to
+//
+//     step 1: 2       0
+//     step 2: 2       1/2
+//     step 3: 2 1/2   1/2
+//     step 4: 2 1/2   3/4
+//
+// and so on towards (3, 1), which solves the problem and is never reached. If both pairs were
+// closed together, one step would do. [Chapter 4](../../chapters/ch04_quasi_active_set/README.md)
+// proves when the loop ends.
+//
+// This file is the flow chart of the paper. The sets of pairs and the problems with some pairs
+// alone are in [literal_method.cpp](literal_method.cpp).
+
 #include "papers/quasi_active_set_literal.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "papers/surrogate_dual.hpp"
-#include "signorini/core/rounding.hpp"
-#include "signorini/problem/active_set_factor.hpp"
-#include "signorini/problem/active_set_system.hpp"
-#include "signorini/problem/certificate.hpp"
+#include "papers/literal_method.hpp"
 
 namespace signorini {
 namespace {
@@ -16,6 +35,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+// What a step presses are the pairs to which it gives a force.
 std::vector<Index> pressed(const VectorXd& force) {
   std::vector<Index> rows;
   for (Index i = 0; i < force.size(); ++i)
@@ -23,116 +43,10 @@ std::vector<Index> pressed(const VectorXd& force) {
   return rows;
 }
 
-/// One run on the equilibrated problem: forces >= 0 and the gaps that belong to them.
-class LiteralMethod {
- public:
-  LiteralMethod(const ContactProblem& problem, const SolverOptions& options, QuasiActiveRows rows);
-  QuasiActiveRun run();
+}  // namespace
 
- private:
-  /// VIO: pairs that overlap.
-  [[nodiscard]] std::vector<Index> violated(const ActiveSetSolution& point) const;
-  /// QAS, chosen among these. \PaperEq{XuanLi2002, 37}
-  [[nodiscard]] std::vector<Index> quasi_active(std::vector<Index> rows) const;
-  /// Puts the largest overlap first; overlaps that differ by rounding only keep their order.
-  void sort_by_violation(std::vector<Index>& rows) const;
-  /// Pairs without gap.
-  [[nodiscard]] std::vector<Index> tight(const ActiveSetSolution& point) const;
-  /// Gaps that belong to the forces.
-  void place(ActiveSetSolution& point) const;
-  /// One entry of the history.
-  void note(const ActiveSetSolution& point, Index overlapping);
-  /// The problem with some rows alone and given gaps of them: forces that are never tensile.
-  /// The paper's (28) does not converge, so the weights are found exactly.
-  /// \PaperEq{XuanLi2002, 38}, \PaperEq{XuanLi2002, 39}
-  bool solve(const std::vector<Index>& rows, const VectorXd& gap, ActiveSetSolution& best);
-  /// u^0, u^1, ..., u^k: \PaperEq{XuanLi2002, 30} to \PaperEq{XuanLi2002, 32}, moved by
-  /// \PaperEq{XuanLi2002, 36}.
-  bool outer_loop();
-  /// Whether the present point is the best one for the pairs that are tight at it.
-  [[nodiscard]] bool close_to(const ActiveSetSolution& best) const;
-  /// The tight pairs alone and the way there. \PaperEq{XuanLi2002, 33} to \PaperEq{XuanLi2002, 35}
-  bool last_step();
-  /// The end is the solution if the rows that are tight there have no better one.
-  void judge();
-
-  const ContactProblem& problem_;
-  ScaledProblem scaled_;
-  QuasiActiveRows choice_;
-  double tolerance_;
-  double largest_overlap_;  // without contact
-  Index limit_;
-  ActiveSetSolution now_;
-  QuasiActiveRun way_;
-  Report report_;
-};
-
-LiteralMethod::LiteralMethod(const ContactProblem& problem, const SolverOptions& options,
-                             QuasiActiveRows rows)
-    : problem_(problem),
-      scaled_(equilibrate(problem)),
-      choice_(rows),
-      tolerance_(options.tolerance) {
-  const Index n = scaled_.free.size();
-  limit_ = options.iteration_limit > 0 ? options.iteration_limit : 100 * n + 1000;
-  largest_overlap_ = n > 0 ? std::max(0.0, -scaled_.free.minCoeff()) : 0;
-  now_.force.setZero(n);
-  place(now_);
-}
-
-void LiteralMethod::place(
-    ActiveSetSolution& point) const {  // with unit diagonal no |G_ij| exceeds 1
-  const double unit = static_cast<double>(point.force.size() + 1) * epsilon;
-  point.movement = scaled_.free + scaled_.compliance * point.force;
-  point.movement_rounding = unit * (scaled_.free.array().abs() + point.force.sum());
-}
-
-std::vector<Index> LiteralMethod::violated(const ActiveSetSolution& point) const {
-  std::vector<Index> rows;
-  for (Index i = 0; i < point.movement.size(); ++i)
-    if (point.movement(i) < -std::max(point.movement_rounding(i), tolerance_ * largest_overlap_))
-      rows.push_back(i);
-  return rows;
-}
-
-void LiteralMethod::sort_by_violation(std::vector<Index>& rows) const {
-  const auto larger = [this](Index one, Index other) {
-    return now_.movement(one) + now_.movement_rounding(one) + now_.movement_rounding(other) <
-           now_.movement(other);
-  };
-  for (auto first = rows.begin(); first != rows.end(); ++first) {
-    auto worst = first;
-    for (auto row = first; row != rows.end(); ++row)
-      if (larger(*row, *worst)) worst = row;
-    std::rotate(first, worst, worst + 1);
-  }
-}
-
-std::vector<Index> LiteralMethod::quasi_active(std::vector<Index> rows) const {
-  if (choice_ == QuasiActiveRows::AllViolated || rows.empty()) return rows;
-  if (choice_ != QuasiActiveRows::IndependentByIndex) sort_by_violation(rows);
-  if (choice_ == QuasiActiveRows::MostViolated) return {rows.front()};
-  ActiveSetFactor basis(0, static_cast<Index>(rows.size()));
-  ActiveSetFactor::Candidates candidates{rows,
-                                         now_.movement(rows),
-                                         now_.movement_rounding(rows),
-                                         {},
-                                         Eigen::MatrixXd(0, rows.size()),
-                                         scaled_.compliance(rows, rows)};
-  basis.append(candidates, ActiveSetFactor::Choice::All, basis.capacity());
-  rows = basis.rows();
-  std::sort(rows.begin(), rows.end());
-  return rows;
-}
-
-std::vector<Index> LiteralMethod::tight(const ActiveSetSolution& point) const {
-  const double small = std::sqrt(tolerance_) * largest_overlap_;
-  std::vector<Index> rows;
-  for (Index i = 0; i < point.movement.size(); ++i)
-    if (point.movement(i) <= std::max(point.movement_rounding(i), small)) rows.push_back(i);
-  return rows;
-}
-
+// The dual energy never exceeds the least potential energy, so its history shows how far a run
+// still is from its end.
 void LiteralMethod::note(const ActiveSetSolution& point, Index overlapping) {
   const VectorXd gap = point.movement.cwiseQuotient(scaled_.scale);
   const double dual_energy = -0.5 * point.force.dot(scaled_.free + point.movement);
@@ -141,34 +55,8 @@ void LiteralMethod::note(const ActiveSetSolution& point, Index overlapping) {
                              dual_energy});
 }
 
-bool LiteralMethod::solve(const std::vector<Index>& rows, const VectorXd& gap,
-                          ActiveSetSolution& best) {
-  best.force.setZero(scaled_.free.size());
-  if (!rows.empty()) {
-    const ContactProblem part{scaled_.compliance(rows, rows), gap(rows)};
-    const ContactState state = surrogate_dual(part, WeightRule::FullyCorrective);
-    report_.factorisations += state.report.factorisations;
-    if (state.report.status == SolveStatus::Infeasible) {
-      report_.status = SolveStatus::Infeasible;
-      way_.state.farkas_certificate.setZero(scaled_.free.size());
-      way_.state.farkas_certificate(rows) =
-          scaled_.scale(rows).cwiseProduct(state.farkas_certificate);
-    } else {
-      report_.status = SolveStatus::Breakdown;
-    }
-    // Where a pair touches without force, rounding can keep the weights from ending at the solution.
-    const bool right = state.report.status == SolveStatus::IterationLimit &&
-                       certify(part, state).worst() <= tolerance_;
-    if (state.report.status != SolveStatus::Solved && !right) return false;
-    const double total = state.force.sum();
-    if (total > 0) {
-      const VectorXd weights = state.force / total;                     // (38)
-      best.force(rows) = total_contact_force(part, weights) * weights;  // (39)
-    }
-  }
-  return true;
-}
-
+// With the moved objective the present gaps are the gaps without contact: that is all that (31)
+// does. So every step solves the same kind of problem, with other numbers for d.
 bool LiteralMethod::outer_loop() {
   for (ActiveSetSolution step;; ++way_.outer_steps) {
     const std::vector<Index> overlapping = violated(now_);
@@ -187,6 +75,9 @@ bool LiteralMethod::outer_loop() {
   }
 }
 
+// The objective has moved, so the end of the loop need not have the least energy. The paper solves
+// once more with the first objective and the pairs that have no gap now, and goes towards that
+// solution until the first pair would overlap.
 bool LiteralMethod::last_step() {
   way_.tight = tight(now_);
   ActiveSetSolution next;  // (33), with the first objective
@@ -203,12 +94,17 @@ bool LiteralMethod::last_step() {
   return true;
 }
 
+// The distance of two points is measured in energy. Its square is
+// \f$ \Delta\lambda^T\,\Delta w \f$, for forces \f$ \lambda \f$ and gaps w.
 bool LiteralMethod::close_to(const ActiveSetSolution& best) const {
   const double distance = (best.force - now_.force).dot(best.movement - now_.movement);  // squared
   const double energy = -0.5 * best.force.dot(scaled_.free + best.movement);
   return distance <= tolerance_ * energy;
 }
 
+// The paper calls the end optimal. Here it is tested: the pairs without gap are solved once more,
+// alone. If that solution is where we stand, it is the solution of all. Otherwise the run says
+// `Feasible`: no pair overlaps, and there is less energy elsewhere.
 void LiteralMethod::judge() {
   report_.status = SolveStatus::Feasible;
   const Report so_far = report_;
@@ -229,6 +125,7 @@ void LiteralMethod::judge() {
   }
 }
 
+// The flow chart in one line: the loop, the last step, the verdict.
 QuasiActiveRun LiteralMethod::run() {
   if (outer_loop() && last_step()) judge();
   report_.iterations = static_cast<Index>(report_.history.size());
@@ -238,8 +135,6 @@ QuasiActiveRun LiteralMethod::run() {
                         std::move(report_), std::move(way_.state.farkas_certificate));
   return std::move(way_);
 }
-
-}  // namespace
 
 QuasiActiveRun run_quasi_active_set_literal(const ContactProblem& problem,
                                             const SolverOptions& options, QuasiActiveRows rows) {
@@ -251,6 +146,8 @@ ContactState quasi_active_set_literal(const ContactProblem& problem, const Solve
   return run_quasi_active_set_literal(problem, options).state;
 }
 
+// Forces that balance the load and never pull give a lower bound of the energy. Its distance from
+// the energy at hand is the work of the forces on the gaps.
 double energy_gap(const ContactState& state) { return state.force.dot(state.gap); }
 
 }  // namespace signorini

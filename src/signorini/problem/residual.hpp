@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// A claimed solution of a programme, and what it leaves of the programme's equations.
 #pragma once

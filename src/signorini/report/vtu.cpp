@@ -1,9 +1,25 @@
+// # Files for viewers
+//
+// A viewer such as ParaView reads a mesh as arrays: points, the points of each cell, and numbers at
+// points and at cells. A VTU file holds them as text:
+//
+//     <VTKFile type="UnstructuredGrid" ...>
+//       <UnstructuredGrid>
+//         <FieldData> notes, names of contacts and bodies </FieldData>
+//         <Piece NumberOfPoints="9" NumberOfCells="4">
+//           <PointData> displacement, stress, contact_pressure, ... </PointData>
+//           <CellData> cell_stress </CellData>
+//           <Points> ... </Points>
+//           <Cells> connectivity, offsets, types </Cells>
+//         </Piece>
+//
+// Each body is a piece. The points are those of the mesh as it was: a viewer adds the
+// displacements, enlarged as much as one likes.
+
 #include "signorini/report/vtu.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <iomanip>
-#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -17,7 +33,9 @@ namespace {
 using Eigen::Index;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// One data array, a line per row of `values`, filled up with zeros to `components` numbers.
+// One data array, a line per row of `values`, filled up with zeros to `components` numbers.
+// A row of numbers is a line, so that a file can be compared with another.
+// VTK knows vectors of three numbers only, so those of the plane get a zero.
 void write_array(std::ostream& out, const char* name, const Rows& values, Index components) {
   out << "        <DataArray type=\"Float64\" Name=\"" << name << "\" NumberOfComponents=\""
       << components << "\" format=\"ascii\">\n";
@@ -29,6 +47,8 @@ void write_array(std::ostream& out, const char* name, const Rows& values, Index 
   out << "        </DataArray>\n";
 }
 
+// Cells of different sizes stand in one list. Offsets say where each ends, types what it is.
+// A triangle is of type 5, a quadrilateral of type 9; with nodes on their sides they are 22 and 23.
 void write_cells(std::ostream& out, const Mesh& mesh) {
   // VTK's numbers for triangles and quadrilaterals.
   constexpr int linear[] = {5, 9};
@@ -49,8 +69,10 @@ void write_cells(std::ostream& out, const Mesh& mesh) {
   out << "        </DataArray>\n      </Cells>\n";
 }
 
-/// The pair that stands for each node of all bodies: of several at one node the first with the largest force; -1
-/// without one.
+// The pair that stands for each node of all bodies: of several at one node the first with the largest force; -1
+// without one.
+// Contact happens at pairs, a picture shows nodes. A node where several contacts meet can show only
+// one of them: the one with the largest force.
 std::vector<Index> pairs_at_nodes(const Model& model, const Solution& solution) {
   std::vector<Index> found(static_cast<std::size_t>(model.unknowns.number.rows()), -1);
   const Eigen::VectorXd& force = solution.contact.force;
@@ -69,7 +91,9 @@ struct NodalField {
   Rows values;
 };
 
-/// A field from values of the pairs; `other` where a node has no pair, or its pair no value.
+// A field from values of the pairs; `other` where a node has no pair, or its pair no value.
+// Nodes without a pair show a number that means nothing happened: 0 for a pressure, -1 for a
+// status, where 0 means open.
 NodalField at_nodes(const std::string& name, const Rows& of_pairs, const std::vector<Index>& pairs,
                     double other) {
   NodalField field{name, Rows::Constant(static_cast<Index>(pairs.size()), of_pairs.cols(), other)};
@@ -80,6 +104,10 @@ NodalField at_nodes(const std::string& name, const Rows& of_pairs, const std::ve
 }
 
 /// Pressure along the normals, shear traction along the tangents.
+// The traction on the source: pressure along the normal, which points out of the target, and shear
+// along the tangent \f$ (n_y, -n_x) \f$.
+// With friction \f$ \mu = 0 \f$ the shear is zero, and the arrows stand on the boundary at right
+// angles.
 Rows tractions(const Model& model, const Solution& solution) {
   const Pairs& pairs = model.pairs;
   Rows traction = solution.pressure.asDiagonal() * pairs.normal;
@@ -89,6 +117,9 @@ Rows tractions(const Model& model, const Solution& solution) {
   return traction;
 }
 
+// Which fields there are is decided by the columns of pairs: every column that has a name for
+// viewers becomes one.
+// The traction is a vector and no column, so it is added here.
 std::vector<NodalField> nodal_fields(const Model& model, const Solution& solution,
                                      const std::vector<PairColumn>& columns) {
   const std::vector<Index> pairs = pairs_at_nodes(model, solution);
@@ -113,7 +144,9 @@ void write_lines(std::ostream& out, const char* name, const std::vector<std::str
   out << "      </DataArray>\n";
 }
 
-/// Notes, and the names behind `contact_number` and `body`.
+// Notes, and the names behind `contact_number` and `body`.
+// Arrays at points and cells hold numbers. So contacts and bodies are numbered in the fields, and
+// their names stand once, in front of the pieces.
 void write_field_data(std::ostream& out, const Model& model, const Solution& solution) {
   const bool several = model.contacts.size() > 1;
   std::vector<std::string> bodies;
@@ -128,6 +161,10 @@ void write_field_data(std::ostream& out, const Model& model, const Solution& sol
 }
 
 /// \param number  of the body; < 0 where there is only one
+// Stresses come twice: the mean of each cell, and smoothed at the nodes, which looks better and
+// hides jumps.
+// The nodes of all bodies are numbered one after the other, and each body takes its part of the
+// fields of contact.
 void write_body(std::ostream& out, const BodyModel& body, Index number,
                 const NodeArray& displacements, const std::vector<NodalField>& contact) {
   const Mesh& mesh = body.mesh;
@@ -155,37 +192,9 @@ void write_body(std::ostream& out, const BodyModel& body, Index number,
   out << "    </Piece>\n";
 }
 
-/// Characters that XML has for itself, and what stands for them.
-constexpr std::pair<char, const char*> entities[] = {
-    {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
-
-/// A text between quotation marks of XML.
-std::string in_xml(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    std::string word(1, c);
-    for (const auto& [letter, entity] : entities)
-      if (c == letter) word = entity;
-    result += word;
-  }
-  return result;
-}
-
-/// The value of an attribute of a tag, back from XML; empty without it.
-std::string attribute(const std::string& tag, const std::string& name) {
-  const std::size_t at = tag.find(' ' + name + "=\"");
-  if (at == std::string::npos) return {};
-  const std::size_t begin = at + name.size() + 3;
-  std::string value = tag.substr(begin, tag.find('"', begin) - begin);
-  for (std::size_t k = std::size(entities); k-- > 0;)
-    for (std::size_t from = 0; (from = value.find(entities[k].second, from)) != std::string::npos;
-         ++from)
-      value.replace(from, std::char_traits<char>::length(entities[k].second), 1, entities[k].first);
-  return value;
-}
-
 }  // namespace
 
+// Nine digits are more than a viewer shows, and keep the files small.
 void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution,
                const std::optional<PathTotals>& totals) {
   const std::vector<NodalField> contact =
@@ -200,31 +209,6 @@ void write_vtu(const std::filesystem::path& file, const Model& model, const Solu
                solution.displacements[b], contact);
   out << "  </UnstructuredGrid>\n</VTKFile>\n";
   write_file(file, out.str());
-}
-
-void write_pvd(const std::filesystem::path& file, const std::vector<TimedFile>& files) {
-  std::ostringstream out;
-  out << std::setprecision(17)
-      << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
-         "byte_order=\"LittleEndian\">\n  <Collection>\n";
-  for (const TimedFile& one : files)
-    out << "    <DataSet timestep=\"" << one.time << "\" part=\"0\" file=\"" << in_xml(one.file)
-        << "\"/>\n";
-  out << "  </Collection>\n</VTKFile>\n";
-  write_file(file, out.str());
-}
-
-std::vector<TimedFile> read_pvd(const std::string& content) {
-  std::vector<TimedFile> files;
-  std::istringstream lines(content);
-  for (std::string tag; std::getline(lines, tag);) {
-    const std::string time = attribute(tag, "timestep");
-    TimedFile file{0, attribute(tag, "file")};
-    const char* const end = time.data() + time.size();
-    const auto [rest, failed] = std::from_chars(time.data(), end, file.time);
-    if (failed == std::errc() && rest == end && !file.file.empty()) files.push_back(file);
-  }
-  return files;
 }
 
 }  // namespace signorini
