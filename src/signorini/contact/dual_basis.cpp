@@ -1,21 +1,21 @@
-/// \file
-/// Weights for the two ends of an edge, each blind to the other end.
-///
-/// A weighted gap of node \f$i\f$ is \f$\int\psi_i\,g\,/\int\psi_i\f$. With \f$\psi_i = N_i\f$ the
-/// gap of a node would contain the displacements of its neighbours too, and the gaps along a
-/// boundary would be coupled by a matrix. Let \f$m_1, m_2\f$ be the means of \f$N_1, N_2\f$ over
-/// the covered part, \f$c\f$ and \f$v\f$ the mean and the variance of \f$s\f$ there. The ansatz
-/// \f$\psi_2 = m_2 + k\,(s - c)\f$ has the same mean as \f$N_2\f$, and
-///
-/// \f[ \text{mean}(\psi_2 N_1) = m_1 m_2 - \tfrac12 k v = 0 \quad\text{gives}\quad k = 2 m_1 m_2 / v. \f]
-///
-/// On a whole edge \f$m_1 = m_2 = \tfrac12\f$ and \f$v = \tfrac13\f$, so that
-/// \f$\psi_2 = (1 + 3s)/2\f$: it runs from -1 to 2. If the part from \f$s = -1\f$ to 0.5 is
-/// covered, \f$\psi_2\f$ runs from -1.25 to 2.25 there.
-///
-/// A node that faces the target with less than half of its share would need ever steeper lines.
-/// From \f$(1 + s)^2/4 < 1/2\f$, that is \f$s < 0.414\f$, the second end hands its part of this
-/// edge to the first one.
+// # Dual functions of an edge
+//
+// A weighted gap of node \f$i\f$ is \f$\int\psi_i\,g\,/\int\psi_i\f$. With \f$\psi_i = N_i\f$ the
+// gap of a node would contain the displacements of its neighbours too, and the gaps along a
+// boundary would be coupled by a matrix. Let \f$m_1, m_2\f$ be the means of \f$N_1, N_2\f$ over
+// the covered part, \f$c\f$ and \f$v\f$ the mean and the variance of \f$s\f$ there. The ansatz
+// \f$\psi_2 = m_2 + k\,(s - c)\f$ has the same mean as \f$N_2\f$, and
+//
+// \f[ \text{mean}(\psi_2 N_1) = m_1 m_2 - \tfrac12 k v = 0 \quad\text{gives}\quad k = 2 m_1 m_2 / v. \f]
+//
+// On a whole edge \f$m_1 = m_2 = \tfrac12\f$ and \f$v = \tfrac13\f$, so that
+// \f$\psi_2 = (1 + 3s)/2\f$: it runs from -1 to 2. If the part from \f$s = -1\f$ to 0.5 is
+// covered, \f$\psi_2\f$ runs from -1.25 to 2.25 there.
+//
+// A node that faces the target with less than half of its share would need ever steeper lines.
+// From \f$(1 + s)^2/4 < 1/2\f$, that is \f$s < 0.414\f$, the second end hands its part of this
+// edge to the first one.
+
 #include "signorini/contact/dual_basis.hpp"
 
 namespace signorini {

@@ -1,5 +1,9 @@
 /// \file
 /// Dual functions of the source: what weighs the gaps of an edge for its two ends.
+///
+/// Dual means: \f$\psi_1\f$ averages to zero against \f$N_2\f$, and \f$\psi_2\f$ against \f$N_1\f$.
+/// The gap of a node then contains the displacement of this node of the source and of no other, and
+/// the contact force of a node acts on that node alone.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

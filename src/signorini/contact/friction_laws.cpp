@@ -1,15 +1,15 @@
-/// \file
-/// Laws of friction, each a bound that is linear in the contact force.
-///
-/// The friction force of a closed pair is bounded, \f$\lvert\tau\rvert \le b = \mu\lambda + C\f$,
-/// with an offset \f$C\f$. Coulomb's law with cohesion \f$c\f$ has \f$C = c\,w\f$ with the weight
-/// \f$w\f$ of the pair, because cohesion is a force per area. With \f$\mu = 0.3\f$, \f$c = 2\f$,
-/// \f$w = 0.5\f$ and \f$\lambda = 10\f$ the pair bears 4. Tresca's law bears \f$c\,w = 1\f$,
-/// whatever \f$\lambda\f$ is.
-///
-/// With linear bounds contact with friction is a *linear* complementarity problem, for which there
-/// are methods by pivots and a certificate. A bound that is curved in \f$\lambda\f$ would need
-/// iterations around it.
+// # Laws of friction
+//
+// The friction force of a closed pair is bounded, \f$\lvert\tau\rvert \le b = \mu\lambda + C\f$,
+// with an offset \f$C\f$. Coulomb's law with cohesion \f$c\f$ has \f$C = c\,w\f$ with the weight
+// \f$w\f$ of the pair, because cohesion is a force per area. With \f$\mu = 0.3\f$, \f$c = 2\f$,
+// \f$w = 0.5\f$ and \f$\lambda = 10\f$ the pair bears 4. Tresca's law bears \f$c\,w = 1\f$,
+// whatever \f$\lambda\f$ is.
+//
+// With linear bounds contact with friction is a *linear* complementarity problem, for which there
+// are methods by pivots and a certificate. A bound that is curved in \f$\lambda\f$ would need
+// iterations around it.
+
 #include "signorini/contact/friction_laws.hpp"
 
 #include "signorini/core/family.hpp"

@@ -1,5 +1,8 @@
 /// \file
 /// The laws of friction by name: an open family.
+///
+/// The law says how much friction a pair can bear. That it resists sliding, and slides only at its
+/// bound, is the same for all laws and stands in the solvers.
 #pragma once
 #include <string>
 #include <vector>

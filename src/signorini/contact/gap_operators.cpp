@@ -1,16 +1,16 @@
-/// \file
-/// Three ways to say how far two meshes are apart.
-///
-/// A gap operator turns two boundaries into pairs, each with one gap. It decides where the contact
-/// forces live, and how a force on the source reaches the nodes of the target.
-///
-/// - node_to_segment: at every node of the source. Simple; a uniform pressure arrives as jumps.
-/// - gauss_points: at points of every side, as in the second paper. Often more forces than can be
-///   determined.
-/// - mortar: means over edges, with a weight function per node. A uniform pressure arrives uniform.
-///
-/// Chapters 9 and 10 derive them, chapter 11 compares them on the cylinder of Hertz. A fourth one
-/// needs a function and its name in the table.
+// # Three gap operators
+//
+// A gap operator turns two boundaries into pairs, each with one gap. It decides where the contact
+// forces live, and how a force on the source reaches the nodes of the target.
+//
+// - node_to_segment: at every node of the source. Simple; a uniform pressure arrives as jumps.
+// - gauss_points: at points of every side, as in the second paper. Often more forces than can be
+//   determined.
+// - mortar: means over edges, with a weight function per node. A uniform pressure arrives uniform.
+//
+// Chapters 9 and 10 derive them, chapter 11 compares them on the cylinder of Hertz. A fourth one
+// needs a function and its name in the table.
+
 #include "signorini/contact/gap_operators.hpp"
 
 #include "signorini/core/family.hpp"

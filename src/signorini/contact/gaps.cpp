@@ -1,19 +1,19 @@
-/// \file
-/// Gaps of what can still move.
-///
-/// The gap of a pair is \f$g + N u\f$ with the displacements \f$u\f$ of all nodes. Supports have
-/// given some of these. Split \f$u\f$ into free and held components:
-///
-/// \f[ gap = (g + N_h u_h) + N_f u_f = g' - A\,u_f, \qquad A = -N_f, \f]
-///
-/// and the same for the slip, with \f$T = S_f\f$. A support that pushes the body towards an
-/// obstacle changes the initial gap, and no unknown stands for it. The minus sign is the first
-/// paper's: with it \f$A^T\lambda\f$ and the stiffness stand on one side of the equation,
-/// \f$K u + A^T\lambda = p\f$ with \f$\lambda \ge 0\f$.
-///
-/// Some rows become empty: both points are held along the normal, and the pair can neither open nor
-/// close. Its contact force would be undetermined, since supports take whatever it gives. Such
-/// pairs are dropped.
+// # Gaps of what can still move
+//
+// The gap of a pair is \f$g + N u\f$ with the displacements \f$u\f$ of all nodes. Supports have
+// given some of these. Split \f$u\f$ into free and held components:
+//
+// \f[ gap = (g + N_h u_h) + N_f u_f = g' - A\,u_f, \qquad A = -N_f, \f]
+//
+// and the same for the slip, with \f$T = S_f\f$. A support that pushes the body towards an
+// obstacle changes the initial gap, and no unknown stands for it. The minus sign is the first
+// paper's: with it \f$A^T\lambda\f$ and the stiffness stand on one side of the equation,
+// \f$K u + A^T\lambda = p\f$ with \f$\lambda \ge 0\f$.
+//
+// Some rows become empty: both points are held along the normal, and the pair can neither open nor
+// close. Its contact force would be undetermined, since supports take whatever it gives. Such
+// pairs are dropped.
+
 #include "signorini/contact/gaps.hpp"
 
 #include <algorithm>
@@ -175,6 +175,7 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
   for (Index row = 0; row < n_pairs; ++row) {
     const Index pair = kept[static_cast<std::size_t>(row)];
     const FreeRow& opening = openings[static_cast<std::size_t>(pair)];
+    // What supports open or close has no column; it goes to the initial gap.
     append(normal, row, opening, -1);
     gaps.pairs.initial_gap(row) += opening.held;
     if (!slides) continue;

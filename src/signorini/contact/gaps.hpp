@@ -1,5 +1,8 @@
 /// \file
 /// Gaps and slips of the unknown displacements: candidate pairs with the supports taken out.
+///
+/// Pairs are written for all nodes, held or not. Solvers need only what can still move. The step
+/// from the one to the other stands here.
 #pragma once
 #include <Eigen/SparseCore>
 #include <string>

@@ -1,20 +1,20 @@
-/// \file
-/// Contact at the Gauss points of the source.
-///
-/// The second paper integrates the contact pressure over the sides of the source with a Gauss rule,
-/// and gives each point \f$g\f$ of the rule a gap and a pressure of its own. What a point stands
-/// for is
-///
-/// \f[ w_g = \omega_g\,\lvert x'(\xi_g)\rvert\,t, \f]
-///
-/// half the length of a straight side times the weight of the rule times the depth: 0.5 for each of
-/// two points on a side of length 1. A pressure \f$p_g\f$ is a force \f$p_g w_g\f$.
-///
-/// There is a catch. On a straight side with two nodes the two points see
-/// \f$0.79\,u_1 + 0.21\,u_2\f$ and \f$0.21\,u_1 + 0.79\,u_2\f$, two independent numbers for two
-/// nodes. Two sides in a row have four points and three nodes: four gaps of which one follows from
-/// the others. Four pressures then are not determined, only the forces that they make on the nodes.
-/// Chapter 10 shows what a solver does with this freedom.
+// # Contact at Gauss points
+//
+// The second paper integrates the contact pressure over the sides of the source with a Gauss rule,
+// and gives each point \f$g\f$ of the rule a gap and a pressure of its own. What a point stands
+// for is
+//
+// \f[ w_g = \omega_g\,\lvert x'(\xi_g)\rvert\,t, \f]
+//
+// half the length of a straight side times the weight of the rule times the depth: 0.5 for each of
+// two points on a side of length 1. A pressure \f$p_g\f$ is a force \f$p_g w_g\f$.
+//
+// There is a catch. On a straight side with two nodes the two points see
+// \f$0.79\,u_1 + 0.21\,u_2\f$ and \f$0.21\,u_1 + 0.79\,u_2\f$, two independent numbers for two
+// nodes. Two sides in a row have four points and three nodes: four gaps of which one follows from
+// the others. Four pressures then are not determined, only the forces that they make on the nodes.
+// Chapter 10 shows what a solver does with this freedom.
+
 #include "signorini/contact/gauss_points.hpp"
 
 #include <set>

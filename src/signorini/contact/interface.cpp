@@ -1,10 +1,10 @@
-/// \file
-/// Two boundaries, and complaints about places that make no sense.
-///
-/// Three mistakes in a scene are found here: source and target face the same way, they lie beside
-/// each other, or one lies inside the other. Each of them would end as a problem that has no pairs
-/// or no solution, with a message that speaks of matrices. Here it is still geometry, and a user
-/// can act on it.
+// # Two boundaries that may touch
+//
+// Three mistakes in a scene are found here: source and target face the same way, they lie beside
+// each other, or one lies inside the other. Each of them would end as a problem that has no pairs
+// or no solution, with a message that speaks of matrices. Here it is still geometry, and a user
+// can act on it.
+
 #include "signorini/contact/interface.hpp"
 
 #include <cmath>
@@ -80,6 +80,7 @@ Projection Interface::closest(const AnchoredPoint& x, const Vector2d& normal) co
 /// reason. Otherwise they only miss each other.
 void Interface::check_paired(std::size_t n_pairs) const {
   if (n_pairs > 0) return;
+  // The mean normals decide which of the two messages helps.
   const Vector2d a = mean_normal(source);
   const Vector2d b = mean_normal(target);
   require_input(

@@ -1,6 +1,9 @@
 /// \file
 /// Two boundaries that may touch: their sides, the search, and the complaints about places that make
 /// no sense.
+///
+/// Every gap operator begins with the same things: curves of the source, a search on the target,
+/// and the question whether the two boundaries can be meant to touch at all.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

@@ -1,20 +1,20 @@
-/// \file
-/// Gaps as means over edges.
-///
-/// Node to segment puts the force of a node at one place of the target. A pressure is spread out,
-/// and so its work on the target should be an integral:
-///
-/// \f[ \int p\,g\,d\Gamma \quad\text{with}\quad p = \sum_i p_i\,\psi_i, \qquad
-///     \lambda_i = p_i w_i, \quad g_i = \frac1{w_i}\int\psi_i\,g\,d\Gamma. \f]
-///
-/// Take a source edge from \f$x = 0\f$ to 2 above a target with nodes at 0, 1.5 and 3, and the
-/// pressure 1. The nodes of the target should get the integrals of their shape functions over
-/// \f$[0, 2]\f$: 0.75, 1.167 and 0.083. These are what the rows below give. Node to segment gives
-/// 1, 0.667 and 0.333, with the same sum and the same moment. A patch test shows the difference.
-///
-/// Weights with negative parts look odd: the row of the node at 0 has \f$-0.9375\f$, \f$-0.125\f$
-/// and \f$+0.0625\f$ on the target. They add up to \f$-1\f$, and a uniform pressure uses sums of
-/// rows, in which the odd signs cancel.
+// # Gaps as means over edges
+//
+// Node to segment puts the force of a node at one place of the target. A pressure is spread out,
+// and so its work on the target should be an integral:
+//
+// \f[ \int p\,g\,d\Gamma \quad\text{with}\quad p = \sum_i p_i\,\psi_i, \qquad
+//     \lambda_i = p_i w_i, \quad g_i = \frac1{w_i}\int\psi_i\,g\,d\Gamma. \f]
+//
+// Take a source edge from \f$x = 0\f$ to 2 above a target with nodes at 0, 1.5 and 3, and the
+// pressure 1. The nodes of the target should get the integrals of their shape functions over
+// \f$[0, 2]\f$: 0.75, 1.167 and 0.083. These are what the rows below give. Node to segment gives
+// 1, 0.667 and 0.333, with the same sum and the same moment. A patch test shows the difference.
+//
+// Weights with negative parts look odd: the row of the node at 0 has \f$-0.9375\f$, \f$-0.125\f$
+// and \f$+0.0625\f$ on the target. They add up to \f$-1\f$, and a uniform pressure uses sums of
+// rows, in which the odd signs cancel.
+
 #include "signorini/contact/mortar.hpp"
 
 #include <map>

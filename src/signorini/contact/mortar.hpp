@@ -1,5 +1,8 @@
 /// \file
 /// Weighted gaps: the gap of a pair is an average over the edges of the source around its node.
+///
+/// The word is from domain decomposition: the pressure is the mortar between two meshes that do not
+/// match. Node to segment lets forces act at points, mortar lets a pressure act along the surface.
 #pragma once
 #include "signorini/contact/gap_operators.hpp"
 

@@ -1,15 +1,15 @@
-/// \file
-/// Where edges are cut before they are integrated.
-///
-/// The gap along an edge of the source is smooth as long as its points face one side of the target.
-/// Where they pass on to the next side it has a kink, and Gauss rules are made for polynomials. So
-/// the edge is cut at the kinks, and each *segment* is integrated alone. On straight sides gap
-/// times weight function is of degree 2 there, and two points are exact.
-///
-/// A groove has the corners (0, 1), (1, 0.5), (2, 1), and a straight edge from (0, 1) to (2, 1)
-/// lies above it. The distance to the flanks is 0 at both ends and largest in the middle; its mean
-/// is 0.2236. On the whole edge two points give 0.189, three 0.278 and six 0.219. With cuts two
-/// points are enough.
+// # Where edges are cut
+//
+// The gap along an edge of the source is smooth as long as its points face one side of the target.
+// Where they pass on to the next side it has a kink, and Gauss rules are made for polynomials. So
+// the edge is cut at the kinks, and each *segment* is integrated alone. On straight sides gap
+// times weight function is of degree 2 there, and two points are exact.
+//
+// A groove has the corners (0, 1), (1, 0.5), (2, 1), and a straight edge from (0, 1) to (2, 1)
+// lies above it. The distance to the flanks is 0 at both ends and largest in the middle; its mean
+// is 0.2236. On the whole edge two points give 0.189, three 0.278 and six 0.219. With cuts two
+// points are enough.
+
 #include "signorini/contact/mortar_segments.hpp"
 
 #include <algorithm>

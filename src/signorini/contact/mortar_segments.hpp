@@ -1,5 +1,9 @@
 /// \file
 /// Where the source is integrated: Gauss points on its edges, or on segments between projected nodes.
+///
+/// An integral over the source contains functions of the target, and the two meshes have their
+/// nodes in different places. What is sampled here is one edge of the source with all that it
+/// faces.
 #pragma once
 #include <array>
 #include <vector>

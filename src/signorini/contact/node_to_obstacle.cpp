@@ -1,19 +1,19 @@
-/// \file
-/// Nodes against a rigid obstacle: the simplest gap operator.
-///
-/// Every node of the boundary is asked what it sees of the obstacle, a gap \f$g\f$ and a normal
-/// \f$n\f$ out of it. With the displacement \f$u\f$ of the node, and the tangent
-/// \f$t = (n_y, -n_x)\f$,
-///
-/// \f[ gap = g + n\cdot u, \qquad slip = t\cdot u. \f]
-///
-/// So a row of \f$N\f$ has two entries, and on a flat obstacle that is parallel to an axis one.
-/// Nothing is searched and nothing is integrated, and an obstacle takes any force: it has no
-/// unknowns. For a node at the height 0.3 above the ground, \f$n = (0, 1)\f$ and \f$g = 0.3\f$; if
-/// it sinks by 0.5 the gap is \f$-0.2\f$, an overlap.
-///
-/// The weight is what a pressure of one does to the node along its normal. Force over weight is the
-/// pressure that is printed.
+// # Nodes against a rigid obstacle
+//
+// Every node of the boundary is asked what it sees of the obstacle, a gap \f$g\f$ and a normal
+// \f$n\f$ out of it. With the displacement \f$u\f$ of the node, and the tangent
+// \f$t = (n_y, -n_x)\f$,
+//
+// \f[ gap = g + n\cdot u, \qquad slip = t\cdot u. \f]
+//
+// So a row of \f$N\f$ has two entries, and on a flat obstacle that is parallel to an axis one.
+// Nothing is searched and nothing is integrated, and an obstacle takes any force: it has no
+// unknowns. For a node at the height 0.3 above the ground, \f$n = (0, 1)\f$ and \f$g = 0.3\f$; if
+// it sinks by 0.5 the gap is \f$-0.2\f$, an overlap.
+//
+// The weight is what a pressure of one does to the node along its normal. Force over weight is the
+// pressure that is printed.
+
 #include "signorini/contact/node_to_obstacle.hpp"
 
 #include <algorithm>

@@ -1,18 +1,18 @@
-/// \file
-/// Nodes of the source against sides of the target.
-///
-/// The classical operator. A node 3 is projected to the place \f$3'\f$ of a side with the nodes 1
-/// and 2, at which the shape functions are \f$N_1\f$ and \f$N_2\f$:
-///
-/// \f[ gap = (X_3 - X_{3'})\cdot n + (u_3 - N_1 u_1 - N_2 u_2)\cdot n. \f]
-///
-/// The node (0.25, 0.1) above the side from (1, 0) to (0, 0), whose body lies below:
-/// \f$n = (0, 1)\f$, the gap is 0.1, \f$N_1 = 0.25\f$ and \f$N_2 = 0.75\f$. The row of \f$N\f$ is 1
-/// at \f$u_{3y}\f$, -0.25 at \f$u_{1y}\f$ and -0.75 at \f$u_{2y}\f$. Its transpose is the law of
-/// the lever: of a contact force of 4 the nodes 1 and 2 get 1 and 3.
-///
-/// Only nodes of the source are kept out of the target. A node of the target between two nodes of
-/// the source may enter it, which is why the finer mesh should be the source.
+// # Nodes against sides
+//
+// The classical operator. A node 3 is projected to the place \f$3'\f$ of a side with the nodes 1
+// and 2, at which the shape functions are \f$N_1\f$ and \f$N_2\f$:
+//
+// \f[ gap = (X_3 - X_{3'})\cdot n + (u_3 - N_1 u_1 - N_2 u_2)\cdot n. \f]
+//
+// The node (0.25, 0.1) above the side from (1, 0) to (0, 0), whose body lies below:
+// \f$n = (0, 1)\f$, the gap is 0.1, \f$N_1 = 0.25\f$ and \f$N_2 = 0.75\f$. The row of \f$N\f$ is 1
+// at \f$u_{3y}\f$, -0.25 at \f$u_{1y}\f$ and -0.75 at \f$u_{2y}\f$. Its transpose is the law of
+// the lever: of a contact force of 4 the nodes 1 and 2 get 1 and 3.
+//
+// Only nodes of the source are kept out of the target. A node of the target between two nodes of
+// the source may enter it, which is why the finer mesh should be the source.
+
 #include "signorini/contact/node_to_segment.hpp"
 
 #include <algorithm>

@@ -1,14 +1,14 @@
-/// \file
-/// Rigid obstacles: a gap and a normal for every point.
-///
-/// An obstacle is the simplest target, a function from a point to a gap and a normal. The gap is
-/// linearised at the point's place in the mesh: \f$gap(u) = g + n\cdot u\f$. So a curved obstacle
-/// is replaced by its tangent there, which is right as long as the point slides little beside the
-/// radius.
-///
-/// A disc of radius 5 whose top is the origin, seen from the height 0.1: right above it the gap is
-/// 0.1. At \f$x = 1\f$ it is 0.1971, where the parabola \f$0.1 + x^2/(2R)\f$ of Hertz's theory says
-/// 0.2.
+// # Rigid obstacles
+//
+// An obstacle is the simplest target, a function from a point to a gap and a normal. The gap is
+// linearised at the point's place in the mesh: \f$gap(u) = g + n\cdot u\f$. So a curved obstacle
+// is replaced by its tangent there, which is right as long as the point slides little beside the
+// radius.
+//
+// A disc of radius 5 whose top is the origin, seen from the height 0.1: right above it the gap is
+// 0.1. At \f$x = 1\f$ it is 0.1971, where the parabola \f$0.1 + x^2/(2R)\f$ of Hertz's theory says
+// 0.2.
+
 #include "signorini/contact/obstacle.hpp"
 
 #include <cmath>

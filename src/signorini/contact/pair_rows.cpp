@@ -1,17 +1,17 @@
-/// \file
-/// From pairs of points to rows of the matrices.
-///
-/// Every operator ends here, with a list of points of the source, each with the place that it faces
-/// and the amount by which it counts in its pair. A row is written once and read twice. Times the
-/// displacements it is the opening of the gap, and its transpose times a force is what the nodes
-/// receive. That is the principle of virtual work: \f$\lambda\,(N u) = (N^T\lambda)\cdot u\f$ for
-/// all \f$u\f$. Whoever writes the two apart has two chances to get a sign wrong, and a stiffness
-/// that is not symmetric.
-///
-/// Action and reaction: on the source the entries of a row add up to \f$n\f$, on the target to
-/// \f$-n\f$. So the forces of a pair add up to zero. Contact forces act along the line of the two
-/// points, so that their moments add up to zero, too. Friction acts across this line: two friction
-/// forces a gap apart turn the bodies a little, and the moments below keep account of it.
+// # From points to rows
+//
+// Every operator ends here, with a list of points of the source, each with the place that it faces
+// and the amount by which it counts in its pair. A row is written once and read twice. Times the
+// displacements it is the opening of the gap, and its transpose times a force is what the nodes
+// receive. That is the principle of virtual work: \f$\lambda\,(N u) = (N^T\lambda)\cdot u\f$ for
+// all \f$u\f$. Whoever writes the two apart has two chances to get a sign wrong, and a stiffness
+// that is not symmetric.
+//
+// Action and reaction: on the source the entries of a row add up to \f$n\f$, on the target to
+// \f$-n\f$. So the forces of a pair add up to zero. Contact forces act along the line of the two
+// points, so that their moments add up to zero, too. Friction acts across this line: two friction
+// forces a gap apart turn the bodies a little, and the moments below keep account of it.
+
 #include "signorini/contact/pair_rows.hpp"
 
 namespace signorini {

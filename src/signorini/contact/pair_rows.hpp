@@ -1,6 +1,9 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Pairs of points of the source with places of the target, written as gaps, normals and rows of N and S.
+///
+/// The three gap operators differ in where they sample the source, and by what amounts. From there
+/// on they are one computation.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

@@ -1,14 +1,14 @@
-/// \file
-/// The pairs of several contacts as one problem.
-///
-/// Contacts do not know each other, and solvers know only one list of pairs. So rows, gaps, weights
-/// and normals of one contact are put below those of another. They meet again in the stiffness
-/// matrix: a force of one contact moves the body that the other one touches. A block between two
-/// plates is such a case.
-///
-/// Every member of Gaps is stacked but `kept`, which counts the candidates of one contact and means
-/// nothing for two. The list below has the order of the struct, and braces leave out nothing but
-/// what stands last.
+// # Several contacts as one problem
+//
+// Contacts do not know each other, and solvers know only one list of pairs. So rows, gaps, weights
+// and normals of one contact are put below those of another. They meet again in the stiffness
+// matrix: a force of one contact moves the body that the other one touches. A block between two
+// plates is such a case.
+//
+// Every member of Gaps is stacked but `kept`, which counts the candidates of one contact and means
+// nothing for two. The list below has the order of the struct, and braces leave out nothing but
+// what stands last.
+
 #include <vector>
 
 #include "signorini/contact/gaps.hpp"
@@ -18,6 +18,7 @@ namespace {
 
 using Eigen::Index;
 
+/// Vectors and arrays that have a row per pair.
 template <typename Array>
 Array below_dense(const Array& upper, const Array& lower) {
   Array both(upper.rows() + lower.rows(), lower.cols());

@@ -1,17 +1,16 @@
-/// \file
-/// Which place of the target a point faces, and what is done at its vertices.
-///
-/// On a smooth curve the closest place is clear: the line to it is normal to the curve. A mesh is a
-/// chain of straight sides or parabolas, with a vertex at each node. Two things go wrong there.
-/// Above a vertex that sticks out lies a wedge of points whose line is normal to no side. Above one
-/// that recedes lies a line of points with two closest places. Taken literally, such points would
-/// have no pair or two, and which of them do would be decided by rounding when nodes face nodes,
-/// the most common mesh of all.
-///
-/// So a vertex is a place of its own, with all normals between those of its two sides (the normal
-/// cone of convex analysis). A point in the wedge takes the normal along its line to the vertex,
-/// and the gap is the distance to it. A point with two closest places on sides that meet is given
-/// their vertex, with a normal in between.
+// # Which place a point faces
+//
+// On a smooth curve the closest place is clear: the line to it is normal to the curve. A mesh is a
+// chain of straight sides or parabolas, with a vertex at each node. Two things go wrong there.
+// Above a vertex that sticks out lies a wedge of points whose line is normal to no side. Above one
+// that recedes lies a line of points with two closest places. Taken literally, such points would
+// have no pair or two. Where nodes face nodes, as in the most common meshes, rounding would decide.
+//
+// So a vertex is a place of its own, with all normals between those of its two sides (the normal
+// cone of convex analysis). A point in the wedge takes the normal along its line to the vertex,
+// and the gap is the distance to it. A point with two closest places on sides that meet is given
+// their vertex, with a normal in between.
+
 #include <algorithm>
 #include <cmath>
 
@@ -130,6 +129,7 @@ Projection TargetSearch::at_vertex(Index number, int end, const Query& query) co
   return found;
 }
 
+/// Within a side, place and normal are those of the curve.
 Projection TargetSearch::on_side(const Candidate& best, const Query& query) const {
   Projection found;
   found.found = true;

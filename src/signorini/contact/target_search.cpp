@@ -1,18 +1,18 @@
-/// \file
-/// Closest-point projection, with a tree of boxes.
-///
-/// This page is the search; target_rules.cpp says what counts as facing. A point of the source has
-/// a place and a normal of its own, out of its body. A place of the target may be its partner if
-/// the two normals are more than 90 degrees apart. Of those places the nearest counts.
-///
-/// The search walks through the tree of side_tree.hpp from the top. A box is opened only if it may
-/// hold something nearer than what was found, and if a line from the point along one of its normals
-/// can meet it. The nearer child goes first, because its finds let the other one be skipped.
-///
-/// "Nearest" means nearest up to rounding. Two sides that meet above a node are equally far, and
-/// their two distances differ in the last digit. A search that took the smaller one would be
-/// decided by rounding at each node. So all candidates within rounding are kept until the end, and
-/// rules decide.
+// # Closest-point projection
+//
+// This page is the search; target_rules.cpp says what counts as facing. A point of the source has
+// a place and a normal of its own, out of its body. A place of the target may be its partner if
+// the two normals are more than 90 degrees apart. Of those places the nearest counts.
+//
+// The search walks through the tree of side_tree.hpp from the top. A box is opened only if it may
+// hold something nearer than what was found, and if a line from the point along one of its normals
+// can meet it. The nearer child goes first, because its finds let the other one be skipped.
+//
+// "Nearest" means nearest up to rounding. Two sides that meet above a node are equally far, and
+// their two distances differ in the last digit. A search that took the smaller one would be
+// decided by rounding at each node. So all candidates within rounding are kept until the end, and
+// rules decide.
+
 #include "signorini/contact/target_search.hpp"
 
 #include <algorithm>

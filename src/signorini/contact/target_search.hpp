@@ -1,5 +1,9 @@
 /// \file
 /// Which place of a meshed target a point faces.
+///
+/// Each pair of every operator asks this question, and a wrong answer is a wrong force: a far side
+/// that is taken for a near one, a node at a vertex that finds nothing, a point beyond an end that
+/// is paired with it. So the rules are stated in full, below.
 #pragma once
 #include <Eigen/Core>
 #include <string>

@@ -1,21 +1,21 @@
-/// \file
-/// From cells to one linear system.
-///
-/// The energy of a body is the sum of the energies of its cells, so that its stiffness is the sum
-/// of theirs. With the nodes of each cell sorted into all nodes,
-///
-/// \f[ K = \sum_{cells} \int B^T D\,B\;dV, \qquad K_{ff}\,u_f = p_f - K_{fh}\,u_h. \f]
-///
-/// The second equation is for the free components f; the held components h have given values, which
-/// move to the right-hand side. Held unknowns are never numbered. Programs that keep them set rows
-/// of \f$K\f$ to those of the unit matrix, and have equations of two kinds with two units in one
-/// matrix.
-///
-/// Two unit squares of the element q4 in a row, \f$E = 1\f$, \f$\nu = 0\f$: a node that only one of
-/// them has gets 12/24 on the diagonal, the two in the middle get 12/24 from each square, which
-/// adds up to 1.
-///
-/// Loads have a page of their own, loads.cpp.
+// # From cells to one linear system
+//
+// The energy of a body is the sum of the energies of its cells, so that its stiffness is the sum
+// of theirs. With the nodes of each cell sorted into all nodes,
+//
+// \f[ K = \sum_{cells} \int B^T D\,B\;dV, \qquad K_{ff}\,u_f = p_f - K_{fh}\,u_h. \f]
+//
+// The second equation is for the free components f; the held components h have given values, which
+// move to the right-hand side. Held unknowns are never numbered. Programs that keep them set rows
+// of \f$K\f$ to those of the unit matrix, and have equations of two kinds with two units in one
+// matrix.
+//
+// Two unit squares of the element q4 in a row, \f$E = 1\f$, \f$\nu = 0\f$: a node that only one of
+// them has gets 12/24 on the diagonal, the two in the middle get 12/24 from each square, which
+// adds up to 1.
+//
+// Loads have a page of their own, loads.cpp.
+
 #include "signorini/fem/assembly.hpp"
 
 #include <algorithm>

@@ -1,14 +1,14 @@
-/// \file
-/// Rectangles, and lines that are graded.
-///
-/// Stresses change quickly near a contact and slowly far from it. Cells of equal size waste most of
-/// the unknowns where nothing happens, and a sudden change of size is bad for stresses, too. A
-/// geometric row of steps is the way between: each one is \f$q\f$ times the one before. With
-/// \f$n\f$ steps and the *grading* \f$g = q^{n-1}\f$, the last over the first, three steps and
-/// \f$g = 4\f$ have \f$q = 2\f$ and end at 1/7, 3/7 and 1.
-///
-/// Users name the grading, not \f$q\f$: doubling the number of cells then leaves the picture as it
-/// is.
+// # Rectangles and graded lines
+//
+// Stresses change quickly near a contact and slowly far from it. Cells of equal size waste most of
+// the unknowns where nothing happens, and a sudden change of size is bad for stresses, too. A
+// geometric row of steps is the way between: each one is \f$q\f$ times the one before. With
+// \f$n\f$ steps and the *grading* \f$g = q^{n-1}\f$, the last over the first, three steps and
+// \f$g = 4\f$ have \f$q = 2\f$ and end at 1/7, 3/7 and 1.
+//
+// Users name the grading, not \f$q\f$: doubling the number of cells then leaves the picture as it
+// is.
+
 #include "signorini/fem/block.hpp"
 
 #include <cmath>
@@ -49,6 +49,7 @@ Eigen::VectorXd graded_steps(Index n, double grading) {
   return position / position(n);
 }
 
+/// A rectangle of no width, or of no cells, is refused before a mesh is made of it.
 Mesh make_block(const BlockSpec& spec) {
   require_argument(spec.size.minCoeff() > 0 && spec.size.allFinite() && spec.corner.allFinite(),
                    "make_block '", spec.name, "': width and height must be positive, got ",

@@ -1,5 +1,9 @@
 /// \file
 /// Rectangular blocks of quadrilaterals, graded in both directions.
+///
+/// The mesh of most chapters is a block, or a few blocks bent and glued (reshape.hpp). How fine it
+/// is, and where, is said by numbers of cells and by gradings, so that a study of convergence
+/// changes two numbers.
 #pragma once
 #include <Eigen/Core>
 #include <string>

@@ -1,13 +1,13 @@
-/// \file
-/// What a cell hands to its element.
-///
-/// An element sees positions, a matrix \f$D\f$ and a depth. It sees no mesh, no unknowns and no
-/// boundary, so that the same function serves assembly, stresses, eigenstrains and error estimates.
-///
-/// Positions are counted from the middle of the cell. Only differences of positions enter strains.
-/// At a distance of \f$10^6\f$ cell sizes from the origin a difference of rounded products would
-/// lose six digits, and a difference of coordinates, taken first, loses none that the mesh still
-/// has.
+// # What a cell hands to its element
+//
+// An element sees positions, a matrix \f$D\f$ and a depth. It sees no mesh, no unknowns and no
+// boundary, so that the same function serves assembly, stresses, eigenstrains and error estimates.
+//
+// Positions are counted from the middle of the cell. Only differences of positions enter strains.
+// At a distance of \f$10^6\f$ cell sizes from the origin a difference of rounded products would
+// lose six digits, and a difference of coordinates, taken first, loses none that the mesh still
+// has.
+
 #include "signorini/fem/cells.hpp"
 
 #include "signorini/fem/elements.hpp"

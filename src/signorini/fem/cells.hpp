@@ -1,5 +1,9 @@
 /// \file
 /// The one loop over the cells of a body: which element stands in each cell, and what it is made of.
+///
+/// Assembly, loads, eigenstrains, stresses and error estimates all walk through the cells of a body
+/// and ask each one for its element, its material and its shape. The walk is written once. What
+/// differs is a function that the caller hands in.
 #pragma once
 #include <vector>
 

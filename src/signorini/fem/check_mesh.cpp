@@ -1,18 +1,18 @@
-/// \file
-/// What may be wrong with a mesh, asked before any integral.
-///
-/// A wrong mesh seldom stops a program. A cell whose corners run clockwise has a negative volume;
-/// its stiffness is negative, and the displacements are wrong in its neighbourhood, or the factor
-/// breaks down far from it. So each cell is looked at once, and messages name the cell and what to
-/// do.
-///
-/// The test of shape is the sign of \f$\det J\f$. On a quadrilateral with straight sides
-/// \f$\det J\f$ is linear in \f$\xi\f$ and \f$\eta\f$, so that its least value is at a corner;
-/// there it is a quarter of the cross product of the two sides. For the square \f$[0, 1]^2\f$ it is
-/// 1/4 at each corner: the reference square has the area 4. If one corner is pulled in to (0.4,
-/// 0.4), that corner has \f$-0.2\f$ as its cross product: the angle is more than 180 degrees, and a
-/// part of the cell is covered twice. The two ratios that are returned are 1 for a square; programs
-/// warn by them.
+// # What may be wrong with a mesh
+//
+// A wrong mesh seldom stops a program. A cell whose corners run clockwise has a negative volume;
+// its stiffness is negative, and the displacements are wrong in its neighbourhood, or the factor
+// breaks down far from it. So each cell is looked at once, and messages name the cell and what to
+// do.
+//
+// The test of shape is the sign of \f$\det J\f$. On a quadrilateral with straight sides
+// \f$\det J\f$ is linear in \f$\xi\f$ and \f$\eta\f$, so that its least value is at a corner;
+// there it is a quarter of the cross product of the two sides. For the square \f$[0, 1]^2\f$ it is
+// 1/4 at each corner: the reference square has the area 4. If one corner is pulled in to (0.4,
+// 0.4), that corner has \f$-0.2\f$ as its cross product: the angle is more than 180 degrees, and a
+// part of the cell is covered twice. The two ratios that are returned are 1 for a square; programs
+// warn by them.
+
 #include <algorithm>
 #include <cmath>
 #include <ostream>
@@ -46,6 +46,7 @@ struct Corners {
   Eigen::Index cell;
 };
 
+/// Such as (0, 0), (1, 0), (1, 1), (0, 1).
 std::ostream& operator<<(std::ostream& out, const Corners& corners) {
   for (int k = 0; k < corners.mesh.corners(corners.cell); ++k) {
     const Eigen::RowVector2d x = corners.mesh.nodes.row(corners.mesh.cells(corners.cell, k));

@@ -1,15 +1,15 @@
-/// \file
-/// Bodies that would change their shape without any stress.
-///
-/// Warmth, swelling and shrinkage give each point a strain \f$\epsilon_0\f$ that needs no stress:
-/// \f$\sigma = D\,(\varepsilon - \epsilon_0)\f$. Put into the virtual work, the second term is a
-/// load,
-///
-/// \f[ p = \int B^T D\,\epsilon_0\,dV, \qquad K u = p + \ldots \f]
-///
-/// A unit square in plane strain with \f$E = 1\f$, \f$\nu = 0.3\f$ that wants to grow by 0.001 in
-/// all three directions gets \f$\pm 0.00125\f$ on each node in \f$x\f$ and in \f$y\f$. If supports
-/// hold it, nothing moves and the stress is \f$-0.0025 = -0.001\,E/(1-2\nu)\f$ in all directions.
+// # Strains without stress
+//
+// Warmth, swelling and shrinkage give each point a strain \f$\epsilon_0\f$ that needs no stress:
+// \f$\sigma = D\,(\varepsilon - \epsilon_0)\f$. Put into the virtual work, the second term is a
+// load,
+//
+// \f[ p = \int B^T D\,\epsilon_0\,dV, \qquad K u = p + \ldots \f]
+//
+// A unit square in plane strain with \f$E = 1\f$, \f$\nu = 0.3\f$ that wants to grow by 0.001 in
+// all three directions gets \f$\pm 0.00125\f$ on each node in \f$x\f$ and in \f$y\f$. If supports
+// hold it, nothing moves and the stress is \f$-0.0025 = -0.001\,E/(1-2\nu)\f$ in all directions.
+
 #include "signorini/fem/eigenstrain.hpp"
 
 namespace signorini {

@@ -1,6 +1,9 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Strains that need no stress at the strain points of cells, and the nodal forces that stand for them.
+///
+/// A temperature is the usual one: \f$\epsilon_0 = \alpha\,\Delta T\f$ in every direction. A body
+/// that is free grows into its neighbour, and one between two walls presses against both.
 #pragma once
 #include <Eigen/Core>
 

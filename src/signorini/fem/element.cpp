@@ -1,22 +1,22 @@
-/// \file
-/// From the reference cell to a real one, and the points at which integrals are sampled.
-///
-/// Every integral over a cell is one over a reference cell: the square \f$[-1,1]^2\f$, or the
-/// triangle with the corners (0, 0), (1, 0) and (0, 1). The shape functions that interpolate
-/// displacements also map the places, \f$x(\xi,\eta) = \sum_k N_k(\xi,\eta)\,x_k\f$, which makes
-/// the element *isoparametric*. With the Jacobian matrix \f$J\f$ of this map and the depth \f$t\f$
-/// across the plane,
-///
-/// \f[ \int_{cell} f\,dV = \int f\,\det J\,t\;d\xi\,d\eta \approx \sum_i w_i\,f_i\,\det J_i\,t_i. \f]
-///
-/// A Gauss rule of \f$n\f$ points on a line is exact for polynomials of degree \f$2n-1\f$. The rule
-/// of two points has \f$\xi = \pm 1/\sqrt3\f$ and weights 1. It gives
-/// \f$\int_{-1}^{1}\xi^2\,d\xi = 2/3\f$, which is right, and \f$\int_{-1}^{1}\xi^4\,d\xi = 2/9\f$
-/// where 2/5 is right. A displacement that is bilinear has strains of degree 1 in each coordinate,
-/// so that the energy of a parallelogram in the plane needs degree 2 in each, and 2 x 2 points are
-/// exact. On a curved or distorted cell the integrand is a fraction and no rule is exact. What has
-/// to hold there is the patch test: rigid motions give no strain, and linear displacements give the
-/// exact one.
+// # From the reference cell to a real one
+//
+// Every integral over a cell is one over a reference cell: the square \f$[-1,1]^2\f$, or the
+// triangle with the corners (0, 0), (1, 0) and (0, 1). The shape functions that interpolate
+// displacements also map the places, \f$x(\xi,\eta) = \sum_k N_k(\xi,\eta)\,x_k\f$, which makes
+// the element *isoparametric*. With the Jacobian matrix \f$J\f$ of this map and the depth \f$t\f$
+// across the plane,
+//
+// \f[ \int_{cell} f\,dV = \int f\,\det J\,t\;d\xi\,d\eta \approx \sum_i w_i\,f_i\,\det J_i\,t_i. \f]
+//
+// A Gauss rule of \f$n\f$ points on a line is exact for polynomials of degree \f$2n-1\f$. The rule
+// of two points has \f$\xi = \pm 1/\sqrt3\f$ and weights 1. It gives
+// \f$\int_{-1}^{1}\xi^2\,d\xi = 2/3\f$, which is right, and \f$\int_{-1}^{1}\xi^4\,d\xi = 2/9\f$
+// where 2/5 is right. A displacement that is bilinear has strains of degree 1 in each coordinate,
+// so that the energy of a parallelogram in the plane needs degree 2 in each, and 2 x 2 points are
+// exact. On a curved or distorted cell the integrand is a fraction and no rule is exact. What has
+// to hold there is the patch test: rigid motions give no strain, and linear displacements give the
+// exact one.
+
 #include "signorini/fem/element.hpp"
 
 #include <Eigen/LU>

@@ -1,16 +1,16 @@
-/// \file
-/// The family of elements, and how to choose among them.
-///
-/// The same beam tells most of them apart: length 8, height 1, eight square cells, \f$E = 1\f$,
-/// \f$\nu = 0\f$, clamped at one end and loaded across at the other. Beam theory with shear says
-/// that the tip moves by 2067. The elements give this part of it:
-///
-/// - q4: 67 %. Shear that bending does not have makes it too stiff.
-/// - q4_incompatible: 99.5 %. It has the same nodes, and is what we take unless asked otherwise.
-/// - q8: 99.8 %, with more than twice as many nodes.
-///
-/// A member is a function that returns an Element. Its name stands in one table, so that lists,
-/// scenes and the conformance suite know it at once.
+// # Six elements, and how to choose
+//
+// The same beam tells most of them apart: length 8, height 1, eight square cells, \f$E = 1\f$,
+// \f$\nu = 0\f$, clamped at one end and loaded across at the other. Beam theory with shear says
+// that the tip moves by 2067. The elements give this part of it:
+//
+// - q4: 67 %. Shear that bending does not have makes it too stiff.
+// - q4_incompatible: 99.5 %. It has the same nodes, and is what we take unless asked otherwise.
+// - q8: 99.8 %, with more than twice as many nodes.
+//
+// A member is a function that returns an Element. Its name stands in one table, so that lists,
+// scenes and the conformance suite know it at once.
+
 #include "signorini/fem/elements.hpp"
 
 #include "signorini/core/family.hpp"

@@ -1,6 +1,9 @@
 /// \file
 /// The members of the element family. To add one: write a `.cpp` with a function that returns it, and put its name
 /// into the table in elements.cpp; the conformance suite finds it.
+///
+/// Six members: two triangles and four quadrilaterals, of two or three nodes per side. elements.cpp
+/// says how they differ in bending.
 #pragma once
 #include <string>
 #include <vector>

@@ -1,18 +1,18 @@
-/// \file
-/// The seam between the library and the solver of linear systems.
-///
-/// Contact asks two things of a stiffness matrix, and these are all that a factor must know:
-///
-/// \f[ u = K^{-1}p \qquad\text{and}\qquad G = A K^{-1} A^T. \f]
-///
-/// The first is the body without contact. The second is the *compliance* of the pairs: column
-/// \f$j\f$ says how far the gaps open when a force of 1 presses pair \f$j\f$. With \f$n\f$ unknowns
-/// and \f$n_c\f$ pairs it is \f$n_c \times n_c\f$, and from there on the methods of contact work
-/// with it alone.
-///
-/// A factor is a bundle of functions, so that our sparse Cholesky factor, the frontal one of an
-/// add-on and a library that works with many processes look alike. The sizes of what goes in are
-/// checked here, once, and no back end repeats it.
+// # The seam to the linear solver
+//
+// Contact asks two things of a stiffness matrix, and these are all that a factor must know:
+//
+// \f[ u = K^{-1}p \qquad\text{and}\qquad G = A K^{-1} A^T. \f]
+//
+// The first is the body without contact. The second is the *compliance* of the pairs: column
+// \f$j\f$ says how far the gaps open when a force of 1 presses pair \f$j\f$. With \f$n\f$ unknowns
+// and \f$n_c\f$ pairs it is \f$n_c \times n_c\f$, and from there on the methods of contact work
+// with it alone.
+//
+// A factor is a bundle of functions, so that our sparse Cholesky factor, the frontal one of an
+// add-on and a library that works with many processes look alike. The sizes of what goes in are
+// checked here, once, and no back end repeats it.
+
 #include "signorini/fem/factor.hpp"
 
 #include "signorini/core/errors.hpp"

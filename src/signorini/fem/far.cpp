@@ -1,12 +1,12 @@
-/// \file
-/// Where a mesh lies, and which digits it has lost there.
-///
-/// A double has 16 digits wherever it is. A cell of size 1 at \f$x = 10^6\f$ has spent six of them
-/// on the distance, and each difference of two of its coordinates has ten left. The direction of a
-/// side of length \f$h\f$ is then uncertain by about \f$\epsilon\,x/h\f$, that is by
-/// \f$2\cdot10^{-10}\f$. Normals inherit it, and so do the questions whether a support stops a
-/// motion and whether two sides face each other. Tolerances that know nothing of it would answer
-/// differently when a user moves the drawing.
+// # Digits that are lost far from the origin
+//
+// A double has 16 digits wherever it is. A cell of size 1 at \f$x = 10^6\f$ has spent six of them
+// on the distance, and each difference of two of its coordinates has ten left. The direction of a
+// side of length \f$h\f$ is then uncertain by about \f$\epsilon\,x/h\f$, that is by
+// \f$2\cdot10^{-10}\f$. Normals inherit it, and so do the questions whether a support stops a
+// motion and whether two sides face each other. Tolerances that know nothing of it would answer
+// differently when a user moves the drawing.
+
 #include "signorini/fem/far.hpp"
 
 #include <algorithm>

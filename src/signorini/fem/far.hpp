@@ -1,6 +1,10 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// How far a mesh lies from the origin, and what its coordinates have lost to rounding there.
+///
+/// Drawings in national coordinates lie millions of metres from the origin. The library keeps
+/// differences of coordinates apart from coordinates where it can; what is lost already, these two
+/// numbers tell.
 #pragma once
 #include "signorini/fem/mesh.hpp"
 

@@ -1,21 +1,21 @@
-/// \file
-/// Rigid motions that supports leave, found before anything is factored.
-///
-/// A body that only contact holds has a singular stiffness matrix. The null space is known in
-/// advance: a plane body can only move by
-///
-/// \f[ u(x) = \begin{pmatrix} a - c\,(y-y_0) \\ b + c\,(x-x_0) \end{pmatrix}, \f]
-///
-/// two translations and a rotation about its centre, which strain nothing. A held component of a
-/// node asks that one row of this is zero. All of them make a matrix \f$H\f$ of three columns, and
-/// the free motions are its null space. A block of 2 x 1 that is pinned at its lower left corner
-/// has two rows in \f$H\f$ and one motion left, \f$(a, b, c) = (-0.22, 0.45, 0.45)\f$: it turns
-/// about the corner.
-///
-/// One could look for zero eigenvalues of \f$K\f$ instead. They cost more, and one would have to
-/// guess how small a zero is when soft cells stand beside stiff ones. Here only lengths are
-/// compared with lengths. We need the motions themselves as well: their amplitudes become unknowns,
-/// each with the balance of forces along it as its equation (chapter 11).
+// # Rigid motions that supports leave
+//
+// A body that only contact holds has a singular stiffness matrix. The null space is known in
+// advance: a plane body can only move by
+//
+// \f[ u(x) = \begin{pmatrix} a - c\,(y-y_0) \\ b + c\,(x-x_0) \end{pmatrix}, \f]
+//
+// two translations and a rotation about its centre, which strain nothing. A held component of a
+// node asks that one row of this is zero. All of them make a matrix \f$H\f$ of three columns, and
+// the free motions are its null space. A block of 2 x 1 that is pinned at its lower left corner
+// has two rows in \f$H\f$ and one motion left, \f$(a, b, c) = (-0.22, 0.45, 0.45)\f$: it turns
+// about the corner.
+//
+// One could look for zero eigenvalues of \f$K\f$ instead. They cost more, and one would have to
+// guess how small a zero is when soft cells stand beside stiff ones. Here only lengths are
+// compared with lengths. We need the motions themselves as well: their amplitudes become unknowns,
+// each with the balance of forces along it as its equation (chapter 11).
+
 #include "signorini/fem/free_motions.hpp"
 
 #include <algorithm>
@@ -130,6 +130,8 @@ std::string in_words(const FreeMotion& free) {
               ')');
 }
 
+/// Motions of one body are added first. A body that goes right and up goes in one direction, and a
+/// message about two would be read as two bodies.
 std::vector<std::string> in_words(const std::vector<FreeMotion>& motions,
                                   const Eigen::VectorXd& amplitude) {
   std::vector<FreeMotion> bodies;

@@ -1,5 +1,11 @@
 /// \file
 /// Rigid motions that supports leave to a body.
+///
+/// Contact problems are often of this kind: a disc on a plate that only the plate holds. For most
+/// programs that is an error, and the usual remedy is a weak spring whose force stays in the
+/// result. Here it is a case with equations of its own. What is wanted is a basis of the motions,
+/// with few and readable members: translations along the axes where they are free, and one
+/// rotation.
 #pragma once
 #include <Eigen/Core>
 #include <string>

@@ -1,17 +1,17 @@
-/// \file
-/// What hangs together with what.
-///
-/// A mesh is a list of cells. Whether they form one body or two, and where its outline is, stands
-/// nowhere in the list. Two questions are answered here, both by looking at nodes that cells share.
-///
-/// *Pieces.* Cells that share a node belong together, and so do their neighbours, and so on. This
-/// is the problem of connected components. Each node points to another one of its piece, or to
-/// itself; to join two pieces, let the root of one point to the root of the other.
-///
-/// *Outer sides.* A side inside of the body belongs to two cells, one of the outline to one.
-/// Sorting all sides and looking for those that stand alone answers it. A mesh of a million cells
-/// has two million sides and only some thousands on its outline, so we first find the nodes there,
-/// in one pass and without sorting.
+// # What hangs together with what
+//
+// A mesh is a list of cells. Whether they form one body or two, and where its outline is, stands
+// nowhere in the list. Two questions are answered here, both by looking at nodes that cells share.
+//
+// *Pieces.* Cells that share a node belong together, and so do their neighbours, and so on. This
+// is the problem of connected components. Each node points to another one of its piece, or to
+// itself; to join two pieces, let the root of one point to the root of the other.
+//
+// *Outer sides.* A side inside of the body belongs to two cells, one of the outline to one.
+// Sorting all sides and looking for those that stand alone answers it. A mesh of a million cells
+// has two million sides and only some thousands on its outline, so we first find the nodes there,
+// in one pass and without sorting.
+
 #include "signorini/fem/joints.hpp"
 
 #include <algorithm>

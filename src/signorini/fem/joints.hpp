@@ -1,6 +1,9 @@
 /// \file
 /// How the cells of a mesh hang together: its pieces, its outer sides, and nodes that lie on these without
 /// belonging to them.
+///
+/// The equations of a body that is cut in two are as good as those of a whole one. So a mesh that
+/// should be whole and is not can only be found by looking at its cells, before anything is solved.
 #pragma once
 #include <Eigen/Core>
 #include <string>

@@ -1,21 +1,21 @@
-/// \file
-/// Cells in rows and columns, the pattern behind every mesh that we generate.
-///
-/// A ring, a plate with a hole and a beam are the same table of cells, bent into place by a
-/// function of \f$(i, j)\f$. Numbering and boundaries are settled here, once; a generator only says
-/// where nodes go.
-///
-/// Places are counted in half steps, so that corners of cells have even \f$i\f$ and \f$j\f$ and
-/// midpoints of sides one odd number. With three nodes per side a row of two cells has the nodes
-///
-///     8-----9----10----11----12
-///     |           |           |
-///     5           6           7
-///     |           |           |
-///     0-----1-----2-----3-----4
-///
-/// Its first cell is 0, 2, 10, 8 for the corners, then 1, 6, 9, 5 for the midpoints of its four
-/// sides.
+// # Cells in rows and columns
+//
+// A ring, a plate with a hole and a beam are the same table of cells, bent into place by a
+// function of \f$(i, j)\f$. Numbering and boundaries are settled here, once; a generator only says
+// where nodes go.
+//
+// Places are counted in half steps, so that corners of cells have even \f$i\f$ and \f$j\f$ and
+// midpoints of sides one odd number. With three nodes per side a row of two cells has the nodes
+//
+//     8-----9----10----11----12
+//     |           |           |
+//     5           6           7
+//     |           |           |
+//     0-----1-----2-----3-----4
+//
+// Its first cell is 0, 2, 10, 8 for the corners, then 1, 6, 9, 5 for the midpoints of its four
+// sides.
+
 #include "signorini/fem/lattice.hpp"
 
 namespace signorini {

@@ -1,6 +1,9 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The pattern behind every generator: cells in rows and columns, bent into place.
+///
+/// Programs that mesh any shape exist, and the library reads their files. Tests and closed forms
+/// need meshes of known structure: nodes in known places, the same on every machine.
 #pragma once
 #include <Eigen/Core>
 #include <array>

@@ -1,21 +1,21 @@
-/// \file
-/// Loads, shared out to the nodes.
-///
-/// A load does the work \f$\int b\cdot u\,dV + \int t\cdot u\,d\Gamma\f$ on a displacement. Forces
-/// on nodes that do the same work on every \f$u = \sum_k N_k u_k\f$ are *consistent*:
-///
-/// \f[ p_k = \int N_k\,b\,dV + \int N_k\,t\,d\Gamma. \f]
-///
-/// A pressure of 1 on a straight edge of length 6 and depth 1 acts on three nodes, which are
-/// equally far apart, as 1.5, 3, 1.5 if two sides of two nodes lie there, and as 1, 4, 1 if they
-/// are one side of three nodes. Had the three nodes been given 2 each, the sum would be right and
-/// the stress below them would not be uniform, on any mesh.
-///
-/// With a tangent \f$x' = dx/d\xi\f$ along the side, and the body on the left of it,
-/// \f$(-x'_y,\ x'_x)\f$ points into the body, and its length is that of \f$x'\f$. So a pressure
-/// needs neither a unit normal nor a length. Three Gauss points are exact for polynomials of degree
-/// 5: a parabola for \f$N\f$, degree 1 for \f$x'\f$ on a curved side, and on a body of revolution
-/// degree 2 for the radius.
+// # Loads, shared out to the nodes
+//
+// A load does the work \f$\int b\cdot u\,dV + \int t\cdot u\,d\Gamma\f$ on a displacement. Forces
+// on nodes that do the same work on every \f$u = \sum_k N_k u_k\f$ are *consistent*:
+//
+// \f[ p_k = \int N_k\,b\,dV + \int N_k\,t\,d\Gamma. \f]
+//
+// A pressure of 1 on a straight edge of length 6 and depth 1 acts on three nodes, which are
+// equally far apart, as 1.5, 3, 1.5 if two sides of two nodes lie there, and as 1, 4, 1 if they
+// are one side of three nodes. Had the three nodes been given 2 each, the sum would be right and
+// the stress below them would not be uniform, on any mesh.
+//
+// With a tangent \f$x' = dx/d\xi\f$ along the side, and the body on the left of it,
+// \f$(-x'_y,\ x'_x)\f$ points into the body, and its length is that of \f$x'\f$. So a pressure
+// needs neither a unit normal nor a length. Three Gauss points are exact for polynomials of degree
+// 5: a parabola for \f$N\f$, degree 1 for \f$x'\f$ on a curved side, and on a body of revolution
+// degree 2 for the radius.
+
 #include <algorithm>
 #include <map>
 #include <vector>

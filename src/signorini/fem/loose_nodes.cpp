@@ -1,16 +1,16 @@
-/// \file
-/// Nodes that look joined and are not.
-///
-/// Meshes come from programs that make two blocks beside each other. If each block brings its own
-/// nodes, every place of the common line has two, and the body is cut there: it looks whole in
-/// every picture, and the cut opens under load. Or one block has more nodes than the other, and
-/// some hang on a side without belonging to it. A crack is a legal body, so that no equation
-/// complains. We look for nodes that lie on an outer side without being one of its nodes, and the
-/// user is told.
-///
-/// How near is *on*? Coordinates in files often have six digits. On a body that is a thousand cells
-/// long the sixth digit is a thousandth of a cell, and this is what we take: 1/1000 of the shortest
-/// side there. A true gap between two bodies, or a crack that is open, is usually wider.
+// # Nodes that look joined and are not
+//
+// Meshes come from programs that make two blocks beside each other. If each block brings its own
+// nodes, every place of the common line has two, and the body is cut there: it looks whole in every
+// picture, and the cut opens under load. Or one block has more nodes than the other, and some hang
+// on a side without belonging to it. Such nodes are called *duplicate* and *hanging*. A crack is a
+// legal body, so that no equation complains. We look for nodes that lie on an outer side without
+// being one of its nodes, and the user is told.
+//
+// How near is *on*? Coordinates in files often have six digits. On a body that is a thousand cells
+// long the sixth digit is a thousandth of a cell, and this is what we take: 1/1000 of the shortest
+// side there. A true gap between two bodies, or a crack that is open, is usually wider.
+
 #include <algorithm>
 #include <limits>
 
@@ -58,6 +58,7 @@ class Outline {
         if (own == 0) nodes_.push_back(node);
         own = own == 0 ? reach : std::min(own, reach);
       }
+      // A leaf of the tree: the box around one side.
       SideBox box;
       box.lowest = curves_.back().box().col(0);
       box.highest = curves_.back().box().col(1);

@@ -1,19 +1,19 @@
-/// \file
-/// Hooke's law of an isotropic body, reduced to the plane.
-///
-/// In three dimensions \f$\varepsilon_{xx} = (\sigma_{xx} - \nu(\sigma_{yy}+\sigma_{zz}))/E\f$, and
-/// likewise for the others. One of the two numbers across the plane is taken to be 0:
-/// \f$\sigma_{zz}\f$ in a thin sheet (plane stress), \f$\varepsilon_{zz}\f$ in a long body (plane
-/// strain). The other one follows, and
-///
-/// \f[ D = \frac{E}{1-\nu^2}\begin{pmatrix}1&\nu&\\ \nu&1&\\ &&\frac{1-\nu}{2}\end{pmatrix}
-///     \quad\text{or}\quad
-///     \frac{E}{(1+\nu)(1-2\nu)}\begin{pmatrix}1-\nu&\nu&\\ \nu&1-\nu&\\ &&\frac{1-2\nu}{2}\end{pmatrix}. \f]
-///
-/// For \f$E = 1\f$ and \f$\nu = 0.3\f$ the first entry is 1.099 or 1.346: what is held across the
-/// plane is stiffer. Both give the modulus of shear \f$G = E/(2(1+\nu)) = 0.385\f$, since shear in
-/// the plane changes no thickness. A body of revolution has all four strains, and the second matrix
-/// with one more row.
+// # Hooke's law in the plane
+//
+// In three dimensions \f$\varepsilon_{xx} = (\sigma_{xx} - \nu(\sigma_{yy}+\sigma_{zz}))/E\f$, and
+// likewise for the others. One of the two numbers across the plane is taken to be 0:
+// \f$\sigma_{zz}\f$ in a thin sheet (plane stress), \f$\varepsilon_{zz}\f$ in a long body (plane
+// strain). The other one follows, and
+//
+// \f[ D = \frac{E}{1-\nu^2}\begin{pmatrix}1&\nu&\\ \nu&1&\\ &&\frac{1-\nu}{2}\end{pmatrix}
+//     \quad\text{or}\quad
+//     \frac{E}{(1+\nu)(1-2\nu)}\begin{pmatrix}1-\nu&\nu&\\ \nu&1-\nu&\\ &&\frac{1-2\nu}{2}\end{pmatrix}. \f]
+//
+// For \f$E = 1\f$ and \f$\nu = 0.3\f$ the first entry is 1.099 or 1.346: what is held across the
+// plane is stiffer. Both give the modulus of shear \f$G = E/(2(1+\nu)) = 0.385\f$, since shear in
+// the plane changes no thickness. A body of revolution has all four strains, and the second matrix
+// with one more row.
+
 #include "signorini/fem/material.hpp"
 
 #include <cmath>

@@ -1,5 +1,10 @@
 /// \file
 /// Isotropic linear elasticity in the plane.
+///
+/// Two constants are enough for a linear, isotropic body: Young's modulus \f$E\f$, and Poisson's
+/// ratio \f$\nu\f$: a bar that is stretched by \f$\varepsilon\f$ becomes thinner by
+/// \f$\nu\varepsilon\f$. How a body is thought to go on across the plane decides which matrix
+/// \f$D\f$ follows, and nothing else in the library depends on it but the depth of integrals.
 #pragma once
 #include <Eigen/Core>
 

@@ -1,14 +1,14 @@
-/// \file
-/// Sides and boundaries of a mesh.
-///
-/// A mesh keeps cells; everything along its edge is derived from them. The side \f$s\f$ of a cell
-/// of \f$n\f$ corners begins at corner \f$s\f$ and ends at corner \f$s + 1\f$, with the first
-/// corner behind the last one. If sides have three nodes, the midpoint of side \f$s\f$ stands at
-/// place \f$n + s\f$ of the cell. For the cell 0, 2, 10, 8, 1, 6, 9, 5 of lattice.cpp the side 1
-/// has the nodes 2, 6, 10.
-///
-/// Walking order is kept throughout. Pressures are printed along the boundary, and the normal of a
-/// side needs the body on the left.
+// # Sides and boundaries of a mesh
+//
+// A mesh keeps cells; everything along its edge is derived from them. The side \f$s\f$ of a cell
+// of \f$n\f$ corners begins at corner \f$s\f$ and ends at corner \f$s + 1\f$, with the first
+// corner behind the last one. If sides have three nodes, the midpoint of side \f$s\f$ stands at
+// place \f$n + s\f$ of the cell. For the cell 0, 2, 10, 8, 1, 6, 9, 5 of lattice.cpp the side 1
+// has the nodes 2, 6, 10.
+//
+// Walking order is kept throughout. Pressures are printed along the boundary, and the normal of a
+// side needs the body on the left.
+
 #include "signorini/fem/mesh.hpp"
 
 #include <set>

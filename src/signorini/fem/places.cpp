@@ -1,15 +1,15 @@
-/// \file
-/// Places that a user names by where they are.
-///
-/// Node numbers belong to a mesh, and a finer mesh has others. A scene says "hold the point (0, 5)"
-/// or "press at (3, 0)", and means it on any mesh. Hence two rules: a position finds its node up to
-/// rounding, and a position that finds none is an error, never the nearest node. To snap to the
-/// nearest one is what many programs do; it moves a load by half a cell, and the result still looks
-/// right.
-///
-/// How much is rounding? A user types decimals, and a generator multiplies radii with cosines. A
-/// few roundings of the largest coordinate lie between the two. We allow a thousand: on a mesh that
-/// reaches to 10 that is \f$2\cdot10^{-12}\f$. No cell is so small.
+// # Places named by where they are
+//
+// Node numbers belong to a mesh, and a finer mesh has others. A scene says "hold the point (0, 5)"
+// or "press at (3, 0)", and means it on any mesh. Hence two rules: a position finds its node up to
+// rounding, and a position that finds none is an error, never the nearest node. To snap to the
+// nearest one is what many programs do; it moves a load by half a cell, and the result still looks
+// right.
+//
+// How much is rounding? A user types decimals, and a generator multiplies radii with cosines. A
+// few roundings of the largest coordinate lie between the two. We allow a thousand: on a mesh that
+// reaches to 10 that is \f$2\cdot10^{-12}\f$. No cell is so small.
+
 #include "signorini/fem/places.hpp"
 
 #include <algorithm>
@@ -90,6 +90,7 @@ EdgePlace Edge::place(const Vector2d& point) {
   std::vector<EdgePlace> places;
   for (const SideCurve& side : sides_) {
     const double xi = side.closest(point);
+    // A point is on a side if the closest place of the side is the point itself.
     if ((side.point(xi) - point).norm() <= rounding)
       places.push_back({side.nodes(), side.shape(xi).value});
   }

@@ -1,19 +1,19 @@
-/// \file
-/// Four nodes for materials that hardly change their volume.
-///
-/// As \f$\nu\f$ approaches 1/2, the modulus of volume grows like \f$1/(1-2\nu)\f$, and a body can
-/// only move so that \f$\varepsilon_{xx} + \varepsilon_{yy} \approx 0\f$. The q4 element must obey
-/// at each of its four points. A large mesh has one node per cell, hence two unknowns: four
-/// conditions for two unknowns leave nothing that could move, and the mesh *locks*. The square
-/// \f$[-1,1]^2\f$ with \f$E = 1\f$, thickness 1, in plane strain, moved by \f$u_x = xy\f$, stores
-/// this energy:
-///
-/// - q4: 1.15 at \f$\nu = 0.3\f$, 11.6 at 0.49, 1112 at 0.4999;
-/// - q4_bbar: 0.51, 0.45 and 0.44.
-///
-/// Volume is averaged over the cell here: one condition for two unknowns, as for an incompressible
-/// continuum. Mixed methods with one constant pressure per cell do nearly the same. Shear is not
-/// averaged, so that slender cells still lock in bending.
+// # Four nodes that keep their volume
+//
+// As \f$\nu\f$ approaches 1/2, the modulus of volume grows like \f$1/(1-2\nu)\f$, and a body can
+// only move so that \f$\varepsilon_{xx} + \varepsilon_{yy} \approx 0\f$. The q4 element must obey
+// at each of its four points. A large mesh has one node per cell, hence two unknowns: four
+// conditions for two unknowns leave nothing that could move, and the mesh *locks*. The square
+// \f$[-1,1]^2\f$ with \f$E = 1\f$, thickness 1, in plane strain, moved by \f$u_x = xy\f$, stores
+// this energy:
+//
+// - q4: 1.15 at \f$\nu = 0.3\f$, 11.6 at 0.49, 1112 at 0.4999;
+// - q4_bbar: 0.51, 0.45 and 0.44.
+//
+// Volume is averaged over the cell here: one condition for two unknowns, as for an incompressible
+// continuum. Mixed methods with one constant pressure per cell do nearly the same. Shear is not
+// averaged, so that slender cells still lock in bending.
+
 #include "signorini/fem/elements.hpp"
 
 namespace signorini {

@@ -1,22 +1,22 @@
-/// \file
-/// Four nodes, and four modes inside of the cell that let it bend.
-///
-/// The q4 element lacks the parabola of a bent beam. Wilson added it to each cell as modes of its
-/// own,
-///
-/// \f[ u = \sum_k N_k\,u_k + (1-\xi^2)\,\alpha_1 + (1-\eta^2)\,\alpha_2, \f]
-///
-/// with two components in each \f$\alpha\f$. The modes are zero at the nodes but not along the
-/// sides: neighbours gape or overlap there, whence the name *incompatible*. With the strain
-/// \f$M\alpha\f$ of the modes, energy is least where \f$K_{mm}\alpha = -K_{mu}u\f$. So the
-/// amplitudes follow from the nodes cell by cell, and no equation outside of the cell contains them
-/// (*static condensation*):
-///
-/// \f[ \bar B = B - M K_{mm}^{-1} K_{mu}, \qquad
-///     \int \bar B^T D \bar B = K_{uu} - K_{um} K_{mm}^{-1} K_{mu}. \f]
-///
-/// A rectangle of any length then bends with the energy of a beam to the last digit: the factor
-/// \f$1 + a^2/2\f$ of q4.cpp is 1. The number of unknowns is the same.
+// # Four nodes that bend
+//
+// The q4 element lacks the parabola of a bent beam. Wilson added it to each cell as modes of its
+// own,
+//
+// \f[ u = \sum_k N_k\,u_k + (1-\xi^2)\,\alpha_1 + (1-\eta^2)\,\alpha_2, \f]
+//
+// with two components in each \f$\alpha\f$. The modes are zero at the nodes but not along the
+// sides: neighbours gape or overlap there, whence the name *incompatible*. With the strain
+// \f$M\alpha\f$ of the modes, energy is least where \f$K_{mm}\alpha = -K_{mu}u\f$. So the
+// amplitudes follow from the nodes cell by cell, and no equation outside of the cell contains them
+// (*static condensation*):
+//
+// \f[ \bar B = B - M K_{mm}^{-1} K_{mu}, \qquad
+//     \int \bar B^T D \bar B = K_{uu} - K_{um} K_{mm}^{-1} K_{mu}. \f]
+//
+// A rectangle of any length then bends with the energy of a beam to the last digit: the factor
+// \f$1 + a^2/2\f$ of q4.cpp is 1. The number of unknowns is the same.
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <array>

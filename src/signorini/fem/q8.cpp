@@ -1,18 +1,18 @@
-/// \file
-/// The quadrilateral with eight nodes, also called serendipity element.
-///
-/// Midpoints of the sides join the corners, and sides may be parabolas. In each direction the
-/// displacement has the eight terms
-/// \f$1, \xi, \eta, \xi^2, \xi\eta, \eta^2, \xi^2\eta, \xi\eta^2\f$: all of degree 2, which is what
-/// bending needs, and no node in the middle of the cell. At the centre each corner counts
-/// \f$-1/4\f$ and each midpoint \f$1/2\f$; together that is 1.
-///
-/// A uniform pressure on a side acts on its three nodes as 1/6, 4/6 and 1/6. So a nodal force does
-/// not measure the pressure; divided by the share of its node in the surface it does.
-///
-/// The rule has 3 x 3 points. Many programs take 2 x 2, which is softer and cheaper. Then four
-/// points with three strains each watch 16 - 3 = 13 ways to deform, so that one of them costs no
-/// energy.
+// # The quadrilateral with eight nodes
+//
+// Midpoints of the sides join the corners, and sides may be parabolas. In each direction the
+// displacement has the eight terms
+// \f$1, \xi, \eta, \xi^2, \xi\eta, \eta^2, \xi^2\eta, \xi\eta^2\f$: all of degree 2, which is what
+// bending needs, and no node in the middle of the cell. At the centre each corner counts
+// \f$-1/4\f$ and each midpoint \f$1/2\f$; together that is 1.
+//
+// A uniform pressure on a side acts on its three nodes as 1/6, 4/6 and 1/6. So a nodal force does
+// not measure the pressure; divided by the share of its node in the surface it does.
+//
+// The rule has 3 x 3 points. Many programs take 2 x 2, which is softer and cheaper. Then four
+// points with three strains each watch 16 - 3 = 13 ways to deform, so that one of them costs no
+// energy.
+
 #include "signorini/fem/elements.hpp"
 
 namespace signorini {

@@ -1,9 +1,9 @@
-/// \file
-/// Parts of a body that have a name.
-///
-/// A region is a list of cells, usually those of another material. It needs no nodes of its own:
-/// cells of two regions share the nodes of the line between them, and so they are joined. Parts
-/// that may separate are two bodies with a contact.
+// # Parts of a body by name
+//
+// A region is a list of cells, usually those of another material. It needs no nodes of its own:
+// cells of two regions share the nodes of the line between them, and so they are joined. Parts
+// that may separate are two bodies with a contact.
+
 #include "signorini/fem/regions.hpp"
 
 #include <utility>
@@ -19,6 +19,7 @@ using Eigen::Index;
 const std::vector<Index>& region(const Mesh& mesh, const std::string& name) {
   const auto found = mesh.regions.find(name);
   if (found == mesh.regions.end()) {
+    // The list is in the order of the alphabet, as a map keeps its names.
     std::string known;
     for (const auto& [other, cells] : mesh.regions) known += (known.empty() ? "" : ", ") + other;
     throw ProblemError(text("mesh '", mesh.name, "' has no region '", name,

@@ -1,5 +1,7 @@
 /// \file
 /// Parts of a body by name.
+///
+/// Boundaries name sides, regions name cells: the concrete and the rock of one mesh.
 #pragma once
 #include <string>
 #include <vector>

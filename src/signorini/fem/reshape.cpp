@@ -1,10 +1,10 @@
-/// \file
-/// New meshes from old ones.
-///
-/// Each function takes a mesh and returns another one, so that a drawing is read from the inside
-/// out: `joined(moved(block, shift), ...)`. Three things must stay true, and they are what makes
-/// these functions more than a formula for positions. Cells run anticlockwise. Boundaries keep the
-/// body on their left. Names go with the sides that they name.
+// # New meshes from old ones
+//
+// Each function takes a mesh and returns another one, so that a drawing is read from the inside
+// out: `joined(moved(block, shift), ...)`. Three things must stay true, and they are what makes
+// these functions more than a formula for positions. Cells run anticlockwise. Boundaries keep the
+// body on their left. Names go with the sides that they name.
+
 #include "signorini/fem/reshape.hpp"
 
 #include <algorithm>
@@ -77,6 +77,7 @@ std::vector<Index> numbers_after_joining(const Mesh& first, const std::string& a
 /// through three points of the image, which is closer to it than a chord.
 Mesh mapped(Mesh mesh, const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& map) {
   for (Index node = 0; node < mesh.n_nodes(); ++node) {
+    // Any formula will do: a ring is a block whose sides are taken for angle and radius.
     const Eigen::Vector2d image = map(mesh.nodes.row(node).transpose());
     mesh.nodes.row(node) = image.transpose();
   }

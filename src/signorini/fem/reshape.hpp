@@ -1,5 +1,9 @@
 /// \file
 /// New meshes from old ones: bent, moved, mirrored, renamed, joined.
+///
+/// The functions compose: `joined(block, "right", mirrored(block, line), "right")` is a symmetric
+/// plate. Each of them keeps what check_mesh() asks for, so that a mesh is checked once, at the
+/// end.
 #pragma once
 #include <Eigen/Core>
 #include <functional>

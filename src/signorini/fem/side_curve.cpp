@@ -1,23 +1,23 @@
-/// \file
-/// A side of a cell as a curve, and the closest place on it.
-///
-/// Contact needs three things of a side: a point, a normal, and the place that is nearest to a
-/// point of another body. A side is a straight line or a parabola,
-///
-/// \f[ x(\xi) = x_m + \xi\,s + \xi^2\,b, \qquad s = \tfrac12(x_2 - x_1), \quad b = \tfrac12(x_1 + x_2) - x_m, \f]
-///
-/// with the middle node \f$x_m\f$ and \f$b = 0\f$ on a straight side. At the closest place the way
-/// to the point \f$p\f$ is normal to the curve: \f$f(\xi) = (x(\xi) - p)\cdot x'(\xi) = 0\f$. That
-/// is linear on a line, and of third degree on a parabola. A parabola can have two places that are
-/// nearest, and one between them that is farthest. For \f$x = (\xi,\ \xi^2 - 1)\f$ and
-/// \f$p = (0, 0)\f$ they are \f$\xi = \pm 0.707\f$ and 0. Newton's method from \f$\xi = 0\f$ would
-/// stay there, at the worst place. So the extreme points of \f$f\f$, which a quadratic equation
-/// gives, cut \f$[-1, 1]\f$ into pieces on which \f$f\f$ rises or falls, and each root is looked
-/// for on its own piece.
-///
-/// The body lies to the left of the walk, hence \f$n = (t_y, -t_x)\f$ points out of it. An
-/// AnchoredPoint keeps a node and the way from it apart, so that differences of places are exact to
-/// rounding of the way.
+// # A side as a curve
+//
+// Contact needs three things of a side: a point, a normal, and the place that is nearest to a
+// point of another body. A side is a straight line or a parabola,
+//
+// \f[ x(\xi) = x_m + \xi\,s + \xi^2\,b, \qquad s = \tfrac12(x_2 - x_1), \quad b = \tfrac12(x_1 + x_2) - x_m, \f]
+//
+// with the middle node \f$x_m\f$ and \f$b = 0\f$ on a straight side. At the closest place the way
+// to the point \f$p\f$ is normal to the curve: \f$f(\xi) = (x(\xi) - p)\cdot x'(\xi) = 0\f$. That
+// is linear on a line, and of third degree on a parabola. A parabola can have two places that are
+// nearest, and one between them that is farthest. For \f$x = (\xi,\ \xi^2 - 1)\f$ and
+// \f$p = (0, 0)\f$ they are \f$\xi = \pm 0.707\f$ and 0. Newton's method from \f$\xi = 0\f$ would
+// stay there, at the worst place. So the extreme points of \f$f\f$, which a quadratic equation
+// gives, cut \f$[-1, 1]\f$ into pieces on which \f$f\f$ rises or falls, and each root is looked
+// for on its own piece.
+//
+// The body lies to the left of the walk, hence \f$n = (t_y, -t_x)\f$ points out of it. An
+// AnchoredPoint keeps a node and the way from it apart, so that differences of places are exact to
+// rounding of the way.
+
 #include "signorini/fem/side_curve.hpp"
 
 #include <algorithm>
@@ -83,6 +83,7 @@ SideShape side_shape(std::size_t n_nodes, double xi) {
   return {{xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2}, {xi - 0.5, -2 * xi, xi + 0.5}};
 }
 
+/// A side of two nodes is a parabola that does not bend, so that one set of formulas serves both.
 SideCurve::SideCurve(const Mesh& mesh, const CellSide& side)
     : nodes_(mesh.side_nodes(side)),
       first_(mesh.nodes.row(nodes_.front())),

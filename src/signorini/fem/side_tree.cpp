@@ -1,17 +1,17 @@
-/// \file
-/// A tree of boxes, so that not every point has to look at every side.
-///
-/// A boundary of \f$n\f$ sides, asked from \f$n\f$ points, costs \f$n^2\f$ looks. Boxes around
-/// pairs of boxes make a tree of \f$2n - 1\f$ boxes: a point that is farther from a box than from
-/// the best place found so far skips all that is in it. Then each point costs about \f$\log n\f$.
-///
-/// Distance alone is not enough. Take a punch that is wider than a flat target: a point far beside
-/// it has no place that it faces, but no side is so far away that distance would exclude it, since
-/// nothing was found yet. All sides would be opened, for nothing. So a box also knows the normals
-/// of its sides, as a cone: an axis and the angle \f$\alpha\f$ from it to the farthest normal. The
-/// line from \f$p\f$ to its closest place runs along a normal. If the box reaches \f$r\f$ far at
-/// most, it can hold such a place only if it comes within \f$r\sin\alpha\f$ of the axis through
-/// \f$p\f$. A flat target has \f$\alpha = 0\f$, and what lies beside it is told at the first box.
+// # A tree of boxes
+//
+// A boundary of \f$n\f$ sides, asked from \f$n\f$ points, costs \f$n^2\f$ looks. Boxes around
+// pairs of boxes make a tree of \f$2n - 1\f$ boxes: a point that is farther from a box than from
+// the best place found so far skips all that is in it. Then each point costs about \f$\log n\f$.
+//
+// Distance alone is not enough. Take a punch that is wider than a flat target: a point far beside
+// it has no place that it faces, but no side is so far away that distance would exclude it, since
+// nothing was found yet. All sides would be opened, for nothing. So a box also knows the normals
+// of its sides, as a cone: an axis and the angle \f$\alpha\f$ from it to the farthest normal. The
+// line from \f$p\f$ to its closest place runs along a normal. If the box reaches \f$r\f$ far at
+// most, it can hold such a place only if it comes within \f$r\sin\alpha\f$ of the axis through
+// \f$p\f$. A flat target has \f$\alpha = 0\f$, and what lies beside it is told at the first box.
+
 #include "signorini/fem/side_tree.hpp"
 
 #include <algorithm>
@@ -117,6 +117,7 @@ bool SideBox::may_meet(const Vector2d& x, const Vector2d& direction, double reac
   return beside <= slack + rounding && ahead <= reach + slack + rounding;
 }
 
+/// Children stand before the box around them, and so the last box holds all.
 std::vector<SideBox> box_tree(std::vector<SideBox> leaves) {
   std::vector<SideBox> boxes;
   boxes.reserve(2 * leaves.size());

@@ -1,5 +1,9 @@
 /// \file
 /// Sides of a boundary in a tree of boxes that also know the normals inside.
+///
+/// It is the bounding volume hierarchy of computer graphics, with one addition. There a ray asks
+/// what it hits, here a point asks what it faces, and directions of normals exclude more than
+/// distances do.
 #pragma once
 #include <Eigen/Core>
 #include <vector>

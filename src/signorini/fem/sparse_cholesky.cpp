@@ -1,15 +1,15 @@
-/// \file
-/// The plain factor, by Eigen.
-///
-/// A symmetric positive definite matrix is \f$P K P^T = L D L^T\f$ with a lower triangle \f$L\f$, a
-/// diagonal \f$D\f$ of pivots, and a permutation \f$P\f$. One step eliminates one unknown and
-/// changes the entries of all pairs of its neighbours, also those that were zero. These new entries,
-/// the *fill*, decide the cost, and the order decides the fill. Minimum degree takes the unknown
-/// with the fewest neighbours next.
-///
-/// Eigen does the work. What stands here is what a user of contact needs besides: an error that
-/// names the place where a body is loose, counts that do not depend on the machine, and
-/// \f$A K^{-1} A^T\f$.
+// # The plain factor
+//
+// A symmetric positive definite matrix is \f$P K P^T = L D L^T\f$ with a lower triangle \f$L\f$, a
+// diagonal \f$D\f$ of pivots, and a permutation \f$P\f$. One step eliminates one unknown and
+// changes the entries of all pairs of its neighbours, also those that were zero. These new entries,
+// the *fill*, decide the cost, and the order decides the fill. Minimum degree takes the unknown
+// with the fewest neighbours next.
+//
+// Eigen does the work. What stands here is what a user of contact needs besides: an error that
+// names the place where a body is loose, counts that do not depend on the machine, and
+// \f$A K^{-1} A^T\f$.
+
 #include <Eigen/SparseCholesky>
 #include <cmath>
 #include <memory>

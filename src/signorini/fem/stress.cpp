@@ -1,21 +1,21 @@
-/// \file
-/// Stresses, and where to read them.
-///
-/// Displacements are continuous and strains jump between cells, so that a node has as many stresses
-/// as it has cells. Inside of a cell not all places are alike: the strain of an element is nearest
-/// to the truth at the points of a low Gauss rule, and worst at the corners. So stresses are
-/// computed at the strain points, carried to the nodes by a fit, and averaged over the cells there.
-/// For four points at \f$\xi, \eta = \pm 1/\sqrt3\f$ and a bilinear fit, a corner gets
-///
-/// \f[ \bigl(1 + \tfrac{\sqrt3}{2}\bigr)\,\sigma_1 - \tfrac12\,\sigma_2 - \tfrac12\,\sigma_3
-///     + \bigl(1 - \tfrac{\sqrt3}{2}\bigr)\,\sigma_4, \f]
-///
-/// with 1 the nearest point and 4 the farthest: 1.866, -0.5, -0.5 and 0.134. The fit magnifies, and
-/// a stress that changes much within a cell is read with a large error. Recovery from patches of
-/// cells [ZienkiewiczZhu1992] is better, and the error estimates use it. The average is for
-/// pictures: it smears the jump between two materials, which is real.
-///
-/// Contact pressures do not come from here. They are forces divided by shares of the surface.
+// # Stresses, and where to read them
+//
+// Displacements are continuous and strains jump between cells, so that a node has as many stresses
+// as it has cells. Inside of a cell not all places are alike: the strain of an element is nearest
+// to the truth at the points of a low Gauss rule, and worst at the corners. So stresses are
+// computed at the strain points, carried to the nodes by a fit, and averaged over the cells there.
+// For four points at \f$\xi, \eta = \pm 1/\sqrt3\f$ and a bilinear fit, a corner gets
+//
+// \f[ \bigl(1 + \tfrac{\sqrt3}{2}\bigr)\,\sigma_1 - \tfrac12\,\sigma_2 - \tfrac12\,\sigma_3
+//     + \bigl(1 - \tfrac{\sqrt3}{2}\bigr)\,\sigma_4, \f]
+//
+// with 1 the nearest point and 4 the farthest: 1.866, -0.5, -0.5 and 0.134. The fit magnifies, and
+// a stress that changes much within a cell is read with a large error. Recovery from patches of
+// cells [ZienkiewiczZhu1992] is better, and the error estimates use it. The average is for
+// pictures: it smears the jump between two materials, which is real.
+//
+// Contact pressures do not come from here. They are forces divided by shares of the surface.
+
 #include "signorini/fem/stress.hpp"
 
 #include <array>

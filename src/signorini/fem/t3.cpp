@@ -1,14 +1,14 @@
-/// \file
-/// The triangle with three nodes.
-///
-/// Displacements are linear, \f$N = (1-\xi-\eta,\ \xi,\ \eta)\f$, so that the strain is constant
-/// and \f$K = A\,t\,B^T D B\f$ with the area \f$A\f$. For the half of the unit square, \f$E = 1\f$,
-/// \f$\nu = 0\f$ and thickness 1, the first row of \f$K\f$ is
-/// \f$\tfrac14(3,\ 1,\ -2,\ -1,\ -1,\ 0)\f$.
-///
-/// It is the oldest element, and any domain can be cut into triangles. It is too stiff in bending,
-/// as q4 is. It locks near incompressibility, because a quadrilateral cut in two has two conditions
-/// on its volume for two unknowns.
+// # The triangle with three nodes
+//
+// Displacements are linear, \f$N = (1-\xi-\eta,\ \xi,\ \eta)\f$, so that the strain is constant
+// and \f$K = A\,t\,B^T D B\f$ with the area \f$A\f$. For the half of the unit square, \f$E = 1\f$,
+// \f$\nu = 0\f$ and thickness 1, the first row of \f$K\f$ is
+// \f$\tfrac14(3,\ 1,\ -2,\ -1,\ -1,\ 0)\f$.
+//
+// It is the oldest element, and any domain can be cut into triangles. It is too stiff in bending,
+// as q4 is. It locks near incompressibility, because a quadrilateral cut in two has two conditions
+// on its volume for two unknowns.
+
 #include "signorini/fem/elements.hpp"
 
 namespace signorini {

@@ -1,13 +1,13 @@
-/// \file
-/// The triangle with six nodes.
-///
-/// With the area coordinates \f$a_1 = 1-\xi-\eta\f$, \f$a_2 = \xi\f$, \f$a_3 = \eta\f$ the corners
-/// have \f$N = a(2a-1)\f$ and the midpoints \f$N = 4\,a\,a'\f$ of their two ends. In the centre of
-/// gravity a corner counts \f$-1/9\f$ and a midpoint \f$4/9\f$.
-///
-/// The integral of a corner's function over a straight triangle is 0, that of a midpoint a third of
-/// the area. So the nodal forces of a weight are all at midpoints. That looks wrong and is
-/// consistent: these forces do the work of the weight on every parabola that the cell can take.
+// # The triangle with six nodes
+//
+// With the area coordinates \f$a_1 = 1-\xi-\eta\f$, \f$a_2 = \xi\f$, \f$a_3 = \eta\f$ the corners
+// have \f$N = a(2a-1)\f$ and the midpoints \f$N = 4\,a\,a'\f$ of their two ends. In the centre of
+// gravity a corner counts \f$-1/9\f$ and a midpoint \f$4/9\f$.
+//
+// The integral of a corner's function over a straight triangle is 0, that of a midpoint a third of
+// the area. So the nodal forces of a weight are all at midpoints. That looks wrong and is
+// consistent: these forces do the work of the weight on every parabola that the cell can take.
+
 #include "signorini/fem/elements.hpp"
 
 namespace signorini {

@@ -1,17 +1,17 @@
-/// \file
-/// Supports, and the numbers of what they leave free.
-///
-/// A node has two components, and each is either given or unknown. Unknowns are numbered node by
-/// node, first \f$x\f$ and then \f$y\f$, and held components get \f$-1\f$. On the block of 2 x 1
-/// cells with its left side fixed, four of six nodes are free, and there are eight unknowns.
-///
-/// Leaving held components out is more work than keeping them, and worth it. The matrix is smaller
-/// and positive definite, its entries are all stiffnesses, and a given displacement is met to the
-/// last bit. With a penalty, a spring that is stiffer by \f$10^{6}\f$, it would be met to six
-/// digits only.
-///
-/// Two supports may meet at a corner. If both give the same component the same value, they agree.
-/// If not, the user has to decide, since the order of the supports should not.
+// # Supports and unknowns
+//
+// A node has two components, and each is either given or unknown. Unknowns are numbered node by
+// node, first \f$x\f$ and then \f$y\f$, and held components get \f$-1\f$. On the block of 2 x 1
+// cells with its left side fixed, four of six nodes are free, and there are eight unknowns.
+//
+// Leaving held components out is more work than keeping them, and worth it. The matrix is smaller
+// and positive definite, its entries are all stiffnesses, and a given displacement is met to the
+// last bit. With a penalty, a spring that is stiffer by \f$10^{6}\f$, it would be met to six
+// digits only.
+//
+// Two supports may meet at a corner. If both give the same component the same value, they agree.
+// If not, the user has to decide, since the order of the supports should not.
+
 #include "signorini/fem/unknowns.hpp"
 
 #include <cmath>
@@ -45,6 +45,7 @@ Axis normal_axis(const Mesh& mesh, const std::string& name) {
   require_input(extent.minCoeff() <= flat && extent.maxCoeff() > flat, "support 'symmetric' on '",
                 name, "': the boundary must be straight and parallel to an axis, but it spans ",
                 extent.x(), " x ", extent.y());
+  // An upright line has no extent in x, and x is what it holds.
   return extent.x() < extent.y() ? Axis::X : Axis::Y;
 }
 
