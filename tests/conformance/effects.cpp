@@ -96,21 +96,19 @@ TEST_CASE("every effect: absent it is named as off and costs nothing, present it
     CHECK(known.insert(name).second);
     REQUIRE(effect_examples().count(name) == 1);  // a scene that has it
     const EffectExample& example = effect_examples().at(name);
-    Scene with = example.without;
-    example.give(with);
     const Plan off = plan(example.without);
-    const Plan on = plan(with);
+    const Plan on = plan(example.with);
     CHECK(contains(off.off, name));
     CHECK_FALSE(contains(on.off, name));
     Plan again = on;
-    effect.declare(with, again);
+    effect.declare(example.with, again);
     CHECK(again.on.size() > on.on.size());
     std::vector<std::string> names = names_on(on);
     names.erase(std::remove(names.begin(), names.end(), name), names.end());
     CHECK(names == names_on(off));  // and brings no other one
-    CHECK(differences(example.without, with) == example.touched);
+    CHECK(differences(example.without, example.with) == example.touched);
     const std::map<std::string, Numbers> bare = contents(built(example.without));
-    const std::map<std::string, Numbers> full = contents(built(with));
+    const std::map<std::string, Numbers> full = contents(built(example.with));
     for (const std::string& own : example.own) {
       CAPTURE(own);
       CHECK(bare.at(own).empty());
@@ -185,12 +183,10 @@ TEST_CASE("cohesion beside friction, and friction beside cohesion, take no furth
 }
 
 TEST_CASE("loads of two kinds add up", "[conformance][effects]") {
-  Scene weight = plain_beam();
-  effect_examples().at("body force").give(weight);
-  Scene pressed = plain_beam();
-  effect_examples().at("edge loads").give(pressed);
+  const Scene& weight = effect_examples().at("body force").with;
+  const Scene& pressed = effect_examples().at("edge loads").with;
   Scene both = weight;
-  effect_examples().at("edge loads").give(both);
+  both.bodies[0].loads.edges = pressed.bodies[0].loads.edges;
   CHECK(built(both).programme.load == built(weight).programme.load + built(pressed).programme.load);
 }
 

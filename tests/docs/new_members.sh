@@ -32,9 +32,14 @@ MEMBER
     sed 's/rigid_motions()/rigid_motions(), several_contacts()/' "$library/scene/effects.cpp" > "$out/effects.cpp"
     sed 's/frontal()$/frontal(), frontal_again()/' "$frontal/backends.cpp" > "$out/backends.cpp"
     sed 's/"frontal"/"frontal_again"/; s/Backend frontal()/Backend frontal_again()/' "$frontal/frontal.cpp" > "$out/frontal_again.cpp"
-    sed 's/^      {"rigid motions",$/      {"several contacts", {plain_beam(), [](Scene\& scene) {\
-            scene.contacts.push_back({{"top"}, half_plane({0, 10}, {0, -1})});\
-          }, {"A", "g", "pairs"}, {}}},\n&/' "$1/tests/support/effect_examples.cpp" > "$out/effect_examples.cpp"
+    sed "s|\"addons/steps\"|&, \"$out\"|" "$1/tests/support/effect_examples.cpp" > "$out/effect_examples.cpp"
+    sed 's/^# adds: A g pairs/# changes: A g pairs/; s/ *# with$//' "$library/scene/contact.toml" > "$out/several_contacts.toml"
+    cat >> "$out/several_contacts.toml" << 'CONTACT'
+
+[[contact]]  # with
+source = "top"  # with
+target = { kind = "half_plane", point = [0, 10], normal = [0, -1] }  # with
+CONTACT
 }
 
 check() { # $1: cmake, $2: the build tree

@@ -174,11 +174,9 @@ TEST_CASE("bodies that nothing connects cost as many solves as there are, each o
 TEST_CASE("the figures that are said to be exact are so whatever effect is on", "[prediction]") {
   for (const auto& [name, example] : effect_examples()) {
     CAPTURE(name);
-    Scene scene = example.without;
-    example.give(scene);
     Ledger ledger;
-    const Prediction prediction = predict(plan(scene));
-    static_cast<void>(condense(build(scene, ledger), ledger));
+    const Prediction prediction = predict(plan(example.with));
+    static_cast<void>(condense(build(example.with, ledger), ledger));
     int exact = 0;
     for (const ComparedFigure& figure : compare(prediction, {ledger})) {
       if (figure.predicted.certainty != Certainty::Exact) continue;

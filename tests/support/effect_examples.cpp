@@ -1,12 +1,58 @@
 #include "support/effect_examples.hpp"
 
-#include "addons/steps/histories.hpp"
-#include "signorini/fem/regions.hpp"
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "addons/files/scene_file.hpp"
 #include "support/cantilever.hpp"
 
 namespace signorini_test {
 
 using namespace signorini;
+namespace fs = std::filesystem;
+
+namespace {
+
+const char* const folders[] = {"signorini/scene", "addons/effects", "addons/steps"};
+
+/// What stands behind a mark at the beginning of a line.
+bool marked(const std::string& line, const std::string& mark, std::string& rest) {
+  if (line.rfind(mark, 0) != 0) return false;
+  rest = line.substr(mark.size());
+  return true;
+}
+
+std::set<std::string> words(const std::string& line) {
+  std::istringstream in(line);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+EffectExample read_example(const fs::path& file) {
+  EffectExample example;
+  const std::string mark = "# with";
+  std::string with, without, rest;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line); with += line + '\n') {
+    if (marked(line, "# changes: ", rest)) example.touched.merge(words(rest));
+    if (marked(line, "# adds: ", rest)) example.own = words(rest);
+    if (marked(line, "# without: ", rest))
+      without += rest + '\n';
+    else if (line.size() < mark.size() || line.substr(line.size() - mark.size()) != mark)
+      without += line + '\n';
+  }
+  example.touched.insert(example.own.begin(), example.own.end());
+  const auto scene = [&file](const std::string& text) {
+    return parse_scene(text, file.filename().string(), file.parent_path()).scene;
+  };
+  example.without = scene(without);
+  example.with = scene(with);
+  return example;
+}
+
+}  // namespace
 
 Scene plain_beam() {
   Scene scene = cantilever("q4_incompatible", 12, 2);
@@ -14,137 +60,17 @@ Scene plain_beam() {
   return scene;
 }
 
-namespace {
-
-Scene without_contact() {
-  Scene scene = plain_beam();
-  scene.contacts.clear();
-  return scene;
-}
-
-Scene two_parts() {
-  Scene scene = plain_beam();
-  Mesh& mesh = scene.bodies[0].mesh;
-  mesh = with_region(mesh, "skin", {0, 2.5}, {50, 5});
-  return scene;
-}
-
-/// Of a mesh that was written with few digits.
-Scene slightly_off() {
-  Scene scene = plain_beam();
-  scene.contacts[0].target = half_plane({0, -1e-4}, {0, 1});
-  return scene;
-}
-
-Scene on_disc() {
-  Scene scene = plain_beam();
-  scene.contacts[0].target = disc({40, -10}, 10.5);
-  return scene;
-}
-
-Scene above_disc() {
-  Scene scene = plain_beam();
-  scene.contacts[0].target = disc({40, -10}, 9.5);
-  return scene;
-}
-
-}  // namespace
-
 const std::map<std::string, EffectExample>& effect_examples() {
-  static const std::map<std::string, EffectExample> all = {
-      {"axial symmetry",
-       {plain_beam(),
-        [](Scene& scene) { scene.bodies[0].material.state = PlaneState::Axial; },
-        {"K", "pairs"},
-        {}}},
-      {"body force",
-       {plain_beam(),
-        [](Scene& scene) {
-          scene.bodies[0].loads.body_force = [](const Eigen::Vector2d&) {
-            return Eigen::Vector2d(0, -1);
-          };
-        },
-        {"p"},
-        {}}},
-      {"edge loads",
-       {plain_beam(),
-        [](Scene& scene) {
-          scene.bodies[0].loads.edges = {{"top", 3.6, {}}};
-        },
-        {"p"},
-        {}}},
-      {"point forces",
-       {plain_beam(),
-        [](Scene& scene) {
-          scene.bodies[0].loads.points = {{{50, 5}, {0, -1}}};
-        },
-        {"p"},
-        {}}},
-      {"layers",
-       {two_parts(),
-        [](Scene& scene) {
-          scene.bodies[0].layers = {{"skin", {1e4, 0.2, PlaneState::Stress, 1}}};
-        },
-        {"K"},
-        {}}},
-      {"temperature",
-       {two_parts(),
-        [](Scene& scene) {
-          scene.bodies[0].material.expansion = 1e-5;
-          scene.bodies[0].temperature = Temperature{100, {0, 2}};
-        },
-        {"p"},
-        {}}},
-      {"springs",
-       {plain_beam(),
-        [](Scene& scene) {
-          scene.bodies[0].springs = {{"right", {0, 2}}};
-        },
-        {"K"},
-        {}}},
-      {"adjusted gaps",
-       {slightly_off(), [](Scene& scene) { scene.contacts[0].adjust = 1e-3; }, {"g"}, {}}},
-      {"interference",
-       {on_disc(), [](Scene& scene) { scene.contacts[0].interference = 0.01; }, {"g"}, {}}},
-      {"contact",
-       {without_contact(),
-        [](Scene& scene) { scene.contacts = plain_beam().contacts; },
-        {"A", "g", "pairs"},
-        {"A", "g", "pairs"}}},
-      {"initial overlap",
-       {above_disc(),
-        [](Scene& scene) {
-          scene.contacts[0].target = disc({40, -10}, 10.5);
-        },
-        {"g"},
-        {}}},
-      {"friction",
-       {plain_beam(),
-        [](Scene& scene) {
-          scene.contacts[0].friction = Friction{0.3, 0};
-        },
-        {"A", "g", "law", "sliding"},
-        {"law", "sliding"}}},
-      {"cohesion",
-       {plain_beam(),
-        [](Scene& scene) {
-          scene.contacts[0].friction = Friction{0, 0.2};
-        },
-        {"A", "g", "law", "sliding"},
-        {"law", "sliding"}}},
-      {"rigid motions",
-       {plain_beam(),
-        [](Scene& scene) { scene.bodies[0].supports = {prescribed("left", Axis::X, 0)}; },
-        {"A", "K", "g", "modes", "p", "pairs"},
-        {"modes"}}},
-      {"load steps",
-       {plain_beam(),
-        [](Scene& scene) {
-          scene.path = Path{{0.5, 1}, {proportional("load")}};
-        },
-        {"parts"},
-        {"parts"}}},
-  };
+  static const std::map<std::string, EffectExample> all = [] {
+    std::map<std::string, EffectExample> read;
+    for (const char* const folder : folders)
+      for (const auto& file : fs::directory_iterator(fs::path(SIGNORINI_SOURCES) / folder)) {
+        std::string name = file.path().stem().string();
+        std::replace(name.begin(), name.end(), '_', ' ');
+        if (file.path().extension() == ".toml") read.emplace(name, read_example(file.path()));
+      }
+    return read;
+  }();
   return all;
 }
 

@@ -1,4 +1,3 @@
-// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// A claimed solution of a programme, and what it leaves of the programme's equations.
 #pragma once

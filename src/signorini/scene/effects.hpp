@@ -1,8 +1,8 @@
 /// \file
 /// The family of effects: what a scene may call for besides elastic bodies on supports. To add one: give it an
 /// optional entry in Scene, write a `.cpp` with a function of its name that returns it, and put that name into
-/// the table in effects.cpp, or, in an add-on, into its register function, which programs call; the conformance suite asks
-/// for a scene that has it.
+/// the table in effects.cpp, or, in an add-on, into its register function, which programs call. A scene file of its name
+/// beside it, such as friction.toml, is its example: the conformance suite asks for it.
 ///
 /// No step of a run looks at what a scene calls for (checks read it to write notes): plan() asks every effect in the
 /// order of the table whether it is present and what it takes, build() makes the plan a model and lets those that are
