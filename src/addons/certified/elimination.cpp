@@ -15,14 +15,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// A column that changes until it is a pivot or nothing.
-struct Column {
+struct SparseColumn {
   SparseEntries left;                           ///< by rising rows
   double terms = 0;                             ///< the largest that made an entry
   std::vector<std::pair<Index, double>> taken;  ///< multiples of pivot columns, in order
   bool pivoted = false;
 
   /// Takes a multiple of another column away, so that nothing is left in one row. \return rows of new entries
-  std::vector<Index> take(const Column& other, double factor, Index row) {
+  std::vector<Index> take(const SparseColumn& other, double factor, Index row) {
     std::vector<Index> filled;
     SparseEntries sum;
     sum.reserve(left.size() + other.left.size());
@@ -41,7 +41,7 @@ struct Column {
   }
 };
 
-double value(const Column& column, Index row) {
+double value(const SparseColumn& column, Index row) {
   const auto found = std::lower_bound(column.left.begin(), column.left.end(), row,
                                       [](const auto& entry, Index r) { return entry.first < r; });
   return found != column.left.end() && found->first == row ? found->second : 0;
@@ -59,7 +59,7 @@ class Elimination {
   [[nodiscard]] SparseEntries combination(Index column) const;
 
   double share_;
-  std::vector<Column> columns_;
+  std::vector<SparseColumn> columns_;
   std::vector<std::vector<Index>> of_row_;         ///< columns that have an entry, or had one
   std::vector<std::pair<double, Index>> largest_;  ///< entry of each column, and its row
   std::vector<Index> pivots_;                      ///< columns, in order
@@ -70,7 +70,7 @@ Elimination::Elimination(const std::vector<SparseEntries>& columns, Index rows, 
   for (std::size_t j = 0; j < columns.size(); ++j) {
     SparseEntries sorted = columns[j];
     std::sort(sorted.begin(), sorted.end());
-    Column& column = columns_[j];
+    SparseColumn& column = columns_[j];
     for (const auto& [row, value] : sorted) {
       if (column.left.empty() || column.left.back().first != row) {
         column.left.emplace_back(row, 0);
@@ -92,7 +92,7 @@ void Elimination::measure(Index column) {
 }
 
 void Elimination::eliminate(Index column) {
-  Column& pivot = columns_[at(column)];
+  SparseColumn& pivot = columns_[at(column)];
   const Index row = largest_[at(column)].second;
   const double divisor = value(pivot, row);
   pivot.pivoted = true;
@@ -100,7 +100,7 @@ void Elimination::eliminate(Index column) {
   const Index step = static_cast<Index>(pivots_.size());
   pivots_.push_back(column);
   for (const Index j : of_row_[at(row)]) {
-    Column& other = columns_[at(j)];
+    SparseColumn& other = columns_[at(j)];
     const double factor = other.pivoted ? 0 : value(other, row) / divisor;
     if (factor == 0) continue;
     for (const Index filled : other.take(pivot, factor, row)) of_row_[at(filled)].push_back(j);
