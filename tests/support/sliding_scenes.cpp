@@ -213,7 +213,7 @@ Solution solve_there(const Scene& scene, Model& model, Condensed& condensed, con
   model.pairs = std::move(there.gaps.pairs);
   model.contact_of = std::move(there.contact_of);
   model.law = std::move(there.law);
-  model.follow = nullptr;
+  model.followed = nullptr;
   condensed.problem.law = model.law;
   Ledger ledger;
   condensed.problem.compliance = condensed.factor.compliance(model.programme.A, ledger);
