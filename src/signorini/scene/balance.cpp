@@ -1,3 +1,15 @@
+// # Do the forces that are told add up?
+//
+// The same contact forces stand in a solution twice. The solver pushes nodes by rows of A. A
+// reader sees forces of pairs, each with a place and a normal, and adds them up to a
+// resultant. If a normal or a place were wrong, the nodes would still be in balance, and the
+// resultant would be wrong. So we add up both and compare, per body:
+// \f[ \Big(\sum f,\; \sum (x - x_m) \times f\Big), \qquad a \times f = a_x f_y - a_y f_x, \f]
+// with \f$ x_m \f$ the middle of the body. For example, forces 2 and 4 along (0, 1) act at
+// (-1, 0) and (1, 0). Their resultant is (0, 6), and their moment about the origin is
+// \f$ -1\cdot 2 + 1\cdot 4 = 2 \f$. A reader who took the second place for (0.5, 0) would
+// find the moment 0.
+
 #include "signorini/scene/balance.hpp"
 
 #include <algorithm>
@@ -13,7 +25,8 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 
-/// Force and moment about the middle of a body, in long double: forces all round a body cancel.
+// Force and moment about the middle of a body. They are summed in long double, because
+// forces all round a body cancel, and what is left would be rounding.
 using Sum = std::array<long double, 3>;
 
 void add(Sum& sum, double factor, const Vector2d& force, double moment) {
@@ -22,11 +35,13 @@ void add(Sum& sum, double factor, const Vector2d& force, double moment) {
   sum[2] += static_cast<long double>(factor) * moment;
 }
 
+// In the plane a moment is a number, positive counter-clockwise.
 double cross(const Vector2d& arm, const Vector2d& force) {
   return arm.x() * force.y() - arm.y() * force.x();
 }
 
-/// The middle of every body and how far its nodes are from there.
+// The middle of every body and how far its nodes are from there. Moments about a far origin
+// would be large and cancel. The reach tells how large a moment the largest force can make.
 struct Extent {
   Vector2d middle;
   double reach;
@@ -37,13 +52,17 @@ Extent extent(const BodyModel& body) {
   return {middle, (body.mesh.nodes.rowwise() - middle.transpose()).rowwise().norm().maxCoeff()};
 }
 
+// tell() adds what a reader adds, hand_on() takes away what the nodes got. If both agree,
+// the three sums of every body are zero but for rounding.
 class Balance {
  public:
   explicit Balance(const Model& model) : model_(model), sums_(model.bodies.size(), Sum{}) {
     for (const BodyModel& body : model.bodies) extents_.push_back(extent(body));
   }
 
-  /// A force of a pair along its normal or tangent, on both sides.
+  // A force of a pair along its normal or tangent, on both sides. The target gets the
+  // opposite. A pair may act on several nodes, so that it has a moment about its own place,
+  // too.
   void tell(Index pair, int which, double force) {
     const Pairs& pairs = model_.pairs;
     const Vector2d n = pairs.normal.row(pair).transpose();
@@ -58,7 +77,8 @@ class Balance {
     if (bodies.target) act(*bodies.target, -direction, pairs.target_moment(pair, which));
   }
 
-  /// The same force by its row, taken away.
+  // The same force by its row, taken away. An entry of the row is a force on one component
+  // of one node.
   void hand_on(const NodalRows& rows, Index row, double force) {
     for (NodalRows::InnerIterator it(rows, row); it; ++it) {
       const std::size_t body = body_of_node(model_.bodies, it.col() / 2);
@@ -70,7 +90,10 @@ class Balance {
     }
   }
 
-  /// The largest entry of a body, made free of units.
+  // A sum of forces is compared with the largest force, a moment with that force at the
+  // farthest node. The largest entry of a body, made free of units. All round an axis,
+  // radial forces and moments cancel anyway, so in axial symmetry only the force along the
+  // axis counts.
   [[nodiscard]] double worst(double largest_force) const {
     const bool axial = is_axial(model_.bodies.front());
     double worst = 0;
@@ -91,6 +114,9 @@ class Balance {
 
 }  // namespace
 
+// What a reader is told are the forces of the contact state. What the nodes got are the
+// certified forces of all rows of A: those of gaps come first, those of slips behind them. A
+// pair without friction has no second row.
 double imbalance(const Model& model, const ContactState& contact,
                  const Eigen::VectorXd& certified) {
   const Index pairs = contact.force.size();

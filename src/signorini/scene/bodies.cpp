@@ -1,3 +1,17 @@
+// # Several bodies in one numbering
+//
+// The library solves one system for all bodies. Their nodes are numbered one after another,
+// and so are their unknowns. Let a first body have 4 nodes, of which a support holds one in
+// both directions, and a second one 6 free nodes. Then the nodes of the second are 4 to 9,
+// its unknowns 6 to 17, and
+// \f[ K = \begin{pmatrix} K_1 & 0 \\ 0 & K_2 \end{pmatrix}, \f]
+// with 6 and 12 rows. Nothing joins the blocks. Only rows of A do, whose columns are
+// unknowns of two bodies. This file translates between a body and the whole, and between the
+// names of a scene and the numbers.
+//
+// The order of the numbers is the order of the bodies in the scene. So a number of a node
+// tells its body, and one offset per body is all that has to be stored.
+
 #include "signorini/scene/bodies.hpp"
 
 #include <algorithm>
@@ -11,7 +25,11 @@ using Eigen::Index;
 
 namespace {
 
-/// Some cells of a body, and all of its nodes.
+// The stiffness of some cells of a body, on all unknowns of the body. K is a sum over cells,
+// so that processes can assemble parts of it. A temperature gives loads and no stiffness: it
+// is left out. If the mesh has both shapes and these cells are all triangles, they are
+// assembled with the element that triangles have beside quadrilaterals. Otherwise the sum
+// would not be the K of the whole mesh.
 Eigen::SparseMatrix<double> stiffness_of_cells(const BodyModel& body, Index first, Index count) {
   if (count == 0) return {body.unknowns.count, body.unknowns.count};
   Mesh part = body.mesh;
@@ -31,10 +49,16 @@ Eigen::SparseMatrix<double> stiffness_of_cells(const BodyModel& body, Index firs
 
 }  // namespace
 
+// Forces on held components are dropped here. They go into the support and do no work.
 void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::VectorXd& load) {
   load.segment(body.first_unknown, body.unknowns.count) += restricted(body.unknowns, forces);
 }
 
+// A spring matrix \f$ k \f$ acts on all components, held ones too. Of the row of a free
+// component i, free columns go into K. A held column j with the given displacement
+// \f$ \bar u_j \f$ is known, so \f$ -k_{ij}\bar u_j \f$ goes into p. With \f$ k_{ij} = 2 \f$
+// and \f$ \bar u_j = 0.5 \f$ the load of i becomes smaller by 1. Rows of held components
+// belong to supports.
 void add_springs(const BodyModel& body, QuadraticProgramme& programme) {
   const auto number = [&body](Index component) {
     const Index own = body.unknowns.number(component / 2, component % 2);
@@ -52,6 +76,9 @@ void add_springs(const BodyModel& body, QuadraticProgramme& programme) {
     }
 }
 
+// Cells are dealt out by integer division: of 10 cells, 3 processes get 3, 3 and 4. No cell
+// is lost and none comes twice. Springs are no cells. The first process alone adds them, or
+// they would count once per process.
 Eigen::SparseMatrix<double> stiffness_share(const std::vector<BodyModel>& bodies, int part,
                                             int parts) {
   require_argument(part >= 0 && part < parts, "stiffness_share: expected a share from 0 to ",
@@ -73,6 +100,8 @@ Eigen::SparseMatrix<double> stiffness_share(const std::vector<BodyModel>& bodies
   return K;
 }
 
+// With one body, a side need not name it. With several, a missing name is as wrong as an
+// unknown one, and the message lists those that exist.
 std::size_t body_index(const std::vector<BodyModel>& bodies, const Side& side) {
   if (side.body.empty() && bodies.size() == 1) return 0;
   std::string names;
@@ -84,26 +113,33 @@ std::size_t body_index(const std::vector<BodyModel>& bodies, const Side& side) {
                           "'; the scene has ", names));
 }
 
+// Gap operators know surfaces and no bodies. The call of boundary() is for its error: a
+// wrong name is reported here, where the body is known.
 Surface surface(const std::vector<BodyModel>& bodies, const Side& side) {
   const BodyModel& own = bodies[body_index(bodies, side)];
   static_cast<void>(boundary(own.mesh, side.boundary));
   return {own.mesh, side.boundary, own.first_node};
 }
 
+// Nodes of all bodies are numbered from 0, so their number is where the last body ends.
 Index count_nodes(const std::vector<BodyModel>& bodies) {
   return bodies.back().first_node + bodies.back().mesh.n_nodes();
 }
 
+// Bodies are few, so we go through them from the last one to the first.
 std::size_t body_of_node(const std::vector<BodyModel>& bodies, Index node) {
   std::size_t body = bodies.size() - 1;
   while (bodies[body].first_node > node) --body;
   return body;
 }
 
+// Unknowns end in the same way: the last body has the last one.
 Index count_unknowns(const std::vector<BodyModel>& bodies) {
   return bodies.back().first_unknown + bodies.back().unknowns.count;
 }
 
+// Messages are sentences and name a contact by quoted names. Tables have little room and
+// take the short form of a scene file, which the next function makes.
 std::string describe(const std::vector<BodyModel>& bodies, const ContactSpec& contact) {
   const auto name = [&bodies](const Side& side) {
     return text('\'', side.boundary, "' of '", bodies[body_index(bodies, side)].mesh.name, '\'');
@@ -113,6 +149,9 @@ std::string describe(const std::vector<BodyModel>& bodies, const ContactSpec& co
   return text("contact of ", name(contact.source), " with ", name(std::get<Side>(contact.target)));
 }
 
+// A disc between two half-planes has two contacts, each called "disc.rim on half plane". A
+// reader of the table must tell them apart, so the second gets a number. Names stay as they
+// are if a contact is added behind them.
 std::vector<std::string> contact_names(const std::vector<BodyModel>& bodies,
                                        const std::vector<ContactSpec>& contacts) {
   const auto name = [&bodies](const Side& side) {
@@ -132,23 +171,34 @@ std::vector<std::string> contact_names(const std::vector<BodyModel>& bodies,
   return names;
 }
 
+// In axial symmetry x is a radius. Much that is true in the plane is not true there: forces
+// along x cancel round the circle, and the only rigid motion goes along the axis.
 bool is_axial(const BodyModel& body) { return body.material.base.state == PlaneState::Axial; }
 
+// Along the radius, the forces of one half of a section do not cancel in the sum over nodes.
+// Those of the whole circle do: its resultant has no radial part.
 Eigen::Vector2d sum_of_forces(const BodyModel& body, const NodeArray& forces) {
   Eigen::Vector2d sum = forces.colwise().sum().transpose();
   if (is_axial(body)) sum.x() = 0;
   return sum;
 }
 
+// A law with \f$ \mu = 0 \f$ and no cohesion allows no friction force. It must cost nothing,
+// so it counts as absent.
 bool has_friction(const ContactSpec& contact) {
   return contact.friction &&
          (contact.friction->coefficient != 0 || contact.friction->cohesion != 0);
 }
 
+// The programme has one formula for all rows, \f$ g - Au \f$. A slip is \f$ s_0 + Tu \f$, so
+// its row of A is that of T with the opposite sign.
 NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law) {
   return below(gaps.A, -selected_rows(gaps.T, law.pair));
 }
 
+// K is the largest object of a run. One body hands over its block without a copy. Several
+// blocks are written column by column in the order of storage, so that nothing is sorted,
+// and each block is freed as soon as it is written.
 void put_along_diagonal(const std::vector<BodyModel>& bodies,
                         std::vector<Eigen::SparseMatrix<double>>& blocks,
                         Eigen::SparseMatrix<double>& all) {
@@ -168,6 +218,8 @@ void put_along_diagonal(const std::vector<BodyModel>& bodies,
   all.finalize();
 }
 
+// Where an unknown is matters to a back end that orders the elimination by cutting the body
+// into parts. The others do not ask.
 NodeArray unknown_positions(const std::vector<BodyModel>& bodies) {
   NodeArray positions(count_unknowns(bodies), 2);
   for (const BodyModel& body : bodies)

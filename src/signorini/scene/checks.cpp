@@ -1,3 +1,9 @@
+// # The family of checks
+//
+// A scene may be legal and still not be what its author meant. Checks look for such scenes
+// and write notes. The list begins empty: a check costs time and code, so a program takes
+// those of the add-on checks only if it wants them.
+
 #include "signorini/scene/checks.hpp"
 
 #include "signorini/core/family.hpp"
@@ -5,6 +11,8 @@
 namespace signorini {
 namespace {
 
+// The list is made when it is first asked for. A global object might not exist yet when
+// another file adds its members before `main`.
 std::vector<Check>& all_checks() {
   static std::vector<Check> family;
   return family;

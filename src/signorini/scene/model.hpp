@@ -1,5 +1,11 @@
 /// \file
 /// The plan of a scene, and the model that is made of it: the plan with its numbers.
+///
+/// Both describe the same statement, with one row of A per gap and, below, one per slip:
+/// \f[ Ku = p - A^T\lambda, \qquad \text{gap, slip} = g - Au. \f]
+/// The plan knows its sizes: unknowns, rows, rigid motions. The model knows its numbers as well: K, p, A and g. A plan is
+/// cheap, because nothing is assembled for it. So a user may read what a run will compute before the run begins.
+/// build() moves the plan into the model: one is the other with more known.
 #pragma once
 #include <functional>
 #include <memory>
@@ -36,6 +42,8 @@ struct BodyModel {
 };
 
 /// Which bodies a contact is between, by their numbers.
+///
+/// Names are looked up once, when the scene is planned. Later steps find bodies by number.
 struct ContactBodies {
   std::size_t source;                 ///< of the source
   std::optional<std::size_t> target;  ///< of the target; a rigid obstacle has none

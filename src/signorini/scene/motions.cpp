@@ -1,3 +1,16 @@
+// # Rigid motions of a scene
+//
+// Supports and springs take rigid motions away from a body. What is left is at most two
+// shifts and a turn per piece of a mesh, and in axial symmetry one shift along the axis. For
+// example, a body is held across a line of symmetry x = 0. A rigid motion moves the point
+// (x, y) by
+// \f[ (a - c\,y,\; b + c\,x). \f]
+// On the line the first component must vanish for every y, so \f$ a = c = 0 \f$. One motion
+// is left: b, along the line.
+//
+// Three questions follow. Which motions are there? Does contact notice all of them? Where do
+// we ground the bodies, so that K can be factored in spite of them?
+
 #include "signorini/scene/motions.hpp"
 
 #include <algorithm>
@@ -15,7 +28,8 @@ using Eigen::Index;
 
 namespace {
 
-/// A spring stops every motion that it resists, however soft it is: as if it held its nodes.
+// A spring stops every motion that it resists, even a soft spring. So for this question its
+// nodes count as held.
 Unknowns held_by_springs(const BodyModel& body) {
   Unknowns unknowns = body.unknowns;
   for (Index k = 0; k < body.springs.cols(); ++k)
@@ -23,7 +37,8 @@ Unknowns held_by_springs(const BodyModel& body) {
   return unknowns;
 }
 
-/// The first unknown that a motion moves, and the one after the last.
+// The first unknown that a motion moves, and the one after the last. A mode is a vector of
+// all unknowns, but it is zero outside its own body.
 std::pair<Index, Index> moved_unknowns(const FreeMotion& mode) {
   Index begin = 0;
   Index end = mode.shape.size();
@@ -34,6 +49,8 @@ std::pair<Index, Index> moved_unknowns(const FreeMotion& mode) {
 
 }  // namespace
 
+// Formulas want a matrix N with one column per mode. Messages want the modes with their
+// names. So both forms exist.
 Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes) {
   Eigen::MatrixXd shapes(modes.empty() ? 0 : modes.front().shape.size(),
                          static_cast<Index>(modes.size()));
@@ -42,18 +59,23 @@ Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes) {
   return shapes;
 }
 
+// The body whose directions are known worst decides for all, because a contact takes its
+// normals from either side.
 double direction_rounding(const std::vector<BodyModel>& bodies) {
   double most = 0;
   for (const BodyModel& body : bodies) most = std::max(most, direction_rounding(body.mesh));
   return most;
 }
 
+// Each mode carries this number, so that whoever has only the modes can ask for it.
 double direction_rounding(const std::vector<FreeMotion>& modes) {
   double most = 0;
   for (const FreeMotion& mode : modes) most = std::max(most, mode.directions);
   return most;
 }
 
+// Each body finds its own motions. They are then written into vectors of all unknowns, with
+// zeros for the other bodies.
 std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
   const BodyModel& last = bodies.back();
   std::vector<FreeMotion> modes;
@@ -75,6 +97,12 @@ std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
   return modes;
 }
 
+// A motion that opens and closes no gap meets no resistance at all: the scene has no unique
+// answer, and the user must add a support. One mode at a time is not enough. Of two blocks
+// on top of each other, with one pair between them, the upper one may rise and so may the
+// lower one, with \f$ R = (1, -1) \f$. Either moves the gap, but both together do not:
+// \f$ R\,(1, 1)^T = 0 \f$. So we ask which columns of R depend on others, and say the
+// combination in words.
 std::vector<std::string> motions_without_contact(
     const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const std::vector<FreeMotion>& modes) {
   std::vector<std::string> sentences;
@@ -102,6 +130,10 @@ std::vector<std::string> motions_without_contact(
   return sentences;
 }
 
+// One spring per mode, at unknowns where the modes of a body differ as much as possible. A
+// lift and a turn of three nodes at x = -1, 0, 1 have the columns (1, -1), (1, 0), (1, 1).
+// Pivoting takes the two outer nodes. Two neighbours of a fine mesh would move nearly alike,
+// and springs there would leave K nearly singular.
 std::vector<Index> grounding(const std::vector<FreeMotion>& modes) {
   // Motions of one body follow each other and move unknowns that those of no other body move.
   std::vector<Index> unknowns;

@@ -1,3 +1,10 @@
+// # Notes that outlive an error
+//
+// A plan collects notes: an element locks, two sides overlap, a choice has no meaning. They
+// are printed with the plan. If the scene is refused before that, nobody would see them, and
+// a note is often the cause of the error. So an error message carries them, in the form
+// `MESSAGE. Note: FIRST NOTE; SECOND NOTE`.
+
 #include "signorini/scene/notes.hpp"
 
 namespace signorini {
@@ -7,6 +14,8 @@ const std::string note_mark = ". Note: ";  // between a message and its notes
 
 }  // namespace
 
+// Errors pass several places that add notes. A note that stands in the message already is
+// not added again. The mark comes before the first note only.
 std::string with_notes(const std::string& message, const std::vector<std::string>& notes) {
   std::string all = message;
   for (const std::string& note : notes)
@@ -15,6 +24,8 @@ std::string with_notes(const std::string& message, const std::vector<std::string
   return all;
 }
 
+// Two errors may have the same cause and different notes. To compare them, a reader of scene
+// files takes the notes off.
 std::string without_notes(const std::string& message) {
   return message.substr(0, message.find(note_mark));
 }

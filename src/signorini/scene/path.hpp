@@ -1,5 +1,10 @@
 /// \file
 /// Load steps as a scene asks for them, and the parts that the loads of a model are made of. The add-on steps solves them.
+///
+/// Friction depends on the order in which loads come, so a scene may say how they grow. Each load, given displacement or
+/// interference names a history \f$ h_k(t) \f$, and the model has one load \f$ p_k \f$ per history:
+/// \f[ p(t) = p_0 + \sum_k h_k(t)\, p_k. \f]
+/// and likewise one share of g. K and A do not depend on time. So all steps share one factor of K and one compliance.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -10,6 +15,8 @@
 namespace signorini {
 
 /// A number that depends on time: straight between the rows of a table, constant before and behind it.
+///
+/// With the rows (1, 0) and (2, 4) it is 0 at time 0.5, 2 at time 1.5 and 4 at time 5.
 struct History {
   std::string name;            ///< that loads, temperatures, supports and interferences refer to
   std::vector<double> times;   ///< increasing [time]

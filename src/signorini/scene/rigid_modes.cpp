@@ -1,3 +1,21 @@
+// # Bodies that only contact holds
+//
+// A body without enough supports can move as a rigid body. Its stiffness is then singular,
+// \f$ KN = 0 \f$, with one column of N per rigid mode. The amplitudes a of the modes become
+// unknowns of the contact problem,
+// \f[ \text{gap} = d + G\lambda + Ra, \qquad R^T\lambda = r, \qquad R = -AN, \quad r = -N^T p. \f]
+// R tells by how much a mode opens each gap. The second equation says that contact forces
+// balance the load.
+//
+// An example: a body above a floor touches it at x = -1 and x = 1, and a force of 6 presses
+// it down at x = 1/3. Two of its modes are a lift and a turn about x = 0:
+// \f[ R = \begin{pmatrix} 1 & -1 \\ 1 & 1 \end{pmatrix}, \quad r = \binom{6}{2}. \f]
+// Balance alone gives the forces 2 and 4.
+//
+// The difficulty of this file is zero. A block on a floor can slide, because its slide opens
+// no gap. Then the entry of R must be 0. A rest of \f$ 10^{-17} \f$ would make the solver
+// believe that the floor stops the slide, with a force of \f$ 10^{17} \f$ times the load.
+
 #include "signorini/scene/rigid_modes.hpp"
 
 #include <algorithm>
@@ -12,10 +30,15 @@ namespace {
 
 using Eigen::Index;
 
-/// Roundings that a factor may have gone through.
+// Roundings that a factor may have gone through: normals and modes come out of a few steps
+// each.
 constexpr double roundings = 64;
 
-/// One rigid mode, and what rounding of directions makes of its work.
+// One rigid mode, and what rounding of directions makes of its work. Far from the origin,
+// coordinates are rounded to a coarse grid, and so are the directions that are computed from
+// them. Then even an entry that should be zero may be wrong by one rounding of the largest
+// movement. This counts only between the first and the last unknown that the mode moves: the
+// other bodies stand still.
 class Mode {
  public:
   Mode(const Eigen::MatrixXd& null_vectors, Index number, double directions)
@@ -36,7 +59,11 @@ class Mode {
   Index end_ = moves_.size();
 };
 
-/// What forces do along a mode, 0 where the rounding of the factors can make as much.
+// What forces do along a mode, 0 where the rounding of the factors can make as much. The sum
+// itself is exact, so that only the factors are in doubt. An example: 0.1, 0.2 and -0.3
+// along a shift by 1 should do no work. As doubles they do \f$ 2.8\cdot 10^{-17} \f$. The
+// bound is \f$ (64 + 3)\,\varepsilon\cdot 0.6 = 8.9\cdot 10^{-15} \f$, and the work counts
+// as zero.
 class WorkAlong {
  public:
   explicit WorkAlong(const Mode& mode) : mode_(mode) {}
@@ -63,6 +90,7 @@ class WorkAlong {
 
 }  // namespace
 
+// The gap is \f$ g - Au \f$. So a displacement along a mode changes it by \f$ -AN \f$.
 Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
                            const Eigen::MatrixXd& null_vectors, double directions) {
   require_argument(A.cols() == null_vectors.rows() || null_vectors.cols() == 0,
@@ -81,6 +109,8 @@ Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A
   return R;
 }
 
+// The same doubt about zero, for the load: a load whose parts cancel must not leave a
+// resultant that nothing can balance.
 Eigen::VectorXd rigid_resultant(const Eigen::VectorXd& load, const Eigen::MatrixXd& null_vectors,
                                 double directions) {
   Eigen::VectorXd resultant(null_vectors.cols());
@@ -93,6 +123,7 @@ Eigen::VectorXd rigid_resultant(const Eigen::VectorXd& load, const Eigen::Matrix
   return resultant;
 }
 
+// condense() has formed G and d with a grounded K. What is missing are R and r.
 void add_rigid_modes(const QuadraticProgramme& programme, const Eigen::MatrixXd& null_vectors,
                      ContactProblem& problem, double directions) {
   const Index n = programme.load.size();
