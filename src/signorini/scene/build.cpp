@@ -1,3 +1,17 @@
+// # From plan to model
+//
+// The plan knows what the scene calls for. Here it gets its numbers, the four of the
+// programme
+// \f[ \min_u\; \tfrac12 u^T K u - p^T u \quad\text{subject to}\quad Au \le g. \f]
+// K and p come from cells and supports. Each effect then adds its own part: loads to p,
+// contact A and g, friction more rows.
+//
+// The smallest example with two bodies has one unknown each, stiffness 2 and 3, and a gap of
+// 1 between them that closes when the first moves towards the second:
+// \f[ K = \begin{pmatrix} 2 & 0 \\ 0 & 3 \end{pmatrix}, \quad p = \binom{6}{0}, \f]
+// with \f$ A = (1, -1) \f$ and \f$ g = 1 \f$. Without contact \f$ u = (3, 0) \f$ overlaps by
+// 2. The force 2.4 closes the gap: u = (1.8, 0.8).
+
 #include <utility>
 
 #include "signorini/core/bytes.hpp"
@@ -10,7 +24,9 @@ namespace {
 
 using Eigen::Index;
 
-/// K of all bodies without loads, one block after another, and p of what their supports move.
+// K of all bodies without loads, one block after another, and p of what their supports move.
+// Given displacements are no effect: K has no columns for them, and what these columns would
+// do is a load.
 LinearSystem assemble_all(const std::vector<BodyModel>& bodies, Index count) {
   LinearSystem all{{}, Eigen::VectorXd(count)};
   std::vector<Eigen::SparseMatrix<double>> blocks(bodies.size());
@@ -26,6 +42,9 @@ LinearSystem assemble_all(const std::vector<BodyModel>& bodies, Index count) {
 
 }  // namespace
 
+// The plan is moved into the model, because meshes are large. Nothing here asks what the
+// scene calls for: the list of effects says it. Without contact A keeps its zero rows, and
+// later steps need no other branch.
 Model build(Plan plan, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "assembly");
   Model model{std::move(plan), {}, {}};
@@ -49,6 +68,8 @@ Model build(Plan plan, Ledger& ledger) {
   return model;
 }
 
+// The ledger times planning and assembly apart. The phase of the plan must have ended when
+// that of the assembly begins.
 Model build(const Scene& scene, Ledger& ledger) {
   const auto planned = [&] {
     const Ledger::Phase phase(ledger, "plan");

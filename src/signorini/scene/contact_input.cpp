@@ -1,3 +1,20 @@
+// # Contacts that cannot be meant
+//
+// Two mistakes in a scene give a wrong answer and no error of any solver.
+//
+// The first is a contact that is listed twice. Every pair of it then exists twice. Two equal
+// pairs have the compliance
+// \f[ G = \begin{pmatrix} 1 & 1 \\ 1 & 1 \end{pmatrix}, \quad d = \binom{-2}{-2}: \f]
+// the forces must add up to 2, and any split will do. Gaps and displacements are right, but
+// each contact reports only a part of the pressure.
+//
+// The second is a normal that points into the obstacle, as of a hole that was meant to be a
+// disc. Then the body counts as overlapping, and contact pushes it through the obstacle to
+// the other side.
+//
+// The library refuses both. Checks of an add-on may only write notes, see
+// [checks.cpp](checks.cpp).
+
 #include "signorini/scene/contact_input.hpp"
 
 #include <algorithm>
@@ -16,11 +33,14 @@ namespace {
 
 using Eigen::Index;
 
+// Sides of cells are compared by number, so that common ones are found by one walk through
+// two sorted lists.
 bool before(const CellSide& a, const CellSide& b) {
   return std::pair(a.cell, a.side) < std::pair(b.cell, b.side);
 }
 
-/// The cell sides that are in both boundaries.
+// The cell sides that are in both boundaries. Two boundaries with different names may share
+// some, so names prove nothing.
 std::vector<CellSide> common_sides(const std::vector<BodyModel>& bodies, const Side& one,
                                    const Side& two) {
   const std::size_t body = body_index(bodies, one);
@@ -34,7 +54,8 @@ std::vector<CellSide> common_sides(const std::vector<BodyModel>& bodies, const S
   return common;
 }
 
-/// Whether all nodes of some sides see the same of two obstacles.
+// An obstacle is a function, and two functions cannot be compared. What matters is what the
+// common nodes see of them: the same gap and the same normal, up to rounding.
 bool look_alike(const Mesh& mesh, const std::vector<CellSide>& sides, const Obstacle& one,
                 const Obstacle& two) {
   const double rounding = 16 * epsilon * mesh.nodes.cwiseAbs().maxCoeff();
@@ -49,6 +70,9 @@ bool look_alike(const Mesh& mesh, const std::vector<CellSide>& sides, const Obst
   return true;
 }
 
+// Of two bodies, source and target may be exchanged: the contact is the same one. A body and
+// an obstacle are never the same target. Two obstacles are the same if they look alike from
+// the sides that both contacts have.
 bool pair_the_same(const ContactSpec& one, const ContactSpec& two,
                    const std::vector<BodyModel>& bodies) {
   const auto share = [&bodies](const Side& a, const Side& b) {
@@ -68,6 +92,8 @@ bool pair_the_same(const ContactSpec& one, const ContactSpec& two,
 
 }  // namespace
 
+// Every contact is compared with those before it. Scenes have few contacts, so this costs
+// little. The message names both, by their numbers in the scene and by their sides.
 void check_listed_once(const Scene& scene, const std::vector<BodyModel>& bodies) {
   const std::vector<ContactSpec>& contacts = scene.contacts;
   for (std::size_t two = 1; two < contacts.size(); ++two)
@@ -80,6 +106,9 @@ void check_listed_once(const Scene& scene, const std::vector<BodyModel>& bodies)
           "boundaries have no side in common");
 }
 
+// One node in front of the obstacle is enough to show that the side is right. A body that
+// overlaps everywhere may be a press fit, and is refused only if some node looks the same
+// way as the obstacle.
 void check_obstacle_side(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
                          const Pairs& pairs) {
   const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target);
@@ -96,6 +125,8 @@ void check_obstacle_side(const ContactSpec& contact, const std::vector<BodyModel
       "normal round, take a hole for a disc or a disc for a hole, or move the body in front");
 }
 
+// Two sides that face each other have opposite normals, with the cosine -1. A node between
+// two sides has the sum of their normals, so this sum is made a unit vector first.
 Eigen::VectorXd normal_cosines(const Pairs& pairs, const Surface& source) {
   const std::vector<SideCurve> sides = side_curves(source.mesh, source.boundary);
   const std::map<Index, NodeOnSide> on_side = nodes_on_sides(sides);

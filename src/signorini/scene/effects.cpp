@@ -1,10 +1,20 @@
+// # The table of effects
+//
+// An effect is what a scene may have besides bodies on supports. The plan goes through this
+// table once and asks every member. So the order matters. Overlaps are read from the pairs
+// that contact declares, slips belong to its pairs, and a rigid motion may be stopped by
+// either. So contact comes before them, and rigid motions come last.
+//
+// Add-ons insert their members by name. For example, adjusted gaps stand before contact,
+// because they change gaps that contact counts.
+
 #include "signorini/scene/effects.hpp"
 
 #include "signorini/core/family.hpp"
 
 namespace signorini {
 
-// The table: one line per function that returns a member.
+// One function per member. Its name stands here once, and the line below declares it.
 #define SIGNORINI_EFFECTS                                                               \
   body_force(), edge_loads(), point_forces(), contact(), initial_overlap(), friction(), \
       cohesion(), rigid_motions()
@@ -15,6 +25,8 @@ Effect SIGNORINI_EFFECTS;  // declares them
 
 namespace {
 
+// The list may grow until a scene is planned. A plan keeps pointers to members, and a
+// growing list would move them.
 std::vector<Effect>& all_effects() {
   using namespace effect;
   static std::vector<Effect> family = {SIGNORINI_EFFECTS};

@@ -1,3 +1,9 @@
+// # The pairs of a contact
+//
+// A candidate pair is a point of the source and the place on the target that it faces. pair_up() finds
+// the pairs in the meshes, before anything moves. From there on a gap is linear in the displacements,
+// \f$ g + Nu \f$.
+
 #include "signorini/scene/pair_up.hpp"
 
 #include "signorini/contact/node_to_obstacle.hpp"
@@ -6,6 +12,9 @@
 
 namespace signorini {
 
+// A rigid obstacle has a formula for gap and normal, and needs no search. Two bodies are paired by the
+// operator of the scene. They must have one thickness. Otherwise the same pressure would be one force
+// on the source and another one on the target, and the two would not balance.
 Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, bool sliding) {
   const Surface source = surface(bodies, contact.source);
   const Depth depth = depth_of(bodies[body_index(bodies, contact.source)].material);

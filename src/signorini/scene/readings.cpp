@@ -1,3 +1,14 @@
+// # Forces read from a solution
+//
+// A solution has displacements and a force per pair. A reader wants forces on nodes, on
+// boundaries and in supports. All of them follow from the balance of the nodes,
+// \f[ \text{internal forces} = \text{loads} + N^T\lambda + S^T\tau + \text{springs, supports}. \f]
+//
+// An example: two springs of stiffness 1 in a row, the first one held at its left end, and a
+// force of 3 that pulls the right end towards a stop 1 away. The middle moves by 0.5, the
+// end by 1, and the stop presses with 2.5. The held node feels the internal force -0.5, has
+// no load and touches nothing: its support gives -0.5. The sum 3 - 2.5 - 0.5 is 0.
+
 #include "signorini/scene/readings.hpp"
 
 #include <utility>
@@ -8,6 +19,8 @@
 namespace signorini {
 namespace {
 
+// Without a solution there are numbers, but no forces. Plots of them would look like a
+// result.
 void require_forces(const Solution& solution) {
   require_argument(solution.contact.report.status == SolveStatus::Solved,
                    "forces on the nodes: the problem was not solved");
@@ -15,6 +28,8 @@ void require_forces(const Solution& solution) {
 
 }  // namespace
 
+// A pair that sticks has slip 0 by definition, but the refined displacements leave a rest
+// like \f$ 10^{-18} \f$. Sums over many steps should not collect it.
 Eigen::VectorXd increment(const ContactState& contact) {
   Eigen::VectorXd slip = contact.slip;
   for (Eigen::Index k = 0; k < slip.size(); ++k)
@@ -22,11 +37,14 @@ Eigen::VectorXd increment(const ContactState& contact) {
   return slip;
 }
 
+// A friction force of 3 that acts over a slip of 0.2 takes 0.6 of the energy. Friction acts
+// against the slip, so the work is lost in both directions and the absolute value counts it.
 Eigen::VectorXd dissipated(const ContactState& contact) {
   return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
 }
 
 // [solved]
+// The whole road in four lines. Most programs of the chapters begin with it.
 SolvedScene solved(const Scene& scene, const std::string& what) {
   Ledger ledger;
   Model model = build(scene, ledger);             // K, p, A, g of the quadratic programme
@@ -37,6 +55,8 @@ SolvedScene solved(const Scene& scene, const std::string& what) {
 }
 // [solved]
 
+// N and S have columns for held components too. So a force that a pair hands to a held node
+// is seen here, although the solver has no unknown for it.
 NodeArray contact_forces(const Model& model, const Solution& solution, std::size_t body) {
   require_forces(solution);
   const BodyModel& own = model.bodies.at(body);
@@ -48,6 +68,8 @@ NodeArray contact_forces(const Model& model, const Solution& solution, std::size
   return Eigen::Map<const NodeArray>(all.data() + 2 * own.first_node, own.mesh.n_nodes(), 2);
 }
 
+// What is missing in the balance of a held component is the force of its support. On free
+// components nothing should be missing: there one sees the rounding of the whole run.
 NodeArray support_forces(const Model& model, const Solution& solution, std::size_t body) {
   const NodeArray contact = contact_forces(model, solution, body);
   const BodyModel& own = model.bodies[body];
@@ -59,6 +81,7 @@ NodeArray support_forces(const Model& model, const Solution& solution, std::size
   return own.springs.rows() == 0 ? held : held - spring_forces(model, solution, body);
 }
 
+// A spring pulls back, against its displacement.
 NodeArray spring_forces(const Model& model, const Solution& solution, std::size_t body) {
   require_forces(solution);
   const BodyModel& own = model.bodies.at(body);
@@ -70,6 +93,8 @@ NodeArray spring_forces(const Model& model, const Solution& solution, std::size_
   return force;
 }
 
+// Supports count only at held components. On the others the support force is rounding, and
+// zero is the truth.
 BoundaryForces boundary_forces(const SolvedScene& run, const Side& side) {
   const std::size_t body = body_index(run.model.bodies, side);
   const BodyModel& own = run.model.bodies[body];
@@ -83,6 +108,9 @@ BoundaryForces boundary_forces(const SolvedScene& run, const Side& side) {
           boundary_weights(own.mesh, side.boundary, depth_of(own.material))};
 }
 
+// Every entry n_x moves to the y column as -n_x, every n_y to the x column. So slips can be
+// read also where no friction asked for the rows S. For the normal (0, 1) the tangent is (1,
+// 0).
 NodalRows turned(const NodalRows& opening) {
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index row = 0; row < opening.rows(); ++row)
@@ -97,6 +125,7 @@ NodalRows turned(const NodalRows& opening) {
   return rows;
 }
 
+// Bodies have arrays of their own, rows of N have columns for all nodes.
 Eigen::VectorXd all_displacements(const Model& model, const std::vector<NodeArray>& displacements) {
   Eigen::VectorXd all(2 * count_nodes(model.bodies));
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
@@ -105,6 +134,8 @@ Eigen::VectorXd all_displacements(const Model& model, const std::vector<NodeArra
   return all;
 }
 
+// Displacements of held nodes are given, not zero. They are among all displacements, so
+// nothing is added for supports.
 Eigen::VectorXd slips(const Model& model, const std::vector<NodeArray>& displacements) {
   return turned(model.pairs.opening) * all_displacements(model, displacements);
 }
