@@ -1,3 +1,13 @@
+// # Where methods start and how they end
+//
+// The exchange of all wrong pairs, Newton's method and Lemke's path through friction work on
+// different equations. They share where they begin, what they carry along, and how they end. An
+// `Iterate` is what they carry: numbers, what these say of every pair, and a report.
+//
+// A start is good if it guesses which pairs close. Without contact forces a pair overlaps or it
+// does not, and the pairs that overlap are the guess. For the three carts, d = (-2, -1, -3), these
+// are all three.
+
 #include "signorini/solvers/iterate.hpp"
 
 #include <utility>
@@ -12,11 +22,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// A method that does not arrive says why, and the user reads it. Where there is no new reason the
+// last one stays.
 void Iterate::stop(SolveStatus status, const char* why) {
   report.status = status;
   if (why != nullptr) reason = why;
 }
 
+// A set without closed pairs needs no factorisation: its forces are known.
 void Iterate::solve(const ScaledProblem& problem, const ActiveSet& set,
                     const ActiveSetSolution* start) {
   report.factorisations += set.closed.empty() ? 0 : 1;
@@ -24,6 +37,19 @@ void Iterate::solve(const ScaledProblem& problem, const ActiveSet& set,
   solution = solve_active_set(problem, set, start);
 }
 
+// Two kinds of problems need more than zero forces.
+//
+// *Friction.* Whether a pair sticks or slides depends on how hard it presses, and an overlap is a
+// poor measure of a force. So the problem without friction is solved first, by goldfarb_idnani(),
+// and its forces are the start. Where F has few entries this would cost more than it saves.
+//
+// *Rigid modes.* A body that only contact holds has no state of rest without contact. It starts
+// from the smallest forces that balance its load, \f$ f = Ut \f$, with U orthonormal and
+// \f$ U^Tf = t \f$. The amplitudes \f$ b = -U^T(d + Ff) \f$ make the sum of the squared gaps least.
+// Two equal pairs under one body carry half of its load each.
+//
+// predict() then says what the numbers mean. The rounding of every movement is handed on with it,
+// because a pair that touches at the start would otherwise be open or closed by chance.
 Iterate first_iterate(const ScaledProblem& problem) {
   const Index pairs = problem.pairs();
   const MatrixXd& U = problem.rigid;
@@ -54,6 +80,7 @@ Iterate first_iterate(const ScaledProblem& problem) {
   return iterate;
 }
 
+// The statuses of a similar problem are all that is taken over. Its forces belong to another load.
 Iterate iterate_from(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses) {
   Iterate iterate;
   iterate.solution.force.setZero(problem.free.size());
@@ -63,6 +90,8 @@ Iterate iterate_from(const ScaledProblem& problem, const std::vector<ContactStat
   return iterate;
 }
 
+// Only a confirmed end is called solved. The report may still carry the status of a problem that
+// was solved on the way, such as one with another set of cohesive pairs.
 ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled, Iterate iterate) {
   Report& report = iterate.report;
   if (iterate.confirmed) {

@@ -1,3 +1,37 @@
+// # The primal-dual active set
+//
+// A contact problem asks three things of every pair i: its force presses, \f$ \lambda_i \ge 0 \f$;
+// its gap does not overlap, \f$ g_i \ge 0 \f$ with \f$ g = d + G\lambda \f$; and one of the two is
+// zero. For any c > 0 these are one equation,
+// \f[ \lambda_i = \max(0,\; \lambda_i - c\,g_i). \f]
+// The maximum has a kink, and on either side of it it is linear. Newton's method for such an
+// equation uses a generalised derivative: the slope of the side on which the last iterate stands.
+// Where \f$ \lambda_i > c\,g_i \f$ the slope is 1, and the linearised equation says
+// \f$ g_i = 0 \f$: the pair is closed. Elsewhere the slope is 0, and it says \f$ \lambda_i = 0 \f$:
+// the pair is open. So one step of this *semi-smooth Newton method* is a step of an *active set
+// method*. Hintermüller, Ito and Kunisch (2002) saw that the two are one method:
+//
+//     W = the pairs with d_i < 0
+//     repeat:
+//       lambda_W = solution of G_WW lambda_W = -d_W, and lambda_i = 0 for all other pairs
+//       g = d + G lambda
+//       V = the pairs with lambda_i > c g_i
+//       if V = W: lambda is the solution
+//       W = V
+//
+// The three carts of chapter 1 have
+// \f[ G = \begin{pmatrix} 1 & 1 & 1 \\ 1 & 2 & 2 \\ 1 & 2 & 3 \end{pmatrix}, \qquad d = (-2, -1, -3). \f]
+// All three overlap. Closed together they have the forces (3, -3, 2): the one in the middle would
+// pull. Released, it has the gap 1.5, and the forces are (1.5, 0, 0.5). Nothing is wrong any more,
+// so the second set is the solution.
+//
+// Newton's method makes no promise far from the solution: a step is never shortened, and no number
+// has to fall from set to set. So the method can cycle. With
+// \f[ G = \begin{pmatrix} 4 & -6 & -4 \\ -6 & 10 & 8 \\ -4 & 8 & 9 \end{pmatrix}, \qquad d = (3, -4, -1) \f]
+// the closed pairs are {2, 3}, then {1, 2}, then none, then {2, 3} again. The safeguard notices
+// that a set comes back. From there on only the wrong pair with the lowest number changes sides,
+// and the sets are {1, 2, 3}, {1, 2} and {2}, which is the solution.
+
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 #include <algorithm>
@@ -16,7 +50,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// What statuses say is closed, the pairs that overlapped most first.
+// What statuses say is closed, the pairs that overlapped most first. Of rows that repeat each
+// other only one can be closed, and the system keeps the first one of the set. Two equal rows with
+// d = (-1, -2) show which one that should be: the second one, closed with the force 2, leaves the
+// first one the gap 1. The first one, closed with the force 1, would leave the second one an
+// overlap of 1. With friction the set has rows of slips too, which no overlap puts in order.
 ActiveSet deepest_first(const ScaledProblem& problem, const Iterate& iterate) {
   ActiveSet set = active_set(iterate.statuses, problem.law);
   if (!problem.law.pair.empty()) return set;
@@ -26,7 +64,9 @@ ActiveSet deepest_first(const ScaledProblem& problem, const Iterate& iterate) {
   return set;
 }
 
-/// Leaves the first difference between two lists alone.
+// Leaves the first difference between two lists alone. This is Murty's rule (1974). For a positive
+// definite G it comes to the solution after finitely many sets. It changes one pair at a time, so
+// it is the way out of a cycle and not the method.
 void keep_first_change(const std::vector<ContactStatus>& last, std::vector<ContactStatus>& next) {
   std::size_t i = 0;
   while (i < next.size() && next[i] == last[i]) ++i;
@@ -35,10 +75,25 @@ void keep_first_change(const std::vector<ContactStatus>& last, std::vector<Conta
 
 }  // namespace
 
+// With friction the exchange arrives after five to ten sets, or it cycles. Without friction Murty's
+// rule may take over, and it may need many sets.
 Index most_exchanges(const ScaledProblem& problem) {
   return problem.law.pair.empty() ? 10 * problem.pairs() + 10 : 50;
 }
 
+// The loop, with what can go wrong. predict() is the maximum: it compares force and gap, and lets a
+// pair that is within rounding of the kink stay what it was. Otherwise rounding could move pairs to
+// and fro for ever.
+//
+// A set alone determines the next one if bodies are held and no pair has friction. One that comes
+// back would then come back for ever, and Murty's rule takes over. With friction or rigid modes
+// there is no such theorem, and the method stops.
+//
+// A system may leave something undetermined, the motion of a body that one pair lets roll, or the
+// share of each of two equal rows. solve_active_set() then keeps the numbers of `start`. With
+// friction these are those of the set before; with rigid modes alone, those of the first iterate.
+//
+// If no pair changes, the set is only a claim. solves() confirms it with all conditions of contact.
 void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& iterate) {
   const bool frictional = !problem.law.pair.empty();
   const bool plain = !frictional && problem.rigid.cols() == 0;
@@ -74,6 +129,9 @@ void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& 
   }
 }
 
+// A start that is given, such as the statuses of a load step before, often is the solution or near
+// it. If it leads nowhere, the method begins again from its own start, and the report counts both
+// runs.
 ContactState primal_dual_active_set(const ContactProblem& problem, const SolverOptions& options) {
   const bool frictional = !problem.law.pair.empty();
   const ScaledProblem scaled =
@@ -93,6 +151,9 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   return finished(problem, scaled, std::move(iterate));
 }
 
+// The method is fast where it arrives. The three others arrive more surely: quasi_active_set()
+// raises an energy with each set, fischer_burmeister() shortens its steps until a residual falls,
+// and lemke() follows a path that cannot cycle.
 Solver primal_dual_active_set() {
   return Solver{
       "primal_dual_active_set",
