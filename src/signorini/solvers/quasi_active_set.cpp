@@ -1,3 +1,21 @@
+// # Quasi-active sets that end at the solution
+//
+// Xuan and Li (2002) let all pairs that overlap propose what to close next: the *quasi-active set*.
+// Whole groups then close in one step, where pivoting closes pairs one by one. Chapter 4 shows what
+// is printed and what goes wrong: each step moves the minimum of the energy and forgets the forces
+// before it, which then can only grow. The loop may never end, or end with too much energy.
+//
+// Two changes make the idea finite and exact. Forces are kept from step to step and may vanish
+// again. And a group counts only if the dual energy rises,
+// \f[ -d^T\lambda - \tfrac12\lambda^TG\lambda. \f]
+// That is a dual active set method, [dual_active_set.cpp](dual_active_set.cpp), which closes
+// blocks. With one pair at a time the same loop is the method of Goldfarb and Idnani (1983).
+//
+// Chapter 4 has a zigzag that never ends: the rows (0, 1) and (1, -1), g = 0, from (1, 2). In the
+// numbers of this file it is G = [1 -1; -1 2] with d = (-2, 1). The first block closes pair 1 with
+// the force 2, and pair 2 then overlaps by 1. The second block closes pair 2 with the force 1, and
+// the force of pair 1 grows to 3. No pair overlaps any more: two blocks.
+
 #include "signorini/solvers/quasi_active_set.hpp"
 
 #include <algorithm>
@@ -15,6 +33,7 @@ namespace signorini {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+// The factor has the pairs in the order in which they joined. A state lists them by number.
 std::vector<Index> sorted_rows(const ActiveSetFactor& basis, Index equations) {
   std::vector<Index> active;
   active.reserve(basis.rows().size());
@@ -26,7 +45,9 @@ std::vector<Index> sorted_rows(const ActiveSetFactor& basis, Index equations) {
 
 namespace {
 
-/// The proof that a row cannot be closed, from the set or from what the method says of it; or nothing.
+// The proof that a row cannot be closed, from the set or from what the method says of it; or
+// nothing. The numbers of the set are refined and come first. They fail if rows of the set nearly
+// repeat each other.
 VectorXd proof_of(const ScaledProblem& scaled, const DualActiveSet& method) {
   VectorXd proof = farkas_certificate(scaled, method.basis().rows(), method.pressed());
   if (proof.size() == 0 && verify_farkas(as_posed(scaled), method.proof()))
@@ -34,7 +55,9 @@ VectorXd proof_of(const ScaledProblem& scaled, const DualActiveSet& method) {
   return proof;
 }
 
-/// Whether an open pair overlaps by more than the method can see.
+// Whether an open pair overlaps by more than the method can see. The factor is made from products
+// of rows and trusts four fifths of their digits. So an overlap below \f$ \epsilon^{-1/5} \f$ times
+// its rounding, which is about 1350 times, is no reason to go on.
 bool overlaps(const ActiveSetSolution& closed) {
   const double trusted = std::pow(epsilon, -0.2);  // as in ActiveSetFactor::smallest_distance()
   return (closed.movement.array() < -trusted * closed.movement_rounding.array()).any();
@@ -42,6 +65,12 @@ bool overlaps(const ActiveSetSolution& closed) {
 
 }  // namespace
 
+// Runs the method, then solves the system of its last set from the data. The updated factor has
+// collected rounding, so the exact solution may have pairs that pull or overlap. Pairs that pull
+// are released, and the method goes on. Sets that come back between the two are cut off after as
+// many rounds as there are pairs; the certificate then decides.
+//
+// A proof that does not hold is no proof. Its pair is passed over, and the method goes on as well.
 ContactState grow_active_set(const ContactProblem& problem, Index limit, DualActiveSet::Step kind) {
   const ScaledProblem scaled = equilibrate(problem);
   const VectorXd ones = VectorXd::Ones(scaled.free.size());
@@ -76,6 +105,8 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit, DualAct
                   std::move(report), std::move(proof));
 }
 
+// A block may close many pairs, so few blocks are needed. A single step changes one pair, and ten
+// times as many are allowed.
 ContactState quasi_active_set(const ContactProblem& problem, const SolverOptions& options) {
   check_plain(problem, "quasi_active_set");
   const Index limit =
@@ -90,6 +121,7 @@ ContactState goldfarb_idnani(const ContactProblem& problem, const SolverOptions&
   return grow_active_set(problem, limit, DualActiveSet::Step::Single);
 }
 
+// The dual energy belongs to a symmetric matrix. Without symmetry there is nothing that rises.
 Solver quasi_active_set() {
   return Solver{"quasi_active_set",
                 "whole groups of violated pairs join while the dual energy rises: finite and exact",
