@@ -1,3 +1,23 @@
+// # The dictionary of complementary pivoting
+//
+// Lemke's method works on n equations with 2n + 1 unknowns, the gaps w, the forces z and one number
+// \f$ z_0 \f$:
+// \f[ w = Mz + c\,z_0 + q. \f]
+// Solved for any n of the unknowns, the *basis*, they express these by the others. With all others
+// at zero, the constants are the values of the basis. Textbooks of linear programming call this
+// form a *dictionary*, or a *tableau*. A *pivot* exchanges one variable of the basis for one
+// outside of it.
+//
+// Take M = [2 1; 1 2], q = (-7, -5), c = (1, 1). The first dictionary is the equation itself,
+// \f[ w_1 = -7 + 2z_1 + z_2 + z_0, \qquad w_2 = -5 + z_1 + 2z_2 + z_0. \f]
+// \f$ z_0 \f$ enters in the row of \f$ w_1 \f$, where it has to be largest:
+// \f[ z_0 = 7 + w_1 - 2z_1 - z_2, \qquad w_2 = 2 + w_1 - z_1 + z_2. \f]
+// Then \f$ z_1 \f$ enters. While it grows, \f$ w_2 \f$ is zero at 2, before \f$ z_0 \f$ is at 7/2:
+// \f[ z_0 = 3 - w_1 - 3z_2 + 2w_2, \qquad z_1 = 2 + w_1 + z_2 - w_2. \f]
+// Then \f$ z_2 \f$ enters and \f$ z_0 \f$ leaves at \f$ z_2 = 1 \f$, where \f$ z_1 = 3 \f$. The
+// method is over, and the forces are (3, 1). Which variable enters is the subject of
+// [lemke.cpp](lemke.cpp); this file finds the one that leaves, and pivots.
+
 #include "signorini/solvers/dictionary.hpp"
 
 #include <algorithm>
@@ -29,6 +49,9 @@ Dictionary::Dictionary(const ScaledProblem& problem, const Eigen::VectorXd& cove
   ties_.reserve(at(n_));
 }
 
+// If \f$ z_0 \f$ is large, all gaps are open. When it falls, the gap with the largest
+// \f$ -q_i/c_i \f$ closes first. Of several, the lexicographic rule below takes the last: the
+// perturbation \f$ \delta^i \f$ opens it least.
 Index Dictionary::first_row() const {
   const double largest = (-value().array() / rows_.col(n_).array()).maxCoeff();
   const double slack = rounding() * value().cwiseAbs().maxCoeff();
@@ -38,6 +61,13 @@ Index Dictionary::first_row() const {
   return row;
 }
 
+// The ratio test of the simplex method: of all basic variables that fall, the first to become zero
+// blocks. If two do so together, one leaves and the other one stays in the basis with the value
+// zero. The next pivot may then have no length, and the path may run in circles. The *lexicographic
+// rule* breaks such ties as if each \f$ q_j \f$ were \f$ q_j + \delta^j \f$ with a tiny
+// \f$ \delta \f$, for which no two rows tie. It compares the effect of \f$ q_1 \f$ first, then of
+// \f$ q_2 \f$, until one row is left. \f$ z_0 \f$ goes before all others, because without it the
+// problem is solved.
 Index Dictionary::blocking_row(Index entering) {
   const auto growth = column(entering);
   const double fastest = growth.cwiseAbs().maxCoeff();
@@ -57,6 +87,9 @@ Index Dictionary::blocking_row(Index entering) {
   return ties_.front();
 }
 
+// The row of the leaving variable, \f$ x_r = \dots + a\,x_e \f$, is solved for the entering one and
+// put into the other rows. That changes the whole table by a matrix of rank one and costs about
+// \f$ 2n^2 \f$ operations. The column of \f$ x_e \f$ becomes that of \f$ x_r \f$.
 void Dictionary::pivot(Index row, Index entering) {
   const Index place = place_[at(entering)];
   column_ = rows_.col(place);
@@ -71,20 +104,24 @@ void Dictionary::pivot(Index row, Index entering) {
   ++pivots_;
 }
 
+// Every pivot rounds the numbers of the one before. So what counts as zero grows with their number.
 double Dictionary::rounding() const { return static_cast<double>(n_ + pivots_ + 1) * epsilon; }
 
+// Rows and columns are both numbered from 0, so a place alone does not tell which of the two it is.
 bool Dictionary::is_basic(Index variable) const {
   const Index k = place_[at(variable)];
   return k < n_ && basic_[at(k)] == variable;
 }
 
-/// By how much the perturbation of q_j changes the basic variable of a row.
+// By how much the perturbation of q_j changes the basic variable of a row. Adding \f$ \delta \f$ to
+// \f$ q_j \f$ does to a row what taking \f$ \delta \f$ from \f$ w_j \f$ does. So the columns of w
+// in the dictionary hold these numbers with the opposite sign.
 double Dictionary::perturbation(Index row, Index j) const {
   if (is_basic(j)) return basic(row) == j ? 1 : 0;
   return -rows_(row, place_[at(j)]);
 }
 
-/// Of the ties keeps those that the perturbation of q_j makes zero first.
+// Of the ties keeps those that the perturbation of q_j makes zero first.
 void Dictionary::keep_smallest(Index j, Index entering) {
   const auto growth = column(entering);
   const double slack =

@@ -1,3 +1,20 @@
+// # The Fischer-Burmeister method
+//
+// Gap and force of a pair are complementary exactly where \f$ \varphi(g, \lambda) = 0 \f$, with
+// \f$ \varphi(a, b) = \sqrt{a^2 + b^2} - a - b \f$. So contact is as many equations as pairs, and
+// Newton's method may solve them. \f$ \varphi \f$ has a kink only where gap and force are both
+// zero. Elsewhere it weighs how wrong both numbers are, where the primal-dual active set only asks
+// which of them is larger. It needs more steps than that method, and with shortened steps it does
+// not cycle.
+//
+// One step by hand: G = 1, d = -1, from \f$ \lambda = 0 \f$. The gap is -1, so \f$ \varphi = 2 \f$,
+// and its slopes are -2 for the gap and -1 for the force. The slope along \f$ \lambda \f$ is
+// \f$ -2 \cdot G - 1 = -3 \f$, and Newton's method goes to \f$ \lambda = 2/3 \f$. There the gap is
+// -1/3 and \f$ \varphi = 0.41 \f$. The next step arrives at 0.93; the solution is 1.
+//
+// The equations are in [contact_equations.cpp](../problem/contact_equations.cpp), the steps in
+// [newton.cpp](newton.cpp).
+
 #include "signorini/solvers/fischer_burmeister.hpp"
 
 #include <utility>
@@ -10,6 +27,8 @@ namespace signorini {
 
 using Eigen::Index;
 
+// With friction there is one more equation per slip. Newton's method then arrives in a few steps or
+// not at all, so its limit is small.
 ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptions& options) {
   if (problem.resultant.size() > 0) check_problem(problem);
   const ScaledProblem scaled = equilibrate_any(problem);
@@ -20,6 +39,8 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
   return finished(problem, scaled, std::move(iterate));
 }
 
+// Rows that repeat each other make the Jacobian singular, so it may fail on them. The primal-dual
+// active set can leave such rows out, and is asked next.
 Solver fischer_burmeister() {
   return Solver{"fischer_burmeister",
                 "one equation per pair, solved by Newton's method with a line search",

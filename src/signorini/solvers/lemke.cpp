@@ -1,3 +1,27 @@
+// # Lemke's method
+//
+// Of each pair one number is zero, the gap \f$ w_i \f$ or the force \f$ z_i \f$, and the equations
+// are \f$ w = Mz + q \f$. Lemke (1965) adds a number \f$ z_0 \f$ that opens all gaps at once,
+// \f[ w = Mz + c\,z_0 + q, \qquad c > 0. \f]
+// For a large \f$ z_0 \f$ no force is needed. The method leads \f$ z_0 \f$ to zero and keeps all
+// other conditions on the way. At every corner of the path one variable becomes zero and leaves.
+// Its partner, the other number of the same pair, enters: when a gap closes its force may grow, and
+// when a force vanishes its gap may open. No choice is left, forwards or backwards. So no corner
+// comes back, and the path ends after finitely many pivots in one of two ways. Either \f$ z_0 \f$
+// leaves, and the problem is solved. Or nothing blocks the entering variable: a *ray*.
+//
+// Two pairs with M = [2 1; 1 2] and q = (-7, -5) need three pivots.
+//
+//     z_0 = 7:  w_1 leaves, z_1 enters
+//     z_0 = 3:  w_2 leaves, z_2 enters; z_1 = 2 here
+//     z_0 = 0:  z_0 leaves; z_1 = 3, z_2 = 1
+//
+// The numbers of each dictionary are in [dictionary.cpp](dictionary.cpp).
+//
+// The method asks little of M. It needs no symmetry and no energy, so it also solves problems with
+// friction: [lemke_path.cpp](lemke_path.cpp). The price is that pairs join one by one, and that
+// some problems take \f$ 2^n \f$ pivots.
+
 #include "signorini/solvers/lemke.hpp"
 
 #include <algorithm>
@@ -16,7 +40,12 @@ namespace {
 
 using Eigen::Index;
 
-/// The proof that nothing solves a problem, if forces in a ratio of these give one; otherwise empty.
+// The proof that nothing solves a problem, if forces in a ratio of these give one; otherwise empty.
+// A ray is a direction along which the forces may grow for ever. If M is symmetric and positive
+// semidefinite, these forces y move nothing, \f$ My = 0 \f$, and \f$ q^Ty < 0 \f$. Then the sum of
+// the gaps with the weights y is negative, whatever the forces are: a Farkas certificate. Small
+// entries of y may be rounding, and a proof with them does not hold. The bound below which they are
+// is not known, so it grows tenfold until the proof holds.
 Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direction) {
   // Some of the smallest entries may be rounding; they are left out digit by digit.
   for (double small = epsilon; small < 1; small *= 10) {
@@ -32,7 +61,7 @@ Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direct
   return {};
 }
 
-/// Where a path ended, in scaled numbers.
+// Where a path ended, in scaled numbers.
 struct End {
   ActiveSetSolution solution;
   std::vector<ContactStatus> statuses;
@@ -40,7 +69,10 @@ struct End {
   Eigen::VectorXd proof = {};
 };
 
-/// Forces and gaps of the last basis, from the data.
+// Forces and gaps of the last basis, from the data. After many pivots the numbers of the dictionary
+// carry their rounding. Only the basis is taken over: which pairs are closed. Their system is then
+// solved from M and q, and all conditions are looked at again. Without that, a wrong basis would be
+// claimed as a solution.
 End end_of_path(const ScaledProblem& scaled, const Dictionary& dictionary, Report report) {
   const Index n = scaled.free.size();
   Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
@@ -69,7 +101,8 @@ End end_of_path(const ScaledProblem& scaled, const Dictionary& dictionary, Repor
   return end;
 }
 
-/// Where the path stands, which is no solution; from here it would go on along `direction`.
+// Where the path stands, which is no solution; from here it would go on along `direction`. Forces
+// of the basis that rounding made negative are zero here.
 End last_point(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering,
                const Report& report, Eigen::VectorXd& direction) {
   const Index n = scaled.free.size();
@@ -89,7 +122,8 @@ End last_point(const ScaledProblem& scaled, const Dictionary& dictionary, Index 
   return last;
 }
 
-/// The state when nothing blocks the entering variable.
+// The state when nothing blocks the entering variable. For a matrix that is not symmetric a ray
+// proves nothing: a solution may exist that this path does not lead to.
 End ray(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering, Report report) {
   report.status = SolveStatus::Ray;
   Eigen::VectorXd direction;
@@ -99,12 +133,15 @@ End ray(const ScaledProblem& scaled, const Dictionary& dictionary, Index enterin
   return end;
 }
 
+// Every path is finite, but \f$ 2^n \f$ pivots are too many to wait for. The bound stops growing
+// that fast at 20 pairs.
 Index limit_of(Index n, const SolverOptions& options) {
   return options.iteration_limit > 0 ? options.iteration_limit
                                      : (Index{1} << std::min<Index>(n, 20)) + 100 * n;
 }
 
-/// One path, of at most `limit` pivots.
+// One path, of at most `limit` pivots. If no pair overlaps without forces there is nothing to do.
+// The limit is looked at last, so that a path that arrives with its last pivot has arrived.
 End pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index limit) {
   const Index n = scaled.free.size();
   Report report;
@@ -127,8 +164,10 @@ End pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index 
   return last_point(scaled, dictionary, entering, report, direction);
 }
 
-/// Ones first; then entries from 1 to 2 in the order of the multiples of the golden section, which are spread
-/// evenly, shifted from path to path.
+// Ones first; then entries from 1 to 2 in the order of the multiples of the golden section, which
+// are spread evenly, shifted from path to path. A problem that takes \f$ 2^n \f$ pivots with one
+// covering vector may take few with another. Random vectors would do as well, but two runs would
+// then differ.
 Eigen::VectorXd covering_of_path(Index n, Index path) {
   const double golden = (std::sqrt(5.0) - 1) / 2;
   Eigen::VectorXd covering = Eigen::VectorXd::Ones(n);
@@ -139,6 +178,7 @@ Eigen::VectorXd covering_of_path(Index n, Index path) {
   return covering;
 }
 
+// Scales back to the units of the problem, where the certificate is computed once more.
 ContactState state_of(const ContactProblem& problem, const ScaledProblem& scaled, End end) {
   return finished(problem, scaled, end.solution, end.statuses, std::move(end.report),
                   std::move(end.proof));
@@ -146,6 +186,8 @@ ContactState state_of(const ContactProblem& problem, const ScaledProblem& scaled
 
 }  // namespace
 
+// With a covering vector of the caller there is one path. Its entries are lengths, as those of q
+// are, and are scaled with the rows.
 ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& covering,
                    const SolverOptions& options) {
   check_plain(problem, "lemke with a covering vector");
@@ -159,6 +201,9 @@ ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& coverin
                   pivoted(scaled, scaled.scale.cwiseProduct(covering), limit_of(n, options)));
 }
 
+// Without one, a path that grows long is left, and a new one begins with another vector. Each path
+// may be twice as long as the one before. If every vector needed the same number of pivots, the
+// paths that are left would cost less than twice that number.
 ContactState lemke(const ContactProblem& problem, const SolverOptions& options) {
   if (!problem.law.pair.empty() || problem.resultant.size() > 0) {
     if (problem.resultant.size() > 0) check_problem(problem);
@@ -181,6 +226,7 @@ ContactState lemke(const ContactProblem& problem, const SolverOptions& options) 
   }
 }
 
+// It takes any matrix, and nothing is asked after it: it is the last member of a portfolio.
 Solver lemke() {
   return Solver{"lemke",
                 "complementary pivoting along a path, ties lexicographic; any square matrix", lemke}

@@ -1,3 +1,26 @@
+// # Friction as a linear complementarity problem
+//
+// Friction acts both ways, and complementarity knows one sign only. So the friction force and the
+// slip of a pair are split. With the bound \f$ b = \mu\lambda + c \f$ and slip = \f$ v^+ - v^- \f$
+// the law of Coulomb is two conditions,
+// \f[ 0 \le v^+ \perp b + \tau \ge 0, \qquad 0 \le v^- \perp b - \tau \ge 0. \f]
+// \f$ \perp \f$ says that the product is zero. A pair that slides forwards has \f$ v^+ > 0 \f$ and
+// \f$ \tau = -b \f$; one that sticks has both parts zero and a force between the bounds. With
+// \f$ p = b + \tau \f$ as an unknown in place of \f$ \tau \f$, the problem for
+// \f$ z = (\lambda, p, v^-) \f$ is \f$ w = Mz + q \f$ with gaps, parts \f$ v^+ \f$ and
+// \f$ b - \tau \f$ as w. Klarbring (1986) solved contact with friction in this way.
+//
+// One pair by hand: G = T = 1, no coupling, \f$ \mu = 0.5 \f$, c = 0, free gap -2, free slip 3. The
+// gap closes with \f$ \lambda = 2 \f$, so b = 1. The tangential force that would hold the pair is
+// -3, beyond the bound. So \f$ \tau = -1 \f$, p = 0, and the slip is 3 - 1 = 2 forwards.
+//
+// The amplitudes of rigid motions have any sign. Each becomes a difference \f$ a^+ - a^- \f$ of two
+// numbers that are not negative, as the slip did.
+//
+// Cohesion ends where contact ends, and that is no linear condition: in the equations above an open
+// pair carries c like a closed one. So c is given to a set of pairs, and the set is changed until
+// it is that of the closed pairs.
+
 #include "signorini/solvers/lemke_path.hpp"
 
 #include <algorithm>
@@ -17,7 +40,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// M and q of the linear complementarity problem for (lambda, p, v-, a+, a-), with given cohesion.
+// M and q of the linear complementarity problem for (lambda, p, v-, a+, a-), with given cohesion.
+// The forces are \f$ f = E\,(\lambda, p) - (0, c) \f$ where E takes \f$ \mu\lambda \f$ away from p.
+// So the movements are \f$ d - F\,(0, c) + FE\,(\lambda, p) \f$, and \f$ b - \tau \f$ is
+// \f$ 2\mu\lambda + 2c - p \f$. The balance of forces along a rigid motion is an equation; it
+// stands here as two inequalities, one for each part of the amplitude.
 ContactProblem complementarity(const ScaledProblem& problem, const VectorXd& cohesion) {
   const Index rows = problem.free.size();
   const Index pairs = problem.pairs();
@@ -52,8 +79,10 @@ ContactProblem complementarity(const ScaledProblem& problem, const VectorXd& coh
   return lcp;
 }
 
-/// Runs lemke(), again with other covering vectors if it does not arrive: in exact numbers it would, but
-/// where friction coefficients are huge, rounding can let it leave its path.
+// Runs lemke(), again with other covering vectors if it does not arrive: in exact numbers it would,
+// but where friction coefficients are huge, rounding can let it leave its path. Another covering
+// vector leads along another path, with other roundings. A path that arrives is short: a limit of
+// 100 pivots per unknown finds out early about one that is lost.
 ContactState arrived(const ContactProblem& lcp, const SolverOptions& options, Report& report) {
   ContactState state;
   const Index m = lcp.free_gap.size();
@@ -67,7 +96,10 @@ ContactState arrived(const ContactProblem& lcp, const SolverOptions& options, Re
   return state;
 }
 
-/// Takes the forces of a linear complementarity problem over, and what they say of each pair.
+// Takes the forces of a linear complementarity problem over, and what they say of each pair. Of two
+// complementary numbers one is zero but for rounding. So they are compared with each other and not
+// with a tolerance: a pair is closed if its force exceeds its gap, and slides forwards if its slip
+// exceeds p. Backwards the two numbers are minus the slip and \f$ b - \tau \f$.
 void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd& z,
           Iterate& iterate) {
   const Index rows = problem.free.size();
@@ -97,7 +129,8 @@ void take(const ScaledProblem& problem, const VectorXd& cohesion, const VectorXd
   }
 }
 
-/// The cohesion of a set of pairs: those that came out closed.
+// The cohesion of a set of pairs: those that came out closed. The others get zero, so that an open
+// pair drags nothing along.
 VectorXd carried(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses) {
   VectorXd cohesion = problem.law.cohesion;
   for (Index j = 0; j < cohesion.size(); ++j)
@@ -105,7 +138,12 @@ VectorXd carried(const ScaledProblem& problem, const std::vector<ContactStatus>&
   return cohesion;
 }
 
-/// Which pairs carry cohesion: first all, then those that came out closed, until both are the same.
+// Which pairs carry cohesion: first all, then those that came out closed, until both are the same.
+// Each set asks for the next one, and a set may come back. One that comes back would come back for
+// ever. So from there on one pair changes at a time. It must not be the last one again, unless it
+// is the only wrong one: then the pair opens with its cohesion and closes without it, and the
+// method ends with the status `Jump`. There is no state of rest near such a point. If the load
+// grows slowly, the bodies jump to a state far away.
 class CohesiveSets {
  public:
   enum class Next {
@@ -154,7 +192,8 @@ class CohesiveSets {
   Index changed_ = -1;
 };
 
-/// Why no set of cohesive pairs is left to try.
+// Why no set of cohesive pairs is left to try. The reason names a pair where one is at fault, and
+// what the user can change.
 std::string in_words(CohesiveSets::Next end, Index pair) {
   if (end == CohesiveSets::Next::Settled)
     return "rounding hides what the pairs do where Lemke's method arrived";
@@ -168,6 +207,10 @@ std::string in_words(CohesiveSets::Next end, Index pair) {
 
 }  // namespace
 
+// The pivots decide on the pairs with the rounding of a long path. So their statuses are only a
+// start: up to three exchanges of the primal-dual active set put right those that barely touch, and
+// confirm the result from the data. If no exchange confirms it, the next set of cohesive pairs is
+// tried.
 void follow_pivots(const ScaledProblem& problem, const SolverOptions& options, Iterate& iterate) {
   using Next = CohesiveSets::Next;
   CohesiveSets sets(problem.law.cohesion);

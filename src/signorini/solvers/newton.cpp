@@ -1,3 +1,27 @@
+// # Newton's method with a line search
+//
+// The equations \f$ \Phi(x) = 0 \f$ are contact, and friction, written with the Fischer-Burmeister
+// function. A step solves
+// \f[ J\,p = -\Phi(x), \qquad J = \frac{\partial\Phi}{\partial x}. \f]
+// At a kink J is one element of the generalised derivative, so this is a semi-smooth Newton method.
+// It is fast near a solution. Three things make it a method that one can leave alone.
+//
+// *The step is shortened.* The merit \f$ m = \tfrac12|\Phi|^2 \f$ falls along p at first, with the
+// slope \f$ \Phi^TJp = -|\Phi|^2 = -2m \f$. Armijo's rule halves the step until m has fallen
+// enough. So no step makes it larger.
+//
+// *There is a second direction.* If J is nearly singular, its step may be useless. Then the method
+// goes down the gradient \f$ J^T\Phi \f$ of the merit. That exists even where \f$ \Phi \f$ has a
+// kink, because the square of \f$ \varphi \f$ is smooth (De Luca, Facchinei and Kanzow 1996).
+//
+// *The end is exact.* Newton's method comes near the solution, and the signs of what is nearly zero
+// stay open. So two iterates that agree on what every pair does are taken as a guess of the closed
+// pairs. Their linear system is solved exactly, and all conditions are looked at.
+//
+// For the one pair with G = 1 and d = -1, \f$ \lambda = 0 \f$ has \f$ \Phi = 2 \f$ and the first
+// step \f$ \lambda = 2/3 \f$ has 0.41. No such step is made: the pair overlaps at the start, the
+// guess is *closed*, and the exact end is \f$ \lambda = 1 \f$.
+
 #include "signorini/solvers/newton.hpp"
 
 #include <algorithm>
@@ -15,7 +39,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Newton's method with memory of its own.
+// Newton's method with memory of its own. The vectors and J are allocated once. Which pairs carry
+// cohesion is decided between the steps, never during one: it would make the merit jump, and the
+// line search compares merits.
 class Newton {
  public:
   Newton(ContactEquations& equations, VectorXd& x)
@@ -79,7 +105,9 @@ class Newton {
   double merit_ = 0;
 };
 
-/// What statuses say is closed, the pairs whose force exceeds their gap most first.
+// What statuses say is closed, the pairs whose force exceeds their gap most first. Of rows that
+// repeat each other the system keeps the first. That should be the pair of which the iterate is
+// most certain, and a force that is much larger than the gap is certain.
 ActiveSet clearest_first(const ScaledProblem& problem, const Iterate& iterate, double force_scale,
                          const std::vector<ContactStatus>& statuses) {
   ActiveSet set = active_set(statuses, problem.law);
@@ -90,7 +118,10 @@ ActiveSet clearest_first(const ScaledProblem& problem, const Iterate& iterate, d
   return set;
 }
 
-/// Opens closed pairs without a force, if that is a solution as well: a pair that only touches holds nothing.
+// Opens closed pairs without a force, if that is a solution as well: a pair that only touches holds
+// nothing. One pair with d = 0 is solved by the force 0, whether it is called open or closed, and
+// Newton's method comes to such a pair from either side. Without this, rounding would decide how
+// many pairs are called closed.
 void open_idle_pairs(const ScaledProblem& problem, Iterate& iterate) {
   const ActiveSetSolution& end = iterate.solution;
   std::vector<Index> pressed;
@@ -101,8 +132,10 @@ void open_idle_pairs(const ScaledProblem& problem, Iterate& iterate) {
     std::tie(iterate.solution, iterate.statuses) = std::move(*other);
 }
 
-/// The exact end from the statuses of an iterate, or from those which that end asks for: of a pair that touches
-/// without force, rounding decides the side.
+// The exact end from the statuses of an iterate, or from those which that end asks for: of a pair
+// that touches without force, rounding decides the side. Two tries are made if F is symmetric: the
+// end of the first is itself a step of the primal-dual active set. More tries would make this that
+// method, which can cycle. If F is not symmetric one try is made.
 bool ends(const ScaledProblem& problem, double force_scale, Iterate& iterate) {
   std::vector<ContactStatus> statuses = iterate.statuses;
   ActiveSetSolution start = iterate.solution;
@@ -129,6 +162,15 @@ bool ends(const ScaledProblem& problem, double force_scale, Iterate& iterate) {
 
 }  // namespace
 
+// Steps are taken until the statuses settle (two iterates agree), until the residual is rounding,
+// until no step lowers it, or until the limit. In each case the exact end is tried. The first
+// statuses are tried before any step: on a good start Newton's method has nothing to do.
+//
+// Statuses that settled and were wrong are no reason to stop. The steps go on until they settle
+// anew.
+//
+// \f$ |\Phi| \f$ is compared with its first value, because its unit is that of the problem. The
+// history keeps this ratio.
 void follow_newton(const ScaledProblem& problem, const Formulation& form, Index limit,
                    Iterate& iterate) {
   ContactEquations equations(problem, form);
