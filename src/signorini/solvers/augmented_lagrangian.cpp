@@ -1,3 +1,23 @@
+// # The augmented Lagrangian for rigid modes
+//
+// A body that only contact holds has amplitudes a of its free motions as unknowns, and the balance
+// of its load as equations,
+// \f[ g = d + G\lambda + Ra, \qquad R^T\lambda = r. \f]
+// Most methods know no such equations. The remedy of the literature is the *method of multipliers*,
+// also called augmented Lagrangian (Rockafellar 1976). Springs of compliance \f$ \rho \f$ hold the
+// body at an anchor a. The held problem has \f$ G + \rho RR^T \f$ in the place of G, and any method
+// for held bodies solves it. The springs then carry what the contact forces leave, so the anchor
+// moves there,
+// \f[ a \leftarrow a + \rho\,(R^T\lambda - r), \f]
+// and so on until no spring carries anything. A *penalty* method would leave the anchor in place
+// and make the springs ever softer, until G is lost in rounding beside \f$ \rho RR^T \f$.
+//
+// One pair by hand: G = R = 1, d = 1, and the load r = 2 presses. The body first touches at a = -1.
+// With \f$ \rho = 1 \f$ and this anchor \f$ \lambda = 1 \f$, half of the load, and the anchor moves
+// to -2. The next passes give \f$ \lambda = 1.5 \f$ and 1.75: the error is halved each time. But
+// already the first pass says that the pair is closed. So the equations above are solved with that
+// pair closed, which gives \f$ \lambda = 2 \f$ and a = -3 at once.
+
 #include "signorini/solvers/augmented_lagrangian.hpp"
 
 #include <algorithm>
@@ -16,7 +36,8 @@ using Eigen::VectorXd;
 
 constexpr Index most_passes = 100;
 
-/// The amplitude at which the body first meets an obstacle on the way that its load pushes it.
+// The amplitude at which the body first meets an obstacle on the way that its load pushes it. An
+// anchor in free space would cost passes in which no pair closes.
 VectorXd first_touch(const ScaledProblem& problem) {
   const VectorXd way = -problem.resultant;
   const VectorXd closing = -problem.rigid * way;
@@ -27,7 +48,7 @@ VectorXd first_touch(const ScaledProblem& problem) {
                                                        : VectorXd::Zero(way.size());
 }
 
-/// Closed pairs, the largest force first.
+// Closed pairs, the largest force first. If rows repeat each other, those that carry most are kept.
 std::vector<Index> by_force(const ContactState& state) {
   std::vector<Index> pairs = state.active;
   std::stable_sort(pairs.begin(), pairs.end(),
@@ -35,7 +56,8 @@ std::vector<Index> by_force(const ContactState& state) {
   return pairs;
 }
 
-/// The problem in which springs hold the modes.
+// The problem in which springs hold the modes. U has orthonormal columns, so one \f$ \rho \f$ suits
+// all motions.
 ContactProblem with_penalty(const ScaledProblem& problem, const VectorXd& amplitude, double rho) {
   const auto& U = problem.rigid;
   ContactProblem held{problem.compliance, problem.free};
@@ -46,6 +68,13 @@ ContactProblem with_penalty(const ScaledProblem& problem, const VectorXd& amplit
 
 }  // namespace
 
+// The passes. Each ends with a guess of the closed pairs, and confirmed() solves their equations,
+// without springs. Springs that are too stiff move the anchor slowly: their compliance is doubled
+// whenever a pass does not halve what they carry.
+//
+// If the method for held bodies does not solve its problem, neither is this one solved, and its
+// status is handed on. A proof that gaps contradict each other holds without the springs too:
+// \f$ (G + \rho RR^T)\,y = 0 \f$ means that Gy and \f$ R^Ty \f$ are zero.
 ContactState augmented_lagrangian(const ContactProblem& problem, const HeldSolver& solve_held) {
   const ScaledProblem scaled = equilibrate(problem);
   const Index pairs = scaled.pairs();

@@ -1,3 +1,25 @@
+// # From a claim to a certified solution
+//
+// A solver sees the condensed problem: the compliance F and the free gaps d, which were computed
+// with a factor of K and rounded. Its forces fit these numbers. The user posed other ones, K, p, A
+// and g. A condition number of \f$ 10^8 \f$ can separate the two by half of the digits. So the
+// answer of a solver is a *claim*, and three more stages follow.
+//
+// *Refinement.* What a pair does, its status, is worth more than the digits of its force. The
+// statuses of the claim turn the problem into a linear one,
+// \f[ Ku + A^Tf = p, \qquad A_Wu = g_W, \f]
+// which iterative_refinement() solves from the original data in twice the working precision.
+//
+// *Signs.* The refined numbers may show that a pair was on the wrong side: a force of
+// \f$ 10^{-9} \f$ of the largest may have had the wrong sign in the condensed problem. Such pairs
+// change, and the linear problem is solved again.
+//
+// *Certificate.* certify() measures all conditions of contact on the original data. If it holds,
+// the problem is solved, whoever made the claim.
+//
+// If it does not hold, the next member of the portfolio makes a claim. Rounding that leads one
+// method astray mostly leaves another one alone, because it goes another way.
+
 #include "signorini/solvers/refined_solve.hpp"
 
 #include <utility>
@@ -12,10 +34,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Pairs change so often after a claim.
+// Pairs change so often after a claim. Statuses that need more changes than these were not near a
+// solution.
 constexpr int most_changes = 3;
 
-/// Whether a claim has numbers to begin with.
+// Whether a claim has numbers to begin with. A proof that nothing solves the problem has none. A
+// method that broke down may still have the right statuses of its pairs, and refinement will show
+// it.
 bool usable(const ContactState& claim, Index pairs) {
   const SolveStatus status = claim.report.status;
   return status != SolveStatus::Infeasible && status != SolveStatus::Feasible &&
@@ -23,7 +48,11 @@ bool usable(const ContactState& claim, Index pairs) {
          claim.amplitude.allFinite();
 }
 
-/// Refines a claim, and the sets that it asks for; the best certificate counts.
+// Refines a claim, and the sets that it asks for; the best certificate counts. The second set is
+// not always better than the first. So the end keeps the numbers with the smallest worst figure,
+// and a confirmed set replaces them in any case. An end that was never certified has infinite
+// figures, so that the first set that is refined is kept whatever its figures are. Refinement that
+// does not settle is not tried with other statuses.
 void refine(const RefinementData& data, const VectorXd& free_displacement, Ledger& ledger,
             RefinedEnd& end) {
   const Ledger::Phase phase(ledger, "refinement");
@@ -58,7 +87,9 @@ void refine(const RefinementData& data, const VectorXd& free_displacement, Ledge
   }
 }
 
-/// What one member has to say, and what refinement makes of it.
+// What one member has to say, and what refinement makes of it. The member is asked alone, without
+// those it would ask itself: each claim is to be refined before the next member has to work. A
+// claim is promoted if the certificate holds, and withdrawn if it does not.
 RefinedEnd claimed(const RefinementData& data, const CondensedProgramme& condensed,
                    const Solver& member, const SolverOptions& options, Ledger& ledger) {
   RefinedEnd end;
@@ -86,6 +117,8 @@ RefinedEnd claimed(const RefinementData& data, const CondensedProgramme& condens
 
 }  // namespace
 
+// Refined numbers come as one vector over all rows of A, gaps first. A state lists forces,
+// friction, gaps and slips apart.
 void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& statuses,
                 const VectorXd& force, const VectorXd& movement, ContactState& state) {
   const Index slips = static_cast<Index>(law.pair.size());
@@ -101,6 +134,8 @@ void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& status
   name_slides(law, state);
 }
 
+// Refined forces of pairs that hardly press may be negative by rounding. A reader who sees -1e-17
+// asks why contact pulls. Such forces become zero if the certificate still holds.
 void drop_tension(const QuadraticProgramme& programme, const FrictionLaw& law, RefinedEnd& end) {
   const Index pairs = end.solution.force.size() - static_cast<Index>(law.pair.size());
   PrimalDual pressing = end.solution;
@@ -113,6 +148,8 @@ void drop_tension(const QuadraticProgramme& programme, const FrictionLaw& law, R
   end.state.force = end.solution.force.head(pairs);
 }
 
+// The portfolio once more, on programmes. The end of another member replaces the first if it is an
+// answer, or if it is nearer to one. Reports are joined, so that the user sees what was tried.
 RefinedEnd refined_solve(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
                          const MatrixXd& null_vectors, const Solver& solver,
                          const SolverOptions& options, Ledger& ledger) {
