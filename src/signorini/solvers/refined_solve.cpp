@@ -8,7 +8,8 @@
 // *Refinement.* What a pair does, its status, is worth more than the digits of its force. The
 // statuses of the claim turn the problem into a linear one,
 // \f[ Ku + A^Tf = p, \qquad A_Wu = g_W, \f]
-// which iterative_refinement() solves from the original data in twice the working precision.
+// which iterative_refinement() solves. It computes the residuals from the original data in twice the
+// working precision.
 //
 // *Signs.* The refined numbers may show that a pair was on the wrong side: a force of
 // \f$ 10^{-9} \f$ of the largest may have had the wrong sign in the condensed problem. Such pairs
