@@ -58,10 +58,6 @@ DenseSolution grow_active_set(const DenseProgramme& programme, Index limit,
     for (Index i = 0; i < rows.count; ++i)
       if (method.proof()(i) != 0)
         solution.farkas_certificate(i) = method.proof()(i) / data.norms()(i);
-    if (!proves_infeasible(programme, solution.farkas_certificate, solution.refined.displacement)) {
-      solution.report.status = SolveStatus::Breakdown;
-      solution.farkas_certificate.resize(0);
-    }
   } else if (status == SolveStatus::Solved) {  // what is negative is of rounding size
     for (Index i = rows.equations; i < rows.count; ++i)
       solution.refined.force(i) = std::max(0.0, solution.refined.force(i));

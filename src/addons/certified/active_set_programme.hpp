@@ -9,7 +9,7 @@ namespace signorini {
 
 /// quasi_active_set() for a quadratic programme, without forming G: only the columns of pairs that join are
 /// ever condensed, gaps come from A and u. The end is refined from K, p, A and g in twice the working
-/// precision and goes on if that shows another set; the certificate is left to solve().
+/// precision and goes on if that shows another set; certificate and proof of infeasibility are left to solve().
 ///
 /// \param programme  K, p, A, g
 /// \param options    `iteration_limit` 0 stands for 10 m + 100

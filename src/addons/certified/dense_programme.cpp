@@ -106,9 +106,12 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
         condensed.factor.solve_transposed_half(condensed.half * state.force);
     if (solution.report.status != SolveStatus::Solved) {
       const ActiveSetFactor equations = basis_of(data, {});
-      data.balance(equations, solution.refined);
-      if (solution.farkas_certificate.size() > 0)
-        data.balance(equations, solution.farkas_certificate);
+      PrimalDual& last = solution.refined;
+      last.force +=
+          data.carried(equations, programme.load - programme.stiffness * last.displacement -
+                                      programme.A.transpose() * last.force);
+      VectorXd& proof = solution.farkas_certificate;
+      if (proof.size() > 0) proof -= data.carried(equations, programme.A.transpose() * proof);
       return solution;
     }
     ActiveSetFactor basis = basis_of(data, solution.active);

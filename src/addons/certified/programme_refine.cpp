@@ -65,8 +65,6 @@ void ProgrammeRows::correct(const ActiveSetFactor& basis, Refined& refined, Work
   ++refined.sweeps;
 }
 
-/// Forces of the rows of a basis, as they were posed, that do to K^-1/2 A^T what a load does, as far as
-/// they can.
 VectorXd ProgrammeRows::carried(const ActiveSetFactor& basis, VectorXd load) const {
   solve_lower(factor_.lower(), load);
   VectorXd force = basis.directions().transpose() * load;
@@ -77,15 +75,6 @@ VectorXd ProgrammeRows::carried(const ActiveSetFactor& basis, VectorXd load) con
     all(row) = force(i) / norm_(row);
   }
   return all;
-}
-
-void ProgrammeRows::balance(const ActiveSetFactor& basis, PrimalDual& solution) const {
-  solution.force += carried(basis, programme_.load - programme_.stiffness * solution.displacement -
-                                       programme_.A.transpose() * solution.force);
-}
-
-void ProgrammeRows::balance(const ActiveSetFactor& basis, VectorXd& y) const {
-  y -= carried(basis, programme_.A.transpose() * y);
 }
 
 ProgrammeRows::Refined ProgrammeRows::refine(ActiveSetFactor& basis) {

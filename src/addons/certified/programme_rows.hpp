@@ -72,18 +72,15 @@ class ProgrammeRows {
   /// \return the refined solution
   [[nodiscard]] Refined refine(ActiveSetFactor& basis);
 
-  /// Adds to the forces of a basis of rows what is missing in the balance of a solution.
-  /// \param basis     rows, such as the equations
-  /// \param solution  u and lambda; the entries of lambda in the basis are changed
-  void balance(const ActiveSetFactor& basis, PrimalDual& solution) const;
-  /// Completes a proof that nothing satisfies all rows, so that A^T y = 0.
-  /// \param basis  rows whose entries are missing, such as the equations
-  /// \param y      `m`; the entries of the basis are changed
-  void balance(const ActiveSetFactor& basis, Eigen::VectorXd& y) const;
+  /// Forces of the rows of a basis that do to K^-1/2 A^T what a load does, as far as they can: they complete the balance of a
+  /// solution, or a proof that nothing satisfies all rows.
+  /// \param basis  rows, such as the equations
+  /// \param load   `n`
+  /// \return `m` forces of the rows as they were posed, 0 outside of the basis
+  [[nodiscard]] Eigen::VectorXd carried(const ActiveSetFactor& basis, Eigen::VectorXd load) const;
 
  private:
   struct Work;
-  [[nodiscard]] Eigen::VectorXd carried(const ActiveSetFactor& basis, Eigen::VectorXd load) const;
   void correct(const ActiveSetFactor& basis, Refined& refined, Work& work);
   [[nodiscard]] double one_rounding(Eigen::Index row, double stretch) const;
   [[nodiscard]] bool beyond_doubt(const ActiveSetFactor& basis, Refined& refined,
