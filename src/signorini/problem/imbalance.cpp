@@ -32,8 +32,10 @@ VectorXd stretches(const QuadraticProgramme& programme, const VectorXd& own, boo
 VectorXd own_forces(const QuadraticProgramme& programme, const PrimalDual& solution,
                     bool equations) {
   const VectorXd root = programme.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
-  VectorXd own =
-      programme.load.cwiseAbs() + programme.A.cwiseAbs().transpose() * solution.force.cwiseAbs();
+  VectorXd own = programme.load.cwiseAbs();
+  for (Index row = 0; row < programme.A.rows(); ++row)
+    for (RowMatrix::InnerIterator entry(programme.A, row); entry; ++entry)
+      own(entry.col()) += std::abs(entry.value() * solution.force(row));
   VectorXd stretch = root.cwiseProduct(strained(solution)).cwiseAbs();
   for (Index j = 0; j < own.size(); ++j)
     if (root(j) > 0) stretch(j) = std::max(stretch(j), epsilon * own(j) / root(j));

@@ -15,6 +15,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Whether the part of u that is claimed to be rigid strains a body. Every row is measured by its own terms: how far another
 /// body moves must hide nothing.
@@ -54,9 +55,14 @@ double length_of(const QuadraticProgramme& programme, const VectorXd& contact, c
   const double most = std::max(largest(programme.load), largest(contact));
   const double sum = largest(programme.load - contact);
   const bool rounding = sum <= static_cast<double>(contact.size()) * epsilon * most;
-  const VectorXd path = programme.A.cwiseAbs() * u.cwiseAbs();
-  return std::max(ratio(rounding ? most : sum, largest(programme.stiffness.diagonal())),
-                  largest(path.cwiseQuotient(unit)));
+  double length = ratio(rounding ? most : sum, largest(programme.stiffness.diagonal()));
+  for (Index row = 0; row < programme.A.rows(); ++row) {
+    double terms = 0;
+    for (RowMatrix::InnerIterator entry(programme.A, row); entry; ++entry)
+      terms += std::abs(entry.value() * u(entry.col()));
+    length = std::max(length, terms / unit(row));
+  }
+  return length;
 }
 
 /// The certificate of one system: gaps, of which some are equations, and slips.
@@ -66,8 +72,8 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
                            const VectorXd& imbalance, const VectorXd& movement,
                            const FrictionLaw& law, Index equations) {
   const Index slips = static_cast<Index>(law.pair.size());
-  const VectorXd norm =
-      (programme.A.cwiseAbs2() * VectorXd::Ones(programme.load.size())).cwiseSqrt();
+  VectorXd norm(programme.A.rows());
+  for (Index row = 0; row < norm.size(); ++row) norm(row) = programme.A.row(row).norm();
   // An entry of K, p, A or g that is not finite leaves none of its sums finite, whatever it is multiplied by.
   if (!imbalance.allFinite() || !movement.allFinite() || !solution.displacement.allFinite() ||
       !solution.force.allFinite() || !solution.displacement_low.allFinite() ||

@@ -1,7 +1,7 @@
 #include "signorini/problem/residual.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <vector>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/problem/exact_sum.hpp"
@@ -12,31 +12,28 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using Columns = Eigen::SparseMatrix<double>;
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Whether u carries a second, smaller part.
 bool has_low(const PrimalDual& solution) { return solution.displacement_low.size() > 0; }
 
-/// u as the sum of two vectors, and what the residual is made of beside it.
-struct Terms {
-  const QuadraticProgramme& programme;
-  const VectorXd& force;
-  Columns A;  // by columns, as the equilibrium of an unknown needs it
+/// u as the sum of two vectors.
+struct Parts {
   VectorXd high;
   VectorXd low;
 };
 
 /// u without its rigid part: the difference is exact.
-Terms terms_of(const QuadraticProgramme& programme, const PrimalDual& solution) {
-  Terms terms{programme, solution.force, programme.A, solution.displacement,
-              solution.displacement_low};
-  if (!has_low(solution)) terms.low.setZero(terms.high.size());
+Parts strained_parts(const PrimalDual& solution) {
+  Parts parts{solution.displacement, solution.displacement_low};
+  if (!has_low(solution)) parts.low.setZero(parts.high.size());
   for (Index i = 0; i < solution.rigid.size(); ++i) {
-    ExactSum difference(terms.high(i));
+    ExactSum difference(parts.high(i));
     difference.add(-solution.rigid(i));
-    terms.high(i) = difference.high();
-    terms.low(i) += difference.low();
+    parts.high(i) = difference.high();
+    parts.low(i) += difference.low();
   }
-  return terms;
+  return parts;
 }
 
 /// Whether this and the next column of K have entries in the same rows, as the unknowns of a node mostly have.
@@ -48,30 +45,26 @@ bool twins(const Columns& K, Index column) {
          std::equal(inner + outer[0], inner + outer[1], inner + outer[1]);
 }
 
-/// The residual of one unknown, or of two that are twins side by side: that takes half of the time. K has both triangles, so
+/// p - K u of one unknown, or of two that are twins side by side: that takes half of the time. K has both triangles, so
 /// columns serve as rows.
 template <int rows>
-void fill_residual(const Terms& terms, Index row, VectorXd& residual) {
+void subtract_stiffness(const QuadraticProgramme& programme, const Parts& u, Index row,
+                        std::vector<ExactSum>& sums) {
   using Numbers = Eigen::Array<double, rows, 1>;
-  const Columns& K = terms.programme.stiffness;
+  const Columns& K = programme.stiffness;
   const double* const values = K.valuePtr() + K.outerIndexPtr()[row];
   const int* const inner = K.innerIndexPtr() + K.outerIndexPtr()[row];
   const Index count = K.col(row).nonZeros();
-  ExactSumOf<Numbers> sum(terms.programme.load.segment<rows>(row), Numbers::Zero());
+  ExactSumOf<Numbers> sum(programme.load.segment<rows>(row), Numbers::Zero());
   Numbers small = Numbers::Zero();
   for (Index k = 0; k < count; ++k) {
     Numbers entry;
     for (int r = 0; r < rows; ++r) entry(r) = values[r * count + k];
-    sum.add_product(-entry, Numbers::Constant(terms.high(inner[k])));
-    small += entry * terms.low(inner[k]);
+    sum.add_product(-entry, Numbers::Constant(u.high(inner[k])));
+    small += entry * u.low(inner[k]);
   }
   sum.add(-small);
-  for (int r = 0; r < rows; ++r) {
-    ExactSum one(sum.high()(r), sum.low()(r));
-    for (Columns::InnerIterator entry(terms.A, row + r); entry; ++entry)
-      one.add_product(-entry.value(), terms.force(entry.row()));
-    residual(row + r) = one.value();
-  }
+  for (int r = 0; r < rows; ++r) sums.emplace_back(sum.high()(r), sum.low()(r));
 }
 
 }  // namespace
@@ -105,13 +98,20 @@ VectorXd strained(const PrimalDual& solution) {
 
 VectorXd equilibrium_residual(const QuadraticProgramme& programme, const PrimalDual& solution) {
   check_sizes(programme, solution);
-  const Terms terms = terms_of(programme, solution);
+  const Parts u = strained_parts(solution);
+  std::vector<ExactSum> sums;
+  sums.reserve(static_cast<std::size_t>(programme.load.size()));
+  for (Index i = 0; i < programme.load.size(); ++i)
+    if (twins(programme.stiffness, i))
+      subtract_stiffness<2>(programme, u, i++, sums);
+    else
+      subtract_stiffness<1>(programme, u, i, sums);
+  for (Index pair = 0; pair < programme.A.rows(); ++pair)
+    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
+      sums[static_cast<std::size_t>(entry.col())].add_product(-entry.value(), solution.force(pair));
   VectorXd residual(programme.load.size());
   for (Index i = 0; i < residual.size(); ++i)
-    if (twins(programme.stiffness, i))
-      fill_residual<2>(terms, i++, residual);
-    else
-      fill_residual<1>(terms, i, residual);
+    residual(i) = sums[static_cast<std::size_t>(i)].value();
   return residual;
 }
 
@@ -120,8 +120,7 @@ VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solution) {
   VectorXd gap(programme.initial_gap.size());
   for (Index pair = 0; pair < gap.size(); ++pair) {
     ExactSum sum(programme.initial_gap(pair));
-    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(programme.A, pair);
-         entry; ++entry) {
+    for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry) {
       sum.add_product(-entry.value(), solution.displacement(entry.col()));
       if (has_low(solution)) sum.add(-entry.value() * solution.displacement_low(entry.col()));
     }
