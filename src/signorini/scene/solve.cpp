@@ -1,3 +1,23 @@
+// # Condense, solve, recover
+//
+// The programme has as many unknowns as the meshes have free components. Contact has only
+// its pairs. So displacements are eliminated: \f$ u = K^{-1}(p - A^T\lambda) \f$ turns the
+// gaps \f$ g - Au \f$ into
+// \f[ \text{gap} = d + G\lambda, \qquad d = g - AK^{-1}p, \qquad G = AK^{-1}A^T. \f]
+// By hand: two springs of stiffness 1 in a row are held at the left, a force of 3 pulls the
+// right end, and a stop is 1 away from that end:
+// \f[ K = \begin{pmatrix} 2 & -1 \\ -1 & 1 \end{pmatrix}, \quad
+// K^{-1} = \begin{pmatrix} 1 & 1 \\ 1 & 2 \end{pmatrix}, \f]
+// and \f$ A = (0, 1) \f$. Without the stop \f$ u = (3, 6) \f$, so \f$ d = 1 - 6 = -5 \f$,
+// and \f$ G = 2 \f$. The gap closes with \f$ \lambda = 2.5 \f$, and \f$ u = (0.5, 1) \f$.
+//
+// K is factored once. The factor gives d and G, and later each displacement that refinement
+// asks for. That is why contact may cost little more than a linear solve: G has as many rows
+// as there are pairs and slips.
+//
+// What the solver finds holds for the condensed problem, whose d and G are rounded. So the
+// forces are refined with K, p, A and g as they were posed, and the certificate measures
+// those. Only then is the answer called a solution.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -21,10 +41,11 @@
 
 namespace signorini {
 namespace {
-
 using Eigen::Index;
 using Eigen::VectorXd;
 
+// A singular K has a pivot that vanishes. The message must say which node of which body
+// moves, not which row.
 std::string describe_unknown(const Model& model, Index unknown) {
   std::size_t b = model.bodies.size() - 1;
   while (model.bodies[b].first_unknown > unknown) --b;
@@ -33,7 +54,9 @@ std::string describe_unknown(const Model& model, Index unknown) {
               body.unknowns.describe(body.mesh, unknown - body.first_unknown));
 }
 
-/// K, and one spring per rigid mode, which alone hold the bodies. In balance they carry nothing, so their size is free.
+// K, and one spring per rigid mode, which alone hold the bodies. Without them K is singular
+// and has no factor. In balance the springs carry nothing, so that their size does not
+// matter.
 Factor factor(const Model& model, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "factor");
   const Stiffness K{
@@ -42,6 +65,7 @@ Factor factor(const Model& model, Ledger& ledger) {
   return model.backend.factor(K, ledger);
 }
 
+// Held components come back here: users know nodes, and the solution has unknowns.
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
   const NodeArray all = expand(model.unknowns, displacement);
   std::vector<NodeArray> bodies;
@@ -50,7 +74,9 @@ std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorX
   return bodies;
 }
 
-/// How much of the load would be held.
+// With friction a load may be too large for any balance. Then the useful answer is how much
+// of it would be held. A proof that nothing holds beyond, and a search that found nothing,
+// are different sentences.
 std::string limit_in_words(const Solution& solution) {
   const std::optional<double>& limit = solution.limit;
   if (!limit) return {};
@@ -61,19 +87,22 @@ std::string limit_in_words(const Solution& solution) {
     return "Friction holds no part of this load, however small, because it grows with the load. ";
   return text("Friction holds at most ", *limit, " of this load. ");
 }
-
-/// The slot of the way.
+// A program may put another method in the place of solve_plainly(). The library does not
+// link that method, it calls what this slot holds.
 SolveCondensed& way() {
   static SolveCondensed now = solve_plainly;
   return now;
 }
-
+// The ledger counts whole operations.
 long long one_solve(const Condensed& condensed) {
   return static_cast<long long>(condensed.factor.solve_operations());
 }
 
 }  // namespace
 
+// d and the free slips are what the programme has without contact forces. Load steps change
+// p and g, but neither K nor A: they call this once per step, and the factor and G stay.
+// Bodies that contact alone holds also get R and r, because r depends on p.
 void move_freely(const Model& model, VectorXd free_displacement, Condensed& condensed) {
   const QuadraticProgramme& programme = model.programme;
   ContactProblem& problem = condensed.problem;
@@ -87,6 +116,8 @@ void move_freely(const Model& model, VectorXd free_displacement, Condensed& cond
     add_rigid_modes(programme, mode_shapes(model.modes), problem, direction_rounding(model.modes));
 }
 
+// The costs are written into the ledger as they arise. One solve with K is the unit: the
+// chapters measure contact by it.
 Condensed condense(const Model& model, Ledger& ledger) {
   Condensed condensed{with_context(model.notes, [&] { return factor(model, ledger); }), {}, {}};
   const Ledger::Phase phase(ledger, "condensation");
@@ -100,6 +131,9 @@ Condensed condense(const Model& model, Ledger& ledger) {
   return condensed;
 }
 
+// Whoever refines a solution needs a solve with K and must not know the factor. So it gets
+// functions, which count what they do. Of some unknowns that K joins with no others, the
+// factor may solve alone, which is cheaper.
 CondensedProgramme condensed_programme(const Condensed& condensed, Ledger& ledger) {
   const auto counted = [&ledger](double operations, Factor::Solve solve_for) {
     return [&ledger, operations, solve_for = std::move(solve_for)](const VectorXd& load) {
@@ -118,6 +152,8 @@ CondensedProgramme condensed_programme(const Condensed& condensed, Ledger& ledge
       }};
 }
 
+// A solver that meets an infinite number blames its caller. Here the caller is the library,
+// and the number comes from the units of the scene.
 void check_numbers(const ContactProblem& problem) {
   try {
     check_finite(problem);
@@ -128,6 +164,10 @@ void check_numbers(const ContactProblem& problem) {
   }
 }
 
+// From unknowns to what is looked at: pressures, displacements of nodes, the balance of what
+// is told. Checks look at solutions only: notes on the strains of an unsolved problem would
+// mislead. Unsolved numbers are still recovered, because a figure of them may show what went
+// wrong.
 void recover(const Model& model, PrimalDual refined, Solution& solution) {
   solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
   solution.certificate.balance = imbalance(model, solution.contact, refined.force);
@@ -137,6 +177,9 @@ void recover(const Model& model, PrimalDual refined, Solution& solution) {
   ask_checks(solution.notes, &Check::solution, model, solution);
 }
 
+// The forces of a solver claim to be a solution. refined_solve() makes displacements of them
+// that fit the original K, p, A and g, and certifies the result. If nothing could be refined
+// there are no displacements, and only the report is returned.
 Solution solve_plainly(const Model& model, const Condensed& condensed, const Solver& solver,
                        Ledger ledger, const SolverOptions& options) {
   RefinedEnd end = in_these_units(condensed.problem, [&] {
@@ -155,18 +198,20 @@ Solution solve_plainly(const Model& model, const Condensed& condensed, const Sol
   solution.ledger = std::move(ledger);
   return solution;
 }
-
+// Every solve() below asks the slot, so that a program that has set another way cannot get
+// the old one by mistake.
 void set_solve(SolveCondensed another) { way() = another; }
-
+// Chapters that compare methods name the solver. All others take that of the scene.
 Solution solve(const Model& model, const Condensed& condensed, const Solver& solver, Ledger ledger,
                const SolverOptions& options) {
   return way()(model, condensed, solver, std::move(ledger), options);
 }
-
 Solution solve(const Model& model, const Condensed& condensed, Ledger ledger) {
   return solve(model, condensed, model.solver, std::move(ledger));
 }
-
+// The reason of the solver, the motion that is left and the share of the load that is held
+// are known in different places. This puts them into one sentence. If the load pulls a body
+// away, the sentence ends with what to do.
 std::string why_unsolved(const Solution& solution) {
   const std::string& reason = solution.contact.reason;
   if (solution.unbounded_direction.empty() && !solution.limit) return reason;
@@ -177,6 +222,9 @@ std::string why_unsolved(const Solution& solution) {
               "Turn the load round or add a support");
 }
 
+// Programs of the chapters stop here. An unsolved problem must not become a number in a
+// table. The message has the status, the reason and the certificate, so that nobody has to
+// run again to see them.
 void require_solved(const Solution& solution, const std::string& what) {
   const Report& report = solution.contact.report;
   if (report.status == SolveStatus::Solved) return;
@@ -191,6 +239,7 @@ void require_solved(const Solution& solution, const std::string& what) {
   throw NotSolved(with_notes(message, solution.notes));
 }
 
+// The road of the library in three steps. Load steps need a loop around the last one.
 Solution solve(const Scene& scene) {
   require_input(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
   Ledger ledger;
@@ -198,5 +247,4 @@ Solution solve(const Scene& scene) {
   const Condensed condensed = condense(model, ledger);
   return solve(model, condensed, std::move(ledger));
 }
-
 }  // namespace signorini
