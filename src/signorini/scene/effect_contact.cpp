@@ -1,3 +1,19 @@
+// # Contact as an effect
+//
+// Contact adds one row to A and one number to g per pair that can open or close. The road of
+// a pair has four stations. The operator finds it in the meshes. Fits may change its gap, as
+// in a press fit. Supports take the held columns out of its row. Then it is stacked below
+// the pairs of the contacts before it.
+//
+// For example, a node above the middle of a side with two nodes, all free along y, at the
+// distance 1:
+// \f[ N = (1, -\tfrac12, -\tfrac12), \qquad A = -N, \qquad g = 1. \f]
+// If the side is held and moves up by 0.2, its columns disappear and
+// \f$ g = 1 - 0.2 = 0.8 \f$.
+//
+// The order matters. A fit speaks of lengths in the meshes, so it comes before supports that
+// move. And a contact whose normal points the wrong way is refused before a fit can hide it.
+
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -15,7 +31,10 @@ namespace {
 
 using Eigen::Index;
 
-/// Notes choices of a contact that nothing asks for. Looks up its gap operator, needed or not.
+// A scene may choose a number of Gauss points for an operator that has none. That is
+// harmless, and mostly a sign that the user expects something else. So it is noted. The
+// operator is looked up, needed or not, so that a wrong name is an error beside a rigid
+// obstacle, too.
 void check_choices(const ContactSpec& contact, Plan& draft) {
   const ContactSpec usual;
   const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
@@ -30,18 +49,26 @@ void check_choices(const ContactSpec& contact, Plan& draft) {
                                idle.substr(2)));
 }
 
-/// Whether its pairs are the same wherever the body slides.
+// Whether the gap of a contact is linear in the displacements, as above a half-plane. Then
+// its pairs need not be found again after a solution.
 bool stays_linear(const ContactSpec& contact) {
   const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target);
   return obstacle != nullptr && obstacle->linear;
 }
 
+// Numbers in the place of names, for all later steps. A rigid obstacle is no body: forces on
+// it are not added up.
 ContactBodies bodies_of(const ContactSpec& contact, const std::vector<BodyModel>& bodies) {
   const Side* target = std::get_if<Side>(&contact.target);
   return {body_index(bodies, contact.source),
           target != nullptr ? std::optional(body_index(bodies, *target)) : std::nullopt};
 }
 
+// Slips are asked of all contacts if one has friction, so that the matrices of the contacts
+// fit below each other. A pair that supports hold on both sides is dropped by reduce(): no
+// force can act between two supports. If a contact loses all pairs in this way, the user
+// gets a note. `follow` keeps the gaps of the meshes, with which gaps in moved bodies will
+// be compared.
 void declare_contact(const Scene& scene, Plan& draft) {
   for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
   check_listed_once(scene, draft.bodies);
@@ -79,12 +106,14 @@ void declare_contact(const Scene& scene, Plan& draft) {
     draft.followed = std::make_shared<const std::vector<FollowedContact>>(std::move(followed));
 }
 
-/// Number of pairs that overlap by more than rounding.
+// Number of pairs that overlap by more than rounding. Meshes that touch have gaps like
+// \f$ -10^{-17} \f$. These are no overlaps, and must not switch an effect on.
 Index overlapping(const Plan& plan) {
   return (plan.gaps.pairs.initial_gap.array() < -gap_rounding(plan.gaps.pairs)).count();
 }
 
-/// Notes the largest overlap that no interference asks for.
+// Notes the largest overlap that no interference asks for. An overlap in the meshes loads
+// the bodies like a press fit, and is often a mistake of the meshing.
 void note_overlap(const Scene& scene, Plan& draft) {
   double least = -gap_rounding(draft.gaps.pairs);
   const ContactSpec* deepest = nullptr;
@@ -102,6 +131,8 @@ void note_overlap(const Scene& scene, Plan& draft) {
 
 }  // namespace
 
+// The plan has all numbers of contact already, because pairs must be found to be counted. So
+// the numbers are moved to where the programme has them, and nothing is computed.
 Effect contact() {
   return {"contact",
           [](const Scene& scene, const Plan& /*draft*/) { return !scene.contacts.empty(); },
@@ -113,6 +144,8 @@ Effect contact() {
           }};
 }
 
+// An overlap is an effect with nothing to add: g is negative there. But it loads the bodies,
+// so the plan tells it.
 Effect initial_overlap() {
   return {"initial overlap",
           [](const Scene& /*scene*/, const Plan& draft) { return overlapping(draft) > 0; },

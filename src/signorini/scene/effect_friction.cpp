@@ -1,4 +1,19 @@
-// Friction and cohesion: two effects that share the slip rows.
+// # Friction and cohesion as effects
+//
+// Friction gives a closed pair a second row, for its slip, and a second force \f$ \tau \f$
+// along the tangent, within
+// \f[ |\tau| \le \mu\lambda + c\,w, \f]
+// with the weight w of the pair. With \f$ \mu = 0.3 \f$, \f$ \lambda = 10 \f$, \f$ c = 2 \f$
+// and \f$ w = 0.5 \f$ the pair holds up to 4. The slip is \f$ s_0 + Tu \f$ and stands in A
+// as \f$ -T \f$, below all gaps.
+//
+// Friction and cohesion are two effects, because a scene may have either one alone, and the
+// plan tells each. They share the rows: the first that is present makes them, the second
+// finds them there.
+//
+// Most of this file decides which pairs get no slip row. A row that nothing can move would
+// let its force be anything.
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,26 +30,33 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// One of the two numbers of the law.
+// One of the two numbers of the law. What the effects do with it is the same for both, so it
+// is an argument.
 using Constant = double Friction::*;
 
 double value(const ContactSpec& contact, Constant constant) {
   return contact.friction ? (*contact.friction).*constant : 0;
 }
 
+// A contact without friction has zeros, and zeros are no effect. So a scene with a
+// coefficient of 0 has the same unknowns as one without friction.
 bool any_has(const Scene& scene, Constant constant) {
   return std::any_of(scene.contacts.begin(), scene.contacts.end(),
                      [=](const ContactSpec& contact) { return value(contact, constant) != 0; });
 }
 
-/// Whether supports leave a pair free to slide: friction between two supports could be anything, so it is none
-/// and all of it counts as theirs.
+// Whether supports leave a pair free to slide. Friction between two supports could be
+// anything. So it is taken for none, and all of the force counts as theirs.
 bool can_slide(const Gaps& gaps, Index pair) {
   return gaps.initial_slip(pair) != 0 || gaps.T.row(pair).norm() > 0;
 }
 
-/// Whether a pair is that of a node on a line of symmetry which a side crosses squarely, but for what its own half of the
-/// mesh makes of the normal: there sliding to one side is sliding to the other, so there is none.
+// Whether the node of a pair is on a line of symmetry that its side crosses at a right
+// angle. There it cannot slide: sliding to one side would be sliding to the other. But the
+// mesh is one half, and the normal of a node is the mean of the sides of this half alone.
+// Sides that turn by 10 degrees each tilt it by 5, so that its tangent has a small free
+// component. Such a slip is an error of the mesh and gets no row. At more than 22.5 degrees
+// the side and its image meet in a corner, and the slip is real.
 bool on_line_of_symmetry(const Scene& scene, const Plan& draft, Index pair) {
   constexpr double least_corner =
       pi / 8;  // a side and its image that turn by more meet in a corner
@@ -54,7 +76,8 @@ bool on_line_of_symmetry(const Scene& scene, const Plan& draft, Index pair) {
   });
 }
 
-/// Notes contacts whose friction acts on no pair.
+// Notes contacts whose friction acts on no pair. It is no error, but the user may believe
+// that friction was computed. A contact that has no pairs at all has a note of its own.
 void note_idle_friction(const Scene& scene, Plan& draft) {
   std::vector<bool> has_pairs(scene.contacts.size()), slides(scene.contacts.size());
   for (const std::size_t contact : draft.contact_of) has_pairs[contact] = true;
@@ -67,7 +90,9 @@ void note_idle_friction(const Scene& scene, Plan& draft) {
                             "tangent");
 }
 
-/// What the laws of the contacts make of their two numbers, for every frictional pair.
+// The law of each contact makes a slope and an offset of its two numbers and the weight of
+// the pair. Cohesion is a force per area, so only here, where weights are known, it becomes
+// a force.
 void take_bounds(const Scene& scene, Plan& draft) {
   FrictionLaw& law = draft.law;
   law.coefficient = law.cohesion = VectorXd::Zero(static_cast<Index>(law.pair.size()));
@@ -90,7 +115,9 @@ void take_bounds(const Scene& scene, Plan& draft) {
   }
 }
 
-/// Slips that friction and cohesion share: of the pairs that can slide and whose own contact has friction.
+// Slips that friction and cohesion share: of the pairs that can slide and whose own contact
+// has friction. A solver that takes no friction is refused here, before anything is
+// assembled.
 void take_slips(const Scene& scene, Plan& draft) {
   FrictionLaw& law = draft.law;
   if (!law.pair.empty()) return;
@@ -106,13 +133,15 @@ void take_slips(const Scene& scene, Plan& draft) {
   draft.on.push_back(text("slips of ", law.pair.size(), " pairs"));
 }
 
-/// What is said of a law that is not the usual one.
+// The usual law needs no words. Any other one is named in the plan, with its summary from
+// the table of laws.
 std::string law_in_words(const Friction& friction) {
   if (friction.law == Friction().law) return "";
   return text(", law '", friction.law, "': ", find_friction_law(friction.law).summary);
 }
 
-/// Says what a constant is in every contact.
+// Every contact has its own constants, and the plan has a line for each. A negative
+// coefficient would drive the sliding instead of slowing it.
 void declare_law(const Scene& scene, Plan& draft, Constant constant, const std::string& name) {
   for (const ContactSpec& contact : scene.contacts) {
     const double given = value(contact, constant);
@@ -123,7 +152,9 @@ void declare_law(const Scene& scene, Plan& draft, Constant constant, const std::
   take_slips(scene, draft);
 }
 
-/// Friction and cohesion share the rows: the first of the two adds them.
+// The first of the two effects adds the rows. The second sees that g is longer than the list
+// of pairs, and returns. The minus sign makes a slip of what every row of A gives,
+// \f$ g - Au \f$.
 void add_slips(Model& model) {
   VectorXd& g = model.programme.initial_gap;
   if (model.law.pair.empty() || g.size() > model.pairs.weight.size()) return;
@@ -134,6 +165,8 @@ void add_slips(Model& model) {
 
 }  // namespace
 
+// Both effects end with the note on idle friction. It must be written once, so cohesion
+// writes it only if no contact has a coefficient.
 Effect friction() {
   return {"friction",
           [](const Scene& scene, const Plan& /*draft*/) {

@@ -1,3 +1,10 @@
+// # Rigid motions as an effect
+//
+// Supports may leave a motion to a body, as to a disc that only lies on a plate. Its
+// amplitude is an unknown of the contact problem, and balance along it is an equation. This
+// effect comes last, because gaps and slips can both stop a motion, and they must be known.
+// It adds no numbers: the motions are in the plan.
+
 #include "signorini/core/errors.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -7,7 +14,9 @@
 namespace signorini::effect {
 namespace {
 
-/// Motions that supports leave are unknowns if contact can stop them, and errors if not.
+// A motion that contact can stop is an unknown. One that it cannot is an error: a block on a
+// smooth floor slides away under the smallest force along it. With friction its slip rows
+// feel the slide, and the scene is taken.
 void declare_motions(const Scene& scene, Plan& draft) {
   for (const FreeMotion& mode : draft.modes)
     draft.on.push_back(in_words(mode) + ": only contact holds it, one amplitude");

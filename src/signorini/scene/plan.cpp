@@ -1,3 +1,12 @@
+// # The plan of a scene
+//
+// A plan says what will be computed before anything is computed. It names elements and
+// materials, numbers unknowns, finds pairs, and asks every effect whether it is present. It
+// assembles nothing. Its second purpose is to refuse. An error in the first second, with the
+// name of the body, is better than a singular matrix after an hour.
+//
+// Nothing later looks at the scene. So what is not in the plan has no effect on the answer.
+
 #include <algorithm>
 #include <ostream>
 #include <set>
@@ -17,6 +26,8 @@ namespace {
 
 using Eigen::Index;
 
+// Contacts refer to bodies by name. If two bodies had the same name, a contact could mean
+// either of them.
 void check_names(const Scene& scene) {
   require_input(!scene.bodies.empty(), "a scene needs at least one body");
   std::set<std::string> names;
@@ -29,7 +40,8 @@ void check_names(const Scene& scene) {
       "function: take find_solver(name) and find_backend(name), or leave the defaults");
 }
 
-/// Refuses what an add-on does that the program has not.
+// Refuses what an add-on does that the program has not. A program without the add-on would
+// leave a temperature out silently, and its answer would be wrong.
 void check_effects(const Scene& scene) {
   const auto check = [](bool wanted, const std::string& name, const char* function) {
     const auto named = [&name](const Effect& effect) { return effect.name == name; };
@@ -51,7 +63,7 @@ void check_effects(const Scene& scene) {
   }
 }
 
-/// Refuses loads that would follow a history that is not there.
+// Refuses loads that would follow a history that is not there.
 void check_histories(const Scene& scene) {
   if (scene.path) return;
   const auto none = [](const std::string& what, const std::string& history) {
@@ -66,7 +78,7 @@ void check_histories(const Scene& scene) {
     none("the interference of a contact", contact.interference_history);
 }
 
-/// How many of the cells are triangles.
+// A triangle is a cell with 3 corners where a quadrilateral has 4.
 Index count_triangles(const Mesh& mesh) {
   Index count = 0;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) count += 4 - mesh.corners(cell);
@@ -79,7 +91,10 @@ std::string elements_in_words(const Mesh& mesh, const Element& element) {
   return text(element.name, " and ", triangles, " of them ", triangle_beside(mesh).name);
 }
 
-/// What to know of an element that is stiffer than the body; empty if there is none.
+// What to know of an element that is stiffer than the body; empty if there is none. A body
+// resists a change of volume \f$ 2(1 + \nu) / (3(1 - 2\nu)) \f$ times as much as a change of
+// shape: 2.2 times for \f$ \nu = 0.3 \f$, 50 times for 0.49. Cells that cannot keep their
+// volume when they bend are then far too stiff.
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const bool locks = material.state != PlaneState::Stress && material.poisson_ratio > 0.4;
   const auto sentence = [&](const char* name, const char* way_out) {
@@ -96,6 +111,8 @@ std::string note_on_locking(const Mesh& mesh, const Element& element, const Mate
               "quadrilaterals");
 }
 
+// Layers may lock where the rest of the body does not. Equal notes in a row are written
+// once.
 void note_on_body(const Body& body, const Element& element, std::vector<std::string>& notes) {
   std::string last = note_on_locking(body.mesh, element, body.material);
   if (!last.empty()) notes.push_back(last);
@@ -106,6 +123,8 @@ void note_on_body(const Body& body, const Element& element, std::vector<std::str
   }
 }
 
+// Mesh, element and material are checked in this order: an element can only be judged on a
+// mesh that is sound. Numbers of nodes and unknowns go on where the body before ended.
 void plan_body(const Body& body, Plan& plan) {
   const std::string& name = body.mesh.name;
   plan.quality.push_back(check_mesh(body.mesh));
@@ -133,7 +152,7 @@ void plan_body(const Body& body, Plan& plan) {
   plan.bodies.back().pieces = pieces(body.mesh);
 }
 
-/// What supports leave: the unknowns of all bodies, and their rigid motions.
+// What supports leave: the unknowns of all bodies, and their rigid motions.
 void plan_unknowns(const Scene& scene, Plan& plan) {
   std::vector<Unknowns> unknowns;
   for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
@@ -148,6 +167,8 @@ struct Rows {
   long long bytes;
 };
 
+// An effect is asked for nothing but its rows. What it takes is the difference before and
+// after.
 Rows rows_of(const Plan& plan) {
   Rows rows{plan.gaps.A.rows() + static_cast<Index>(plan.law.pair.size()), bytes_of(plan.gaps.A)};
   for (const Index pair : plan.law.pair)
@@ -155,7 +176,8 @@ Rows rows_of(const Plan& plan) {
   return rows;
 }
 
-/// Asks every effect whether a scene calls for it, and says what rows it takes.
+// Each effect sees the draft with all that effects before it took. An absent one is named as
+// off and costs nothing more.
 // [effects]
 void plan_effects(const Scene& scene, Plan& plan) {
   for (const Effect& effect : effects())
@@ -173,7 +195,8 @@ void plan_effects(const Scene& scene, Plan& plan) {
 }
 // [effects]
 
-/// Refuses a solver that takes fewer pairs than there are.
+// A solver that tries all sets is for a few pairs only. It is refused now and not after the
+// factorisation.
 void check_pairs(const Plan& plan) {
   const std::string why = too_many(plan.solver, plan.gaps.A.rows());
   require_input(why.empty(), "solver '", plan.solver.name, "' ", why, ": take the default, '",
@@ -182,6 +205,8 @@ void check_pairs(const Plan& plan) {
 
 }  // namespace
 
+// Matrices get their number of columns even if they have no rows. So effects may stack rows
+// below them without a branch. An error of an effect carries the notes so far.
 Plan plan(const Scene& scene) {
   Plan plan;
   check_names(scene);
@@ -206,6 +231,7 @@ Plan plan(const Scene& scene) {
   return plan;
 }
 
+// One line per effect, on or off: a reader sees what was left out, too.
 void print(std::ostream& out, const Plan& plan, const std::vector<std::string>& notes) {
   for (const std::string& line : plan.on) out << "  on    " << line << '\n';
   for (const std::string& line : plan.off) out << "  off   " << line << '\n';

@@ -43,8 +43,8 @@ Eigen::VectorXd dissipated(const ContactState& contact) {
   return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
 }
 
-// [solved]
 // The whole road in four lines. Most programs of the chapters begin with it.
+// [solved]
 SolvedScene solved(const Scene& scene, const std::string& what) {
   Ledger ledger;
   Model model = build(scene, ledger);             // K, p, A, g of the quadratic programme
