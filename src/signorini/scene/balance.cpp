@@ -1,4 +1,4 @@
-// # Do the forces that are told add up?
+// # Do the reported forces add up?
 //
 // The same contact forces stand in a solution twice. The solver pushes nodes by rows of A. A
 // reader sees forces of pairs, each with a place and a normal, and adds them up to a
@@ -90,10 +90,10 @@ class Balance {
     }
   }
 
-  // A sum of forces is compared with the largest force, a moment with that force at the
-  // farthest node. The largest entry of a body, made free of units. All round an axis,
-  // radial forces and moments cancel anyway, so in axial symmetry only the force along the
-  // axis counts.
+  // The largest entry of a body, made free of units: a sum of forces over the largest force,
+  // a moment over that of the largest force at the farthest node. All round an axis, radial
+  // forces and moments cancel anyway, so in axial symmetry only the force along the axis
+  // counts.
   [[nodiscard]] double worst(double largest_force) const {
     const bool axial = is_axial(model_.bodies.front());
     double worst = 0;
@@ -114,7 +114,7 @@ class Balance {
 
 }  // namespace
 
-// What a reader is told are the forces of the contact state. What the nodes got are the
+// What a reader sees are the forces of the contact state. What the nodes got are the
 // certified forces of all rows of A: those of gaps come first, those of slips behind them. A
 // pair without friction has no second row.
 double imbalance(const Model& model, const ContactState& contact,

@@ -5,9 +5,9 @@
 // both directions, and a second one 6 free nodes. Then the nodes of the second are 4 to 9,
 // its unknowns 6 to 17, and
 // \f[ K = \begin{pmatrix} K_1 & 0 \\ 0 & K_2 \end{pmatrix}, \f]
-// with 6 and 12 rows. Nothing joins the blocks. Only rows of A do, whose columns are
-// unknowns of two bodies. This file translates between a body and the whole, and between the
-// names of a scene and the numbers.
+// with 6 and 12 rows. Nothing in K joins the blocks. Only rows of A have entries of two
+// bodies. This file translates between a body and the whole, and between the names of a
+// scene and the numbers.
 //
 // The order of the numbers is the order of the bodies in the scene. So a number of a node
 // tells its body, and one offset per body is all that has to be stored.
@@ -49,7 +49,8 @@ Eigen::SparseMatrix<double> stiffness_of_cells(const BodyModel& body, Index firs
 
 }  // namespace
 
-// Forces on held components are dropped here. They go into the support and do no work.
+// Forces on held components are dropped here. They go into the support, and no unknown feels
+// them.
 void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::VectorXd& load) {
   load.segment(body.first_unknown, body.unknowns.count) += restricted(body.unknowns, forces);
 }
@@ -196,9 +197,9 @@ NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law) {
   return below(gaps.A, -selected_rows(gaps.T, law.pair));
 }
 
-// K is the largest object of a run. One body hands over its block without a copy. Several
-// blocks are written column by column in the order of storage, so that nothing is sorted,
-// and each block is freed as soon as it is written.
+// K is large. One body hands over its block without a copy. Several blocks are written
+// column by column in the order of storage, so that nothing is sorted, and each block is
+// freed as soon as it is written.
 void put_along_diagonal(const std::vector<BodyModel>& bodies,
                         std::vector<Eigen::SparseMatrix<double>>& blocks,
                         Eigen::SparseMatrix<double>& all) {

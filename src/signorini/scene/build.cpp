@@ -4,7 +4,7 @@
 // programme
 // \f[ \min_u\; \tfrac12 u^T K u - p^T u \quad\text{subject to}\quad Au \le g. \f]
 // K and p come from cells and supports. Each effect then adds its own part: loads to p,
-// contact A and g, friction more rows.
+// springs to K, contact A and g, friction more rows.
 //
 // The smallest example with two bodies has one unknown each, stiffness 2 and 3, and a gap of
 // 1 between them that closes when the first moves towards the second:
@@ -43,8 +43,8 @@ LinearSystem assemble_all(const std::vector<BodyModel>& bodies, Index count) {
 }  // namespace
 
 // The plan is moved into the model, because meshes are large. Nothing here asks what the
-// scene calls for: the list of effects says it. Without contact A keeps its zero rows, and
-// later steps need no other branch.
+// scene calls for: the list of effects says it. Without contact A has no rows, and later
+// steps need no branch for that.
 Model build(Plan plan, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "assembly");
   Model model{std::move(plan), {}, {}};

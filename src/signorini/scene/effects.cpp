@@ -1,9 +1,9 @@
 // # The table of effects
 //
 // An effect is what a scene may have besides bodies on supports. The plan goes through this
-// table once and asks every member. So the order matters. Overlaps are read from the pairs
-// that contact declares, slips belong to its pairs, and a rigid motion may be stopped by
-// either. So contact comes before them, and rigid motions come last.
+// table once and asks every member. So the order matters. Initial overlap and friction look
+// at the pairs that contact declares. A rigid motion may be stopped by a gap or by a slip.
+// So contact comes before the first two, and rigid motions come last.
 //
 // Add-ons insert their members by name. For example, adjusted gaps stand before contact,
 // because they change gaps that contact counts.
@@ -14,7 +14,8 @@
 
 namespace signorini {
 
-// One function per member. Its name stands here once, and the line below declares it.
+// One function per member. Its name stands here once: the line with `Effect` below declares
+// it, and the list calls it.
 #define SIGNORINI_EFFECTS                                                               \
   body_force(), edge_loads(), point_forces(), contact(), initial_overlap(), friction(), \
       cohesion(), rigid_motions()

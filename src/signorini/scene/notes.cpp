@@ -24,8 +24,8 @@ std::string with_notes(const std::string& message, const std::vector<std::string
   return all;
 }
 
-// Two errors may have the same cause and different notes. To compare them, a reader of scene
-// files takes the notes off.
+// Two errors may have the same cause and different notes. The reader of scene files compares
+// errors, so it takes the notes off.
 std::string without_notes(const std::string& message) {
   return message.substr(0, message.find(note_mark));
 }

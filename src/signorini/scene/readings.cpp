@@ -43,7 +43,7 @@ Eigen::VectorXd dissipated(const ContactState& contact) {
   return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
 }
 
-// The whole road in four lines. Most programs of the chapters begin with it.
+// The whole road in four lines. Many programs of the chapters begin with it.
 // [solved]
 SolvedScene solved(const Scene& scene, const std::string& what) {
   Ledger ledger;
@@ -108,9 +108,9 @@ BoundaryForces boundary_forces(const SolvedScene& run, const Side& side) {
           boundary_weights(own.mesh, side.boundary, depth_of(own.material))};
 }
 
-// Every entry n_x moves to the y column as -n_x, every n_y to the x column. So slips can be
-// read also where no friction asked for the rows S. For the normal (0, 1) the tangent is (1,
-// 0).
+// Every entry \f$ n_x \f$ moves to the y column as \f$ -n_x \f$, every \f$ n_y \f$ to the x
+// column. The normal (0, 1) becomes the tangent (1, 0). So slips can be read also where no
+// friction asked for the rows S.
 NodalRows turned(const NodalRows& opening) {
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index row = 0; row < opening.rows(); ++row)

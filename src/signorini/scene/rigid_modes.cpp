@@ -13,8 +13,9 @@
 // Balance alone gives the forces 2 and 4.
 //
 // The difficulty of this file is zero. A block on a floor can slide, because its slide opens
-// no gap. Then the entry of R must be 0. A rest of \f$ 10^{-17} \f$ would make the solver
-// believe that the floor stops the slide, with a force of \f$ 10^{17} \f$ times the load.
+// no gap. Then the entry of R must be 0. A remainder of \f$ 10^{-17} \f$ would make the
+// solver believe that the floor stops the slide, with a force of \f$ 10^{17} \f$ times the
+// load.
 
 #include "signorini/scene/rigid_modes.hpp"
 
@@ -36,7 +37,7 @@ constexpr double roundings = 64;
 
 // One rigid mode, and what rounding of directions makes of its work. Far from the origin,
 // coordinates are rounded to a coarse grid, and so are the directions that are computed from
-// them. Then even an entry that should be zero may be wrong by one rounding of the largest
+// them. Then even an entry that should be zero may be wrong by some roundings of the largest
 // movement. This counts only between the first and the last unknown that the mode moves: the
 // other bodies stand still.
 class Mode {
