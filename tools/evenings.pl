@@ -9,7 +9,8 @@
 #
 # A page is the file itself: comments at the left edge are prose, what stands between them is code. Prose is Markdown with formulas,
 # as \f$ \f$ or $ $; a comment `# Title` gives the page its title. Above the code of a source stands, for each function that a header
-# declares: its contract (of a private one, that of its class), tests that use it, chapters that use it, and equations of the papers that the comments above it name.
+# declares: its contract (of a private one, that of its class), tests and chapters that use it, and equations of the papers that the
+# comments above it name.
 use strict;
 use warnings;
 use File::Basename qw(basename dirname);
@@ -211,7 +212,8 @@ sub page {
     my ($i) = @_;
     my ($path, $from) = ($page[$i]{path}, "src/$page[$i]{path}");
     my $out = '# ' . title($text{$path}, $path) . "\n\n";
-    my @also = map { '[`' . basename($_) . "`](" . basename($_) . '.md)' } grep { $_ ne $path && exists $at{$_} } map { my $e = $_; $path =~ s/\.[ch]pp$/$e/r } '.hpp', '.cpp';
+    my $stem = $path =~ s/\.[ch]pp$//r;
+    my @also = map { '[`' . basename($_) . "`](" . basename($_) . '.md)' } grep { $_ ne $path && exists $at{$_} } "$stem.hpp", "$stem.cpp";
     push @also, '[reference](' . basename($path) . ')' if $path =~ /hpp$/;
     push @also, map { '[' . basename($_) . '](' . away($from, $_) . ')' } grep { -f } own_test($path);
     $out .= "`src/$path`" . join('', map { " · $_" } @also) . "\n\n";
@@ -224,7 +226,8 @@ sub page {
         my ($n, @code) = ($piece->{first});
         for my $part (split /(?<=\n)(?=\n\S)/, join '', map { "$_\n" } @{ $piece->{code} }) {    # a function that leads somewhere begins a listing
             my %seen;
-            my @name = grep { (exists $declared{$_} || /^(\w+)::\w+$/ && exists $class_in{$1}) && !$seen{$_}++ } $path =~ /cpp$/ ? defined_here([split /\n/, $part], \@spaces) : ();
+            my @name = $path =~ /cpp$/ ? defined_here([split /\n/, $part], \@spaces) : ();
+            @name = grep { (exists $declared{$_} || /^(\w+)::\w+$/ && exists $class_in{$1}) && !$seen{$_}++ } @name;
             if (@name || !@code) { push @code, { first => $n, leads => join('', map { leads($from, $_, @equations) } @name), text => '' } }
             @equations = () if @name;
             $code[-1]{text} .= $part;
@@ -260,10 +263,18 @@ sub evening {
 }
 
 sub evenings {
-    my $out = "# Reading Signorini in six evenings\n\nThe library is short enough to be read. Its files stand here in an order in which what is used is explained before; each\n"
-        . "is a page, made from the file itself, and every function leads to its contract, its tests, the chapters that use it and the equations\n"
-        . "of the papers. Two more evenings are for what the papers print.\n\n";
-    $out .= "- [Evening $_: $evening[$_ - 1]{title}](evening-$_.md), " . @{ $evening[$_ - 1]{files} } . ' files, ' . lines(@{ $evening[$_ - 1]{files} }) . " lines\n" for 1 .. @evening;
+    my $out = <<'END';
+# Reading Signorini in six evenings
+
+The library is short enough to be read. Its files stand here in an order in which what is used is explained before. Each is a page,
+made from the file itself, and every function leads to its contract, its tests, the chapters that use it and the equations of the
+papers. Two more evenings are for what the papers print.
+
+END
+    for my $n (1 .. @evening) {
+        my @files = @{ $evening[$n - 1]{files} };
+        $out .= "- [Evening $n: $evening[$n - 1]{title}](evening-$n.md), " . @files . ' files, ' . lines(@files) . " lines\n";
+    }
     return $out;
 }
 
@@ -293,5 +304,6 @@ sub show {
 show('evenings.md', evenings());
 show("evening-$_.md", evening($_)) for 1 .. @evening;
 show("$page[$_]{path}.md", page($_)) for 0 .. $#page;
+exit 0 if !$check;    # a book is made of a list with faults, too
 print STDERR "$_\n" for @complaints;
 exit(@complaints ? 1 : 0);

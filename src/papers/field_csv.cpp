@@ -60,6 +60,7 @@ std::vector<Polygon> between(const Polygon& corners, const Eigen::Vector3d& midd
   return pieces;
 }
 
+// The corners of a cell where they have moved to; the field is filled in later.
 Polygon corners_of(const Mesh& mesh, const NodeArray& moved, Eigen::Index cell) {
   Polygon corners;
   for (int k = 0; k < mesh.corners(cell); ++k)
@@ -106,6 +107,7 @@ double snapped(double value, const std::vector<double>& levels, double tolerance
 // The first corner is written again at the end, so that the polygon is closed. Numbers have five
 // digits, which is more than a picture shows, and the tolerance in the first line allows for the
 // last of them.
+//
 // A square of side 10 with the value 3.5 is
 //
 //     # tolerance rel 1e-4 abs 0.0002
@@ -129,10 +131,11 @@ std::string deformed_cells_csv(const Mesh& mesh, const NodeArray& displacements,
   return field.csv(text("rel 1e-4 abs ", 2e-5 * std::max(size, largest)));
 }
 
-// Two levels more, minus and plus infinity, make the first and the last band like the others. A
-// cell that lies within one band is written whole; only the others are cut.
+// Two levels more, minus and plus infinity, make the first and the last band like the others.
+//
 // The colour of a band is its number: how many levels lie below it. A picture of bands shows the
-// value to a reader without a scale of hundreds of colours, and it is the same on every screen.
+// value to a reader without a scale of hundreds of colours.
+//
 // The mean in the middle is moved onto a level like the corners, so that no sliver is cut there.
 std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
                                const Eigen::Ref<const Eigen::VectorXd>& value,
@@ -170,6 +173,7 @@ std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
 // A triangle whose corners have different signs is crossed on two of its sides: the line between
 // these two points is its part of the zero line. Zero counts as positive, so a line through a
 // corner is found on one of the two sides that meet there, not on both.
+//
 // Each triangle is treated alone. Neighbours share a side and compute the same point on it, so the
 // short pieces join to a line.
 // A triangle without change of sign adds nothing.

@@ -25,6 +25,9 @@ namespace {
 using Eigen::Index;
 
 // Adds the force of a pair and its moments. \param tangent  0 along the normal, 1 along the tangent
+//
+// In axial symmetry a pair stands for a whole circle. Radial forces cancel around it, and so do the
+// moments; only the force along the axis is left.
 void add_force(const Pairs& pairs, Index pair, int tangent, double force, bool axial,
                Resultants& sum) {
   const Eigen::Vector2d n = pairs.normal.row(pair).transpose();
@@ -39,9 +42,6 @@ void add_force(const Pairs& pairs, Index pair, int tangent, double force, bool a
 
 // Adds every pair to the sum that it belongs to. \param sum_of  gives that of a pair
 // One walk over the pairs serves all sums: the caller says to which sum a pair belongs.
-//
-// In axial symmetry a pair stands for a whole circle. Radial forces cancel around it, and so do the
-// moments; only the force along the axis is left.
 //
 // Normal force and shear force are sums of numbers and not of vectors. Around a curved boundary the
 // normal force is larger than the force F without friction, because parts of F cancel.
