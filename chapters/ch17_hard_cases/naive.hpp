@@ -88,13 +88,18 @@ inline Answer small_library(const Posed& posed) {
   using namespace signorini;
   if (posed.model)
     return answer_of(solve_plainly(*posed.model, *posed.condensed, posed.scene.solver, {}, {}));
+  Answer answer;
+  answer.asked = !posed.form;
   const bool frictional = !posed.small.law.pair.empty();
-  const Solver solver =
-      frictional || is_symmetric(posed.small) ? primal_dual_active_set() : lemke();
-  if (!posed.form) return claimed(posed, solve(posed.small, solver));
-  Answer not_asked;
-  not_asked.asked = false;
-  return not_asked;
+  const bool general = !frictional && !is_symmetric(posed.small);
+  try {
+    if (answer.asked)
+      answer = claimed(posed, solve(posed.small, general ? lemke() : primal_dual_active_set()));
+  } catch (const std::invalid_argument& error) {
+    answer.said = "refused";
+    answer.message = error.what();
+  }
+  return answer;
 }
 
 /// \param message  of a refusal \return the line of the file that it names as `:NUMBER:`, 0 if it names none

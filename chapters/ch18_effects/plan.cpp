@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "addons/steps/histories.hpp"
 #include "meshes/hertz_meshes.hpp"
 #include "papers/field_csv.hpp"
 #include "scenes.hpp"
@@ -54,6 +55,7 @@ void show_plan(const ProgramOptions& run, const Scene& scene) {
 }
 
 SolveStatus chapter(const ProgramOptions& run) {
+  register_load_steps();  // one more effect, which the plan names as off
   show_plan(run, heated(with_friction(floating(with_plate(on_rock(0))))));
   return SolveStatus::Solved;
 }

@@ -11,6 +11,8 @@
 
 #include "papers/solver_table.hpp"
 
+#include <utility>
+
 #include "addons/certified/active_set_programme.hpp"
 #include "papers/friction_split.hpp"
 #include "papers/linear_programme.hpp"
@@ -44,42 +46,60 @@ const std::vector<Trait> everything = {Trait::Ordinary,   Trait::Asymmetric, Tra
                                        Trait::Infeasible, Trait::Degenerate, Trait::IllConditioned,
                                        Trait::Slow,       Trait::Several};
 
-// One weighted gap in the place of all.
-// The six rules for the weights of the surrogate dual are one function with a fixed rule each. Only
-// the fully corrective rule ends by itself, so only it promises to solve ordinary problems.
-std::vector<Solver> weight_rules() {
-  return {
-      member("surrogate_dual", "one weighted gap; weights best on the face of all vertices in use",
-             surrogate_dual<WeightRule::FullyCorrective>)
-          .may_fail_on({Trait::Asymmetric, Trait::Infeasible, Trait::IllConditioned}),
-      member("surrogate_dual_vertex",
-             "one weighted gap; all weight to the most violated pair, which hops",
-             surrogate_dual<WeightRule::LiteralVertex>)
-          .may_fail_on(everything),
-      member("surrogate_dual_harmonic",
-             "one weighted gap; weights move 2/(k+2) of the way to that pair",
-             surrogate_dual<WeightRule::Harmonic>)
-          .may_fail_on(all_but_several),
-      member("surrogate_dual_line_search",
-             "one weighted gap; weights move to that pair by a line search",
-             surrogate_dual<WeightRule::LineSearch>)
-          .may_fail_on(all_but_several),
-      member("surrogate_dual_away_steps", "one weighted gap; or away from the worst pair in use",
-             surrogate_dual<WeightRule::AwaySteps>)
-          .may_fail_on(all_but_several),
-      member("surrogate_dual_pairwise",
-             "one weighted gap; weight moves from the worst pair to the best",
-             surrogate_dual<WeightRule::Pairwise>)
-          .may_fail_on(all_but_several)};
+// One weighted gap in the place of all, with a rule for the weights.
+// The six rules of the surrogate dual are one function with a fixed rule each. Only the fully
+// corrective rule ends by itself, so only it promises to solve ordinary problems.
+template <WeightRule rule>
+Solver one_gap(const char* name, const char* summary, std::vector<Trait> traits = all_but_several) {
+  return member(name, summary, surrogate_dual<rule>).may_fail_on(std::move(traits));
 }
 
-// The order of the list is that of tables and messages, so the rules stand in its middle.
-std::vector<Solver> joined(const std::vector<Solver>& first, const std::vector<Solver>& second,
-                           const std::vector<Solver>& third) {
-  std::vector<Solver> all = first;
-  all.insert(all.end(), second.begin(), second.end());
-  all.insert(all.end(), third.begin(), third.end());
-  return all;
+// The literal method and the printed split are kept as they are. That they fail is a result of the
+// chapters, so they promise next to nothing.
+Solver literal() {
+  return member("quasi_active_set_literal",
+                "the paper's equations (30)-(39): minimum moved, one last step; often not optimal",
+                quasi_active_set_literal)
+      .may_fail_on(all_but_several);
+}
+
+// `enumerate` tries every set, so it takes only few pairs.
+Solver oracle() {
+  return member("enumerate", "tries every set of closed pairs; the oracle of the tests", enumerate)
+      .up_to(largest_enumeration)
+      .may_fail_on({Trait::Infeasible});
+}
+
+// Two members also solve a programme K, p, A, g as it is, without condensing it to the pairs first:
+// the quasi-active set and this one.
+Solver one_at_a_time() {
+  return member("goldfarb_idnani", "dual active set: one pair joins or leaves at a time",
+                goldfarb_idnani)
+      .may_fail_on({Trait::Asymmetric, Trait::IllConditioned})
+      .on_programmes(goldfarb_idnani);
+}
+
+Solver sweeps() {
+  return member("projected_gauss_seidel", "sweeps: each pair in turn gets the force that closes it",
+                projected_gauss_seidel)
+      .may_fail_on({Trait::Ordinary, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
+                    Trait::IllConditioned, Trait::Slow});
+}
+
+Solver simplex() {
+  return member("linear_programme",
+                "simplex steps to the least sum of artificial gaps, one pair at a time",
+                linear_programme)
+      .may_fail_on({Trait::Asymmetric, Trait::Dependent, Trait::Infeasible});
+}
+
+// The slip as the difference of two positive numbers. Both forms take bodies that only contact holds.
+Solver split(const char* name, const char* summary,
+             ContactState (*solve)(const ContactProblem&, const SolverOptions&)) {
+  return member(name, summary, solve)
+      .may_fail_on({Trait::Friction})
+      .with_friction(Takes::Only)
+      .with_rigid_modes();
 }
 
 // The members that do not say `no` of friction.
@@ -94,51 +114,42 @@ std::vector<Solver> without(Takes no) {
 }  // namespace
 
 // Methods that the library itself uses come with their traits, as a function of their name. The
-// others get theirs here.
-//
-// The literal method and the printed split are kept as they are. That they fail is a result of the
-// chapters, so they promise next to nothing.
-// Two members also solve a programme K, p, A, g as it is (`on_programmes`), without condensing it
-// to the pairs first. `enumerate` tries every set, so it takes only few pairs (`up_to`). Members
-// `with_rigid_modes` take bodies that only contact holds.
+// others get theirs above. The order of the list is that of tables and messages.
 // To add a member, write one line here:
 //
 //     member("my_method", "what it does in a line", my_method).may_fail_on({Trait::Slow}),
 const std::vector<Solver>& all_solvers() {
-  static const std::vector<Solver> family = joined(
-      {quasi_active_set().on_programmes(quasi_active_set),
-       member("quasi_active_set_literal",
-              "the paper's equations (30)-(39): minimum moved, one last step; often not optimal",
-              quasi_active_set_literal)
-           .may_fail_on(all_but_several),
-       primal_dual_active_set(),
-       member("enumerate", "tries every set of closed pairs; the oracle of the tests", enumerate)
-           .up_to(largest_enumeration)
-           .may_fail_on({Trait::Infeasible}),
-       lemke(),
-       member("goldfarb_idnani", "dual active set: one pair joins or leaves at a time",
-              goldfarb_idnani)
-           .may_fail_on({Trait::Asymmetric, Trait::IllConditioned})
-           .on_programmes(goldfarb_idnani),
-       member("projected_gauss_seidel", "sweeps: each pair in turn gets the force that closes it",
-              projected_gauss_seidel)
-           .may_fail_on({Trait::Ordinary, Trait::Dependent, Trait::Infeasible, Trait::Degenerate,
-                         Trait::IllConditioned, Trait::Slow})},
-      weight_rules(),
-      {fischer_burmeister(),
-       member("linear_programme",
-              "simplex steps to the least sum of artificial gaps, one pair at a time",
-              linear_programme)
-           .may_fail_on({Trait::Asymmetric, Trait::Dependent, Trait::Infeasible}),
-       member("friction_split", "the slip split in u+ and u-, repaired", friction_split)
-           .may_fail_on({Trait::Friction})
-           .with_friction(Takes::Only)
-           .with_rigid_modes(),
-       member("friction_split_literal", "the slip split in u+ and u-, as printed but for a sign",
-              friction_split_literal)
-           .may_fail_on({Trait::Friction})
-           .with_friction(Takes::Only)
-           .with_rigid_modes()});
+  static const std::vector<Solver> family = {
+      quasi_active_set().on_programmes(quasi_active_set),
+      literal(),
+      primal_dual_active_set(),
+      oracle(),
+      lemke(),
+      one_at_a_time(),
+      sweeps(),
+      one_gap<WeightRule::FullyCorrective>(
+          "surrogate_dual", "one weighted gap; weights best on the face of all vertices in use",
+          {Trait::Asymmetric, Trait::Infeasible, Trait::IllConditioned}),
+      one_gap<WeightRule::LiteralVertex>(
+          "surrogate_dual_vertex",
+          "one weighted gap; all weight to the most violated pair, which hops", everything),
+      one_gap<WeightRule::Harmonic>(
+          "surrogate_dual_harmonic",
+          "one weighted gap; weights move 2/(k+2) of the way to that pair"),
+      one_gap<WeightRule::LineSearch>(
+          "surrogate_dual_line_search",
+          "one weighted gap; weights move to that pair by a line search"),
+      one_gap<WeightRule::AwaySteps>("surrogate_dual_away_steps",
+                                     "one weighted gap; or away from the worst pair in use"),
+      one_gap<WeightRule::Pairwise>(
+          "surrogate_dual_pairwise",
+          "one weighted gap; weight moves from the worst pair to the best"),
+      fischer_burmeister(),
+      simplex(),
+      split("friction_split", "the slip split in u+ and u-, repaired", friction_split),
+      split("friction_split_literal", "the slip split in u+ and u-, as printed but for a sign",
+            friction_split_literal),
+  };
   return family;
 }
 

@@ -17,13 +17,22 @@ using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Whether the part of u that is claimed to be rigid strains a body. Every row is measured by its own terms: how far another
-/// body moves must hide nothing.
+/// Whether the part of u that is claimed to be rigid strains a body. Rows are measured by the largest motion of their own
+/// neighbourhood: how far another body moves must hide nothing. By its own terms a row near a node that hardly moves would be
+/// measured by the rounding of motions that are larger.
 bool strains(const SparseMatrix& K, const VectorXd& rigid) {
-  if (rigid.size() == 0) return false;
-  const VectorXd force = (K * rigid).cwiseAbs();
-  const VectorXd terms = K.cwiseAbs() * rigid.cwiseAbs();
-  return !(force.array() <= certificate_tolerance * terms.array()).all();
+  for (Index row = 0; row < rigid.size(); ++row) {
+    double force = 0;
+    double stiffness = 0;
+    double motion = 0;
+    for (SparseMatrix::InnerIterator it(K, row); it; ++it) {
+      force += it.value() * rigid(it.row());
+      stiffness += std::abs(it.value());
+      motion = std::max(motion, std::abs(rigid(it.row())));
+    }
+    if (!(std::abs(force) <= certificate_tolerance * stiffness * motion)) return true;
+  }
+  return false;
 }
 
 /// Whether a force is claimed for a row of A that is empty and so cannot carry any. A slip that supports give has an

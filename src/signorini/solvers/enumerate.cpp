@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/farkas.hpp"
 
 namespace signorini {
