@@ -34,7 +34,7 @@ inline Answer claimed(const Posed& posed, const ContactState& state) {
 /// \return the answer, certified from K, p, A and g
 inline Answer unrefined(const Posed& posed, const signorini::Condensed& condensed) {
   const signorini::Model& model = *posed.model;
-  ContactState state = posed.scene.solver.solve(condensed.problem, {});
+  ContactState state = signorini::solve(condensed.problem, posed.scene.solver);
   Answer answer;
   answer.said = to_string(state.report.status);
   if (!answer.solved()) return answer;

@@ -77,7 +77,7 @@ inline Tour tour(const std::vector<Case>& all) {
                                                      said.said, "', but the exhibit states '",
                                                      given.exhibit.status, "'"));
         (verdict == Verdict::Solved ? tally.solved : tally.honest) = 1;
-      } else if (visitor == "small_library" && verdict != Verdict::Refuted) {
+      } else if (visitor == "small_library") {
         tally.alone = verdict == Verdict::Solved ? 1 : 0;
       } else if (verdict == Verdict::Solved || verdict == Verdict::Refuted) {
         ++tally.claims;

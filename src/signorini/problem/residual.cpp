@@ -25,8 +25,8 @@ struct Parts {
 
 /// u without its rigid part: the difference is exact.
 Parts strained_parts(const PrimalDual& solution) {
-  Parts parts{solution.displacement, solution.displacement_low};
-  if (!has_low(solution)) parts.low.setZero(parts.high.size());
+  const VectorXd none = VectorXd::Zero(solution.displacement.size());
+  Parts parts{solution.displacement, has_low(solution) ? solution.displacement_low : none};
   for (Index i = 0; i < solution.rigid.size(); ++i) {
     ExactSum difference(parts.high(i));
     difference.add(-solution.rigid(i));
