@@ -1,3 +1,16 @@
+// # What a claim leaves of the equations
+//
+// A claimed solution (u, λ) is put into the equations as they were posed, and two vectors remain,
+// \f[ r = p - Ku - A^T\lambda, \qquad g - Au: \f]
+// the forces that are missing in the equilibrium, and the gaps. Everything that is said about the
+// quality of a solution rests on them. So their own rounding must not be seen.
+//
+// Two things make it large otherwise. A stiff spring of 1e10 carries the force 1 between nodes that
+// are displaced by 1 and \f$ 1 + 10^{-10} \f$. A double near 1 is rounded by up to 1.1e-16, and
+// that alone is a force of 1.1e-6. So u is kept as the sum of two doubles, and the sums are those
+// of ExactSum. And a body that moves far as a whole is strained by the rounding of K. So the rigid
+// part of u is known by itself, and K is not applied to it.
+
 #include "signorini/problem/residual.hpp"
 
 #include <algorithm>
@@ -14,16 +27,16 @@ using Eigen::VectorXd;
 using Columns = Eigen::SparseMatrix<double>;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Whether u carries a second, smaller part.
+// A solution in plain doubles has no second part.
 bool has_low(const PrimalDual& solution) { return solution.displacement_low.size() > 0; }
 
-/// u as the sum of two vectors.
+// u as the sum of two vectors.
 struct Parts {
   VectorXd high;
   VectorXd low;
 };
 
-/// u without its rigid part: the difference is exact.
+// u without its rigid part, as two vectors again. ExactSum keeps what the subtraction would lose.
 Parts strained_parts(const PrimalDual& solution) {
   const VectorXd none = VectorXd::Zero(solution.displacement.size());
   Parts parts{solution.displacement, has_low(solution) ? solution.displacement_low : none};
@@ -36,7 +49,9 @@ Parts strained_parts(const PrimalDual& solution) {
   return parts;
 }
 
-/// Whether this and the next column of K have entries in the same rows, as the unknowns of a node mostly have.
+// The two unknowns of a node mostly have entries in the same rows of K. Then two residuals are
+// computed side by side, which takes half of the time. Such columns are recognised by their row
+// numbers.
 bool twins(const Columns& K, Index column) {
   if (column + 1 >= K.cols() || !K.isCompressed()) return false;
   const int* const outer = K.outerIndexPtr() + column;
@@ -45,8 +60,9 @@ bool twins(const Columns& K, Index column) {
          std::equal(inner + outer[0], inner + outer[1], inner + outer[1]);
 }
 
-/// p - K u of one unknown, or of two that are twins side by side: that takes half of the time. K has both triangles, so
-/// columns serve as rows.
+// p - K u of one unknown, or of two twins. K is symmetric and has both triangles, so a column serves
+// as a row. Products with the small part of u are small themselves, and a plain sum is enough for
+// them.
 template <int rows>
 void subtract_stiffness(const QuadraticProgramme& programme, const Parts& u, Index row,
                         std::vector<ExactSum>& sums) {
@@ -69,6 +85,9 @@ void subtract_stiffness(const QuadraticProgramme& programme, const Parts& u, Ind
 
 }  // namespace
 
+// Both residuals and the certificate begin with this check. Eigen would not find wrong sizes in a
+// release build: it would read what lies behind a vector, and the residual of a false claim could
+// be small.
 void check_sizes(const QuadraticProgramme& programme, const PrimalDual& solution) {
   const Index n = programme.load.size();
   const Index pairs = programme.initial_gap.size();
@@ -84,11 +103,16 @@ void check_sizes(const QuadraticProgramme& programme, const PrimalDual& solution
                    solution.displacement.size(), " and ", solution.force.size());
 }
 
+// A correction is smaller than u. Added to a single double it would lose most of its digits, and
+// corrections could never make u better than its rounding.
 void add_displacement(PrimalDual& solution, const VectorXd& change) {
   for (Index i = 0; i < change.size(); ++i)
     add_to(solution.displacement(i), solution.displacement_low(i), change(i));
 }
 
+// Stresses are computed from these displacements. The rigid part goes first, so that the large
+// numbers cancel. The small part then adds the digits that u lacks. In the other order, u would
+// absorb the small part, because its last digit is larger.
 VectorXd strained(const PrimalDual& solution) {
   VectorXd u = solution.displacement;
   if (solution.rigid.size() > 0) u -= solution.rigid;
@@ -96,6 +120,10 @@ VectorXd strained(const PrimalDual& solution) {
   return u;
 }
 
+// One pass over the columns of K. Of twins the second one is done already, so i grows twice. Each
+// unknown has its own sum: it is as exact beside a large residual as alone. The certificate
+// measures these forces by the loads, and the refined solve hands them to the factor of K, which
+// makes the next correction of them.
 VectorXd equilibrium_residual(const QuadraticProgramme& programme, const PrimalDual& solution) {
   check_sizes(programme, solution);
   const Parts u = strained_parts(solution);
@@ -115,6 +143,10 @@ VectorXd equilibrium_residual(const QuadraticProgramme& programme, const PrimalD
   return residual;
 }
 
+// The gap of a pair has one row of A. The rigid part of u stays in: a motion of a whole body
+// changes gaps, although it strains nothing. Forces have no part in it, because a gap is a matter
+// of places alone. A far body has large displacements that cancel, and exact sums keep what is
+// left.
 VectorXd gaps(const QuadraticProgramme& programme, const PrimalDual& solution) {
   check_sizes(programme, solution);
   VectorXd gap(programme.initial_gap.size());

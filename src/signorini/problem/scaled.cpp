@@ -1,3 +1,22 @@
+// # One unit for all rows
+//
+// A thick plate and a thin wire may stand in one problem. Their compliances differ by many powers
+// of ten, and "this force is small" then means nothing. So every solver works with a scaled
+// problem. With \f$ s_i = 1/\sqrt{F_{ii}} \f$ it has
+// \f[ \hat F_{ij} = s_i F_{ij} s_j, \qquad \hat d_i = s_i d_i, \qquad
+// \lambda_i = s_i\hat\lambda_i. \f]
+// This is the scaling of a symmetric matrix to unit diagonal, also called equilibration. A scaled
+// force and a scaled gap have the same unit, the square root of an energy, so they can be compared.
+//
+// Two pairs, the first 400 times softer than the second:
+// \f[ F = \begin{pmatrix} 4 & 0.1 \\ 0.1 & 0.01 \end{pmatrix}, \quad
+// d = \begin{pmatrix} -2 \\ -0.1 \end{pmatrix}, \quad
+// s = \begin{pmatrix} 1/2 \\ 10 \end{pmatrix}, \qquad
+// \hat F = \begin{pmatrix} 1 & 0.5 \\ 0.5 & 1 \end{pmatrix}, \quad
+// \hat d = \begin{pmatrix} -1 \\ -1 \end{pmatrix}. \f]
+// The scaled pairs are alike. Both scaled forces are 2/3, and the forces are \f$ s_i \cdot 2/3 \f$,
+// which is 1/3 and 20/3.
+
 #include "signorini/problem/scaled.hpp"
 
 #include <algorithm>
@@ -12,10 +31,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// F is kept by its entries, too, if at most one number in so many is not 0: that trades the speed of dense products
-/// for their number. Solutions do not depend on it, as all are confirmed exactly on either.
+// Piles of rigid bodies that rub have an F that is mostly zeros. If at most one entry in 64 is not
+// zero, F is also kept by its entries: only there sparse products make up for their slower
+// arithmetic. The choice cannot change a solution, as the same conditions confirm each.
 constexpr Eigen::Index sparse_below = 64;
 
+// The bound \f$ |\tau_j| \le \mu\lambda_i + c \f$ joins two rows of different scales. Divided by
+// \f$ s_j \f$ it says \f$ |\hat\tau_j| \le (\mu s_i/s_j)\,\hat\lambda_i + c/s_j \f$.
 void scale_law(const FrictionLaw& law, ScaledProblem& scaled) {
   const Index slips = static_cast<Index>(law.pair.size());
   scaled.law = law;
@@ -25,7 +47,13 @@ void scale_law(const FrictionLaw& law, ScaledProblem& scaled) {
   scaled.law.cohesion = law.cohesion.cwiseQuotient(of_slips);
 }
 
-/// s R c = U inverse^-1 with columns c that make the length of each mode 1, and t from c r.
+// Rigid modes may be given in any units and may depend on each other. A singular value
+// decomposition \f$ U\Sigma V^T \f$ of the scaled modes, each of length 1, finds an orthonormal
+// basis U of what they do to the rows. The balance \f$ R^T\lambda = r \f$ becomes
+// \f$ U^T\hat\lambda = t \f$.
+//
+// Forces cannot balance the part of r that belongs to a motion that moves no row. If that part is
+// more than rounding, the problem has no solution, and the part is kept as the proof.
 void scale_modes(const ContactProblem& problem, ScaledProblem& scaled) {
   const Index modes = problem.resultant.size();
   scaled.rigid.resize(scaled.free.size(), 0);
@@ -59,6 +87,7 @@ void scale_modes(const ContactProblem& problem, ScaledProblem& scaled) {
     scaled.unconstrained_resultant = -unit.cwiseProduct(left);
 }
 
+// All the parts together. The scales of rows without a diagonal are those of row_scales().
 ScaledProblem scaled_by_pairs(const ContactProblem& problem) {
   ScaledProblem scaled;
   const VectorXd free = free_movement(problem);
@@ -75,6 +104,8 @@ ScaledProblem scaled_by_pairs(const ContactProblem& problem) {
 
 }  // namespace
 
+// Most methods need a symmetric F. A matrix that is not symmetric enters by equilibrate_any(), and
+// the scaled problem then says how it may be factored.
 ScaledProblem equilibrate(const ContactProblem& problem) {
   check_problem(problem);
   return scaled_by_pairs(problem);
@@ -87,6 +118,7 @@ ScaledProblem equilibrate_any(const ContactProblem& problem) {
   return scaled;
 }
 
+// A scaled problem is itself a problem. So checks that are written for problems serve for it too.
 ContactProblem as_posed(const ScaledProblem& problem) {
   const Index pairs = problem.pairs();
   return {problem.compliance,
@@ -97,6 +129,8 @@ ContactProblem as_posed(const ScaledProblem& problem) {
           problem.resultant};
 }
 
+// In the example above the row sums of \f$ \hat F \f$ are 1.5: forces of size 1 on both pairs open
+// each gap by 1.5. So a force counts 1.5 times as much as a gap.
 double force_scale(const MatrixXd& compliance) {
   const double sum = compliance.size() == 0 ? 0 : compliance.cwiseAbs().rowwise().sum().maxCoeff();
   return sum > 0 ? sum : 1;
