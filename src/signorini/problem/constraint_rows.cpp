@@ -50,9 +50,8 @@ ConstraintRows rows_of(const ScaledProblem& scaled, const VectorXd& weight) {
   rows.gaps = [&scaled](const ActiveSetFactor& basis, VectorXd& gap, VectorXd& rounding) {
     gaps_of_pairs(scaled, basis, gap, rounding);
   };
-  // Everything is known already, so the candidates are only picked out of G: their products with
-  // the
-// basis, and with each other.
+  // Everything is known already. The candidates are picked out of G: their products with the
+  // basis, and with each other.
   rows.fetch = [&scaled](const ActiveSetFactor& basis, const VectorXd& gap,
                          const VectorXd& rounding, ActiveSetFactor::Candidates& candidates) {
     const Rows& list = candidates.rows;

@@ -1,3 +1,19 @@
+// # Out of balance, unknown by unknown
+//
+// A residual of 1e-9 is nothing where the load is 1e6. On another unknown of the same body, where
+// all forces are of size 1e-9, it is an error of 100 per cent. So each entry of
+// \f$ p - Ku - A^T\lambda \f$ is also divided by what its own unknown has: its load, its contact
+// forces, and the largest force that displacements could make there.
+//
+// No term \f$ K_{ji}u_i \f$ exceeds \f$ \sqrt{K_{jj}}\sqrt{K_{ii}}\,|u_i| \f$, because K is
+// semidefinite. A stable factorisation leaves rounding of that, and what is larger is an error.
+//
+// Equations need more care. Let x have the stiffness 1 and the load 1, let z have neither, and let
+// z = 0.7 x. The solution is x = 1, z = 0.7, and the equation has the force 0. If it is computed as
+// 1e-17, z lacks 1e-17 and has nothing else: its share is 1. But the equation may have any force:
+// with 0 in its place z lacks nothing, and what changes at x, 0.7e-17, is compared with the load 1.
+// This file hands residuals on in that way before it measures them.
+
 #include "signorini/problem/imbalance.hpp"
 
 #include <algorithm>
@@ -16,8 +32,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// The largest sqrt(K_ii) |u_i| of all unknowns, or with equations of those that K joins with each one; the others then leave
-/// rounding of u, which has two parts.
+// The factor s of \f$ \sqrt{K_{jj}}\,s \f$: the largest \f$ \sqrt{K_{ii}}\,|u_i| \f$. With
+// equations it is taken over the unknowns that K joins with j, because an equation may join a soft
+// body with a stiff one, and what the stiff one has must not hide errors of the soft one. Of all
+// others only the rounding counts, as u has two parts.
 VectorXd stretches(const QuadraticProgramme& programme, const VectorXd& own, bool equations) {
   VectorXd stretch = VectorXd::Constant(own.size(), largest(own));
   if (!equations) return stretch;
@@ -28,7 +46,8 @@ VectorXd stretches(const QuadraticProgramme& programme, const VectorXd& own, boo
   return stretch;
 }
 
-/// What every unknown has itself.
+// What every unknown has itself. Where contact holds everything, u is 0, and the rounding of how
+// far load and contact forces would move an unknown takes its place.
 VectorXd own_forces(const QuadraticProgramme& programme, const PrimalDual& solution,
                     bool equations) {
   const VectorXd root = programme.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
@@ -44,8 +63,8 @@ VectorXd own_forces(const QuadraticProgramme& programme, const PrimalDual& solut
   return (own.array() + std::numeric_limits<double>::min()).matrix();
 }
 
-/// Of a combination of equations, what each unknown feels of it over what the unknown has.
-/// \return the second largest share over the largest, and the unknown with that; infinity if nothing feels it
+// Handing a residual on helps if it arrives where it matters less. So of a column of shares two
+// numbers count: who feels it most, and how much less the next one feels, relative to that.
 std::pair<double, Index> most_felt(VectorXd share) {
   Index unknown = 0;
   const double most = share.maxCoeff(&unknown);
@@ -54,8 +73,9 @@ std::pair<double, Index> most_felt(VectorXd share) {
   return {share.maxCoeff() / most, unknown};
 }
 
-/// Takes from the columns of E, combinations of equations, what they have of an unknown by one that has it. What is left of an
-/// entry is 0 where it may be rounding.
+// Gaussian elimination in the equations: once one of them has served an unknown, the others must
+// not disturb it again. Rounding that is left of an entry would later be divided by, so it becomes
+// 0.
 void eliminate(MatrixXd& E, Index pivot, Index unknown) {
   const VectorXd row = E.col(pivot);
   const double rounding = static_cast<double>(E.cols()) * epsilon;
@@ -69,8 +89,9 @@ void eliminate(MatrixXd& E, Index pivot, Index unknown) {
   }
 }
 
-/// What remains of a residual when forces of the equations take it, one unknown after the other, to those that feel less of it,
-/// each measured by what it has. \param E  the equations as columns
+// Takes the unknowns in the order in which it helps most. In the example z is first: its share of
+// the equation is about 3e17 times that of x. The result is never worse than without any handing
+// on.
 double rebalanced(MatrixXd E, const VectorXd& own, VectorXd residual) {
   const double worst = largest(residual.cwiseQuotient(own));
   double rounding = 0;
@@ -97,6 +118,7 @@ double rebalanced(MatrixXd E, const VectorXd& own, VectorXd residual) {
 
 }  // namespace
 
+// Most programmes have no equations, and nothing is handed on.
 double own_imbalance(const QuadraticProgramme& programme, const PrimalDual& solution,
                      const VectorXd& residual, Index equations) {
   const VectorXd own = own_forces(programme, solution, equations > 0);
