@@ -1,4 +1,20 @@
-// What a solution of a programme leaves, and what that is measured by.
+// # The certificate with displacements
+//
+// A programme is given by K, p, A and g, and a claim by u and the forces.
+// [residual.cpp](residual.cpp) computes what they leave, \f$ p - Ku - A^T\lambda \f$ and
+// \f$ g - Au \f$. This file finds the force \f$ \varphi \f$ and the length \f$ \ell \f$ that these
+// are measured by. If they are too large, they hide errors. If they are too small, rounding becomes
+// an error.
+//
+// Three traps:
+//
+// - An obstacle at the distance 1e6 makes g large, and its pair has no part in the problem. So
+//   displacements make the length, and g does not.
+// - Two wedges may hold each other with forces of 1e9 that cancel on every node. So the net force
+//   \f$ A^T\lambda \f$ counts, and single forces do not.
+// - Two bodies that never meet may have loads of 1e12 and 1. Beside the first one, the second one
+//   may be wrong by 100 per cent and has a figure of 1e-12. So each system is measured by itself.
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -17,9 +33,10 @@ using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Whether the part of u that is claimed to be rigid strains a body. Rows are measured by the largest motion of their own
-/// neighbourhood: how far another body moves must hide nothing. By its own terms a row near a node that hardly moves would be
-/// measured by the rounding of motions that are larger.
+// The rigid part of u is not multiplied by K when the equilibrium is computed. A false claim could
+// hide strains there. So \f$ Ku_r \f$ must be rounding, row by row, of the stiffness of the row times the
+// largest motion of its neighbours: another body that moves far must hide nothing. The terms of the
+// row alone are too little: near a node that hardly moves they are the rounding of larger motions.
 bool strains(const SparseMatrix& K, const VectorXd& rigid) {
   for (Index row = 0; row < rigid.size(); ++row) {
     double force = 0;
@@ -35,8 +52,9 @@ bool strains(const SparseMatrix& K, const VectorXd& rigid) {
   return false;
 }
 
-/// Whether a force is claimed for a row of A that is empty and so cannot carry any. A slip that supports give has an
-/// empty row, too, and friction on the support that resists it.
+// A row of A without entries cannot carry a force, because the force would appear in no
+// equilibrium. A slip that supports prescribe also has an empty row. There friction acts on the
+// support, and it is allowed.
 bool pushes_on_nothing(const QuadraticProgramme& programme, const VectorXd& norm,
                        const VectorXd& force, Index pairs) {
   for (Index row = 0; row < force.size(); ++row)
@@ -45,9 +63,9 @@ bool pushes_on_nothing(const QuadraticProgramme& programme, const VectorXd& norm
   return false;
 }
 
-/// The force phi: the largest load or net contact force on an unknown, since contact forces that cancel may be large without
-/// meaning anything. Where no load acts and u in two doubles cannot resolve the contact forces, it is the largest
-/// \f$ K_{jj} |u_j| \f$, which the displacements could make.
+// The largest load or net contact force. Without loads, contact forces can be so small beside K
+// that even u in two doubles cannot resolve them. Then the largest force that a displacement makes
+// takes their place.
 double force_size(const QuadraticProgramme& programme, const VectorXd& contact, const VectorXd& u) {
   const double load = largest(programme.load);
   const double most = std::max(load, largest(contact));
@@ -56,9 +74,10 @@ double force_size(const QuadraticProgramme& programme, const VectorXd& contact, 
   return load == 0 && most <= half * half * inside ? inside : most;
 }
 
-/// The length l: how far a displacement goes towards the obstacle in the sum of its terms, since a far obstacle has nothing to do
-/// with it; or how far p - A^T lambda, where that is more than rounding, would move the stiffest unknown, since contact may hold
-/// all that moves.
+// How far the displacements go towards the obstacle, as the sum of the magnitudes of all terms,
+// since each term is rounded. Contact may hold all that moves. Then u is 0, and the length is how
+// far the forces that the body has to bear would move its stiffest unknown. If these forces are
+// rounding too, the largest force takes their place.
 double length_of(const QuadraticProgramme& programme, const VectorXd& contact, const VectorXd& u,
                  const VectorXd& unit) {
   const double most = std::max(largest(programme.load), largest(contact));
@@ -74,16 +93,19 @@ double length_of(const QuadraticProgramme& programme, const VectorXd& contact, c
   return length;
 }
 
-/// The certificate of one system: gaps, of which some are equations, and slips.
-/// \param imbalance  p - K u - A^T lambda
-/// \param movement   g - A u
+// The figures of one system, some of whose gaps may be equations. Rows of A are measured as if
+// scaled to length 1: a gap that is written in millimetres must get the figures of the same gap in
+// metres.
+//
+// Friction forces do work on given slips, and in the duality gap they count as loads.
 Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual& solution,
                            const VectorXd& imbalance, const VectorXd& movement,
                            const FrictionLaw& law, Index equations) {
   const Index slips = static_cast<Index>(law.pair.size());
   VectorXd norm(programme.A.rows());
   for (Index row = 0; row < norm.size(); ++row) norm(row) = programme.A.row(row).norm();
-  // An entry of K, p, A or g that is not finite leaves none of its sums finite, whatever it is multiplied by.
+  // An entry of K, p, A or g that is not finite leaves none of its sums finite, whatever it is
+  // multiplied by.
   if (!imbalance.allFinite() || !movement.allFinite() || !solution.displacement.allFinite() ||
       !solution.force.allFinite() || !solution.displacement_low.allFinite() ||
       strains(programme.stiffness, solution.rigid) ||
@@ -105,7 +127,8 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
   return certify(left, law, equations);
 }
 
-/// p and what displacements of other systems add to it through entries of K that are weak.
+// An entry of K that is no more than rounding of its diagonal connects no systems. What it
+// transmits still acts, as a load on the other system.
 VectorXd loads_of_systems(const QuadraticProgramme& programme, const PrimalDual& solution,
                           const std::vector<SystemParts>& systems) {
   const VectorXd u = strained(solution);
@@ -119,13 +142,15 @@ VectorXd loads_of_systems(const QuadraticProgramme& programme, const PrimalDual&
   return load;
 }
 
-/// v of these places, or nothing if it is empty.
+// The second part and the rigid part of u may be empty, and stay empty.
 VectorXd entries(const VectorXd& v, const std::vector<Index>& places) {
   return v.size() == 0 ? v : VectorXd(v(places));
 }
 
-/// The worst figures of all systems, each measured by its own length and force. An entry of K up to epsilon sqrt(K_ii K_jj)
-/// connects none: it adds to no energy more than rounding does.
+// The residuals are computed once, of the whole. Each system then takes its entries of them, with
+// its own length and force, and the worst figures count. An entry of K up to
+// \f$ \varepsilon\sqrt{K_{ii}K_{jj}} \f$ connects nothing: it adds no more to any energy than
+// rounding does.
 Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual& solution,
                            const FrictionLaw& law, Index equations) {
   const VectorXd imbalance = equilibrium_residual(programme, solution);

@@ -1,3 +1,14 @@
+// # What hangs together
+//
+// A scene may contain bodies that never meet: a pile of stones here, a beam there. Mathematically
+// these are several problems in one matrix. They should be measured one by one. A figure that
+// measures all of them by the largest number would hide errors in the small ones.
+//
+// Two unknowns hang together if K, a gap or slip, or a rigid motion has an entry for both. Systems
+// are the connected components of this graph. Six unknowns show it. K joins 1 with 2, 3 with 4 and
+// 5 with 6, so there are three bodies. A gap has entries for 2 and 3, so bodies one and two may
+// touch. There are two systems, {1, 2, 3, 4} and {5, 6}.
+
 #include "signorini/problem/systems.hpp"
 
 #include <algorithm>
@@ -12,12 +23,16 @@ namespace {
 using Eigen::Index;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Sets that are joined pair by pair; each is called by its smallest member.
+// Disjoint sets with *union-find*: every unknown points to a smaller one of its set or to itself,
+// and the one that points to itself names the set. Where two sets join, the larger name then points
+// to the smaller one. name() also shortens the way for the next question (path halving), so that a
+// question takes hardly more than one step.
 class Joined {
  public:
   explicit Joined(Index count) : above_(at(count)), left_(count) {
     std::iota(above_.begin(), above_.end(), Index{0});
   }
+  // Every unknown on the way gets a new pointer, to where its old one points next.
   [[nodiscard]] Index name(Index i) {
     while (above_[at(i)] != i) i = above_[at(i)] = above_[at(above_[at(i)])];
     return i;
@@ -37,22 +52,32 @@ class Joined {
   Index left_;
 };
 
-/// Where a number is among rising ones, which may be few of many; -1 if it is not.
+// A system lists its unknowns in increasing order. Their number in the system is found by
+// bisection. A table would be as long as the whole, and each of many small systems would need one.
+// So a pile of stones would take time that grows with the square of their number.
 Index place_among(const std::vector<Index>& rising, Index number) {
   const auto found = std::lower_bound(rising.begin(), rising.end(), number);
   return found == rising.end() || *found != number ? -1
                                                    : static_cast<Index>(found - rising.begin());
 }
 
-/// The unknown that stands for a row of A; -1 if the row is empty.
+// All unknowns of a row are in one system, so that one of them stands for the row. An entry that is
+// stored as 0 says nothing.
 Index first_unknown(const RowMatrix& A, Index row) {
   for (RowMatrix::InnerIterator entry(A, row); entry; ++entry)
     if (entry.value() != 0) return entry.col();
   return -1;
 }
 
-/// Joins each unknown with those before it that it has an entry of K with: the first of them, or all. Entries that
-/// are no more than the share `weak` of what the diagonal holds join nothing.
+// Entries of K above the diagonal join. Looking at all of them takes time on a large mesh. On most
+// meshes the cells of a body reach each other even if only the first entry of each column is looked
+// at, and the search ends as soon as everything is one set. So it is done twice: first with one
+// entry per column, and at the end, if several sets are left, with all.
+//
+// Entries that are at most the share `weak` of what the diagonal holds are taken as rounding. With
+// the diagonal entries 4 and 9 and \f$ \varepsilon \f$ as the share that is \f$ 6\,\varepsilon \f$.
+// What such an entry adds to the energy of two unknowns is no more than the rounding of what they
+// have themselves.
 void join_columns(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& root, double weak,
                   bool all, Joined& sets) {
   for (Index j = 0; j < K.cols() && sets.count() > 1; ++j)
@@ -63,6 +88,9 @@ void join_columns(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& r
     }
 }
 
+// The cheap questions come first. Most problems are one system, and then the first one or two loops
+// settle it. Of the six unknowns of the example, each of the three bodies needs one step of the
+// first loop. The gap then joins {1, 2} with {3, 4}, and 6 sets have become 2.
 Joined joined(const QuadraticProgramme& programme, const FrictionLaw& law,
               const Eigen::MatrixXd& null_vectors, double weak) {
   const Index n = programme.load.size();
@@ -77,11 +105,14 @@ Joined joined(const QuadraticProgramme& programme, const FrictionLaw& law,
     for (RowMatrix::InnerIterator entry(A, row); entry; ++entry)
       if (entry.value() != 0) sets.join(first, entry.col());
   }
+  // A friction force depends on the force of its pair. So gap and slip belong together even if they
+  // share no unknown.
   for (Index k = 0; pairs + k < A.rows() && sets.count() > 1; ++k) {
     const Index gap = first_unknown(A, law.pair[at(k)]);
     const Index slip = first_unknown(A, pairs + k);
     if (gap >= 0 && slip >= 0) sets.join(gap, slip);
   }
+  // A rigid motion has one amplitude, which all that move with it share.
   for (Index j = 0; j < null_vectors.cols() && sets.count() > 1; ++j) {
     Index first = -1;
     for (Index i = 0; i < n; ++i) {
@@ -96,6 +127,10 @@ Joined joined(const QuadraticProgramme& programme, const FrictionLaw& law,
 
 }  // namespace
 
+// The sets become lists. Unknowns are visited in increasing order, and the smallest one names its
+// set. So a system begins when its name is met, and every list is sorted by itself. Rows follow
+// their first unknown. A row without entries follows the other row of its pair, and if that is
+// empty too, it belongs to the first system, where the certificate looks at it.
 std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme,
                                              const FrictionLaw& law,
                                              const Eigen::MatrixXd& null_vectors, double weak) {
@@ -104,6 +139,7 @@ std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme
   const Index n = programme.load.size();
   const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
   std::vector<SystemParts> systems;
+  // The reference that system_of() returns holds only until the next system begins.
   std::vector<Index> place(at(n));  // of the system that a set is called by
   const auto system_of = [&](Index unknown) -> SystemParts& {
     return systems[at(unknown < 0 ? 0 : place[at(sets.name(unknown))])];
@@ -117,13 +153,15 @@ std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme
   }
   for (Index row = 0; row < programme.A.rows(); ++row) {
     Index unknown = first_unknown(programme.A, row);
-    // The row of a slip that supports give is empty, and goes with its gap; so does a gap with its slip.
+    // The row of a slip that supports give is empty, and goes with its gap; so does a gap with its
+    // slip.
     if (unknown < 0 && row >= pairs)
       unknown = first_unknown(programme.A, law.pair[at(row - pairs)]);
     for (std::size_t k = 0; unknown < 0 && row < pairs && k < law.pair.size(); ++k)
       if (law.pair[k] == row) unknown = first_unknown(programme.A, pairs + static_cast<Index>(k));
     system_of(unknown).rows.push_back(row);
   }
+  // A motion goes to the system of the first unknown that it moves.
   for (Index j = 0; j < null_vectors.cols(); ++j) {
     Index first = 0;
     while (first + 1 < n && null_vectors(first, j) == 0) ++first;
@@ -132,6 +170,9 @@ std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme
   return systems;
 }
 
+// If everything hangs together, unconnected_systems() returns no list, because most problems are so
+// and a copy of them would cost memory. Who wants to treat both cases alike takes the whole as the
+// only system.
 SystemParts whole_system(const QuadraticProgramme& programme, Index modes) {
   const auto numbers = [](Index count) {
     std::vector<Index> all(at(count));
@@ -141,6 +182,9 @@ SystemParts whole_system(const QuadraticProgramme& programme, Index modes) {
   return {numbers(programme.load.size()), numbers(programme.A.rows()), numbers(modes)};
 }
 
+// The programme of one system: rows and columns of K, columns of A. A weak entry leads out of the
+// system and is left out. The certificate adds what it transmits to the load, see
+// [programme_certificate.cpp](programme_certificate.cpp).
 QuadraticProgramme part_of(const QuadraticProgramme& programme, const SystemParts& parts) {
   const Index n = static_cast<Index>(parts.unknowns.size());
   std::vector<Eigen::Triplet<double>> entries;
@@ -165,6 +209,9 @@ QuadraticProgramme part_of(const QuadraticProgramme& programme, const SystemPart
   return part;
 }
 
+// Pairs get the numbers that they have in the system. Rows list gaps first, so the slip k of the
+// whole is the row \f$ n_c + k \f$. A slip is always in the system of its gap, because joined() has
+// put them together. So its pair is found among the rows of the system.
 FrictionLaw part_of(const FrictionLaw& law, Index pairs, const SystemParts& parts) {
   std::vector<Index> slips;
   FrictionLaw part;
