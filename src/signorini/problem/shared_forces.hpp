@@ -1,5 +1,8 @@
 /// \file
 /// Forces that a solution leaves open.
+///
+/// Two pairs at the same point of a body share what they carry. Their rows of A are equal, so a force can go from one to the
+/// other and nothing moves. If both carry 3 together, each force lies between 0 and 3, and the exchange is (1, -1).
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

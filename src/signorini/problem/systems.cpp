@@ -170,8 +170,8 @@ std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme
   return systems;
 }
 
-// If everything hangs together, unconnected_systems() returns no list, because most problems are so
-// and a copy of them would cost memory. Who wants to treat both cases alike takes the whole as the
+// If everything hangs together, unconnected_systems() returns no list: the caller then takes the
+// programme as it is and copies nothing. Who wants to treat both cases alike takes the whole as the
 // only system.
 SystemParts whole_system(const QuadraticProgramme& programme, Index modes) {
   const auto numbers = [](Index count) {
