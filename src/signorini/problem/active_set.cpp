@@ -1,4 +1,24 @@
-// What the statuses of pairs mean, and what numbers say of them.
+// # What numbers say of a pair
+//
+// An active set method assumes what each pair does, solves one linear system, and looks at the
+// numbers. predict() is this look. A pair is closed if its force exceeds its gap,
+// \f[ \lambda > g, \f]
+// where forces have a factor that makes them comparable with gaps, see force_scale(). Of a solution
+// one of the two is 0, and the other one decides. Elsewhere this is the projection of Alart and
+// Curnier: \f$ \lambda = \max(0, \lambda - g) \f$. A closed pair that rubs has the bound
+// \f$ b = \mu(\lambda - g)^+ + c \f$, and it sticks if \f$ |\tau - s| \le b \f$. With the
+// coefficient 0.5, the force 4, no gap and no cohesion, b is 2:
+//
+// | assumed | friction force | slip | \f$ \tau - s \f$ | the pair would |
+// |---|---|---|---|---|
+// | stick | 1 | 0 | 1 | stick |
+// | stick | 3 | 0 | 3 | slide backward |
+// | slide forward | -2 | 3 | -5 | slide forward |
+// | slide forward | -2 | -3 | 1 | stick |
+//
+// In the last row the pair slides with its friction force and not against it. So it has to stop
+// first.
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -13,8 +33,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// What a closed frictional pair does. \param tau, slip, bound  of the pair, in one unit
-/// \param slack  how far tau of a sticking pair may exceed the bound by rounding \param still  a slip that is rounding
+// The table as a function. Two things keep rounding from deciding. A sticking pair may exceed its
+// bound by rounding of its forces. And a slip that is rounding has no sign that means anything. A
+// pair that slides as was assumed, or the other way by no more than rounding, keeps its direction:
+// its friction force tells which one it is. A pair whose bound is 0 does so too: it slides freely,
+// and neither direction is wrong.
 ContactStatus closed_pair_status(ContactStatus last, double tau, double slip, double bound,
                                  double slack, double still) {
   const bool slides = friction_sign(last) != 0;
@@ -28,6 +51,9 @@ ContactStatus closed_pair_status(ContactStatus last, double tau, double slip, do
 
 }  // namespace
 
+// From statuses to equations. A closed pair has no gap. A pair that sticks has no slip either, and
+// its friction force is an unknown. A pair that slides has a friction force at its bound, which
+// follows its normal force. With the bound 0 there is no friction at all, and the slip is free.
 ActiveSet active_set(const std::vector<ContactStatus>& statuses, const FrictionLaw& law) {
   const Index pairs = static_cast<Index>(statuses.size());
   ActiveSet set{closed_pairs(statuses)};
@@ -44,12 +70,14 @@ ActiveSet active_set(const std::vector<ContactStatus>& statuses, const FrictionL
   return set;
 }
 
+// Without friction a list of closed pairs says the same as statuses.
 std::vector<ContactStatus> statuses_of(const std::vector<Index>& active, Index pairs) {
   std::vector<ContactStatus> statuses(at(pairs), ContactStatus::Open);
   for (const Index i : active) statuses[at(i)] = ContactStatus::Stick;
   return statuses;
 }
 
+// A state keeps statuses of frictional pairs only.
 std::vector<ContactStatus> all_statuses(const ContactState& state) {
   std::vector<ContactStatus> statuses = statuses_of(state.active, state.force.size());
   for (std::size_t k = 0; k < state.contact_status.size(); ++k)
@@ -64,6 +92,13 @@ std::vector<Index> closed_pairs(const std::vector<ContactStatus>& statuses) {
   return closed;
 }
 
+// The first loop compares forces with gaps, the second one friction forces with bounds. Numbers of
+// iterations that solve no system, as Newton's, come without roundings, and then every comparison
+// is exact.
+//
+// Else a pair that was open closes if it overlaps by more than rounding, and one that was closed
+// opens if it pulls by more than rounding. The status that was assumed wins where the numbers
+// cannot decide. Without that two pairs could change places for ever.
 Index predict(const ScaledProblem& problem, const ActiveSetSolution& solution, double force_scale,
               std::vector<ContactStatus>& statuses) {
   const Index pairs = problem.pairs();
@@ -94,6 +129,12 @@ Index predict(const ScaledProblem& problem, const ActiveSetSolution& solution, d
   return changes;
 }
 
+// A set that predicts itself is not yet a solution. An almost singular system may pass with huge
+// forces, whose rounding is larger than any gap: then nothing is wrong beyond rounding, and
+// everything is wrong. The certificate measures by lengths and forces of the problem, and sees
+// that.
+//
+// A quarter of its tolerance leaves room for the rounding of scaling back.
 bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
             const ActiveSetSolution& solution) {
   std::vector<ContactStatus> next = statuses;
@@ -110,6 +151,9 @@ bool solves(const ScaledProblem& problem, const std::vector<ContactStatus>& stat
   return certify(blocks, claim).holds(0.25 * certificate_tolerance);
 }
 
+// Methods that converge in the limit only, such as weights or projections, come near a solution.
+// The pairs that they have closed are often right. So these are closed exactly, and the method ends
+// with an exact solution or goes on.
 Confirmed confirmed(const ScaledProblem& problem, const std::vector<Index>& candidates,
                     const ActiveSetSolution* start) {
   ActiveSetSolution solution = solve_active_set(problem, ActiveSet{candidates}, start);

@@ -1,3 +1,14 @@
+// # From the numbers of a method to a state
+//
+// A method works on the scaled problem and ends with forces, movements and a claim. The user wants
+// newtons and millimetres, and no claim that does not hold. finished() does both. It multiplies
+// forces by the scale and divides movements by it, and then it certifies the result against the
+// problem as it was posed. Scaling is rounded once more, and dependent pairs with large forces can
+// notice that. A claim that fails is taken back.
+//
+// Two scales 10 and 1/2, the scaled forces 2/3 and 2/3: the forces are 6.7 and 0.33. A scaled gap
+// of 0.1 of the first pair is the gap 0.01.
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -14,6 +25,9 @@ using Eigen::VectorXd;
 
 }  // namespace
 
+// A pair that slides without friction has no friction force that tells the direction, so its slip
+// tells it. Where there is friction the force has the last word: its slip may be rounding, with the
+// wrong sign.
 void name_slides(const FrictionLaw& law, ContactState& state) {
   for (std::size_t k = 0; k < state.contact_status.size(); ++k) {
     const Index row = static_cast<Index>(k);
@@ -25,6 +39,10 @@ void name_slides(const FrictionLaw& law, ContactState& state) {
   }
 }
 
+// One line of the history: how many pairs are closed, and how wrong the worst open and the worst
+// closed pair are. The dual energy rises from step to step in methods that make it grow. It is left
+// at 0 where it means nothing: with friction, and with rigid modes. Lengths and forces are those of
+// the problem as it was posed, so that a reader can compare them with the result.
 Iteration summary(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
                   const ActiveSetSolution& solution, Index changes) {
   Iteration entry{0, changes, 0, 0};
@@ -41,12 +59,17 @@ Iteration summary(const ScaledProblem& problem, const std::vector<ContactStatus>
   return entry;
 }
 
+// The history of a million steps would fill the memory, and nobody reads it. So steps are kept more
+// and more sparsely: 0 to 31, then every second one to 63, every fourth one to 127. A table or a
+// picture over the logarithm of the step loses little. The count of steps in the report is exact.
 bool is_kept(Index iteration) {
   Index spacing = 1;
   while (iteration / spacing >= 32) spacing *= 2;
   return iteration % spacing == 0;
 }
 
+// Of dependent pairs the first one in a list is closed. So the heaviest come first, and pairs of
+// equal weight keep their order, so that a run can be repeated.
 std::vector<Index> by_falling(const VectorXd& weight) {
   std::vector<Index> order;
   for (Index i = 0; i < weight.size(); ++i)
@@ -56,6 +79,12 @@ std::vector<Index> by_falling(const VectorXd& weight) {
   return order;
 }
 
+// Of a solution, rows that were closed have exactly 0, and forces that pull and gaps that overlap
+// are cut off: all are within rounding. Without a solution the numbers are shown as they are, with
+// the reason.
+//
+// A proof that nothing solves the problem is a claim too. It is checked in the same way, and taken
+// back in the same way.
 ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled,
                       const ActiveSetSolution& solution, const std::vector<ContactStatus>& statuses,
                       Report report, VectorXd proof) {

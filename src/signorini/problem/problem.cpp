@@ -1,3 +1,15 @@
+// # Contact as algebra
+//
+// Once a mesh has become matrices, contact is a statement about numbers: gaps \f$ d + F\lambda \f$,
+// forces \f$ \lambda \f$, and which of both vanish. problem.hpp states it. This file has what all
+// users of such a problem need: words for statuses, the scale of each row, and small helpers.
+//
+// The scale makes rows comparable that have different units or stiffnesses. A row with the diagonal
+// entry 4 has the scale \f$ 1/\sqrt 4 = 0.5 \f$, and behind it the entry is 1, see
+// [scaled.cpp](scaled.cpp). A row with the diagonal entry 0 belongs to bodies that no force
+// deforms. It has to look elsewhere: first at the rows that it is coupled with, then at rigid
+// motions, at last at its own gap.
+
 #include "signorini/problem/problem.hpp"
 
 #include <algorithm>
@@ -5,6 +17,7 @@
 
 namespace signorini {
 
+// The switches have no default, so that a compiler warns of a status that is forgotten.
 const char* to_string(ContactStatus contact_status) {
   switch (contact_status) {
     case ContactStatus::Open:
@@ -19,6 +32,7 @@ const char* to_string(ContactStatus contact_status) {
   return "unknown";
 }
 
+// Messages and tables print these words. Only the first one may be called a solution.
 const char* to_string(SolveStatus status) {
   switch (status) {
     case SolveStatus::Solved:
@@ -43,8 +57,14 @@ const char* to_string(SolveStatus status) {
 
 namespace {
 
-/// The scales of rows that no other is coupled with, where those of the others are known: by rigid modes, whose
-/// units make them 1 where they move the others most, else by the free movement.
+// The scales of rows that no other row is coupled with. Rigid motions come first. Their unit is
+// chosen so that each moves the rows with a known scale by at most 1. A row that the motion moves
+// three times as far then gets the scale 1/3.
+//
+// A row that no motion moves has only its own free movement. Its scale makes that as large as the
+// largest free movement of the rows with a known scale. If it does not move, any scale will do, and
+// it is 1. A scale from the units of the input would not do: the same problem in millimetres would
+// take another course.
 void scale_apart(const Eigen::MatrixXd& rigid, const Eigen::VectorXd& free,
                  const std::vector<Eigen::Index>& apart, Eigen::VectorXd& scale) {
   const Eigen::VectorXd known = scale;
@@ -70,6 +90,11 @@ void scale_apart(const Eigen::MatrixXd& rigid, const Eigen::VectorXd& free,
 
 }  // namespace
 
+// Let F have the entries 4 and 0 on the diagonal and 2 beside it. The first scale is 0.5. The
+// second row is coupled with the first one by \f$ 0.5 \cdot 2 = 1 \f$, so its scale is 1. A matrix
+// that is symmetric and semidefinite has no such coupling, but methods for linear complementarity
+// problems take any matrix. So a negative diagonal entry counts by its magnitude. A coupling among
+// rows that both have no diagonal entry scales neither: they keep 1.
 Eigen::VectorXd row_scales(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& rigid,
                            const Eigen::VectorXd& free) {
   const Eigen::Index n = matrix.rows();
@@ -77,6 +102,7 @@ Eigen::VectorXd row_scales(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd&
   for (Eigen::Index i = 0; i < n; ++i)
     if (matrix(i, i) != 0) scale(i) = 1 / std::sqrt(std::abs(matrix(i, i)));
   const Eigen::VectorXd diagonal = scale;
+  // Couplings are measured by rows with a diagonal only, so the order of the rows does not matter.
   std::vector<Eigen::Index> apart;
   for (Eigen::Index i = 0; i < n; ++i) {
     if (diagonal(i) != 0) continue;
@@ -87,23 +113,31 @@ Eigen::VectorXd row_scales(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd&
     if (alone) apart.push_back(i);
     if (!alone) scale(i) = coupling > 0 ? 1 / coupling : 1;
   }
+  // Rows that nothing couples come last: the rigid motions and movements that scale them are
+  // measured by the rows that have a scale already.
   if (apart.empty()) return scale;
   scale_apart(rigid, free, apart, scale);
   return scale;
 }
 
+// The common case: all pairs have friction.
 FrictionLaw law_of_all(const Eigen::VectorXd& coefficient, const Eigen::VectorXd& cohesion) {
   FrictionLaw law{{}, coefficient, cohesion};
   for (Eigen::Index i = 0; i < coefficient.size(); ++i) law.pair.push_back(i);
   return law;
 }
 
+// Rows of gaps come first, then those of slips. All formulas with F use this order. A problem keeps
+// the two apart, because without friction the second one is empty, and its gaps alone are what most
+// methods ask for.
 Eigen::VectorXd free_movement(const ContactProblem& problem) {
   Eigen::VectorXd free(problem.free_gap.size() + problem.free_slip.size());
   free << problem.free_gap, problem.free_slip;
   return free;
 }
 
+// Only the lower triangle is computed, which takes half of the time, and the upper one is its copy.
+// So the product is symmetric to the last bit, and is_symmetric() has no doubt.
 Eigen::MatrixXd gram(const Eigen::MatrixXd& half) {
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(half.cols(), half.cols());
   product.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
@@ -111,6 +145,7 @@ Eigen::MatrixXd gram(const Eigen::MatrixXd& half) {
   return product;
 }
 
+// A solver that begins again, or a portfolio that tries several, reports the work of all runs.
 void append(Report& total, const Report& run) {
   total.status = run.status;
   total.iterations += run.iterations;
