@@ -44,11 +44,12 @@ constexpr double Certificate::*all_figures[] = {
 
 void raise(double& figure, double value) { figure = std::max(figure, value); }
 
-// Weak duality: no displacement that is allowed has less energy than forces that press allow. The
-// energies meet at the solution only. Their difference is \f$ \sum f_i w_i \f$ if equilibrium
-// holds, less the work of what is out of balance. Computed as the difference of two energies it
-// would lose most of its digits. With friction no energy is least. In a programme the friction
-// forces then count as given loads, and a condensed problem has no such figure.
+// Weak duality: the dual energy of forces that press is a lower bound for the energy of every
+// displacement without overlap. The two meet at the solution only. Their difference is
+// \f$ \sum f_i w_i \f$ if equilibrium holds, less the work of what is out of balance. Computed as
+// the difference of two energies it would lose most of its digits. With friction no energy is
+// least. In a programme the friction forces then count as given loads, and a condensed problem has
+// no such figure.
 double duality_gap(const ClaimResiduals& left, Index pairs) {
   if (left.free.size() == 0) return 0;
   ExactSum energy;
