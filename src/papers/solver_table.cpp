@@ -79,6 +79,7 @@ Solver one_at_a_time() {
       .on_programmes(goldfarb_idnani);
 }
 
+// Each sweep closes every pair once, in order. It comes closer and closer, and never ends exactly.
 Solver sweeps() {
   return member("projected_gauss_seidel", "sweeps: each pair in turn gets the force that closes it",
                 projected_gauss_seidel)
@@ -86,6 +87,7 @@ Solver sweeps() {
                     Trait::IllConditioned, Trait::Slow});
 }
 
+// Linear programming without the energy: it can only meet the conditions, one after the other.
 Solver simplex() {
   return member("linear_programme",
                 "simplex steps to the least sum of artificial gaps, one pair at a time",
@@ -119,6 +121,7 @@ std::vector<Solver> without(Takes no) {
 //
 //     member("my_method", "what it does in a line", my_method).may_fail_on({Trait::Slow}),
 const std::vector<Solver>& all_solvers() {
+  // What solves programmes without condensing them says so by `on_programmes`.
   static const std::vector<Solver> family = {
       quasi_active_set().on_programmes(quasi_active_set),
       literal(),

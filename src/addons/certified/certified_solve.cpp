@@ -9,6 +9,7 @@
 #include "addons/certified/dense_programme.hpp"
 #include "addons/certified/separate.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {

@@ -43,14 +43,14 @@ class Estimate {
 };
 
 VectorXd Estimate::answer(const VectorXd& top, const VectorXd& bottom) const {
-  const Rows& rows = system_->rows();
+  const Rows& rows = system_->rows;
   VectorXd force = VectorXd::Zero(rounding_.size());
   force(rows) = system_->solve(top, bottom).first;
   return force.cwiseProduct(data_.scaled.scale);
 }
 
 VectorXd Estimate::worst() const {
-  const Rows& rows = system_->rows();
+  const Rows& rows = system_->rows;
   const VectorXd size = rounding_.cwiseProduct(data_.scaled.scale)(rows);
   const VectorXd bottom = VectorXd::Zero(data_.scaled.rigid.cols());
   VectorXd sign(size.size());
@@ -73,7 +73,7 @@ VectorXd Estimate::beside(const Rows& others) const {
   VectorXd bottom = VectorXd::Zero(scaled.rigid.cols());
   if (bottom.size() > 0) bottom = scaled.rigid.transpose() * one;
   const VectorXd moved = scaled.compliance * one;
-  return one.cwiseProduct(scaled.scale) - answer(moved(system_->rows()), bottom);
+  return one.cwiseProduct(scaled.scale) - answer(moved(system_->rows), bottom);
 }
 
 bool Estimate::idle(const VectorXd& force) const {
@@ -103,14 +103,14 @@ ForceUncertainty force_uncertainty(const RefinementData& data, const RefinedSolu
     as_refined = false;
   }
   ActiveSet set = active_set(statuses, data.scaled.law);
-  Rows rows = system->rows();
+  Rows rows = system->rows;
   if (!as_refined) {  // those that rounding may have opened repeat the others, not the other way round
     std::sort(rows.begin(), rows.end());
     std::stable_partition(set.closed.begin(), set.closed.end(), [&rows](Index row) {
       return std::binary_search(rows.begin(), rows.end(), row);
     });
-    system = std::make_shared<const ActiveSetSystem>(data.scaled, set);
-    rows = system->rows();
+    system = std::make_shared<const ActiveSetSystem>(active_set_system(data.scaled, set));
+    rows = system->rows;
     std::sort(set.closed.begin(), set.closed.end());
   }
   if (rows.empty()) return {};

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/exact_sum.hpp"

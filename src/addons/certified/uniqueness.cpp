@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "addons/certified/proofs.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {

@@ -40,9 +40,9 @@ Dual::Dual(const Model& model, const Condensed& condensed, const Solution& solut
     transposed_ = LuFactor(closing_matrix(scaled_, set_.closed, set_).transpose());
     unique(transposed_.rcond() > std::numeric_limits<double>::epsilon());
   } else {
-    system_.emplace(scaled_, set_);
-    unique(system_->rows().size() == set_.closed.size());
-    set_.closed = system_->rows();
+    system_ = active_set_system(scaled_, set_);
+    unique(system_->rows.size() == set_.closed.size());
+    set_.closed = system_->rows;
   }
 }
 

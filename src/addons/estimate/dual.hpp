@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "addons/estimate/goal.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/ledger.hpp"
 #include "signorini/problem/active_set_system.hpp"
 

@@ -9,11 +9,13 @@
 // From the two pairs of [active_set_factor.cpp](active_set_factor.cpp) the first one leaves. The
 // row (0.5, 0.866) remains, and the rotation with c = 0.5, s = 0.866 makes (1, 0) of it. It makes
 // \f$ 0.5 \cdot 1 + 0.866 \cdot 0.577 = 1 \f$ of y, and the second pair alone has the force 1.
+// A factor made anew of that pair is the same.
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "signorini/core/dense.hpp"
 #include "signorini/core/triangular.hpp"
 #include "signorini/problem/active_set_factor.hpp"
 

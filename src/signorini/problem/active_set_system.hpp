@@ -3,13 +3,11 @@
 #pragma once
 #include <Eigen/Core>
 #include <cmath>
-#include <memory>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "signorini/core/dense.hpp"
-#include "signorini/core/sparse_lu.hpp"
 #include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/scaled.hpp"
 
@@ -72,41 +70,35 @@ struct ActiveSet {
 /// changes no solution then, because U^T f is given, and makes that block positive definite. Any other
 /// singular system has its least-norm solution. Where F has few entries, \f$ \sqrt\epsilon \f$ on the diagonal makes
 /// any system regular, and refinement takes it away again from all that the system determines.
-class ActiveSetSystem {
- public:
-  /// \param problem  scaled
-  /// \param set      W and S, with the slopes of scaled forces
-  ActiveSetSystem(const ScaledProblem& problem, const ActiveSet& set);
-
-  /// \return independent rows of W, all of W if it has no others
-  [[nodiscard]] const std::vector<Eigen::Index>& rows() const { return rows_; }
-  /// \return whether the determinant has the sign that it cannot have with little friction
-  [[nodiscard]] bool reversed() const { return reversed_; }
-  /// Solves the system.
-  /// \param top     what the forces must add to the movements of rows() [sqrt(energy)]
-  /// \param bottom  what they must add to U^T f `k` [sqrt(energy)]
-  /// \return changes of the forces of rows(), and of the amplitudes; where W leaves a mode free, none of it
-  [[nodiscard]] std::pair<Eigen::VectorXd, Eigen::VectorXd> solve(
-      const Eigen::VectorXd& top, const Eigen::VectorXd& bottom) const;
-
- private:
-  void factor_symmetric(const ScaledProblem& problem);
-  void factor_general(const ScaledProblem& problem, const ActiveSet& set);
-  void factor_sparse(const ScaledProblem& problem, const ActiveSet& set);
-
-  std::vector<Eigen::Index> rows_;
-  bool symmetric_ = true;
-  bool reversed_ = false;
-  CholeskyFactor factor_;                   ///< of F_WW + rho U_W U_W^T
-  Eigen::MatrixXd rigid_;                   ///< U_W
-  double rho_ = 0;                          ///< compliance of springs that hold the modes [-]
-  Eigen::MatrixXd held_;                    ///< `k x m` orthonormal: the modes that W holds
-  Eigen::MatrixXd spread_;                  ///< factor^-1 U_W held
-  CholeskyFactor schur_;                    ///< of held^T U_W^T spread
-  LuFactor general_;                        ///< of a system that is not symmetric
-  Eigen::MatrixXd inverse_;                 ///< its pseudo-inverse where that is singular
-  std::unique_ptr<SparseLuFactor> sparse_;  ///< of a system with few entries, made regular; or null
+struct ActiveSetSystem {
+  std::vector<Eigen::Index> rows;  ///< independent rows of W, all of W if it has no others
+  bool reversed =
+      false;  ///< whether the determinant has the sign that it cannot have with little friction
+  /// Takes what the forces must add to the movements of `rows`, and to U^T f `k` [sqrt(energy)]; returns changes of the
+  /// forces of `rows`, and of the amplitudes: where W leaves a mode free, none of it
+  std::function<std::pair<Eigen::VectorXd, Eigen::VectorXd>(const Eigen::VectorXd& top,
+                                                            const Eigen::VectorXd& bottom)>
+      solve = {};
 };
+
+/// Factors the system by one of the three functions below.
+/// \param problem  scaled
+/// \param set      W and S, with the slopes of scaled forces
+/// \return the system
+[[nodiscard]] ActiveSetSystem active_set_system(const ScaledProblem& problem, const ActiveSet& set);
+
+/// The system of closed rows without sliding, by two Cholesky factors. \param problem  scaled, F symmetric
+/// \param closed  W, the most certain first \return the system, of the first rows of W that are independent
+[[nodiscard]] ActiveSetSystem symmetric_system(const ScaledProblem& problem,
+                                               const std::vector<Eigen::Index>& closed);
+
+/// The system of any set, by an LU factor. \param problem  scaled \param set  W and S
+/// \return the system; where it is singular, of least norm
+[[nodiscard]] ActiveSetSystem general_system(const ScaledProblem& problem, const ActiveSet& set);
+
+/// The same where F has few entries. \param problem  scaled, with its entries \param set  W and S
+/// \return the system, with \f$ \sqrt\epsilon \f$ on its diagonal
+[[nodiscard]] ActiveSetSystem sparse_system(const ScaledProblem& problem, const ActiveSet& set);
 
 /// The matrix of ActiveSetSystem as it is written there.
 /// \param problem  scaled
@@ -126,7 +118,7 @@ struct ActiveSetSolution {
   double force_rounding = 0;       ///< what rounding may have done to each force
   Eigen::VectorXd movement_rounding;  ///< and to each movement
   bool solvable = false;              ///< whether `rows` are closed and U^T f = t, to rounding
-  bool reversed = false;              ///< as ActiveSetSystem::reversed()
+  bool reversed = false;              ///< as ActiveSetSystem::reversed
 
   /// \param row  any \return whether its movement is what rounding of its terms, or of a force, can make of 0
   [[nodiscard]] bool closes(Eigen::Index row) const {

@@ -16,7 +16,8 @@
 //
 // *The end is exact.* Newton's method comes near the solution, and the signs of what is nearly zero
 // stay open. So two iterates that agree on what every pair does are taken as a guess of the closed
-// pairs. Their linear system is solved exactly, and all conditions are looked at.
+// pairs. Their linear system is solved exactly, and all conditions are looked at. Where they do not
+// hold, the steps go on from where they were.
 //
 // For the one pair with G = 1 and d = -1, \f$ \lambda = 0 \f$ has \f$ \Phi = 2 \f$ and the first
 // step \f$ \lambda = 2/3 \f$ has 0.41. No such step is made: the pair overlaps at the start, the
@@ -29,6 +30,7 @@
 #include <tuple>
 #include <utility>
 
+#include "signorini/core/dense.hpp"
 #include "signorini/core/line_search.hpp"
 #include "signorini/core/rounding.hpp"
 
