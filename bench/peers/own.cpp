@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "addons/certified/active_set_programme.hpp"
 #include "addons/certified/dense_programme.hpp"
 #include "bench/measure.hpp"
 #include "bench/peers/peer.hpp"
@@ -10,8 +11,8 @@ namespace {
 
 Run directly(const Solver& solver, const DenseProgramme& programme, int calls) {
   Run run;
-  run.seconds = mean_seconds(calls, [&] { (void)solver.solve_programme(programme, {}); });
-  DenseSolution solution = solver.solve_programme(programme, {});
+  run.seconds = mean_seconds(calls, [&] { (void)on_programmes(solver)(programme, {}); });
+  DenseSolution solution = on_programmes(solver)(programme, {});
   run.iterations = solution.report.iterations;
   run.solution = std::move(solution.refined);
   if (solution.report.status != SolveStatus::Solved)
@@ -55,7 +56,7 @@ std::vector<Peer> own_solvers() {
     for (const Solver& solver : solvers())
       if (solver.name == std::string(name))
         peers.push_back({name, "", [&solver](const DenseProgramme& programme, int calls) {
-                           return solver.solve_programme != nullptr
+                           return on_programmes(solver) != nullptr
                                       ? directly(solver, programme, calls)
                                       : condensed(solver, programme, calls);
                          }});

@@ -13,7 +13,6 @@
 
 #include <utility>
 
-#include "addons/certified/active_set_programme.hpp"
 #include "papers/friction_split.hpp"
 #include "papers/linear_programme.hpp"
 #include "papers/projected_gauss_seidel.hpp"
@@ -70,16 +69,16 @@ Solver oracle() {
       .may_fail_on({Trait::Infeasible});
 }
 
-// Two members also solve a programme K, p, A, g as it is, without condensing it to the pairs first:
-// the quasi-active set and this one.
+// One pair at a time is the textbook's way. Groups, as in the quasi-active set, need fewer steps, each of
+// which costs more.
 Solver one_at_a_time() {
   return member("goldfarb_idnani", "dual active set: one pair joins or leaves at a time",
                 goldfarb_idnani)
-      .may_fail_on({Trait::Asymmetric, Trait::IllConditioned})
-      .on_programmes(goldfarb_idnani);
+      .may_fail_on({Trait::Asymmetric, Trait::IllConditioned});
 }
 
-// Each sweep closes every pair once, in order. It comes closer and closer, and never ends exactly.
+// Projected Gauss-Seidel is the method of engines for games. Each sweep closes every pair once, in
+// order. It comes closer and closer, and never ends exactly.
 Solver sweeps() {
   return member("projected_gauss_seidel", "sweeps: each pair in turn gets the force that closes it",
                 projected_gauss_seidel)
@@ -117,13 +116,13 @@ std::vector<Solver> without(Takes no) {
 
 // Methods that the library itself uses come with their traits, as a function of their name. The
 // others get theirs above. The order of the list is that of tables and messages.
+// Nothing here is asked by the library itself: its own portfolio names its members by function.
 // To add a member, write one line here:
 //
 //     member("my_method", "what it does in a line", my_method).may_fail_on({Trait::Slow}),
 const std::vector<Solver>& all_solvers() {
-  // What solves programmes without condensing them says so by `on_programmes`.
   static const std::vector<Solver> family = {
-      quasi_active_set().on_programmes(quasi_active_set),
+      quasi_active_set(),
       literal(),
       primal_dual_active_set(),
       oracle(),

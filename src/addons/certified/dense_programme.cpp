@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "addons/certified/active_set_programme.hpp"
 #include "addons/certified/floating_programme.hpp"
 #include "addons/certified/programme_rows.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
@@ -183,8 +184,9 @@ DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
                     const SolverOptions& options) {
   DenseSolution solution;
   try {
-    solution = solver.solve_programme != nullptr ? solver.solve_programme(programme, options)
-                                                 : solve_condensed(programme, solver, options);
+    const auto method = on_programmes(solver);
+    solution = method != nullptr ? method(programme, options)
+                                 : solve_condensed(programme, solver, options);
   } catch (const NotDefinite&) {
     auto other = semidefinite_solution(programme, solver, options);
     if (!other) throw;
