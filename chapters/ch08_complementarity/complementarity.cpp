@@ -82,7 +82,6 @@ void compare_functions(const ProgramOptions& run) {
 }
 
 // 4. One equation for each of forty pairs, against a method that knows nothing of such functions.
-/// \PaperEq{LinEtAl, 11}, \PaperEq{LinEtAl, 12}
 void forty_pairs(Results& results) {
   const ContactProblem cylinder = pressed_cylinder();
   results.add("largest_force", fischer_burmeister(cylinder).force.maxCoeff(), "N");
