@@ -45,7 +45,7 @@ fi
 
 # The order of the input is the order of the sidebar.
 input="\"$root/README.md\""
-for text in "$root"/chapters/README.md "$root"/examples/README.md "$root"/chapters/notation.md "$root"/chapters/glossary.md \
+for text in "$root"/chapters/README.md "$root"/chapters/sheets.md "$root"/docs/teaching.md "$root"/examples/README.md "$root"/chapters/notation.md "$root"/chapters/glossary.md \
     "$root"/chapters/words.md "$root"/chapters/equations.md; do
     [ ! -f "$text" ] || input="$input \"$text\""
 done
