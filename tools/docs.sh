@@ -45,9 +45,13 @@ fi
 
 # The order of the input is the order of the sidebar.
 input="\"$root/README.md\""
-for text in "$root"/chapters/README.md "$root"/examples/README.md "$root"/chapters/notation.md "$root"/chapters/glossary.md \
-    "$root"/chapters/words.md "$root"/chapters/equations.md "$root"/chapters/ch[0-9][0-9]_*/README.md; do
+for text in "$root"/chapters/README.md "$root"/chapters/sheets.md "$root"/docs/teaching.md "$root"/examples/README.md "$root"/chapters/notation.md "$root"/chapters/glossary.md \
+    "$root"/chapters/words.md "$root"/chapters/equations.md; do
     [ ! -f "$text" ] || input="$input \"$text\""
+done
+chapters=$(sed -n 's,.*](\(chapters/ch[0-9][0-9]_[^/)]*/README\.md\)).*,\1,p' "$root/README.md" | awk '!seen[$0]++') # in the order of its table
+for text in $chapters; do
+    input="$input \"$root/$text\""
 done
 perl "$root/tools/evenings.pl" "$root" "$work/pages"
 for text in "$work"/pages/src+evenings.md "$work"/pages/src+evening-*.md "$work"/pages/*pp.md; do
