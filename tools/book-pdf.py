@@ -115,7 +115,7 @@ def main():
     if os.path.exists(target):
         os.remove(target)
     version = re.search(r"project\(signorini\s+VERSION\s+([\d.]+)", read(os.path.join(ROOT, "CMakeLists.txt")))
-    brief = re.search(r'PROJECT_BRIEF\s*=\s*"(.*)"', read(os.path.join(ROOT, "docs/Doxyfile.in")))
+    brief = re.search(r'PROJECT_BRIEF\s*=\s*"(.*?)[:"]', read(os.path.join(ROOT, "docs/Doxyfile.in")))
     book = {"base": "file://" + folder + "/", "brief": brief[1], "version": "Version " + version[1] if version else "",
             "pages": [{"name": name, "html": read(os.path.join(folder, name + ".html"))} for name in names(folder)]}
     drawn = {src for page in book["pages"] for src in re.findall(r'<img src="([^":]+\.svg)"', page["html"])}

@@ -25,7 +25,9 @@ fi
 python3 "$root/tools/book/contracts.py" "$root" "$work"
 cd "$work"
 doxygen -w html header.html footer.html style.css > /dev/null
-perl -0pi -e 's/^\$(mathjax|mermaidjs)\n//mg' header.html
+perl -0pi -e 's/^\$(mathjax|mermaidjs)\n//mg; s{<div id="projectname">\$projectname}{<div id="projectname"><a href="../index.html">\$projectname</a>};
+    s{</head>}{<script>document.documentElement.classList.add((() => { try { return localStorage.getItem("book-tone"); } catch { return null; } })() ??
+(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"));</script>\n</head>}' header.html
 printf '%s\n' '<!--BEGIN GENERATE_TREEVIEW--><div id="nav-path" class="navpath"><ul>$navpath</ul></div><!--END GENERATE_TREEVIEW-->' \
     '</body></html>' > footer.html
 sed -e "s#@ROOT@#$root#g" -e "s#@WORK@#$work#g" -e "s#@BOOK@#$book#g" "$root/docs/Doxyfile.in" > Doxyfile

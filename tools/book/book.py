@@ -67,6 +67,7 @@ def copy(book):
 def check_links(book):
     """Every link, picture and script of every page leads to something; their number."""
     pages = {file.name: file.read_text(encoding="utf-8") for file in book.out.glob("*.html")}
+    there = {str(file.relative_to(book.out)) for file in book.out.rglob("*")}
     anchors = {name: set(re.findall(r'\bid="([^"]+)"', text)) for name, text in pages.items()}
     count = 0
     for name, text in pages.items():
@@ -75,7 +76,7 @@ def check_links(book):
             count += 1
             if re.match(r"\w+:", url):
                 continue
-            if path and not (book.out / path).exists():
+            if path and path not in there:
                 book.complain(name, "dead link: " + url)
             elif anchor and anchor not in anchors.get(path or name, {anchor}):
                 book.complain(name, "dead anchor: " + url)

@@ -63,7 +63,7 @@ class Copy:
         for number in re.split(r"\s*,\s*", re.sub(r"\s*\n\s*///\s*", " ", m[2])):
             to = self.book.equation_of_paper(m[1], number)
             numbers.append('<a href="../%s">%s</a>' % (to, number) if to else number)
-        return 'Eq. (%s) of <a href="../references.html#%s">[%s]</a>' % (", ".join(numbers), m[1], m[1])
+        return 'Eq.&#160;(%s) of <a href="../references.html#%s">[%s]</a>' % (", ".join(numbers), m[1], m[1])
 
     def entry(self, m):
         """[\\ref Murty1974], if the references have it."""
