@@ -244,6 +244,7 @@ class Whole(unittest.TestCase):
             self.assertIn(complaint, said, what)
 
 
-shutil.rmtree(FOLDER, ignore_errors=True)
-os.makedirs(FOLDER)
-unittest.main(argv=sys.argv[:1])
+if __name__ == "__main__":
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    os.makedirs(FOLDER)
+    unittest.main(argv=sys.argv[:1])
