@@ -65,7 +65,9 @@ function text_of(page, { base, pictures }) {
   const from = new DOMParser().parseFromString(page.html, "text/html");
   const text = from.querySelector("main");
   if (!text) throw new Error(`${page.name}: no text in this page`);
-  const title = (text.querySelector("header.title h1") ?? from.querySelector("title")).textContent.trim();
+  const lead = text.querySelector(".lead") ?? "";
+  const number = page.name.startsWith("exercise-") ? text.querySelector("header.title p")?.textContent + " " : "";
+  const title = number + (text.querySelector("header.title h1") ?? from.querySelector("title")).textContent.trim();
   for (const e of text.querySelectorAll("header.title, nav.turn, .self, .live, .live-printed > summary, script, p:empty")) e.remove();
   for (const e of text.querySelectorAll("[style]")) e.removeAttribute("style");
   for (const image of text.querySelectorAll("img")) {
@@ -82,7 +84,7 @@ function text_of(page, { base, pictures }) {
     const to = name || page.name;
     link.setAttribute("href", place ? `${to}.html#${to}-${decodeURIComponent(place)}` : `${to}.html`);
   }
-  return { title, text, lead: from.querySelector(".lead") ?? "" };
+  return { title, text, lead };
 }
 
 function title_page(cover, book) {

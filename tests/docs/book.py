@@ -124,6 +124,10 @@ class Texts(unittest.TestCase):
                      "references.html#Smith1990"):
             self.assertIn('href="%s"' % link, said)
             self.assertTrue(text.refer.previews.get(link), link)
+        said = text.blocks(["chapters 1, 4 and 5, or exercises 1.1 and 1.2, not chapter 1 and 5"])
+        self.assertEqual(re.sub(r' class="ref"', "", said), '<p><a href="chapter-01.html">chapters 1</a>, 4 and 5, or exercises 1.1 and '
+                         '<a href="exercise-01-2.html">1.2</a>, not <a href="chapter-01.html">chapter 1</a> and 5</p>')
+        said = text.blocks(["`solve_all()`"])
         self.assertIn('<a class="fn" href="source-papers-thing-hpp.html#solve_all">', said)
 
     def test_boxes(self):

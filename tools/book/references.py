@@ -12,7 +12,8 @@ from tex import escaped
 
 EQUATION = re.compile(r"(?<![\w)\0])\((?:([A-Z]) )?(\d{1,2}|[a-z])\)(?!\w)")
 FIGURE = re.compile(r"\b((?:[Ff]igures? |(?<=\d and )|(?<=\d, )|(?<=\d–)))(\d{1,2}\.\d+)\b(?!\.\d)")
-PLACE = re.compile(r"\b([Cc]hapters?|[Ee]xercises?)[ \u00a0](\d{1,2})(\.\d+)?\b")
+PLACE = re.compile(r"\b([Cc]hapter|[Ee]xercise)(s?[ \u00a0])"
+                   r"(\d{1,2}(?:\.\d+)?(?:(?:, | and |, and | or |–| to )\d{1,2}(?:\.\d+)?)*)\b(?!\.\d)")
 
 
 class References:
@@ -66,10 +67,14 @@ class References:
         return ("" if name == self.page else name + ".html") + "#" + anchor
 
     def equation(self, m, keep):
+        """(12) in a chapter or its programs, (A 12) everywhere."""
+        known = m[1] in [letter for letter, _, _ in self.book.papers] if m[1] else self.book.chapter_of(self.page) is not None
+        if not known:
+            return m[0]
         found = self.book.find_equation(self.page, m[2], m[1])
         if not found:
-            if self.in_book and not m[2].isalpha():
-                self.book.complain(self.book.path[self.page], "no equation %s" % m[0])
+            if (self.in_book or m[1]) and not m[2].isalpha():
+                self.book.complain(self.book.path.get(self.page, self.page), "no equation %s" % m[0])
             return m[0]
         href = self.place(found[0], "eq-" + m[2])
         self.preview(href, lambda: self.of_equation(found, m[2]))
@@ -87,16 +92,30 @@ class References:
 
     def text_link(self, words, chapter, exercise, keep):
         """A chapter or an exercise, if there is one and it is not this page."""
-        name = "exercise-%02d-%s" % (int(chapter), exercise[1:]) if exercise else "chapter-%02d" % int(chapter)
+        name = "exercise-%02d-%s" % (int(chapter), exercise) if exercise else "chapter-%02d" % int(chapter)
         if name not in self.book.text or name == self.page:
             return None
         self.preview(name + ".html", lambda: self.of_text(name))
         return keep('<a class="ref" href="%s.html">' % name) + words + keep("</a>")
 
     def named_place(self, m, keep):
-        if bool(m[3]) != (m[1][0] in "eE"):
-            return m[0]
-        return self.text_link(m[0], m[2], m[3], keep) or m[0]
+        """'chapter 3', 'exercises 4.1 and 4.3': the first number is linked with its word, the others alone."""
+        first, *others = re.split(r"(?<=\d)(?=, | and | or |–| to )", m[3])
+        if m[2][0] != "s":
+            others, rest = [], "".join(others)
+        else:
+            rest = ""
+        shown = self.one_place(m[1], m[1] + m[2], first, keep)
+        for other in others:
+            joint, number = re.match(r"(\D+)(.*)", other).groups()
+            shown += joint + self.one_place(m[1], "", number, keep)
+        return shown + rest
+
+    def one_place(self, kind, words, said, keep):
+        chapter, _, exercise = said.partition(".")
+        if bool(exercise) != (kind[0] in "eE"):
+            return words + said
+        return self.text_link(words + said, chapter, exercise, keep) or words + said
 
     def function(self, said):
         """Where the contract of a function or a type stands that code in a text names, or None."""
@@ -119,8 +138,7 @@ class References:
         return text
 
     def references(self, text, keep):
-        if self.book.chapter_of(self.page) is not None:
-            text = EQUATION.sub(lambda m: self.equation(m, keep), text)
+        text = EQUATION.sub(lambda m: self.equation(m, keep), text)
         if self.in_book or self.page.startswith(("src/", "chapters/", "evening", "use", "notation")):
             text = FIGURE.sub(lambda m: self.figure(m, keep, text[:m.start()]), text)
             text = PLACE.sub(lambda m: self.named_place(m, keep), text)
