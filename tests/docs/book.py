@@ -134,6 +134,9 @@ class Texts(unittest.TestCase):
         said = self.html("Text.\n\n> **Misprint.** It says $a$.")
         self.assertRegex(said, r'^<div class="hoist"><details class="note misprint" id="box-1" open><summary>Misprint</summary>.*'
                                r'<p>Text.</p></div>$')
+        two = self.html("Text.\n\n> **Misprint.** One.\n\n> **Left open.** Two.")
+        self.assertRegex(two, r'^<div class="hoist"><details class="note misprint".*</details><details class="note open".*</details>'
+                              r'<p>Text.</p></div>$')
         self.assertNotIn("open>", self.html("> **Left open.** " + "word " * 200))
         self.assertIn('class="note verdict"', self.html("> **Our verdict.** No."))
         self.assertEqual(self.html("> said"), "<blockquote>said</blockquote>")
@@ -207,6 +210,25 @@ class Generator(unittest.TestCase):
             for part in ast.walk(ast.parse(text)):
                 if isinstance(part, ast.FunctionDef):
                     self.assertLessEqual(part.end_lineno - part.lineno + 1, 40, "%s: %s" % (file, part.name))
+
+
+def luminance(colour):
+    parts = [int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+    red, green, blue = [p / 12.92 if p <= 0.03928 else ((p + 0.055) / 1.055)**2.4 for p in parts]
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+class Look(unittest.TestCase):
+    def test_contrast(self):
+        """Every colour of letters on every colour of paper, light and dark, after WCAG 2.1: 4.5."""
+        sheet = (ROOT / "docs/page.css").read_text(encoding="utf-8")
+        for tone in (":root {", ":root.dark {", ":root:not(.light):not(.dark) {"):
+            colour = dict(re.findall(r"--([\w-]+): (#[0-9a-f]{6})", sheet[sheet.index(tone):].split("}")[0]))
+            self.assertEqual(len(colour), 15, tone)
+            for ground in ("paper", "tint", "side"):
+                for name in set(colour) - {"paper", "tint", "side", "line"}:
+                    low, high = sorted((luminance(colour[name]), luminance(colour[ground])))
+                    self.assertGreaterEqual((high + 0.05) / (low + 0.05), 4.5, "%s: %s on %s" % (tone, name, ground))
 
 
 class Whole(unittest.TestCase):

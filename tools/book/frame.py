@@ -76,8 +76,10 @@ def turn(book, page):
     if page.startswith("exercise"):
         chapter = "chapter-" + page[9:11]
         anchor = "#exercises" if re.search("^## Exercises$", book.text[chapter], re.M) else ""
-        return '<nav class="turn"><a class="prev" href="%s.html%s"><small>← back to</small>%s</a></nav>' % (
-            chapter, anchor, escaped(book.title[chapter]))
+        others = sorted((name for name in book.text if name.startswith(page[:12])), key=lambda name: int(name[12:]))
+        after = others[others.index(page) + 1:][:1]
+        return '<nav class="turn"><a class="prev" href="%s.html%s"><small>← back to</small>%s</a>%s</nav>' % (
+            chapter, anchor, escaped(book.title[chapter]), step(book, after[0], "next", "next →") if after else "")
     for names in reading_order(book):
         if page in names:
             k = names.index(page)

@@ -7,6 +7,7 @@ import cxx
 from shelf import slug
 
 BOX = re.compile(r"\*\*(Misprint|Left open|Our verdict)\.\*\* ?(.*)", re.S)
+HOIST = re.compile(r'<div class="hoist">((?:<details class="note .*?</details>)+)(.*)</div>', re.S)
 LONG_BOX = 700              # signs; a longer one is folded
 WIDE_LINE = 66              # columns; a listing with longer lines is as wide as column and margin together
 LONGEST_LINE = 100          # columns that a screen of 1280 pixels shows; longer lines are broken
@@ -76,6 +77,9 @@ def box(text, lines):
     note = '<details class="note %s" id="%s"%s><summary>%s</summary><p>%s</p></details>' % (
         m[1].split()[-1].lower(), text.take_anchor() or "box-%d" % text.boxes,
         " open" if len(re.sub(r"<!--.*?-->", "", m[2])) < LONG_BOX else "", m[1], text.html(m[2]))
+    m = HOIST.fullmatch(text.out[-1]) if text.out else None
+    if m:    # two in a row stand above each other, beside what both comment
+        text.out[-1:], note = [m[2]], m[1] + note
     k = beside(text.out, note)
     text.out[k:] = ['<div class="hoist">%s%s</div>' % (note, "".join(text.out[k:]))]    # page.css puts it last where there is no margin
 
