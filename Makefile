@@ -29,9 +29,9 @@ run: configure            ## run every chapter, draw its figures into build/out,
 	@status=0; cmake --build $B -j $(JOBS) --target run_$(firstword $(PROGRAMS)) || status=1; \
 	    cmake --build $B -j $(JOBS) --target run_chapters signorini_command -- -k || status=1; \
 	    echo; perl tools/summary.pl $B/out $(PROGRAMS) || status=1; echo; \
-	    if command -v doxygen > /dev/null && [ -f /usr/share/javascript/mathjax/MathJax.js ]; then \
+	    if command -v doxygen > /dev/null && command -v python3 > /dev/null; then \
 	        tools/docs.sh $B/book && echo "open $B/book/index.html" || status=1; \
-	    else echo "the book is left out, for want of doxygen and MathJax: tools/setup.sh book, then make book"; fi; exit $$status
+	    else echo "the book is left out, for want of doxygen or python3: tools/setup.sh book, then make book"; fi; exit $$status
 chapters: configure       # and the program, without which nothing can be installed
 	@cmake --build $B -j $(JOBS) --target chapters signorini_command
 test: all                 ## compile and run every test

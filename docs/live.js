@@ -1,5 +1,5 @@
-// live.js: figures that compute.  <div class="live" data-figure="NAME"> before a printed figure becomes a form and panels, and the
-// printed figure may be folded away below.  Without WebAssembly, workers or engine.js the page stays as it is.
+// live.js: figures that compute.  <div class="live" data-figure="NAME"> before a printed figure becomes a form and panels; the page
+// keeps its room, and has the printed figure folded away below.  Without WebAssembly, workers or engine.js the page stays as it is.
 (function () {
   "use strict";
   const el = (tag, attributes = {}, ...inside) => {
@@ -256,31 +256,22 @@ onmessage = async ({ data }) => {
     form.addEventListener("reset", () => setTimeout(ask));
     form.addEventListener("submit", event => event.preventDefault());
     live.replaceChildren(el("h3", {}, about.title), form, says, panels, numbers, el("div", { class: "live-table" }, table),
-      el("div", { class: "source" }, "computed by ", el("a", { href: live.dataset.source }, live.dataset.source.replace(/^.*\/(live\/.*)\.txt$/, "$1"))));
-    const printed = live.nextElementSibling?.matches(".image") ? live.nextElementSibling : null;
-    if (printed) {
-      const fold = el("details", { class: "live-printed", open: "" }, el("summary", {}, "the figure as printed"));
-      printed.replaceWith(fold);
-      fold.append(printed);
-    }
+      el("div", { class: "source" }, "computed by ", el("a", { href: live.dataset.source }, live.dataset.label)));
     let width = live.clientWidth;
     new ResizeObserver(() => { if (live.clientWidth !== width) { width = live.clientWidth; show(); } }).observe(live);
     new MutationObserver(show).observe(document.documentElement, { attributeFilter: ["class"] });
     ask();
   }
   addEventListener("DOMContentLoaded", () => {
-    // The margin counts around the root alone, and the pages scroll inside an element of their own.
-    const scrolling = e => !e || e === document.body ? null : /auto|scroll/.test(getComputedStyle(e).overflowY) ? e : scrolling(e.parentElement);
-    const near = root => new IntersectionObserver((entries, observer) => entries.forEach(entry => {
+    const near = new IntersectionObserver((entries, observer) => entries.forEach(entry => {
       if (!entry.isIntersecting) return;
       observer.unobserve(entry.target);
       mount(entry.target).catch(() => entry.target.remove());
-    }), { root, rootMargin: "300px" });
+    }), { rootMargin: "300px" });
     document.querySelectorAll("div.live").forEach(live => {
       live.append(el("p", { class: "live-wait" }, "This figure is being computed …"));
-      near(scrolling(live.parentElement)).observe(live);
+      near.observe(live);
     });
   });
-  addEventListener("beforeprint", () => document.querySelectorAll("details.live-printed").forEach(fold => { fold.open = true; }));
   window.signoriniLive = theEngine;  // for the test
 })();

@@ -4,14 +4,13 @@
 // each page that begins on a new sheet; exercises follow in the section of their chapter, their hints in one at the end.
 // Links between pages become links within the book, links to what is not in the book become plain words.  Returns what
 // is wrong: places that are linked to and do not exist, or exist twice.
-// typeset() starts the formulas; `ready` is true when all are drawn.
+// `ready` becomes true when pictures and faces are there.
 // number(pages) writes {place: page} behind the entries of the contents and of the index.
 // misfits() lists what is not drawn, and what is wider than the paper.
 "use strict";
 const LONG = 32;            // lines; a longer listing may be broken over two sheets, and a table of a third of these rows
 const TALLEST = 460;        // pixels of a picture
 let ready = false;
-const damaged = [];
 
 function element(tag, attributes = {}, ...children) {
   const e = document.createElement(tag);
@@ -61,46 +60,36 @@ function drawing(picture, words) {
   return document.importNode(svg, true);
 }
 
-/// The text of a page of Doxygen, ready for paper, and its title.
+/// The text of a page, ready for paper, and its title.  Its anchors carry the name of the page: there is one page now.
 function text_of(page, { base, pictures }) {
   const from = new DOMParser().parseFromString(page.html, "text/html");
-  const text = from.querySelector(".textblock");
+  const text = from.querySelector("main");
   if (!text) throw new Error(`${page.name}: no text in this page`);
-  for (const e of text.querySelectorAll(".chapter-nav, .toc, .ttc, script, p:empty")) e.remove();
+  const lead = text.querySelector(".lead") ?? "";
+  const number = page.name.startsWith("exercise-") ? text.querySelector("header.title p")?.textContent + " " : "";
+  const title = number + (text.querySelector("header.title h1") ?? from.querySelector("title")).textContent.trim();
+  for (const e of text.querySelectorAll("header.title, nav.turn, .self, .live, .live-printed > summary, script, p:empty")) e.remove();
   for (const e of text.querySelectorAll("[style]")) e.removeAttribute("style");
   for (const image of text.querySelectorAll("img")) {
     const picture = pictures[image.getAttribute("src")];
     if (picture) image.replaceWith(drawing(picture, image.alt));
     else image.src = new URL(image.getAttribute("src"), base).href;
   }
-  for (const table of text.querySelectorAll("table")) {    // the head comes again on each sheet
-    const first = table.querySelector("tr");
-    if (first?.querySelector("th") && !table.tHead) table.createTHead().append(first);
-  }
-  for (const listing of text.querySelectorAll("pre, div.fragment")) {
-    const lines = listing.querySelectorAll("div.line").length || listing.textContent.split("\n").length;
-    if (lines <= LONG) listing.classList.add("short");
-  }
+  for (const listing of text.querySelectorAll("pre")) if (listing.textContent.split("\n").length <= LONG) listing.classList.add("short");
   for (const table of text.querySelectorAll("table")) if (table.rows.length <= LONG / 3) table.classList.add("short");
-  for (let level = 5; level > 0; --level)    // the title of the page is the only h1
-    for (const old of text.querySelectorAll("h" + level)) {
-      const heading = element("h" + (level + 1));
-      heading.append(...old.childNodes);
-      old.replaceWith(heading);
-    }
-  for (const link of text.querySelectorAll("a[href]"))
-    if (link.getAttribute("href").startsWith("#")) link.setAttribute("href", page.name + ".html" + link.getAttribute("href"));
-  return { title: from.querySelector(".title").textContent.trim(), text };
+  for (const e of text.querySelectorAll("[id]")) if (!e.closest("svg")) e.id = `${page.name}-${e.id}`;
+  for (const link of text.querySelectorAll("a[href]")) {
+    const [, name, place] = /^([^#:]*?)(?:\.html)?(?:#(.*))?$/.exec(link.getAttribute("href")) ?? [];
+    if (name === undefined) continue;    // to another site
+    const to = name || page.name;
+    link.setAttribute("href", place ? `${to}.html#${to}-${decodeURIComponent(place)}` : `${to}.html`);
+  }
+  return { title, text, lead };
 }
 
-function title_page(index, book) {
-  const own = [...index.text.children];
-  const take = (what) => index.text.querySelector(what) ?? "";
-  const section = element("section", { id: "title" }, element("h1", {}, index.title), element("div", { class: "brief" }, book.brief),
-      take("div.image"), take("ul"), element("div", { class: "version" }, book.version));
-  const heading = own.filter((e) => e.matches("h2"))[1];    // the first section tells the two commands
-  for (const e of own.slice(own.indexOf(heading))) e.remove();
-  return section;
+function title_page(cover, book) {
+  return element("section", { id: "title" }, element("h1", {}, cover.title), element("div", { class: "brief" }, book.brief),
+      cover.text.querySelector("figure svg, figure img") ?? "", cover.lead, element("div", { class: "version" }, book.version));
 }
 
 function contents_of(sections) {
@@ -110,8 +99,7 @@ function contents_of(sections) {
   for (const section of sections) {
     add(section.querySelector("h1"), "part", section.id);
     for (const heading of section.querySelectorAll("h2")) {
-      const anchor = heading.id || heading.querySelector("a[id]")?.id;
-      if (anchor) add(heading, "within", anchor);
+      if (heading.id) add(heading, "within", heading.id);
     }
   }
   return element("section", { id: "contents" }, element("h1", {}, "Contents"), list);
@@ -122,7 +110,11 @@ function join(book) {
   const sections = [];
   let title;
   for (const page of book.pages) {
-    const { title: name, text } = text_of(page, book);
+    const { title: name, text, lead } = text_of(page, book);
+    if (page.name === "index") {
+      title = title_page({ title: name, text, lead }, book);
+      continue;
+    }
     if (page.name.startsWith("exercise-")) {
       const folded = [...text.querySelectorAll("details")];
       if (folded.length) {
@@ -141,16 +133,19 @@ function join(book) {
     }
     for (const folded of text.querySelectorAll("details")) folded.setAttribute("open", "");
     const section = element("section", { id: page.name });
-    if (page.name === "index") title = title_page({ title: name, text }, book);
-    section.append(element("h1", {}, page.name === "index" ? "The book" : name), ...text.childNodes);
+    if (page.name === "use") {    // its first section tells the two commands
+      const own = [...text.children], heading = own.filter((e) => e.matches("h2"))[1];
+      if (heading) for (const e of own.slice(own.indexOf(heading))) e.remove();
+    }
+    section.append(element("h1", {}, page.name === "use" ? "The book" : name), ...text.childNodes);
     sections.push(section);
   }
   if (hints.children.length > 1) sections.push(hints);
   document.body.append(title, contents_of(sections), ...sections);
   document.head.append(element("style", {}, sections.map((s) => `section#${s.id} { page: ${s.id}; } @page ${s.id} { @top-right { content: ${
-      JSON.stringify(s.querySelector("h1").textContent.trim())}; font: 8pt "DejaVu Serif", serif; color: #5b6670; } }`).join("\n")));
+      JSON.stringify(s.querySelector("h1").textContent.trim())}; font: 8pt Pagella, serif; color: #555; } }`).join("\n")));
 
-  const pages = new Set([...sections.map((s) => s.id), ...book.pages.map((p) => p.name)]);
+  const pages = new Set([...sections.map((s) => s.id), ...book.pages.map((p) => p.name).filter((n) => n !== "index")]);
   const places = new Map();
   for (const e of document.querySelectorAll("[id]")) places.set(e.id, (places.get(e.id) ?? 0) + 1);
   const wrong = new Set();
@@ -160,24 +155,17 @@ function join(book) {
     if (page !== "" && !pages.has(page)) { link.replaceWith(...link.childNodes); continue; }
     const to = place ?? page;
     link.setAttribute("href", "#" + to);
-    if (page === "index" && !places.has(to)) { link.replaceWith(...link.childNodes); continue; }    // of the part left out
+    if (page === "use" && !places.has(to)) { link.replaceWith(...link.childNodes); continue; }    // of the part left out
     if (link.closest("#words td")) link.after(" ", element("span", { class: "page", "data-place": to }));
     if (places.get(to) !== 1) wrong.add(`${link.textContent}: the place #${to} exists ${places.get(to) ?? 0} times`);
   }
   return [...wrong];
 }
 
-function typeset() {
-  const scale = MathJax.Hub.config.SVG.scale / 100;    // a numbered formula becomes as wide as the text, over this
-  for (const kind of ["TeX Jax - parse error", "Math Processing Error"])
-    MathJax.Hub.Register.MessageHook(kind, (message) => damaged.push(`${message[1]}: ${message[2]}`));
-  document.body.style.width = `${document.body.clientWidth * scale}px`;
-  MathJax.Hub.Queue(["Typeset", MathJax.Hub], async () => {
-    document.body.style.width = "";
-    await Promise.all([...document.images].map((i) => i.complete || new Promise((done) => { i.onload = i.onerror = done; })));
-    await document.fonts.ready;
-    ready = true;
-  });
+async function settle() {
+  await Promise.all([...document.images].map((i) => i.complete || new Promise((done) => { i.onload = i.onerror = done; })));
+  await Promise.all([...document.fonts].map((face) => face.load().catch(() => null)));
+  ready = true;
 }
 
 function number(pages) {
@@ -188,10 +176,10 @@ function misfits() {
   const wrong = [];
   const said = (e) => e.textContent.trim().replace(/\s+/g, " ").slice(0, 60);
   for (const image of document.images) if (!image.naturalWidth) wrong.push("image does not load: " + image.src);
-  for (const error of damaged) wrong.push("formula not drawn: " + error);
+  for (const error of document.querySelectorAll("merror")) wrong.push("formula not drawn: " + said(error));
   for (const section of document.querySelectorAll("section")) {
     const right = section.getBoundingClientRect().right + 1;
-    for (const e of section.querySelectorAll("p, li, img, pre, div.line, table, blockquote, svg"))
+    for (const e of section.querySelectorAll("p, li, img, pre, table, blockquote, svg, math"))
       if (e.getBoundingClientRect().right > right) wrong.push(`${section.id}: wider than the paper: ${e.tagName} ${said(e)}`);
   }
   return wrong;

@@ -2,7 +2,7 @@
 """book-pdf.py [BOOK] [FILE]
 
 Prints the web pages in BOOK (default build/book) as one book, FILE (default build/signorini.pdf): title, contents with
-page numbers, the chapters with their exercises, notation, lists, references and hints.  Formulas and figures are vectors.
+page numbers, the chapters with their exercises, notation, lists, references and hints.  Formulas are text, figures are vectors.
 Ends with status 1, and without a file, if a link of the book leads nowhere, or a formula, a listing, a table or a figure
 would be missing or cut.  Needs python3 and chromium.
 
@@ -21,21 +21,14 @@ sys.dont_write_bytecode = True    # no __pycache__ beside the tools
 from browser import Browser, chromium
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-BEFORE, AFTER = ["index", "ways"], ["notation", "glossary", "equations", "words", "references"]
+BEFORE, AFTER = ["index", "use", "ways"], ["notation", "glossary", "equations", "words", "references"]
 PASSES = 5       # until every number is that of its page
-SECONDS = 900    # for all formulas, on a busy machine
+SECONDS = 900    # for pictures and faces, on a busy machine
 
-PAGE = """<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"/><title>Signorini</title>
-<link rel="stylesheet" href="@DOCS@/print.css"/>
-<style>@page { size: A4; margin: 22mm 20mm 20mm; @bottom-center { content: counter(page); font: 9pt "DejaVu Serif", serif; } }
+PAGE = """<!DOCTYPE html><html lang="en" class="light"><head><meta charset="utf-8"/><title>Signorini</title>
+<link rel="stylesheet" href="@BOOK@/page.css"/><link rel="stylesheet" href="@DOCS@/print.css"/>
+<style>@page { size: A4; margin: 22mm 20mm 20mm; @bottom-center { content: counter(page); font: 9pt Pagella, serif; } }
 @page :first { @bottom-center { content: none; } }</style>
-<script type="text/x-mathjax-config">
-MathJax.Hub.Config({ messageStyle: "none", showMathMenu: false, skipStartupTypeset: true,
-  tex2jax: { inlineMath: [["\\\\(","\\\\)"]], displayMath: [["\\\\[","\\\\]"]], processEnvironments: false },
-  TeX: { equationNumbers: { autoNumber: "none" }, noErrors: { disabled: true }, noUndefined: { disabled: true } },
-  SVG: { font: "TeX", scale: 92, blacker: 0, linebreaks: { automatic: true } } });
-</script>
-<script src="@BOOK@/mathjax/MathJax.js?config=TeX-AMS_SVG"></script>
 <script src="@DOCS@/print.js"></script></head><body></body></html>
 """
 
@@ -65,7 +58,7 @@ class Printer:
         browser.call("Page.enable", self.session)
         browser.call("Emulation.setEmulatedMedia", self.session, media="print")
         browser.call("Page.navigate", self.session, url=url)
-        self.wait("document.readyState === 'complete' && !!window.MathJax && MathJax.isReady")
+        self.wait("document.readyState === 'complete'")
 
     def ask(self, script):
         result = self.browser.call("Runtime.evaluate", self.session, expression=script, awaitPromise=True, returnByValue=True)
@@ -122,7 +115,7 @@ def main():
     if os.path.exists(target):
         os.remove(target)
     version = re.search(r"project\(signorini\s+VERSION\s+([\d.]+)", read(os.path.join(ROOT, "CMakeLists.txt")))
-    brief = re.search(r'PROJECT_BRIEF\s*=\s*"(.*)"', read(os.path.join(ROOT, "docs/Doxyfile.in")))
+    brief = re.search(r'PROJECT_BRIEF\s*=\s*"(.*?)[:"]', read(os.path.join(ROOT, "docs/Doxyfile.in")))
     book = {"base": "file://" + folder + "/", "brief": brief[1], "version": "Version " + version[1] if version else "",
             "pages": [{"name": name, "html": read(os.path.join(folder, name + ".html"))} for name in names(folder)]}
     drawn = {src for page in book["pages"] for src in re.findall(r'<img src="([^":]+\.svg)"', page["html"])}
@@ -134,7 +127,7 @@ def main():
     try:
         printer = Printer(browser, "file://" + sheet)
         wrong = printer.ask("join(%s)" % json.dumps(book))
-        printer.ask("typeset()")
+        printer.ask("settle()")
         printer.wait("ready")
         wrong += printer.ask("misfits()")
         first, data = {}, b""
@@ -145,7 +138,7 @@ def main():
                 break
             first = last.places
             printer.ask("number(%s)" % json.dumps(first))
-        formulas = printer.ask("document.querySelectorAll('.MathJax_SVG').length")
+        formulas = printer.ask("document.querySelectorAll('math').length")
         asked = printer.ask("[...document.querySelectorAll('.page')].map(e => e.dataset.place)")
     finally:
         browser.close()

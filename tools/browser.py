@@ -37,7 +37,7 @@ class Browser:
             [program, "--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--no-first-run",
              "--disable-background-timer-throttling", "--disable-renderer-backgrounding",
              "--disable-backgrounding-occluded-windows",
-             "--allow-file-access-from-files", "--window-size=1300,900", "--user-data-dir=" + self.profile],
+             "--allow-file-access-from-files", "--window-size=1280,900", "--user-data-dir=" + self.profile],
             pass_fds=(3, 4, to_browser, from_browser), preexec_fn=child,
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)

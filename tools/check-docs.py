@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """check-docs.py [--all] [BOOK] [WORD]
 
-Opens pages of BOOK (default build/book) in headless Chromium and checks that every formula was typeset, every image
-is there, nothing comes from outside, the console is silent, and the search box finds WORD.  Opened are all pages that
-someone wrote and, of each kind of page that Doxygen makes by the hundred, every 16th; with --all every page.  The
-links and images of the others are read from their files, so that every link of the book leads somewhere.
+Opens pages of BOOK (default build/book) in headless Chromium and checks that every formula is shown, every image is there, no line
+begins with a comma, no listing of a chapter is cut off, nothing is wider than a window of 1280 or, for texts, of 390 pixels, nothing
+comes from outside, the console is silent, and the search box finds WORD.  Opened are all texts and, of each kind of page that is made
+by the hundred, every 16th; with --all every page.  The links and images of the others are read from their files, so that every link
+of the book leads somewhere.
 Needs python3 and chromium, no further packages: Chromium is driven through its debugging pipe.
 """
 import html.parser
@@ -19,16 +20,12 @@ import urllib.parse
 sys.dont_write_bytecode = True    # no __pycache__ beside the tools
 from browser import Browser, Tab, chromium
 
-# Runs in a page: waits for the formulas, then reports what it finds.
+# Runs in a page: reports what it finds.
 PROBE = r"""(async () => {
   const wait = ms => new Promise(r => setTimeout(r, ms));
   for (let i = 0; i < 100 && document.readyState !== 'complete'; ++i) await wait(50);
-  const formulas = /\\[[(]/.test(document.querySelector('.contents')?.textContent) || document.querySelector('script[type^="math/tex"],.MathJax_SVG');
-  if (formulas && document.querySelector('script[src*="MathJax"]')) {
-    for (let i = 0; i < 400 && !(window.MathJax && MathJax.Hub && MathJax.isReady); ++i) await wait(25);
-    if (window.MathJax && MathJax.Hub)
-      await Promise.race([new Promise(done => MathJax.Hub.Queue(done)), wait(60000)]);
-  }
+  await document.fonts.ready;
+  document.querySelectorAll('main details').forEach(fold => { fold.open = true; });
   const there = i => i.complete && i.naturalWidth > 0;    // under load a picture may come late
   for (let k = 0; k < 60 && ![...document.images].every(there); ++k) {
     if (k % 20 === 10) for (const i of document.images) if (!there(i)) i.src = i.getAttribute('src');
@@ -36,36 +33,45 @@ PROBE = r"""(async () => {
   }
   const raw = [], walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   for (let n; (n = walk.nextNode());) {
-    if (n.parentElement.closest('script,style,pre,code,.fragment,.tt,.MathJax_SVG,svg,noscript')) continue;
+    if (n.parentElement.closest('script,style,pre,code,.fragment,.tt,.memname,.memItemRight,math,svg,noscript')) continue;
     if (/\\[\[\]()]|\\(frac|sum|int|alpha|begin|end|mathrm|left|right)\b|\\f[\$\[\]]|\$[^\s$](?:[^$]*[^\s$])?\$|[@\\](ref|subpage|anchor|PaperEq)\b|<!--/.test(n.textContent) ||
-        n.parentElement.matches('.textblock p, .textblock li, .textblock td') && /(^|[\s(-])\*[A-Za-z]/.test(n.textContent))
+        n.parentElement.matches('main p, main li, main td') && /(^|[\s(-])\*[A-Za-z]/.test(n.textContent))
       raw.push(n.textContent.trim().slice(0, 80));
   }
+  const commas = [];    // after formulas and links, where a line may break
+  for (const e of document.querySelectorAll('main :is(p, li, td) :is(math, a, code)')) {
+    const next = e.nextSibling ?? e.parentElement.nextSibling;
+    if (next?.nodeType !== 3 || !/^[,.;:)]/.test(next.data)) continue;
+    const sign = document.createRange();
+    sign.setStart(next, 0);
+    sign.setEnd(next, 1);
+    if (sign.getBoundingClientRect().top > e.getBoundingClientRect().bottom - 2) commas.push((e.textContent + next.data).slice(-30));
+  }
   const all = (selector, f) => [...document.querySelectorAll(selector)].map(f);
-  return JSON.stringify({ raw,
-    math: all('.MathJax_SVG', e => e.getBoundingClientRect().width),
-    left: all('.MathJax_Error,.merror,.MathJax_SVG text[fill=red],.MathJax_SVG_Processing', e => e.textContent.slice(0, 80)),
+  return JSON.stringify({ raw, commas,
+    math: all('math', e => !e.checkVisibility() || e.getBoundingClientRect().width),
+    left: all('merror', e => e.textContent.slice(0, 80)),
+    cut: all('.chapter figure.code pre, .chapter .eq .scroll', e => e.scrollWidth > e.clientWidth + 1 && e.textContent.trim().slice(0, 60)).filter(Boolean),
     images: all('img', i => [i.getAttribute('src'), i.complete && i.naturalWidth > 0, i.alt]),
     ids: all('[id],a[name]', e => e.id || e.name),
     links: all('a[href]:not(.summary a)', a => a.getAttribute('href')),  // some Doxygens list private classes there
     wide: document.documentElement.scrollWidth > innerWidth + 2 });
 })()"""
 
+NARROW = r"""new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(document.documentElement.scrollWidth > innerWidth + 2))))"""
+
 # Runs in a page: types a word into the search box, returns the number of hits.
 SEARCH = r"""(async () => {
-  const wait = ms => new Promise(r => setTimeout(r, ms)), field = () => document.getElementById('MSearchField');
-  for (let i = 0; i < 100 && !(document.readyState === 'complete' && field()); ++i) await wait(50);
-  const box = field();
+  const wait = ms => new Promise(r => setTimeout(r, ms));
+  for (let i = 0; i < 100 && document.readyState !== 'complete'; ++i) await wait(50);
+  const box = document.getElementById('find');
   if (!box) return -1;
-  box.focus(); box.value = WORD;
-  for (const t of ['keydown', 'keyup']) box.dispatchEvent(new KeyboardEvent(t, { key: WORD.at(-1), keyCode: 65, bubbles: true }));
-  if (window.searchBox) searchBox.OnSearchFieldChange({ keyCode: 65, which: 65, shiftKey: false, preventDefault() {} });
+  box.focus();
+  box.value = WORD;
+  box.dispatchEvent(new Event('input', { bubbles: true }));
   for (let i = 0; i < 60; ++i) {
     await wait(100);
-    const inner = Array.from({ length: frames.length }, (_, i) => { try { return frames[i].document } catch { return null } });
-    let n = 0;
-    for (const d of [document, ...inner])
-      if (d) n += [...d.querySelectorAll('.SRResult')].filter(e => getComputedStyle(e).display !== 'none').length;
+    const n = document.querySelectorAll('.hit').length;
     if (n) return n;
   }
   return 0;
@@ -75,9 +81,10 @@ SEARCH = r"""(async () => {
 TABS = 4     # pages that are open at once
 EVERY = 16   # of the pages of one kind that Doxygen made, the first of this many is opened
 
-# Names of the pages that Doxygen makes by the hundred, and of those of sources; the part in brackets is the kind.
-MADE = re.compile(r"(struct|class|union|namespace)\w+?(-members)?\.html$|(dir_)[0-9a-f]+\.html$"
-                  r"|(functions|globals|namespacemembers)\w*\.html$|(page)-.*\.html$|.*(_8[a-z]+(?:_source)?)\.html$")
+# Names of the pages that are made by the hundred; the part in brackets is the kind.
+MADE = re.compile(r"reference/(struct|class|union|namespace)\w+?(-members)?\.html$|reference/(dir_)[0-9a-f]+\.html$"
+                  r"|reference/(functions|globals|namespacemembers)\w*\.html$|(source)-.*\.html$|reference/.*(_8[a-z]+(?:_source)?)\.html$")
+TEXT = re.compile(r"(?!source-)[\w-]+\.html$")
 
 
 class PageFile(html.parser.HTMLParser):
@@ -105,7 +112,7 @@ class PageFile(html.parser.HTMLParser):
 
 
 def kind_of(page):
-    """The kind of a page that Doxygen makes by the hundred, or None."""
+    """The kind of a page that is made by the hundred, or None."""
     match = MADE.match(page)
     return "".join(filter(None, match.groups())) if match else None
 
@@ -140,8 +147,9 @@ class Check:
                 while True:
                     page = left.get_nowait()
                     found = tab.visit(page, PROBE)
+                    narrow = TEXT.match(page) and self.too_wide(tab)
                     with lock:
-                        self.bad |= tab.bad
+                        self.bad |= tab.bad | ({(page, "wider than a window of 390 pixels")} if narrow else set())
                         self.note(page, json.loads(found or "null"))
             except queue.Empty:
                 pass
@@ -157,6 +165,15 @@ class Check:
         if failures:
             raise failures[0]
 
+    @staticmethod
+    def too_wide(tab):
+        """Whether the page is wider than a small screen."""
+        call = tab.browser.call
+        call("Emulation.setDeviceMetricsOverride", tab.session, width=390, height=844, deviceScaleFactor=1, mobile=False)
+        wide = call("Runtime.evaluate", tab.session, expression=NARROW, awaitPromise=True, returnByValue=True)["result"].get("value")
+        call("Emulation.clearDeviceMetricsOverride", tab.session)
+        return wide
+
     def read(self, pages):
         """Reads pages without opening them."""
         for page in pages:
@@ -165,7 +182,7 @@ class Check:
             self.links += [(page, link) for link in file.links]
             self.bad |= {(page, "image does not exist: " + image) for image in file.images
                          if not re.match("data:", image) and
-                         not os.path.exists(os.path.join(self.folder, urllib.parse.unquote(image.partition("?")[0])))}
+                         not os.path.exists(os.path.join(self.folder, os.path.dirname(page), urllib.parse.unquote(image.partition("?")[0])))}
 
     def note(self, page, found):
         if not found:
@@ -176,8 +193,10 @@ class Check:
         self.ids[page] = set(found["ids"])
         self.links += [(page, link) for link in found["links"]]
         self.bad |= {(page, "raw TeX or command in the text: " + t) for t in found["raw"]}
-        self.bad |= {(page, "formula not typeset: " + t) for t in found["left"]}
+        self.bad |= {(page, "formula not shown: " + t) for t in found["left"]}
         self.bad |= {(page, "formula without width") for w in found["math"] if w <= 0}
+        self.bad |= {(page, "a line begins with a comma: " + t) for t in found["commas"]}
+        self.bad |= {(page, "cut off at 1280 pixels: " + t) for t in found["cut"]}
         self.bad |= {(page, "image does not load: " + src) for src, loaded, alt in found["images"] if not loaded}
         if found["wide"]:
             self.bad.add((page, "the page is wider than the window"))
@@ -187,7 +206,8 @@ class Check:
             if re.match("(https?|mailto|javascript|doi):", link):
                 continue
             path, _, anchor = link.partition("#")
-            path, anchor = urllib.parse.unquote(path) or page, urllib.parse.unquote(anchor)
+            path, anchor = urllib.parse.unquote(path), urllib.parse.unquote(anchor)
+            path = os.path.normpath(os.path.join(os.path.dirname(page), path)) if path else page
             if not os.path.exists(os.path.join(self.folder, path)):
                 self.bad.add((page, "dead link: " + link))
             elif anchor and path in self.ids and not anchor.startswith("index_") and anchor not in self.ids[path]:
@@ -201,7 +221,8 @@ def main():
     program = chromium()
     if not program:
         sys.exit("check-docs.py: no chromium found, run: tools/setup.sh check")
-    pages = sorted(f for f in os.listdir(folder) if f.endswith(".html"))
+    pages = sorted(os.path.join(inside, f) for inside in ("", "reference") if os.path.isdir(os.path.join(folder, inside))
+                   for f in os.listdir(os.path.join(folder, inside)) if f.endswith(".html"))
     if "index.html" not in pages:
         sys.exit("check-docs.py: no pages in %s, run: make book" % folder)
     opened = pages if "--all" in sys.argv[1:] else chosen(pages)

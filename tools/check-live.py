@@ -4,8 +4,9 @@
 Opens every page of BOOK (default build/book) that has a figure that computes, in headless Chromium, moves each control to its
 ends or through all its choices, asks what the .checks of the figure ask, and compares with what LIVE (default build/bin/live),
 the same code compiled for this machine, answers: sets exactly, numbers to 1e-6 of them. Checks labels, the keyboard, that
-nothing is wider than a window of 1280 or 390 pixels and that the console is silent, keeps screenshots in PICTURES (default
-build/live), and tells how long answers take. Then that the printed figures stay where scripts or workers are missing.
+nothing is wider than a window of 1280 or 390 pixels, that the figure fits the room that docs/rooms keeps for it, so that nothing
+moves when it comes, and that the console is silent; keeps screenshots in PICTURES (default build/live), and tells how long answers
+take. Then that the printed figures stay where scripts or workers are missing.
 Needs python3 and chromium.
 """
 import base64
@@ -29,14 +30,27 @@ MOUNT = r"""(async () => {
   for (let i = 0; i < 100 && document.readyState !== 'complete'; ++i) await wait(50);
   for (let i = 0; i < 400 && live() && !live().querySelector('dl > *') && !live().matches('.failed'); ++i) {
     live().style.scrollMarginTop = innerHeight + 100 + 'px';         // not yet on the screen
-    if (i % 10 === 0) live().scrollIntoView();                       // formulas move it while they are typeset
+    if (i % 10 === 0) live().scrollIntoView();
     await wait(50);
   }
   if (!live()) return JSON.stringify({ gone: true });
   live().style.scrollMarginTop = '';
+  for (let i = 0; i < 200 && live().getAttribute('aria-busy'); ++i) await wait(50);
+  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
   const inputs = [...live().querySelectorAll('input, select')], status = live().querySelector('[role=status]');
   return JSON.stringify({ unlabelled: inputs.filter(i => i.labels.length !== 1).map(i => i.id), status: status?.textContent,
     started: (await signoriniLive()).started });
+})()"""
+
+# Runs in a page: how high a figure is that stands as at the beginning, and how much room the page keeps for it.
+ROOM = r"""(async () => {
+  const live = document.querySelector('div.live[data-figure=NAME]');
+  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const kept = parseFloat(getComputedStyle(live).minHeight);
+  live.style.minHeight = 0;
+  const high = Math.ceil(live.getBoundingClientRect().height);
+  live.style.minHeight = '';
+  return JSON.stringify([high, kept]);
 })()"""
 
 # Runs in a page: moves controls, one request after the other, returns the answers.
@@ -119,13 +133,25 @@ class Check:
         call = self.browser.call
         call("Emulation.setDeviceMetricsOverride", tab.session, width=width, height=900, deviceScaleFactor=1, mobile=width < 600)
         call("Runtime.evaluate", tab.session, awaitPromise=True, expression="document.querySelector('div.live[data-figure=%s]').scrollIntoView();"
-             "document.documentElement.classList.toggle('dark-mode', %s); new Promise(r => setTimeout(r, 300))" % (name, json.dumps(scheme == "dark")))
+             "document.documentElement.classList.toggle('dark', %s); new Promise(r => setTimeout(r, 300))" % (name, json.dumps(scheme == "dark")))
         wide = json.loads(call("Runtime.evaluate", tab.session, expression=WIDE, returnByValue=True)["result"]["value"])
         if wide["page"] or wide["parts"]:
             self.fault(name, "wider than %d pixels: %s" % (width, ", ".join(wide["parts"][:4]) or "the page"))
         picture = call("Page.captureScreenshot", tab.session, format="png")["data"]
         with open(os.path.join(self.pictures, "%s-%d-%s.png" % (name, width, scheme)), "wb") as file:
             file.write(base64.b64decode(picture))
+
+    def room(self, tab, name):
+        """The figure as at the beginning is as high as the room that the page keeps for it, up to 40 pixels that stay empty."""
+        measured = []
+        for width in (1280, 390):
+            self.browser.call("Emulation.setDeviceMetricsOverride", tab.session, width=width, height=900, deviceScaleFactor=1, mobile=width < 600)
+            got = self.browser.call("Runtime.evaluate", tab.session, expression=ROOM.replace("NAME", name), awaitPromise=True, returnByValue=True)
+            measured.append(json.loads(got["result"]["value"]))
+        self.browser.call("Emulation.setDeviceMetricsOverride", tab.session, width=1280, height=900, deviceScaleFactor=1, mobile=False)
+        if any(high > kept + 2 or kept > high + 40 for high, kept in measured):
+            self.fault(name, "docs/rooms keeps %s pixels for it, expected: %s %d %d" % (
+                " and ".join("%.0f" % kept for _, kept in measured), name, measured[0][0] + 24, measured[1][0] + 24))
 
     def keyboard(self, tab, name):
         first = "document.querySelector('div.live[data-figure=%s] input[type=range]')" % name
@@ -150,6 +176,7 @@ class Check:
             return
         if mounted["unlabelled"] or not mounted["status"]:
             self.fault(name, "labels or status: %s" % mounted)
+        self.room(tab, name)
         steps, ends = requests_of(name, about)
         events, times = [], []
         for requests in [ends] + 5 * [steps]:

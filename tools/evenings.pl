@@ -1,28 +1,21 @@
 #!/usr/bin/env perl
-# evenings.pl --check [ROOT], evenings.pl ROOT FOLDER: the sources of the library as pages to read.
+# evenings.pl --check [ROOT], evenings.pl --leads ROOT: the sources of the library as pages to read.
 #
 # src/evenings lists the files of src/signorini/ and src/papers/ in the order in which they are read. --check complains if a file
 # stands on no evening or on two, if a header includes one that comes later, if a file has more than 250 lines or if less than a
 # quarter of its lines that are not blank are comments (and no line `still long:` or `still short:` excuses it), and if a link or
-# an equation in a comment leads nowhere. With a FOLDER, writes src/PATH.md for every file, src/evening-N.md and src/evenings.md
-# into it, with + for / in their names: Markdown with links as from there, which tools/doxfilter.pl turns into pages.
-#
-# A page is the file itself: comments at the left edge are prose, what stands between them is code. Prose is Markdown with formulas,
-# as \f$ \f$ or $ $; a comment `# Title` gives the page its title. Above the code of a source stands, for each function that a header
-# declares: its contract (of a private one, that of its class), tests and chapters that use it, and equations of the papers that the
-# comments above it name.
+# an equation in a comment leads nowhere. tools/book makes the pages. For them --leads prints, for each function of a source that a
+# header declares, the file, the line at which its code begins and, in Markdown, where it leads: to its contract (of a private one, that
+# of its class), to tests and chapters that use it, and to equations of the papers that its comments name.
 use strict;
 use warnings;
 use File::Basename qw(basename dirname);
 use File::Glob ':bsd_glob';    # a blank in a path does not separate patterns
-use File::Path 'make_path';
 
 my ($longest, $share) = (250, 4);    # lines of a file; one line of so many narrates
-my $check = @ARGV && $ARGV[0] eq '--check' ? shift @ARGV : '';
-my ($root, $folder) = ($ARGV[0] // '.', $ARGV[1]);
-die "usage: evenings.pl --check [ROOT] | ROOT FOLDER\n" if !$check && !defined $folder;
-make_path($folder) if !$check;
-$folder = Cwd::abs_path($folder) if !$check && require Cwd;
+my $mode = @ARGV ? shift @ARGV : '';
+my ($root) = (@ARGV, '.');
+die "usage: evenings.pl --check [ROOT] | --leads ROOT\n" if $mode !~ /^--(?:check|leads)$/;
 chdir $root or die "evenings.pl: no folder $root\n";
 my @complaints;
 
@@ -99,22 +92,6 @@ sub pieces {
     return @piece;
 }
 
-sub markdown {    # the commands of Doxygen in Markdown: arguments, result and errors are a list
-    my (@out, $list);
-    for (grep { !/^\\file\s*$/ } @_) {
-        my $line = s/\\ref (\S+?)(?=[\s.,;:)]|$)/`$1`/gr;
-        push @out, '' if $line eq '';
-        for (split /(?=\\(?:t?param|return|throws)\b)/, $line) {
-            my $item = s/^\\t?param(?:\[\w+\])?\s+(\S+)\s*/- `$1`: / || s/^\\return\s+/- returns / || s/^\\throws\s+(\S+)/- throws `$1`/;
-            push @out, '' if $item && !$list && @out;
-            push @out, '' if @out && $out[-1] =~ /^ +\S/ && /^\w/;    # a list ends where its indentation does
-            $list = $item || ($list && /^  /);
-            push @out, s/\s+$//r;
-        }
-    }
-    return join '', map { "$_\n" } @out;
-}
-
 # ---- What functions lead to.
 
 # Functions that a piece of code defines at file scope, as NAMESPACE::CLASS::NAME; $spaces are the namespaces that are open.
@@ -177,10 +154,10 @@ sub away { my ($from, $to) = @_; return '../' x (() = $from =~ m{/}g) . $to }   
 
 sub own_test { return 'tests/' . basename(dirname($_[0])) . '/test_' . basename($_[0]) =~ s/\.[ch]pp$/.cpp/r }
 
-sub leads {    # the line above the code of a function
+sub leads {    # where a function leads
     my ($from, $name, @equations) = @_;
     my $known = $declared{$name};
-    return "part of [`$1`](" . away($from, $class_in{$1}) . ")<br>\n" if !$known && $name =~ /^(\w+)::\w+$/;    # a private function
+    return "part of [`$1`](" . away($from, $class_in{$1}) . ")" if !$known && $name =~ /^(\w+)::\w+$/;    # a private function
     my $line = '[`' . ($name =~ /^(.*\b(\w+))::~?\2$/ ? $1 : "$name()") . '`](' . away($from, $known->{header}) . ')';
     my $own   = own_test($from);
     my @tests = users($name, '^' . dirname($own) . '/');
@@ -192,118 +169,39 @@ sub leads {    # the line above the code of a function
     $line .= ' · ' . join ', ', map { '[' . basename($_) . '](' . away($from, $_) . ')' } @tests[0 .. ($#tests < 2 ? $#tests : 2)] if @tests;
     $line .= ' · chapter' . (keys %number > 1 ? 's ' : ' ') . join ', ', map { $number{$_} } sort keys %number if %number;
     $line .= ' · ' . join ', ', @equations if @equations;
-    return "$line<br>\n";
+    return $line;
 }
 
-# ---- The pages.
+# ---- What was asked for.
 
-sub title { return $_[0] =~ m{^///? # (.+)$}m ? $1 : basename($_[1]) }
-
-sub sentence {    # the first one of the comment at the head of a file
-    my ($text) = @_;
-    my ($piece) = pieces($text);
-    my $prose = join "\n", grep { !/^# / } split /\n/, markdown(@{ $piece->{prose} });
-    $prose =~ s/^\s+//;
-    my ($first) = $prose =~ /^(.*?[.:])(?:\s|$)/s;
-    return defined $first && $first !~ /\\f\[/ ? $first =~ s/\s+/ /gr =~ s/:$/./r : '';
-}
-
-sub page {
-    my ($i) = @_;
-    my ($path, $from) = ($page[$i]{path}, "src/$page[$i]{path}");
-    my $out = '# ' . title($text{$path}, $path) . "\n\n";
-    my $stem = $path =~ s/\.[ch]pp$//r;
-    my @also = map { '[`' . basename($_) . "`](" . basename($_) . '.md)' } grep { $_ ne $path && exists $at{$_} } "$stem.hpp", "$stem.cpp";
-    push @also, '[reference](' . basename($path) . ')' if $path =~ /hpp$/;
-    push @also, map { '[' . basename($_) . '](' . away($from, $_) . ')' } grep { -f } own_test($path);
-    $out .= "`src/$path`" . join('', map { " · $_" } @also) . "\n\n";
+sub functions {    # of a source: the line at which the code of a function begins, and where it leads
+    my ($path) = @_;
     my @spaces;
     for my $piece (pieces($text{$path})) {
-        my @prose = grep { !/^# / } @{ $piece->{prose} };
-        $out .= markdown(@prose) . "\n";
-        next if !@{ $piece->{code} };
-        my @equations = join("\n", @prose) =~ /\\PaperEq\{[^}]*\}/g;
-        my ($n, @code) = ($piece->{first});
-        for my $part (split /(?<=\n)(?=\n\S)/, join '', map { "$_\n" } @{ $piece->{code} }) {    # a function that leads somewhere begins a listing
+        my ($n, @equations) = ($piece->{first}, join("\n", @{ $piece->{prose} }) =~ /\\PaperEq\{[^}]*\}/g);
+        for my $part (split /(?<=\n)(?=\n\S)/, join '', map { "$_\n" } @{ $piece->{code} }) {
             my %seen;
-            my @name = $path =~ /cpp$/ ? defined_here([split /\n/, $part], \@spaces) : ();
-            @name = grep { (exists $declared{$_} || /^(\w+)::\w+$/ && exists $class_in{$1}) && !$seen{$_}++ } @name;
-            if (@name || !@code) { push @code, { first => $n, leads => join('', map { leads($from, $_, @equations) } @name), text => '' } }
+            my @name = grep { (exists $declared{$_} || /^(\w+)::\w+$/ && exists $class_in{$1}) && !$seen{$_}++ } defined_here([split /\n/, $part], \@spaces);
+            print "src/$path\t", $n + ($part =~ /^\n/), "\t", leads("src/$path", $_, @equations), "\n" for @name;
             @equations = () if @name;
-            $code[-1]{text} .= $part;
             $n += ($part =~ tr/\n//);
         }
-        for (@code) {
-            my $blank = $_->{text} =~ s/^\n// ? 0 : 1;
-            $out .= "<div class=\"leads\">$_->{leads}</div>\n\n" if $_->{leads} ne '';
-            $out .= '\htmlonly[block]<div class="listing" style="counter-reset: line ' . ($_->{first} - $blank) . "\">\\endhtmlonly\n"
-                . "```cpp\n$_->{text}```\n\\htmlonly[block]</div>\\endhtmlonly\n\n";
-        }
     }
-    my @nav = ("[evening $page[$i]{evening}](" . away($path, "evening-$page[$i]{evening}.md") . ')');
-    unshift @nav, '← [' . title($text{ $_->{path} }, $_->{path}) . '](' . away($path, "$_->{path}.md") . ')' for $i > 0 ? $page[$i - 1] : ();
-    push @nav, '[' . title($text{ $_->{path} }, $_->{path}) . '](' . away($path, "$_->{path}.md") . ') →' for $i < $#page ? $page[$i + 1] : ();
-    return $out . "<!-- nav -->\n" . join(' · ', @nav) . "\n<!-- /nav -->\n";
 }
 
-sub lines { my $sum = 0; $sum += ($text{$_} =~ tr/\n//) for @_; return $sum }
-
-sub evening {
-    my ($n) = @_;
-    my $this = $evening[$n - 1];
-    my $out = "# Evening $n: $this->{title}\n\n$this->{text}\n";
-    my $last = '';
-    for my $path (@{ $this->{files} }) {
-        my $stem = $path =~ s/\.[ch]pp$//r;
-        my $title = title($text{$path}, $path);
-        $title = $title eq basename($path) ? '' : "$title: ";
-        $out .= "- ${title}[`" . basename($path) . "`]($path.md), " . lines($path) . ' lines. ' . sentence($text{$path}) . "\n";
-    }
-    return $out;
+if ($mode eq '--leads') {
+    functions($_->{path}) for grep { $_->{path} =~ /cpp$/ } @page;
+    exit 0;    # pages are made of a list with faults, too
 }
-
-sub evenings {
-    my $out = <<'END';
-# Reading Signorini in six evenings
-
-The library is short enough to be read. Its files stand here in an order in which what is used is explained before. Each is a page,
-made from the file itself, and every function leads to its contract, its tests, the chapters that use it and the equations of the
-papers. Two more evenings are for what the papers print.
-
-END
-    for my $n (1 .. @evening) {
-        my @files = @{ $evening[$n - 1]{files} };
-        $out .= "- [Evening $n: $evening[$n - 1]{title}](evening-$n.md), " . @files . ' files, ' . lines(@files) . " lines\n";
+for my $path (sort keys %text) {    # links and equations of comments lead somewhere
+    my $said = join "\n", map { @{ $_->{prose} } } pieces($text{$path});
+    while ($said =~ /\\PaperEq\{\s*(\w+)\s*,\s*(\w+)\s*\}/g) {
+        push @complaints, "src/$path: no chapter explains equation ($2) of $1" if !$explained{"$1 $2"};
     }
-    return $out;
-}
-
-sub show {
-    my ($path, $content) = @_;
-    if ($check) {    # links and equations lead somewhere
-        my ($here, $source) = (dirname("src/$path"), "src/" . $path =~ s/\.md$//r);
-        $content =~ s/^```cpp\n.*?^```\n|`[^`\n]*`//msg;
-        for my $to ($content =~ /\]\(([^)\s#]+)[^)]*\)/g) {
-            next if $to =~ /^\w+:/;
-            my $target = "$here/$to";
-            1 while $target =~ s{(^|/)(?!\.\./)[^/]+/\.\./}{$1};
-            my $made = $target =~ /^src\/(.*)\.md$/ && (exists $at{$1} || $1 =~ /^evening/);
-            push @complaints, "$source: there is no $to" if !$made && !-e $target;
-        }
-        while ($content =~ /\\PaperEq\{\s*(\w+)\s*,\s*(\w+)\s*\}/g) {
-            push @complaints, "$source: no chapter explains equation ($2) of $1" if !$explained{"$1 $2"};
-        }
-        return;
+    $said =~ s/`[^`\n]*`//g;
+    for my $to ($said =~ /\]\(([^)\s#]+)[^)]*\)/g) {
+        push @complaints, "src/$path: there is no $to" if $to !~ /^\w+:/ && !-e dirname("src/$path") . "/$to";
     }
-    my $file = "$folder/" . "src/$path" =~ tr{/}{+}r;    # one folder for all: Doxygen lists folders
-    open my $out, '>', $file or die "evenings.pl: $file: $!\n";
-    print $out $content;
-    close $out or die "evenings.pl: $file: $!\n";
 }
-
-show('evenings.md', evenings());
-show("evening-$_.md", evening($_)) for 1 .. @evening;
-show("$page[$_]{path}.md", page($_)) for 0 .. $#page;
-exit 0 if !$check;    # a book is made of a list with faults, too
 print STDERR "$_\n" for @complaints;
 exit(@complaints ? 1 : 0);

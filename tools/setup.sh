@@ -1,17 +1,17 @@
 #!/bin/sh
 # setup.sh GROUP ...: installs the Debian or Ubuntu packages of these groups that are missing.
 #   build   compiler, libraries, gnuplot: all that ./run.sh needs
-#   book    Doxygen, formulas and look of the web pages
+#   book    the web pages: Python, and Doxygen for the reference of src/
 #   check   a browser that opens every page
 #   live    a compiler for browsers, for make engine
-#   print   the same browser and the letters of the book, for make book-pdf
+#   print   the same browser and the letters of figures and Chinese words, for make book-pdf
 #   strict  the second compiler of the stricter presets
 #   peers   other people's programs and libraries, for make peers and make bench
 #   parallel  other factors: CHOLMOD, and MUMPS with MPI
 # Without the right to install it prints the command to type and stops with status 2.
 set -eu
 build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl"
-book="doxygen libjs-mathjax doxygen-awesome-css"
+book="doxygen python3"
 check="chromium python3 fonts-dejavu-core"
 print="$check fonts-wqy-microhei"
 live="emscripten"
@@ -56,10 +56,9 @@ for package in $wanted; do
 done
 [ -n "$missing" ] || exit 0
 
-# The theme, the browser and the peers do not exist in every release; the book does without the first, and what needs
-# the others leaves them out.
+# The browser and the peers do not exist in every release; what needs them leaves them out.
 drop_unknown() {
-    for package in doxygen-awesome-css chromium $peers; do
+    for package in chromium $peers; do
         case " $missing " in *" $package "*)
             [ -z "$(apt-cache madison make 2> /dev/null)" ] || [ -n "$(apt-cache madison "$package" 2> /dev/null)" ] || {
                 echo "no package $package in this release, going on without it"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # evenings.sh ROOT FOLDER: the sources of the library are checked as pages to read. In a copy of the texts in FOLDER, plants a fault
-# after the other and expects a complaint each time; then looks at what one page says.
+# after the other and expects a complaint each time; then looks at where functions lead.
 set -u
 root=$1 copy=$2
 rm -rf "$copy"
@@ -41,35 +41,22 @@ fault "a file without comments" 's/^ *\/\/.*//' $errors "$errors: fewer comments
 fault "a link that leads nowhere" '1s/^/\/\/ See [this](nowhere.hpp).\n/' $errors "$errors: there is no nowhere.hpp"
 fault "an equation that does not exist" '1s/^/\/\/ \\PaperEq{XuanLi2002, 40}\n/' $errors "$errors: no chapter explains equation (40) of XuanLi2002"
 
-# A function leads to its contract, its test, the chapters that use it and its equation; an overlong file is shown all the same.
-perl tools/evenings.pl . pages || exit 1
-[ "$(find pages -name '*pp.md' | wc -l)" -eq "$(find src/signorini src/papers -name '*.[ch]pp' | wc -l)" ] || { echo "evenings.sh: not a page for every file"; failures=1; }
-page=pages/src+papers+surrogate_dual.cpp.md
-for part in '[`surrogate_dual_value()`](../../src/papers/surrogate_dual.hpp) · [test_surrogate_dual.cpp](../../tests/papers/test_surrogate_dual.cpp)' \
-    ' · chapters [2](../../chapters/ch02_surrogate_dual/README.md), [3](../../chapters/ch03_simplex_updates/README.md)' '\PaperEq{XuanLi2002, 24}<br>'; do
-    grep surrogate_dual_value $page | grep -qF -- "$part" || { echo "evenings.sh: surrogate_dual_value() does not lead to: $part"; failures=1; }
-done
-
-grep -qF '[`Ledger::Phase`](../../../src/signorini/core/ledger.hpp)' pages/src+signorini+core+ledger.cpp.md || { echo "evenings.sh: a constructor does not lead to its class"; failures=1; }
-grep -qF '[`Ledger::count()`]' pages/src+signorini+core+ledger.cpp.md || { echo "evenings.sh: a member that follows a class within the class leads nowhere"; failures=1; }
-grep -qF 'part of [`Ledger`]' pages/src+signorini+core+ledger.cpp.md || { echo "evenings.sh: a private function does not lead to its class"; failures=1; }
-
-# Paragraphs and indented lines stay what they are.
-printf '// one\n//\n//     two\n' >> $errors
-perl tools/evenings.pl . pages || exit 1
-perl -0ne 'exit !/^one\n\n    two\n/m' pages/src+signorini+core+errors.hpp.md || { echo "evenings.sh: paragraphs are lost"; failures=1; }
-
-# Numbers of lines are those of the file, and nothing of it is lost.
-perl -e '
-    my ($page, $file) = map { local $/; open my $in, "<", $_ or die "$_: $!"; <$in> } @ARGV;
-    my @line = split /\n/, $file;
-    my %shown;
-    while ($page =~ /counter-reset: line (\d+)">\\endhtmlonly\n```cpp\n(.*?)^```$/msg) {
-        my ($n, $code) = ($1, $2);
-        for (split /\n/, $code) { $line[$n] eq $_ or die "line " . ($n + 1) . " is not: $_\n"; $shown{$n++} = 1 }
-    }
-    my @lost = grep { $line[$_] =~ /\S/ && $line[$_] !~ m{^//} && !$shown{$_} } 0 .. $#line;
-    die "lines that are lost: @lost\n" if @lost;
-' $page src/papers/surrogate_dual.cpp || { echo "evenings.sh: $page is not its file"; failures=1; }
+# A function leads to its contract, its test, the chapters that use it and its equation.
+perl tools/evenings.pl --leads . > leads || exit 1
+leads() { # file, words that its line has, part of the line
+    grep "^$1" leads | grep -F "$2" | grep -qF -- "$3" || { echo "evenings.sh: $2 in $1 does not lead to: $3"; failures=1; }
+}
+dual=src/papers/surrogate_dual.cpp ledger=src/signorini/core/ledger.cpp
+leads $dual 'surrogate_dual_value()' '[`surrogate_dual_value()`](../../src/papers/surrogate_dual.hpp) · [test_surrogate_dual.cpp](../../tests/papers/test_surrogate_dual.cpp)'
+leads $dual 'surrogate_dual_value()' ' · chapters [2](../../chapters/ch02_surrogate_dual/README.md), [3](../../chapters/ch03_simplex_updates/README.md)'
+leads $dual 'surrogate_dual_value()' '\PaperEq{XuanLi2002, 24}'
+leads $ledger 'Ledger::Phase' '[`Ledger::Phase`](../../../src/signorini/core/ledger.hpp)'    # a constructor
+leads $ledger 'Ledger::count()' 'ledger.hpp'    # a member that follows a class within the class
+leads $ledger 'part of [`Ledger`]' 'ledger.hpp' # a private function
+# A lead stands at the line where its function begins.
+while IFS='	' read -r file line lead; do
+    name=$(printf '%s' "$lead" | sed -n 's/^\[`\([A-Za-z_:~]*::\)\{0,1\}\([A-Za-z_~]*\)[`(].*/\2/p')
+    [ -z "$name" ] || sed -n "$line,$((line + 4))p" "$file" | grep -q "$name" || { echo "evenings.sh: $name does not begin at $file:$line"; failures=1; }
+done < leads
 [ "$failures" -eq 0 ] || exit 1
 cd / && rm -rf "$copy"
