@@ -64,7 +64,14 @@ SolveStatus chapter(const ProgramOptions& run) {
   results.add("lp_deviation", apart(once), "-", Repeats::No);
   const Eigen::Index overlaps = (beam.condensed.problem.free_gap.array() < 0).count();
   results.add("overlaps", static_cast<double>(overlaps), "-");
+  const Eigen::VectorXd half = (beam.model.pairs.initial_gap + beam.condensed.problem.free_gap) / 2;
+  results.add("overlaps_at_half", static_cast<double>((half.array() < 0).count()), "-");
   results.add("first_force_alone", first_force_alone(once), "-");
+  SolverOptions one_exchange;
+  one_exchange.iteration_limit = 1;
+  Index first = 0;
+  linear_programme(beam.condensed.problem, one_exchange).force.maxCoeff(&first);
+  results.add("first_force_at", beam.model.pairs.position(first, 0), "cm");
   results.add("pairs", static_cast<double>(force.size()), "-");
   results.add("closed", static_cast<double>(beam.solution.contact.active.size()), "-");
   results.headline("lp_closed", static_cast<double>(beam.solution.contact.active.size()),
