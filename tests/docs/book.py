@@ -182,6 +182,8 @@ class Sources(unittest.TestCase):
             for number, line in enumerate(lines, 1):
                 if line.strip() and not re.match(r"//|\s*///|\s*// \[", line):
                     self.assertEqual(shown.get(number), line, "%s:%d" % (path, number))
+                elif line.startswith("//"):
+                    self.assertNotIn(number, shown, "%s:%d" % (path, number))
 
     def test_commands_of_doxygen(self):
         self.assertEqual(sources.markdown(["Adds \\f$ a", "+ b \\f$.", "\\param a  first", "\\return the sum", "\\throws Error if"]),
