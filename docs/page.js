@@ -14,7 +14,7 @@
   function tone() {
     root.classList.toggle("dark", dark());
     root.classList.toggle("light", !dark());
-    const button = document.getElementById("tone");
+    const button = document.getElementById("book-tone");
     if (button) { button.textContent = dark() ? "☾" : "☀"; button.setAttribute("aria-label", dark() ? "dark; switch to light" : "light; switch to dark"); }
   }
   tone();
@@ -44,13 +44,13 @@
 
   addEventListener("DOMContentLoaded", () => {
     tone();
-    document.getElementById("tone").onclick = () => { memory.put("tone", dark() ? "light" : "dark"); tone(); };
+    document.getElementById("book-tone").onclick = () => { memory.put("tone", dark() ? "light" : "dark"); tone(); };
 
     // 3. The contents on a small screen.
-    const menu = document.getElementById("menu"), side = document.getElementById("side");
+    const menu = document.getElementById("book-menu"), side = document.getElementById("book-side");
     const show = open => { root.classList.toggle("menu", open); menu.setAttribute("aria-expanded", open); };
     menu.onclick = () => show(!root.classList.contains("menu"));
-    document.getElementById("text").addEventListener("click", () => show(false));
+    document.getElementById("book-text").addEventListener("click", () => show(false));
     side.addEventListener("click", event => { if (event.target.closest("a")) show(false); });
     const now = side.querySelector(".now");
     if (now && now.getBoundingClientRect().bottom > innerHeight) side.scrollTop = now.offsetTop - innerHeight / 3;
@@ -59,7 +59,7 @@
     const page = location.pathname.split("/").pop(), read = new Set(JSON.parse(memory.get("read") ?? "[]"));
     for (const a of side.querySelectorAll("li > a")) if (read.has(a.getAttribute("href"))) a.parentNode.classList.add("read");
     const entries = [...side.querySelectorAll("li ol a")], heads = entries.map(a => document.getElementById(decodeURIComponent(a.hash.slice(1))));
-    const line = document.getElementById("progress"), end = document.getElementById("exercises") ?? document.querySelector(".turn");
+    const line = document.getElementById("book-progress"), end = document.getElementById("exercises") ?? document.querySelector(".turn");
     let waiting = false;
     const where = () => {
       waiting = false;
@@ -96,7 +96,7 @@
       const words = await inside(link.getAttribute("href"));
       if (!words || shown !== link) return;
       box = document.createElement("div");
-      box.id = "peek";
+      box.id = "book-peek";
       box.setAttribute("role", "tooltip");
       box.innerHTML = words;
       document.body.append(box);
@@ -106,7 +106,7 @@
       box.style.top = (below ? at.bottom + 7 : at.top - h - 7) + scrollY + "px";
       box.addEventListener("mouseenter", () => clearTimeout(timer));
       box.addEventListener("mouseleave", later);
-      link.setAttribute("aria-describedby", "peek");
+      link.setAttribute("aria-describedby", "book-peek");
     }
     const later = () => { clearTimeout(timer); timer = setTimeout(hide, 220); };
     const linkOf = event => event.target.closest?.("main a[href]");
@@ -128,7 +128,7 @@
     addEventListener("keydown", event => { if (event.key === "Escape") { show(false); hide(); } });
 
     // 6. Search: every section of every page that has all words, best first.  The list is loaded when the box is entered.
-    const field = document.getElementById("find"), hits = document.getElementById("hits");
+    const field = document.getElementById("book-find"), hits = document.getElementById("book-hits"), count = document.getElementById("book-count");
     let list = null;
     const load = () => list ??= script("seek.js", "signoriniSeek").then(prepare);
     const fold = words => words.toLowerCase().normalize("NFD").replace(/[\u0300-\u036f]/g, "");
@@ -173,7 +173,7 @@
     async function seek() {
       const phrase = fold(field.value).trim(), words = phrase.split(/\s+/).filter(Boolean);
       root.classList.toggle("seeking", phrase.length > 1);
-      if (phrase.length < 2) return hits.replaceChildren();
+      if (phrase.length < 2) { count.textContent = ""; return hits.replaceChildren(); }
       const rows = await load();
       if (fold(field.value).trim() !== phrase) return;
       const found = rows.map(row => [rank(row, words, phrase), row]).filter(r => r[0] > 0).sort((a, b) => b[0] - a[0]).slice(0, 30);
@@ -186,7 +186,7 @@
         item.append(link);
         return item;
       }));
-      if (!found.length) { const none = document.createElement("li"); none.className = "none"; none.textContent = "Nothing has all of these words."; hits.append(none); }
+      count.textContent = found.length ? `${found.length < 30 ? found.length : "the first 30"} place${found.length === 1 ? "" : "s"}` : "Nothing has all of these words.";
     }
     field.addEventListener("focus", load);
     field.addEventListener("input", seek);

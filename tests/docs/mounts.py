@@ -42,10 +42,10 @@ PRINTED = """JSON.stringify([getComputedStyle(document.querySelector('.live')).d
 PEEK = """(async () => { const wait = ms => new Promise(r => setTimeout(r, ms)), out = [];
   for (const to of ['#eq-1', 'exercise-01-2.html', 'glossary.html#active-set', 'source-papers-thing-hpp.html#solve_all']) {
     document.querySelector(`main a[href="${to}"]`).dispatchEvent(new MouseEvent('mouseover', { bubbles: true }));
-    for (let i = 0; i < 40 && !document.getElementById('peek'); ++i) await wait(50);
-    out.push(document.getElementById('peek')?.textContent ?? '');
+    for (let i = 0; i < 40 && !document.getElementById('book-peek'); ++i) await wait(50);
+    out.push(document.getElementById('book-peek')?.textContent ?? '');
     dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' })); }
-  const find = document.getElementById('find');
+  const find = document.getElementById('book-find');
   find.value = 'the active'; find.dispatchEvent(new Event('input'));
   for (let i = 0; i < 40 && !document.querySelector('.hit'); ++i) await wait(50);
   out.push(document.querySelector('.hit')?.href.replace(/.*\\//, ''));
