@@ -9,7 +9,8 @@ PAGE = """<!DOCTYPE html>
 <html lang="en"%(engine)s><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>%(title)s · Signorini</title><meta name="color-scheme" content="light dark">
 <link rel="stylesheet" href="page.css">%(style)s
-<script src="page.js"></script>%(script)s</head><body class="%(kind)s">
+<script src="page.js"></script><script src="peek.js" defer></script><script src="find.js" defer></script>
+%(script)s</head><body class="%(kind)s">
 <a class="skip" href="#book-text">to the text</a><div id="book-progress" aria-hidden="true"></div>
 <header id="book-bar"><button id="book-menu" aria-expanded="false" aria-controls="book-side">Contents</button>\
 <a class="home" href="index.html">Signorini</a>\
