@@ -1,5 +1,5 @@
-// find.js: search.  Every section of every page that has all words, best first, by whole beginnings of words; accents and capitals do
-// not count.  The list, seek.js, is loaded when the box is entered.
+// find.js: search.  Every section of every page that has all words, best first, by whole beginnings of words; if none has, those that
+// have most.  Accents, capitals and the smallest words do not count.  The list, seek.js, is loaded when the box is entered.
 (function () {
   "use strict";
   const root = document.documentElement, field = document.getElementById("book-find");
@@ -19,13 +19,18 @@
     for (let i = text.indexOf(word, from); i >= 0; i = text.indexOf(word, i + 1)) if (!i || !/[\p{L}\p{N}]/u.test(text[i - 1])) return i;
     return -1;
   };
-  function rank(row, words, phrase) {
+  const small = new Set("a an and as at by for from in is it of on or that the to with".split(" "));
+  function rank(row, words, phrase, all) {
     let sum = 0;
     for (const word of words) {
       const inName = wordAt(row.name, word) >= 0, inHead = wordAt(row.head, word) >= 0;
       let n = 0;
       for (let i = wordAt(row.text, word); i >= 0 && n < 5; i = wordAt(row.text, word, i + 1)) ++n;
-      if (!inName && !inHead && !n) return 0;
+      if (!inName && !inHead && !n) {
+        if (all) return 0;
+        continue;
+      }
+      if (!all) sum += 50;
       sum += 8 * inHead + 5 * inName + n;
     }
     if (row.head === phrase || row.name === phrase) sum += 30;
@@ -58,15 +63,18 @@
     return item;
   }
   async function seek() {
-    const phrase = fold(field.value).trim(), words = phrase.split(/\s+/).filter(Boolean);
+    const phrase = fold(field.value).trim(), said = phrase.split(/\s+/).filter(Boolean);
+    const words = said.some(word => !small.has(word)) ? said.filter(word => !small.has(word)) : said;
     root.classList.toggle("seeking", phrase.length > 1);
     if (phrase.length < 2) { count.textContent = ""; return hits.replaceChildren(); }
     const rows = await load();
     if (fold(field.value).trim() !== phrase) return;
-    const found = rows.map(row => [rank(row, words, phrase), row]).filter(r => r[0] > 0).sort((a, b) => b[0] - a[0]).slice(0, 30);
+    const best = all => rows.map(row => [rank(row, words, phrase, all), row]).filter(r => r[0] > 0)
+      .sort((a, b) => b[0] - a[0]).slice(0, 30);
+    const exact = best(true), found = exact.length ? exact : best(false);
     hits.replaceChildren(...found.map(([, row]) => entry(row, words)));
-    count.textContent = !found.length ? "Nothing has all of these words." : found.length === 1 ? "1 place" :
-      found.length < 30 ? `${found.length} places` : "the first 30 places";
+    count.textContent = !exact.length ? "Nothing has all of these words" + (found.length ? "; these have some:" : ".") :
+      found.length === 1 ? "1 place" : found.length < 30 ? `${found.length} places` : "the first 30 places";
   }
   field.addEventListener("focus", load);
   field.addEventListener("input", seek);

@@ -49,6 +49,9 @@ PEEK = """(async () => { const wait = ms => new Promise(r => setTimeout(r, ms)),
   find.value = 'the active'; find.dispatchEvent(new Event('input'));
   for (let i = 0; i < 40 && !document.querySelector('.hit'); ++i) await wait(50);
   out.push(document.querySelector('.hit')?.href.replace(/.*\\//, ''));
+  find.value = 'pairs nosuchword'; find.dispatchEvent(new Event('input'));
+  await wait(100);
+  out.push(document.getElementById('book-count').textContent + document.querySelector('.hit').textContent);
   return JSON.stringify(out); })()"""
 
 
@@ -99,8 +102,9 @@ def main():
             check("a figure is there 1 s after a jump to below it, at %d" % width, at is not None and at < 1000, found)
             check("nothing moves after a jump, at %d" % width, moved == 0 and abs(grown) <= 2, found)
         found = looked_at(browser, folder, PEEK)
-        for what, words, said in zip(("equation", "exercise", "word", "function", "search"),
-                                     ("(1), 1 One", "Do (1).", "pairs that are closed", "Solves all of", "chapter-01.html#the-gap"), found):
+        for what, words, said in zip(("equation", "exercise", "word", "function", "search", "search for some"),
+                                     ("(1), 1 One", "Do (1).", "pairs that are closed", "Solves all of", "chapter-01.html#the-gap",
+                                      "Nothing has all of these words; these have some:Glossary"), found):
             check("preview or search: " + what, words in (said or ""), said)
         found = looked_at(browser, book(False), PRINTED)
         check("without an engine the printed figure stands there", found == ["none", True], found)
