@@ -64,7 +64,7 @@ NARROW = r"""new Promise(done => requestAnimationFrame(() => requestAnimationFra
 SEARCH = r"""(async () => {
   const wait = ms => new Promise(r => setTimeout(r, ms));
   for (let i = 0; i < 100 && document.readyState !== 'complete'; ++i) await wait(50);
-  const box = document.getElementById('find');
+  const box = document.getElementById('book-find');
   if (!box) return -1;
   box.focus();
   box.value = WORD;

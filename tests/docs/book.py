@@ -25,7 +25,7 @@ TEXTS = {
     "docs/parts": "part First: 0-3\npart Later: 4-99\npaper A Smith1990: 1-2\npaper B Jones2000: 3\nuse README.md: What\n"
                   "use chapters/glossary.md: Glossary\nuse docs/references.md: References\n",
     "docs/rooms": "# rooms\npress 700 900\n",
-    "docs/page.css": "", "docs/page.js": "", "docs/live.js": "", "docs/live.css": "", "docs/fonts/README": "",
+    "docs/page.css": "", "docs/page.js": "", "docs/peek.js": "", "docs/find.js": "", "docs/live.js": "", "docs/live.css": "", "docs/fonts/README": "",
     "docs/references.md": '# References\n\n<a id="Smith1990"></a>\nSmith J., On contact, 1990.\n\n'
                           '<a id="Jones2000"></a>\nJones K., More, 2000.\n',
     "README.md": "# Book\n\nA book on contact.\n\n| chapter | shows |\n|:--|:--|\n"
@@ -130,6 +130,10 @@ class Texts(unittest.TestCase):
         said = text.blocks(["`solve_all()`"])
         self.assertIn('<a class="fn" href="source-papers-thing-hpp.html#solve_all">', said)
 
+    def test_no_link_within_a_link(self):
+        said = self.html("[see (A 1), *figure 1.1* and `solve_all()`](../../README.md)", "chapter-05")
+        self.assertEqual(said, '<p><a href="use.html">see (A 1), <em>figure 1.1</em> and <code>solve_all()</code></a></p>')
+
     def test_boxes(self):
         said = self.html("Text.\n\n> **Misprint.** It says $a$.")
         self.assertRegex(said, r'^<div class="hoist"><details class="note misprint" id="box-1" open><summary>Misprint</summary>.*'
@@ -146,6 +150,7 @@ class Texts(unittest.TestCase):
         self.assertIn('<th>a</th><th class="num">b</th>', self.html("| a | b |\n|:--|--:|\n| x | 1.5 |"))
         self.assertIn("<td>a|b</td>", self.html("| a |\n|:--|\n| a\\|b |"))
         self.assertIn("<h2 id=\"the-gap\">The gap", self.html("## The gap"))
+        self.assertIn('<h2 id="the-gap-1">', self.html("## The gap\n\n## The gap"))
         self.assertIn('<figure class="code wide cpp">', self.html("```cpp\n%s;\n```" % ("x" * 80)))
         self.assertIn('<figure class="code wide long cpp">', self.html("```cpp\n%s;\n```" % ("x" * 120)))
         self.assertIn('<details class="fold"><summary>Hint</summary><p>Think.</p></details>',
@@ -262,6 +267,7 @@ class Whole(unittest.TestCase):
                 ("a link that leads nowhere", (one, "Something.", "[x](../gone.md)"), one + ": error: dead link: ../gone.md"),
                 ("an anchor that does not exist", (one, "Something.", "[x](#gone)"), "chapter-01.html: error: dead anchor: #gone"),
                 ("an unknown command", (one, "gap $g$", "gap $\\nosuch$"), one + ": error: formula: \\nosuch is not known"),
+                ("an anchor twice", (one, "Something.", '<a id="eq-1"></a>'), "chapter-01.html: error: an anchor twice: eq-1"),
                 ("a picture that is not there", (one, "figures/fig.svg", "figures/gone.svg"), one + ": error: no picture"),
                 ("a live figure without source", (one, "![Fig", "<!-- live gone -->\n\n![Fig"), one + ": error: no live figure gone"),
                 ("a reference that does not exist", ("src/papers/thing.hpp", "ref Smith1990", "ref Smith1991"), "no reference Smith1991"),

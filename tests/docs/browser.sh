@@ -12,7 +12,7 @@ page() { # name, body
         "${1%%-*}" "$2" > "$1.html"
 }
 mkdir reference
-index='<h1 id="top">Book</h1><input id="find"><p class="hit">notation</p>'
+index='<h1 id="top">Book</h1><input id="book-find"><p class="hit">notation</p>'
 picture='<img alt="" src="data:image/gif;base64,R0lGODlhAQABAAAAACwAAAAAAQABAAA=">'
 page index "$index<a href=\"chapter-01.html#first\">1</a>"
 page chapter-01 "<h2 id=\"first\">One</h2>$picture<a href=\"index.html#top\">back</a><a href=\"reference/structB.html#member\">B</a><math><mi>x</mi></math>"

@@ -42,13 +42,16 @@ PRINTED = """JSON.stringify([getComputedStyle(document.querySelector('.live')).d
 PEEK = """(async () => { const wait = ms => new Promise(r => setTimeout(r, ms)), out = [];
   for (const to of ['#eq-1', 'exercise-01-2.html', 'glossary.html#active-set', 'source-papers-thing-hpp.html#solve_all']) {
     document.querySelector(`main a[href="${to}"]`).dispatchEvent(new MouseEvent('mouseover', { bubbles: true }));
-    for (let i = 0; i < 40 && !document.getElementById('peek'); ++i) await wait(50);
-    out.push(document.getElementById('peek')?.textContent ?? '');
+    for (let i = 0; i < 40 && !document.getElementById('book-peek'); ++i) await wait(50);
+    out.push(document.getElementById('book-peek')?.textContent ?? '');
     dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' })); }
-  const find = document.getElementById('find');
+  const find = document.getElementById('book-find');
   find.value = 'the active'; find.dispatchEvent(new Event('input'));
   for (let i = 0; i < 40 && !document.querySelector('.hit'); ++i) await wait(50);
   out.push(document.querySelector('.hit')?.href.replace(/.*\\//, ''));
+  find.value = 'pairs nosuchword'; find.dispatchEvent(new Event('input'));
+  await wait(100);
+  out.push(document.getElementById('book-count').textContent + document.querySelector('.hit').textContent);
   return JSON.stringify(out); })()"""
 
 
@@ -61,7 +64,7 @@ def book(with_engine):
     folder = make(FOLDER / ("engine" if with_engine else "printed"), [
         ("chapters/ch01_one/README.md", "![Figure 1.1", "%s<!-- live press -->\n\n![Figure 1.1" % ("A line of text.\n\n" * 60)),
         ("chapters/ch01_one/README.md", "does it.\n", "does it.\n\n" + "And then.\n\n" * 60), ("docs/rooms", "press 700 900", "press 570 585")])
-    for name in ("page.css", "page.js", "live.js", "live.css"):
+    for name in ("page.css", "page.js", "peek.js", "find.js", "live.js", "live.css"):
         shutil.copy(ROOT / "docs" / name, folder / "docs")
     shutil.copytree(ROOT / "docs/fonts", folder / "docs/fonts", dirs_exist_ok=True)
     os.makedirs(folder / "out")
@@ -99,8 +102,9 @@ def main():
             check("a figure is there 1 s after a jump to below it, at %d" % width, at is not None and at < 1000, found)
             check("nothing moves after a jump, at %d" % width, moved == 0 and abs(grown) <= 2, found)
         found = looked_at(browser, folder, PEEK)
-        for what, words, said in zip(("equation", "exercise", "word", "function", "search"),
-                                     ("(1), 1 One", "Do (1).", "pairs that are closed", "Solves all of", "chapter-01.html#the-gap"), found):
+        for what, words, said in zip(("equation", "exercise", "word", "function", "search", "search for some"),
+                                     ("(1), 1 One", "Do (1).", "pairs that are closed", "Solves all of", "chapter-01.html#the-gap",
+                                      "Nothing has all of these words; these have some:Glossary"), found):
             check("preview or search: " + what, words in (said or ""), said)
         found = looked_at(browser, book(False), PRINTED)
         check("without an engine the printed figure stands there", found == ["none", True], found)

@@ -28,7 +28,7 @@ class Text:
         self.book, self.page = book, page
         self.refer = References(book, page)
         self.inline = Inline(book, page, self.refer)
-        self.sections, self.boxes, self.anchor, self.source, self.out = [], 0, "", "", []
+        self.taken, self.sections, self.boxes, self.anchor, self.source, self.out = {}, [], 0, "", "", []
 
     def html(self, words, link=True):
         return self.inline.html(words, link)
@@ -102,6 +102,9 @@ class Text:
 
     def heading(self, level, words):
         anchor, said = slug(words), self.html(words, False)
+        self.taken[anchor] = self.taken.get(anchor, -1) + 1
+        if self.taken[anchor]:    # as where the repository is browsed
+            anchor += "-%d" % self.taken[anchor]
         if level == 2:
             self.sections.append((anchor, said))
         if level > 1:    # the title stands in the head of the page

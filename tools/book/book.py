@@ -54,7 +54,7 @@ def copy(book):
         to = book.out / "files" / (path + ("" if Path(path).suffix in (".svg", ".png") else ".txt"))
         to.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(book.root / path, to)
-    for name in ("page.js", "live.js", "live.css"):
+    for name in ("page.js", "peek.js", "find.js", "live.js", "live.css"):
         shutil.copyfile(docs / name, book.out / name)
 
     def data(m):    # the faces travel in the style sheet: they do not come late, and nothing moves
@@ -64,6 +64,18 @@ def copy(book):
     shutil.copytree(docs / "fonts", book.out / "fonts", dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.woff2", "*.sh"))
 
 
+def check_shape(book, name, text):
+    """No link stands within a link, no anchor twice."""
+    ends = re.findall(r"<(/?)a\b", text)
+    if ends != ["", "/"] * (len(ends) // 2):
+        book.complain(name, "a link within a link")
+    body, seen = text.split("<template", 1)[0], set()
+    for anchor in re.findall(r'\bid="([^"]+)"', body):
+        if anchor in seen:
+            book.complain(name, "an anchor twice: " + anchor)
+        seen.add(anchor)
+
+
 def check_links(book):
     """Every link, picture and script of every page leads to something; their number."""
     pages = {file.name: file.read_text(encoding="utf-8") for file in book.out.glob("*.html")}
@@ -71,6 +83,7 @@ def check_links(book):
     anchors = {name: set(re.findall(r'\bid="([^"]+)"', text)) for name, text in pages.items()}
     count = 0
     for name, text in pages.items():
+        check_shape(book, name, text)
         for url in set(re.findall(r'(?:href|src|data-source)="([^"]+)"', text)):
             path, _, anchor = url.partition("#")
             count += 1

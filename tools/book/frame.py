@@ -9,16 +9,17 @@ PAGE = """<!DOCTYPE html>
 <html lang="en"%(engine)s><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>%(title)s · Signorini</title><meta name="color-scheme" content="light dark">
 <link rel="stylesheet" href="page.css">%(style)s
-<script src="page.js"></script>%(script)s</head><body class="%(kind)s">
-<a class="skip" href="#text">to the text</a><div id="progress" aria-hidden="true"></div>
-<header id="bar"><button id="menu" aria-expanded="false" aria-controls="side">Contents</button>\
+<script src="page.js"></script><script src="peek.js" defer></script><script src="find.js" defer></script>
+%(script)s</head><body class="%(kind)s">
+<a class="skip" href="#book-text">to the text</a><div id="book-progress" aria-hidden="true"></div>
+<header id="book-bar"><button id="book-menu" aria-expanded="false" aria-controls="book-side">Contents</button>\
 <a class="home" href="index.html">Signorini</a>\
-<button id="tone" title="light or dark"></button></header>
-<nav id="side" aria-label="Contents"><div class="top"><a class="home" href="index.html">Signorini<small>a book that runs</small></a>
-<search id="seek"><input id="find" type="search" placeholder="search all pages" aria-label="search all pages" autocomplete="off">\
+<button id="book-tone" title="light or dark"></button></header>
+<nav id="book-side" aria-label="Contents"><div class="top"><a class="home" href="index.html">Signorini<small>a book that runs</small></a>
+<search id="book-seek"><input id="book-find" type="search" placeholder="search all pages" aria-label="search all pages" autocomplete="off">\
 </search></div>
-<ol id="hits" aria-live="polite"></ol>%(side)s</nav>
-<main id="text">%(main)s</main>
+<p id="book-count" role="status"></p><ol id="book-hits" aria-label="places found"></ol>%(side)s</nav>
+<main id="book-text">%(main)s</main>
 %(previews)s</body></html>
 """
 

@@ -67,7 +67,7 @@ class Inline:
         if self.refer:
             self.refer.linked(href)
         kind = ' class="out"' if re.match(r"\w+:", href) else ' class="fn"' if name and "#" in href else ""
-        return self.keep('<a href="%s"%s>' % (href, kind)) + words + self.keep("</a>")
+        return self.keep('<a href="%s"%s>%s</a>' % (href, kind, self.emphasised(self.set_as_printed(words))))
 
     def paper(self, m):
         r"""Equations of a paper, \PaperEq{XuanLi2002, 23}, and the entry of the paper."""
@@ -114,6 +114,12 @@ class Inline:
         text = re.sub(r"(?<=\w)'(?=\w)|(?<=s)'(?=\s)", "’", text)
         return UNIT.sub("\u00a0", text)
 
+    @staticmethod
+    def emphasised(text):
+        text = re.sub(r"\*\*(?=\S)(.+?)(?<=\S)\*\*", r"<strong>\1</strong>", text)
+        text = re.sub(r"(?<![\w*])\*(?=[^\s*])(.+?)(?<=[^\s*])\*(?![\w*])", r"<em>\1</em>", text)
+        return re.sub(r"(?<=\w-)\*([^*]+)\*(?!\w)", r"<em>\1</em>", text)    # half-*plane*
+
     def stuck(self, m):
         """A formula with its comma: no line begins with one."""
         inside = self.kept[int(m[2][1:-1])]
@@ -123,10 +129,7 @@ class Inline:
         text = self.set_as_printed(self.finished(text))
         if self.refer and words:
             text = self.refer.references(text, self.keep)
-        text = re.sub(r"\*\*(?=\S)(.+?)(?<=\S)\*\*", r"<strong>\1</strong>", text)
-        text = re.sub(r"(?<![\w*])\*(?=[^\s*])(.+?)(?<=[^\s*])\*(?![\w*])", r"<em>\1</em>", text)
-        text = re.sub(r"(?<=\w-)\*([^*]+)\*(?!\w)", r"<em>\1</em>", text)    # half-*plane*
-        return self.restored(STUCK.sub(self.stuck, text))
+        return self.restored(STUCK.sub(self.stuck, self.emphasised(text)))
 
 
 def anchor_of(words):
