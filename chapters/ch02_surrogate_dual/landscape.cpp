@@ -50,8 +50,8 @@ Table around_the_top(const ContactProblem& problem) {
 
 SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch02_landscape");
-  const SolvedScene block = solved(three_candidates(), "the block");
-  const ContactProblem& problem = block.condensed.problem;
+  const Block block = pressed_block();
+  const ContactProblem& problem = block.problem;
   write_file(run.out / "fig_2_2.csv", whole_triangle(problem).csv());
   write_file(run.out / "fig_2_2_top.csv", around_the_top(problem).csv());
   // 3. The way of the line search from equal weights, and where it leads.

@@ -3,11 +3,11 @@
 #include <iostream>
 
 #include "hertz_run.hpp"
-#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
+#include "signorini/solvers/quasi_active_set.hpp"
 
 namespace {
 
@@ -22,7 +22,7 @@ HertzRun solve_with(const Operator& one, bool match) {
   HertzCase now = match ? HertzCase{} : not_matching();
   now.gap_operator = one.name;
   now.points = one.points;
-  now.solver = find_solver("quasi_active_set");  // takes gaps that depend on each other
+  now.solver = quasi_active_set();  // takes gaps that depend on each other
   return solve_hertz(now);
 }
 
