@@ -107,21 +107,19 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
   });
   std::vector<std::string> notes = notes_of(model, end);
   if (end.state.report.status == SolveStatus::Ray) end.state.reason = ray_in_words(model);
-  Solution solution = recovered(model, std::move(end), std::move(notes), std::move(ledger));
+  const auto after = [&](Solution& solution) {
+    note_shared_forces(model, solution);
+    const auto none = [&] {
+      return std::max(known_well * largest(solution.refined.force),
+                      largest(no_forces(model, solution.refined)));
+    };
+    judge_sliding(model, condensed, none, solution);
+  };
+  Solution solution = recovered(model, std::move(end), std::move(notes), std::move(ledger), after);
   const VectorXd& away = solution.contact.unbounded_direction;
   solution.unbounded_direction = unbounded_direction_in_words(model, away);
   if (away.size() > 0 && !model.law.pair.empty() && model.parts.empty())
     solution.limit = balanced_share(condensed.problem, VectorXd::Zero(away.size()));
-  if (solution.contact.report.status != SolveStatus::Solved) return solution;
-  const auto none = [&] {
-    return std::max(known_well * largest(solution.refined.force),
-                    largest(no_forces(model, solution.refined)));
-  };
-  {
-    const Ledger::Phase phase(solution.ledger, "recovery");
-    note_shared_forces(model, solution);
-    judge_sliding(model, condensed, none, solution);
-  }
   return solution;
 }
 

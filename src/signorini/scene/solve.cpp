@@ -170,7 +170,7 @@ void check_numbers(const ContactProblem& problem) {
 // wrong. If nothing could be refined there are no displacements, and only the report is returned.
 // A scene whose nodes are all held has no displacements either, but it is solved.
 Solution recovered(const Model& model, RefinedEnd end, std::vector<std::string> notes,
-                   Ledger ledger) {
+                   Ledger ledger, const std::function<void(Solution&)>& after) {
   Solution solution;
   solution.notes = std::move(notes);
   solution.contact = std::move(end.state);
@@ -183,11 +183,11 @@ Solution recovered(const Model& model, RefinedEnd end, std::vector<std::string> 
     solution.displacements = displacements_of_bodies(model, end.solution.displacement);
     solution.refined = std::move(end.solution);
     if (solved) ask_checks(solution.notes, &Check::solution, model, solution);
+    if (solved && after) after(solution);
   }
   solution.ledger = std::move(ledger);
   return solution;
 }
-
 // The forces of a solver claim to be a solution. refined_solve() makes displacements of them
 // that fit the original K, p, A and g, and certifies the result.
 Solution solve_plainly(const Model& model, const Condensed& condensed, const Solver& solver,

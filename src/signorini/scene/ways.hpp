@@ -1,7 +1,10 @@
 /// \file
 /// How a condensed model is solved: the way of the library, and the place where an add-on puts its own.
 #pragma once
+#include <functional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "signorini/scene/solution.hpp"
 #include "signorini/solvers/refined_solve.hpp"
@@ -58,8 +61,9 @@ auto in_these_units(const ContactProblem& problem, Method&& method) {
 /// \param end     of it; without displacements only its state is taken over
 /// \param notes   that are known so far
 /// \param ledger  goes on in the solution, with the phase `recovery`
+/// \param after   what else is asked of a solution in this phase, or nothing
 /// \return the solution
 [[nodiscard]] Solution recovered(const Model& model, RefinedEnd end, std::vector<std::string> notes,
-                                 Ledger ledger);
+                                 Ledger ledger, const std::function<void(Solution&)>& after = {});
 
 }  // namespace signorini
