@@ -46,8 +46,7 @@ DenseSolution grow_active_set(const DenseProgramme& programme, Index limit,
     solution.refined = std::move(refined.solution);
     solution.gap = std::move(refined.gap);
     if (status != SolveStatus::Solved) break;
-    const bool pulls = refined.tension.size() > 0 && refined.tension.maxCoeff() > 0;
-    if (!pulls && refined.violated == 0) break;
+    if (refined.confirmed()) break;
     if (round == rows.count + 10) status = SolveStatus::Breakdown;
     method.release(refined.tension);
   }

@@ -10,6 +10,7 @@
 #include "addons/certified/sliding_verdict.hpp"
 #include "addons/certified/undetermined.hpp"
 #include "signorini/contact/gaps.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/systems.hpp"
 #include "signorini/scene/motions.hpp"
@@ -54,25 +55,35 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined) {
 }
 
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
-void note_open_motions(const Model& model, const PrimalDual& refined, Solution& solution) {
-  if (model.modes.empty() || solution.contact.report.status != SolveStatus::Solved) return;
-  const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
+void note_open_motions(const Model& model, const CertifiedSolution& end,
+                       std::vector<std::string>& notes) {
+  if (model.modes.empty()) return;
+  const std::vector<ContactStatus> statuses = all_statuses(end.state);
   ActiveSet set = active_set(statuses, model.law);
   // A pair that touches without a force holds nothing: it stops a motion one way only. Of forces as small as the
   // tension that a certificate lets pass, nobody knows whether they are any.
-  const VectorXd nothing = no_forces(model, refined);
+  const VectorXd nothing = no_forces(model, end.solution);
   const auto idle = [&](Index row) {
     const Index pairs = static_cast<Index>(statuses.size());
-    const Index gap = row < pairs ? row : model.law.pair[static_cast<std::size_t>(row - pairs)];
-    return refined.force(gap) <= nothing(gap);
+    const Index gap = row < pairs ? row : model.law.pair[at(row - pairs)];
+    return end.solution.force(gap) <= nothing(gap);
   };
   set.closed.erase(std::remove_if(set.closed.begin(), set.closed.end(), idle), set.closed.end());
-  NodalRows held(static_cast<Index>(set.closed.size()), model.programme.A.cols());
-  for (std::size_t k = 0; k < set.closed.size(); ++k)
-    held.row(static_cast<Index>(k)) = model.programme.A.row(set.closed[k]);
+  const NodalRows held = selected_rows(model.programme.A, set.closed);
   for (const std::string& motion : motions_without_contact(held, model.modes))
-    solution.notes.push_back(motion +
-                             ": load and contact do not determine how far, this is one answer");
+    notes.push_back(motion + ": load and contact do not determine how far, this is one answer");
+}
+
+/// What is said of a solution before anybody has looked at stresses and displacements.
+std::vector<std::string> notes_of(const Model& model, const CertifiedSolution& end) {
+  std::vector<std::string> notes = model.notes;
+  if (end.state.report.status != SolveStatus::Solved) return notes;
+  if (end.state.uniqueness == Uniqueness::Doubtful)
+    notes.push_back(uniqueness_warning_in_words(model, end.state.uniqueness_warning));
+  if (end.force_uncertainty.share > known_well)
+    notes.push_back(force_uncertainty_in_words(model, end.force_uncertainty));
+  note_open_motions(model, end, notes);
+  return notes;
 }
 
 /// Says which forces could as well be others.
@@ -94,36 +105,21 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
     return certified_solve(model.programme, condensed_programme(condensed, ledger),
                            mode_shapes(model.modes), solver, options, ledger);
   });
-  Solution solution;
-  solution.notes = model.notes;
-  solution.contact = std::move(end.state);
-  solution.certificate = end.certificate;
-  const ContactState& contact = solution.contact;
-  if (contact.uniqueness == Uniqueness::Doubtful && contact.report.status == SolveStatus::Solved)
-    solution.notes.push_back(uniqueness_warning_in_words(model, contact.uniqueness_warning));
-  if (contact.report.status == SolveStatus::Solved && end.force_uncertainty.share > known_well)
-    solution.notes.push_back(force_uncertainty_in_words(model, end.force_uncertainty));
-  if (contact.report.status == SolveStatus::Ray) solution.contact.reason = ray_in_words(model);
-  solution.unbounded_direction = unbounded_direction_in_words(model, contact.unbounded_direction);
-  if (contact.unbounded_direction.size() > 0 && !model.law.pair.empty() && model.parts.empty())
-    solution.limit =
-        balanced_share(condensed.problem, VectorXd::Zero(contact.unbounded_direction.size()));
-  // Where all is held there are no unknowns, and a solution.
-  if (contact.report.status == SolveStatus::Solved || end.solution.displacement.size() > 0) {
-    const Ledger::Phase phase(ledger, "recovery");
-    note_open_motions(model, end.solution, solution);
-    recover(model, std::move(end.solution), solution);
-    if (contact.report.status == SolveStatus::Solved) note_shared_forces(model, solution);
-    if (contact.report.status == SolveStatus::Solved)
-      judge_sliding(
-          model, condensed,
-          [&] {
-            return std::max(known_well * largest(solution.refined.force),
-                            largest(no_forces(model, solution.refined)));
-          },
-          solution);
-  }
-  solution.ledger = std::move(ledger);
+  std::vector<std::string> notes = notes_of(model, end);
+  if (end.state.report.status == SolveStatus::Ray) end.state.reason = ray_in_words(model);
+  const auto after = [&](Solution& solution) {
+    note_shared_forces(model, solution);
+    const auto none = [&] {
+      return std::max(known_well * largest(solution.refined.force),
+                      largest(no_forces(model, solution.refined)));
+    };
+    judge_sliding(model, condensed, none, solution);
+  };
+  Solution solution = recovered(model, std::move(end), std::move(notes), std::move(ledger), after);
+  const VectorXd& away = solution.contact.unbounded_direction;
+  solution.unbounded_direction = unbounded_direction_in_words(model, away);
+  if (away.size() > 0 && !model.law.pair.empty() && model.parts.empty())
+    solution.limit = balanced_share(condensed.problem, VectorXd::Zero(away.size()));
   return solution;
 }
 

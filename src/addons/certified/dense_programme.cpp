@@ -78,52 +78,62 @@ DenseCondensed condensed_by(ProgrammeRows& data) {
   return condensed;
 }
 
+/// Numbers of the inequalities as numbers of all rows.
+VectorXd of_all_rows(const VectorXd& inequalities, Index count) {
+  VectorXd all = VectorXd::Zero(count);
+  all.tail(inequalities.size()) = inequalities;
+  return all;
+}
+
+/// What a solver says of the condensed problem, of the programme.
+DenseSolution claimed(const DenseCondensed& condensed, const ProgrammeRows& data,
+                      ContactState state) {
+  DenseSolution solution;
+  solution.report = std::move(state.report);
+  for (Index& row : state.active) row += data.equations();
+  solution.active = std::move(state.active);
+  solution.gap = of_all_rows(state.gap, data.count());
+  solution.refined.displacement =
+      condensed.free_displacement -
+      condensed.factor.solve_transposed_half(condensed.half * state.force);
+  solution.refined.force = of_all_rows(state.force, data.count());
+  if (state.farkas_certificate.size() > 0)
+    solution.farkas_certificate = of_all_rows(state.farkas_certificate, data.count());
+  return solution;
+}
+
+/// Lets the equations carry what an end without a solution, and a proof, lack of their balance.
+void balance_by_equations(const DenseProgramme& programme, ProgrammeRows& data,
+                          DenseSolution& solution) {
+  const ActiveSetFactor equations = basis_of(data, {});
+  PrimalDual& last = solution.refined;
+  last.force += data.carried(equations, programme.load - programme.stiffness * last.displacement -
+                                            programme.A.transpose() * last.force);
+  VectorXd& proof = solution.farkas_certificate;
+  if (proof.size() > 0) proof -= data.carried(equations, programme.A.transpose() * proof);
+}
+
 /// Solves the condensed problem, refines, and solves again while the refinement refutes the set.
 DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& solver,
                               const SolverOptions& options) {
   ProgrammeRows data(programme);
   const DenseCondensed condensed = condensed_by(data);
-  const Index first = programme.equations;
   ContactProblem problem = condensed.problem;
-  DenseSolution solution;
-  std::set<Rows> refuted;
-  VectorXd gap;
-  VectorXd rounding;
-  while (true) {
-    ContactState state = solve_with_proofs(problem, solver, options);
-    solution.report = std::move(state.report);
-    for (Index& row : state.active) row += first;
-    solution.active = std::move(state.active);
-    solution.gap.setZero(data.count());
-    solution.gap.tail(state.gap.size()) = state.gap;
-    solution.refined.force.setZero(data.count());
-    solution.refined.force.tail(state.force.size()) = state.force;
-    if (state.farkas_certificate.size() > 0) {
-      solution.farkas_certificate.setZero(data.count());
-      solution.farkas_certificate.tail(state.farkas_certificate.size()) = state.farkas_certificate;
-    }
-    solution.refined.displacement =
-        condensed.free_displacement -
-        condensed.factor.solve_transposed_half(condensed.half * state.force);
+  for (std::set<Rows> refuted;;) {
+    DenseSolution solution = claimed(condensed, data, solve_with_proofs(problem, solver, options));
     if (solution.report.status != SolveStatus::Solved) {
-      const ActiveSetFactor equations = basis_of(data, {});
-      PrimalDual& last = solution.refined;
-      last.force +=
-          data.carried(equations, programme.load - programme.stiffness * last.displacement -
-                                      programme.A.transpose() * last.force);
-      VectorXd& proof = solution.farkas_certificate;
-      if (proof.size() > 0) proof -= data.carried(equations, programme.A.transpose() * proof);
+      balance_by_equations(programme, data, solution);
       return solution;
     }
     ActiveSetFactor basis = basis_of(data, solution.active);
+    VectorXd gap;
+    VectorXd rounding;
     data.gaps(basis, gap, rounding);
     ProgrammeRows::Refined refined = data.refine(basis);
     solution.refined = std::move(refined.solution);
     solution.gap = std::move(refined.gap);
-    const bool pulls = refined.tension.size() > 0 && refined.tension.maxCoeff() > 0;
     // Rounding cannot decide between sets that come back; the certificate will say whether it matters.
-    if ((!pulls && refined.violated == 0) || !refuted.insert(solution.active).second)
-      return solution;
+    if (refined.confirmed() || !refuted.insert(solution.active).second) return solution;
     const VectorXd force = solution.refined.force.tail(problem.free_gap.size());
     const VectorXd moved = condensed.half.transpose() * (condensed.half * force);
     problem.free_gap = solution.gap.tail(force.size()) - moved;

@@ -10,6 +10,7 @@
 #include "addons/certified/programme_rows.hpp"
 #include "addons/certified/proofs.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/rigid_modes.hpp"
 
@@ -21,20 +22,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 void check(const DenseProgramme& programme, const MatrixXd& N) {
-  const Index n = programme.load.size();
-  const Index m = programme.initial_gap.size();
-  require_argument(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
-                       programme.A.rows() == m && programme.A.cols() == n && N.rows() == n,
-                   "floating programme: K must be ", n, " x ", n, ", A ", m, " x ", n,
-                   " and N have ", n, " rows, got ", programme.stiffness.rows(), " x ",
-                   programme.stiffness.cols(), ", ", programme.A.rows(), " x ", programme.A.cols(),
-                   " and ", N.rows());
+  check_sizes(programme);
+  require_argument(N.rows() == programme.load.size() && N.allFinite(),
+                   "floating programme: let N have ", programme.load.size(),
+                   " rows of finite numbers, got ", N.rows());
   require_argument(programme.equations == 0,
                    "floating programme: equations have no place here, got ", programme.equations);
-  require_argument(programme.stiffness.allFinite() && programme.load.allFinite() &&
-                       programme.A.allFinite() && programme.initial_gap.allFinite() &&
-                       N.allFinite(),
-                   "floating programme: K, p, A, g and N must be finite");
 }
 
 /// Square roots of the diagonal of K: one unit for all unknowns. Where K has nothing, their mean.
@@ -66,12 +59,48 @@ MatrixXd orthonormal_modes(const MatrixXd& K, const MatrixXd& N, const VectorXd&
   return span.basis;
 }
 
-/// The solution of a programme with some rows as equations as well, which hold what K leaves free: then it is refined from the
-/// original data. Their forces may have any sign. Nothing if there is none, or they do not hold it.
-std::optional<DenseSolution> held_solution(const DenseProgramme& programme,
-                                           const std::vector<Index>& closed, const Solver& solver,
-                                           const SolverOptions& options) {
-  std::vector<Index> order(static_cast<std::size_t>(programme.initial_gap.size()));
+/// A programme without equations in the units of the diagonal of K, in coordinates v along orthonormal Z: u is a solution of the
+/// equations and Z v.
+DenseProgramme inside_equations(const DenseProgramme& programme) {
+  const Index first = programme.equations;
+  const Index rows = programme.initial_gap.size() - first;
+  const VectorXd unit = unknown_scale(programme.stiffness).cwiseInverse();
+  const MatrixXd A = programme.A * unit.asDiagonal();
+  const MatrixXd K = unit.asDiagonal() * programme.stiffness * unit.asDiagonal();
+  const VectorXd load = unit.cwiseProduct(programme.load);
+  if (first == 0) return {K, load, A, programme.initial_gap};
+  const VectorXd place = least_norm_solution(A.topRows(first), programme.initial_gap.head(first));
+  const MatrixXd Z = null_space(A.topRows(first));
+  const MatrixXd inside = Z.transpose() * K * Z;
+  return {0.5 * (inside + inside.transpose()), Z.transpose() * (load - K * place),
+          A.bottomRows(rows) * Z, programme.initial_gap.tail(rows) - A.bottomRows(rows) * place};
+}
+
+/// The rows of inequalities with a force at the least energy, if they hold all that K and the equations leave free; else none.
+std::vector<Index> holding_rows(const DenseProgramme& programme, const Solver& solver,
+                                const SolverOptions& options, Report& report) {
+  const DenseProgramme inside = inside_equations(programme);
+  if (inside.load.size() == 0) return {};
+  const MatrixXd N = null_space(inside.stiffness);
+  if (N.cols() == 0) return {};
+  const DenseSolution solution = solve(inside, N, solver, options).dense;
+  append(report, solution.report);
+  if (solution.report.status != SolveStatus::Solved) return {};
+  const VectorXd& force = solution.refined.force;
+  std::vector<Index> pressed;
+  for (Index i = 0; i < force.size(); ++i)
+    if (force(i) > proof_rounding * largest(force)) pressed.push_back(i);
+  if (pressed.empty()) return {};
+  const MatrixXd held = (inside.A * N)(pressed, Eigen::all).transpose();
+  if (column_span(held).rank < N.cols()) return {};
+  for (Index& row : pressed) row += programme.equations;
+  return pressed;
+}
+
+/// The solution of a programme with some rows of inequalities as equations as well, whose forces may then have any sign.
+DenseSolution held_solution(const DenseProgramme& programme, const std::vector<Index>& closed,
+                            const Solver& solver, const SolverOptions& options) {
+  std::vector<Index> order(at(programme.initial_gap.size()));
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_partition(order.begin() + programme.equations, order.end(), [&](Index row) {
     return std::binary_search(closed.begin(), closed.end(), row);
@@ -79,23 +108,16 @@ std::optional<DenseSolution> held_solution(const DenseProgramme& programme,
   const DenseProgramme held{programme.stiffness, programme.load, programme.A(order, Eigen::all),
                             programme.initial_gap(order),
                             programme.equations + static_cast<Index>(closed.size())};
-  try {
-    static_cast<void>(ProgrammeRows(held));  // throws where they do not hold K
-    DenseSolution solution = solve(held, solver, options);
-    if (solution.report.status != SolveStatus::Solved) return {};
-    const VectorXd force = solution.refined.force;
-    const VectorXd gap = solution.gap;
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      solution.refined.force(order[k]) = force(static_cast<Index>(k));
-      solution.gap(order[k]) = gap(static_cast<Index>(k));
-    }
-    for (Index& row : solution.active) row = order[static_cast<std::size_t>(row)];
-    for (const Index row : closed) solution.active.push_back(row);
-    std::sort(solution.active.begin(), solution.active.end());
-    return solution;
-  } catch (const ProblemError&) {  // rounding has the last word, or these rows are dependent
-    return {};
-  }
+  static_cast<void>(ProgrammeRows(held));  // throws where they do not hold K
+  DenseSolution solution = solve(held, solver, options);
+  const VectorXd force = solution.refined.force;
+  const VectorXd gap = solution.gap;
+  solution.refined.force(order) = force;
+  solution.gap(order) = gap;
+  for (Index& row : solution.active) row = order[at(row)];
+  solution.active.insert(solution.active.end(), closed.begin(), closed.end());
+  std::sort(solution.active.begin(), solution.active.end());
+  return solution;
 }
 
 }  // namespace
@@ -154,63 +176,19 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
 std::optional<DenseSolution> semidefinite_solution(const DenseProgramme& programme,
                                                    const Solver& solver,
                                                    const SolverOptions& options) {
-  const Index n = programme.load.size();
-  const Index first = programme.equations;
-  const Index rows = programme.initial_gap.size() - first;
-  const VectorXd unit = unknown_scale(programme.stiffness).cwiseInverse();
-  const MatrixXd A = programme.A * unit.asDiagonal();
-  const MatrixXd E = A.topRows(first);
-  const VectorXd place = first > 0 ? least_norm_solution(E, programme.initial_gap.head(first))
-                                   : VectorXd(VectorXd::Zero(n));
-  const MatrixXd Z = first > 0 ? null_space(E) : MatrixXd(MatrixXd::Identity(n, n));
-  const double rounding = static_cast<double>(n + first + 1) * epsilon;
-  const VectorXd terms = E.cwiseAbs() * place.cwiseAbs();
-  const VectorXd left = E * place - programme.initial_gap.head(first);
-  if ((left.array().abs() > 4 * rounding * terms.array()).any() || Z.cols() == 0) return {};
-  const MatrixXd K = unit.asDiagonal() * programme.stiffness * unit.asDiagonal();
-  const MatrixXd inside = Z.transpose() * K * Z;
-  DenseProgramme reduced;
-  reduced.stiffness = 0.5 * (inside + inside.transpose());
-  if (symmetric_eigenvalues(reduced.stiffness)(0) < -rounding * K.trace()) return {};
-  reduced.load = Z.transpose() * (unit.cwiseProduct(programme.load) - K * place);
-  reduced.A = A.bottomRows(rows) * Z;
-  reduced.initial_gap = programme.initial_gap.tail(rows) - A.bottomRows(rows) * place;
-  const MatrixXd N = null_space(reduced.stiffness);
-  if (N.cols() == 0) return {};
-  DenseSolution solution;
   try {
-    solution = solve(reduced, N, solver, options).dense;
-  } catch (const ProblemError&) {  // rounding does not tell what is free
+    Report report;
+    const std::vector<Index> holding = holding_rows(programme, solver, options, report);
+    if (holding.empty()) return {};
+    DenseSolution solution = held_solution(programme, holding, solver, options);
+    if (solution.report.status != SolveStatus::Solved) return {};
+    append(report, solution.report);
+    solution.report = std::move(report);
+    return solution;
+  } catch (
+      const ProblemError&) {  // rounding does not tell what is free, or the equations contradict each other
     return {};
   }
-  if (solution.report.status != SolveStatus::Solved) return {};
-  PrimalDual& refined = solution.refined;
-  const double nothing = proof_rounding * largest(refined.force);
-  std::vector<Index> pressed;
-  for (Index i = 0; i < rows; ++i)
-    if (refined.force(i) > nothing) pressed.push_back(i);
-  if (pressed.empty()) return {};
-  const MatrixXd held = (reduced.A * N)(pressed, Eigen::all).transpose();
-  if (column_span(held).rank < N.cols()) return {};
-  const VectorXd v = refined.displacement;
-  refined.displacement = unit.cwiseProduct(place + Z * v);
-  refined.displacement_low = unit.cwiseProduct(Z * refined.displacement_low);
-  refined.rigid.resize(0);
-  VectorXd force(first + rows);
-  force.tail(rows) = refined.force;
-  const VectorXd missing = programme.load - programme.stiffness * refined.displacement -
-                           programme.A.bottomRows(rows).transpose() * refined.force;
-  if (first > 0) force.head(first) = least_norm_solution(E.transpose(), unit.cwiseProduct(missing));
-  refined.force = std::move(force);
-  solution.gap = programme.initial_gap - programme.A * refined.displacement;
-  for (Index& row : solution.active) solution.gap(row += first) = 0;
-  if (certify(programme, refined).holds()) return solution;
-  for (Index& row : pressed) row += first;
-  std::optional<DenseSolution> again = held_solution(programme, pressed, solver, options);
-  if (!again) return solution;
-  append(solution.report, again->report);
-  again->report = std::move(solution.report);
-  return again;
 }
 
 }  // namespace signorini

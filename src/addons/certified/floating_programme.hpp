@@ -54,8 +54,8 @@ struct FloatingSolution {
 ///
 /// Where A_e u = g_e, in the units of the diagonal of K, u is a solution of the equations plus Z v with Z orthonormal
 /// and A_e Z = 0. In v there are no equations, and the directions that Z^T K Z does not feel are rigid modes, which only
-/// inequalities can hold. The forces of the equations balance what is left. Where rounding of Z leaves more than a certificate
-/// allows, the rows with a force become equations, too: K is definite where these hold, and u is refined from the original data.
+/// inequalities can hold. Those that do, with a force, become equations, too: K is definite where these hold, and u is refined
+/// from the original data.
 /// \param programme  K positive semidefinite where A_e u = 0
 /// \param solver     a member of solvers()
 /// \param options    handed to it

@@ -9,12 +9,9 @@
 #include "signorini/problem/exact_vector.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-}  // namespace
 
 /// What one refinement works with.
 struct ProgrammeRows::Work {
@@ -120,46 +117,62 @@ double ProgrammeRows::one_rounding(Index row, double stretch) const {
   return 4 * epsilon * (std::abs(programme_.initial_gap(row)) + moved);
 }
 
+/// Whether the closed rows press and are closed, beyond rounding. Takes over their forces.
+bool ProgrammeRows::presses(const ActiveSetFactor& basis, Refined& refined,
+                            const VectorXd& force) const {
+  const Index k = basis.size();
+  const double pull = static_cast<double>(k + 1) * epsilon * largest(force.head(k));
+  const VectorXd size = refined.solution.displacement.cwiseAbs();
+  refined.solution.force.setZero(count());
+  for (Index i = 0; i < k; ++i) {
+    const Index row = basis.rows()[static_cast<std::size_t>(i)];
+    // A closed row is measured by its own terms: what others move by must not hide its gap.
+    const double own =
+        std::abs(programme_.initial_gap(row)) + programme_.A.row(row).cwiseAbs().dot(size);
+    if (std::abs(refined.gap(row)) > static_cast<double>(unknowns()) * epsilon * own) return false;
+    if (row >= equations() && force(i) <= pull) return false;
+    refined.solution.force(row) = force(i) / norm_(row);
+  }
+  return true;
+}
+
+/// Whether forces balance but for rounding. \param size  |D^1/2 u|
+bool ProgrammeRows::balances(const ActiveSetFactor& basis, const PrimalDual& solution,
+                             double size) {
+  const VectorXd& displacement = solution.displacement;
+  const double rounding = static_cast<double>(unknowns()) * epsilon;
+  moved_ = programme_.load;
+  moved_.noalias() -= programme_.stiffness * displacement;
+  for (const Index row : basis.rows())
+    moved_ -= solution.force(row) * programme_.A.row(row).transpose();
+  // |K_ij| <= root_i root_j bounds what the residual may have lost in its own rounding.
+  const double load = largest(programme_.load);
+  const double lost = largest(root_) * root_.dot(displacement.cwiseAbs()) * epsilon;
+  if (largest(moved_) > rounding * load || (load > 0 && lost > 0.25 * certificate_tolerance * load))
+    return false;
+  for (Index j = 0; j < unknowns(); ++j) {  // as a certificate does, by what the unknown itself has
+    double own = std::abs(programme_.load(j)) + (equations() > 0 ? 0 : root_(j) * size);
+    if (std::abs(moved_(j)) <= rounding * own) continue;
+    own += programme_.A.col(j).cwiseAbs().dot(solution.force.cwiseAbs());
+    if (std::abs(moved_(j)) > rounding * own) return false;
+  }
+  return true;
+}
+
 /// Whether the solution satisfies all conditions so well, and all rows are so far from the wrong side,
 /// that twice the working precision could not change anything but the last digits.
 bool ProgrammeRows::beyond_doubt(const ActiveSetFactor& basis, Refined& refined,
                                  const VectorXd& force) {
-  const Index k = basis.size();
-  const double terms = static_cast<double>(unknowns());
   const VectorXd& displacement = refined.solution.displacement;
-  const double left = displacement.cwiseProduct(root_).norm();
-  const double stretch = std::max(stretch_, left);
-  const double pull = static_cast<double>(k + 1) * epsilon * largest(force.head(k));
+  const double size = displacement.cwiseProduct(root_).norm();
   refined.gap = programme_.initial_gap;
   refined.gap.noalias() -= programme_.A * displacement;
-  refined.solution.force.setZero(count());
-  moved_ = programme_.load;
-  moved_.noalias() -= programme_.stiffness * displacement;
-  for (Index i = 0; i < k; ++i) {
-    const Index row = basis.rows()[static_cast<std::size_t>(i)];
-    // A closed row is measured by its own terms: what others move by must not hide its gap.
-    const double size = std::abs(programme_.initial_gap(row)) +
-                        programme_.A.row(row).cwiseAbs().dot(displacement.cwiseAbs());
-    if (std::abs(refined.gap(row)) > terms * epsilon * size) return false;
-    if (row >= equations() && force(i) <= pull) return false;
-    refined.gap(row) = std::numeric_limits<double>::infinity();  // passes the test of the open rows
-    refined.solution.force(row) = force(i) / norm_(row);
-    moved_ -= refined.solution.force(row) * programme_.A.row(row).transpose();
-  }
-  // |K_ij| <= root_i root_j bounds what the residual may have lost in its own rounding.
-  const double load = largest(programme_.load);
-  const double lost = largest(root_) * root_.dot(displacement.cwiseAbs()) * epsilon;
-  if (largest(moved_) > terms * epsilon * load ||
-      (load > 0 && lost > 0.25 * certificate_tolerance * load))
-    return false;
-  for (Index j = 0; j < unknowns(); ++j) {  // as a certificate does, by what the unknown itself has
-    double own = std::abs(programme_.load(j)) + (equations() > 0 ? 0 : root_(j) * left);
-    if (std::abs(moved_(j)) <= terms * epsilon * own) continue;
-    own += programme_.A.col(j).cwiseAbs().dot(refined.solution.force.cwiseAbs());
-    if (std::abs(moved_(j)) > terms * epsilon * own) return false;
-  }
+  if (!presses(basis, refined, force) || !balances(basis, refined.solution, size)) return false;
+  for (const Index row : basis.rows()) refined.gap(row) = std::numeric_limits<double>::infinity();
   for (Index i = 0; i < count(); ++i)
-    if (refined.gap(i) < terms * one_rounding(i, stretch)) return false;
+    if (refined.gap(i) <
+        static_cast<double>(unknowns()) * one_rounding(i, std::max(stretch_, size)))
+      return false;
   for (const Index row : basis.rows()) refined.gap(row) = 0;
   return true;
 }

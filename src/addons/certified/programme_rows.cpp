@@ -17,28 +17,11 @@ using Eigen::VectorXd;
 /// How far a row of this weight can move when the unknowns move so far; a row without entries cannot.
 double reach(double stretch, double weight) { return weight > 0 ? stretch / weight : 0; }
 
-void check(const DenseProgramme& programme) {
-  const Index n = programme.load.size();
-  const Index m = programme.initial_gap.size();
-  require_argument(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
-                       programme.A.rows() == m && programme.A.cols() == n,
-                   "quadratic programme: K must be ", n, " x ", n, " and A ", m, " x ", n, ", got ",
-                   programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
-                   programme.A.rows(), " x ", programme.A.cols());
-  require_argument(programme.equations >= 0 && programme.equations <= m,
-                   "quadratic programme: equations must be 0 to ", m, ", got ",
-                   programme.equations);
-  // A sum is finite only if every term is.
-  require_argument(
-      std::isfinite(programme.stiffness.sum() * 0) && std::isfinite(programme.A.sum() * 0) &&
-          std::isfinite(programme.load.sum() * 0) && std::isfinite(programme.initial_gap.sum() * 0),
-      "quadratic programme: K, p, A and g, and their sums, must be finite");
-}
-
 /// What each equation adds to K: along its own row as much as the unknowns of the row resist together, so that it swamps none of
-/// them; where K has nothing for them, as much as it has in the mean.
+/// them; where K has nothing for them, as much as it has in the mean, or 1.
 VectorXd equation_stiffness(const DenseProgramme& programme) {
-  const double mean = programme.stiffness.trace() / static_cast<double>(programme.load.size());
+  const double trace = programme.stiffness.trace();
+  const double mean = trace > 0 ? trace / static_cast<double>(programme.load.size()) : 1;
   VectorXd rho(programme.equations);
   for (Index i = 0; i < rho.size(); ++i) {
     double compliance = 0;
@@ -74,8 +57,26 @@ CholeskyFactor factored(const DenseProgramme& programme, const VectorXd& rho) {
 
 }  // namespace
 
+void check_sizes(const DenseProgramme& programme) {
+  const Index n = programme.load.size();
+  const Index m = programme.initial_gap.size();
+  require_argument(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
+                       programme.A.rows() == m && programme.A.cols() == n,
+                   "quadratic programme: K must be ", n, " x ", n, " and A ", m, " x ", n, ", got ",
+                   programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
+                   programme.A.rows(), " x ", programme.A.cols());
+  require_argument(programme.equations >= 0 && programme.equations <= m,
+                   "quadratic programme: equations must be 0 to ", m, ", got ",
+                   programme.equations);
+  // A sum is finite only if every term is.
+  require_argument(
+      std::isfinite(programme.stiffness.sum() * 0) && std::isfinite(programme.A.sum() * 0) &&
+          std::isfinite(programme.load.sum() * 0) && std::isfinite(programme.initial_gap.sum() * 0),
+      "quadratic programme: K, p, A and g, and their sums, must be finite");
+}
+
 ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(programme) {
-  check(programme);
+  check_sizes(programme);
   rho_ = equation_stiffness(programme);
   factor_ = factored(programme, rho_);
   const Index n = programme.load.size();

@@ -5,11 +5,16 @@
 #include <Eigen/Core>
 
 #include "signorini/core/dense.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/problem/active_set_factor.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/problem.hpp"
 
 namespace signorini {
+
+/// Checks a programme. \param programme  K, p, A, g
+/// \throws std::invalid_argument if sizes do not fit or a number is not finite
+void check_sizes(const DenseProgramme& programme);
 
 /// A dense programme, the factor of its K, and gaps relative to a solution that is known already.
 ///
@@ -61,6 +66,9 @@ class ProgrammeRows {
     Eigen::VectorXd tension;  ///< `size` of the basis, lambda |h_i| where negative beyond rounding
     Eigen::Index violated = 0;  ///< open rows that overlap beyond rounding
     Eigen::Index sweeps = 0;    ///< corrections that were made
+
+    /// \return whether no row is on the wrong side
+    [[nodiscard]] bool confirmed() const { return violated == 0 && largest(tension) == 0; }
   };
   /// Refines \f$ K u + A^T \lambda = p,\ A_W u = g_W \f$ with residuals in twice the working precision;
   /// later gaps are measured from the result if anything was corrected. \PaperEq{XuanLi2002, 21}
@@ -85,6 +93,10 @@ class ProgrammeRows {
   [[nodiscard]] double one_rounding(Eigen::Index row, double stretch) const;
   [[nodiscard]] bool beyond_doubt(const ActiveSetFactor& basis, Refined& refined,
                                   const Eigen::VectorXd& force);
+  [[nodiscard]] bool presses(const ActiveSetFactor& basis, Refined& refined,
+                             const Eigen::VectorXd& force) const;
+  [[nodiscard]] bool balances(const ActiveSetFactor& basis, const PrimalDual& solution,
+                              double size);
   void check_signs(const ActiveSetFactor& basis, Refined& refined, const Work& work);
 
   const DenseProgramme& programme_;

@@ -167,36 +167,36 @@ void check_numbers(const ContactProblem& problem) {
 // From unknowns to what is looked at: pressures, displacements of nodes, the balance of what
 // is told. Checks look at solutions only: notes on the strains of an unsolved problem would
 // mislead. Unsolved numbers are still recovered, because a figure of them may show what went
-// wrong.
-void recover(const Model& model, PrimalDual refined, Solution& solution) {
-  solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
-  solution.certificate.balance = imbalance(model, solution.contact, refined.force);
-  solution.displacements = displacements_of_bodies(model, refined.displacement);
-  solution.refined = std::move(refined);
-  if (solution.contact.report.status != SolveStatus::Solved) return;
-  ask_checks(solution.notes, &Check::solution, model, solution);
+// wrong. If nothing could be refined there are no displacements, and only the report is returned.
+// A scene whose nodes are all held has no displacements either, but it is solved.
+Solution recovered(const Model& model, RefinedEnd end, std::vector<std::string> notes,
+                   Ledger ledger, const std::function<void(Solution&)>& after) {
+  Solution solution;
+  solution.notes = std::move(notes);
+  solution.contact = std::move(end.state);
+  solution.certificate = end.certificate;
+  const bool solved = solution.contact.report.status == SolveStatus::Solved;
+  if (solved || end.solution.displacement.size() > 0) {
+    const Ledger::Phase phase(ledger, "recovery");
+    solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
+    solution.certificate.balance = imbalance(model, solution.contact, end.solution.force);
+    solution.displacements = displacements_of_bodies(model, end.solution.displacement);
+    solution.refined = std::move(end.solution);
+    if (solved) ask_checks(solution.notes, &Check::solution, model, solution);
+    if (solved && after) after(solution);
+  }
+  solution.ledger = std::move(ledger);
+  return solution;
 }
-
 // The forces of a solver claim to be a solution. refined_solve() makes displacements of them
-// that fit the original K, p, A and g, and certifies the result. If nothing could be refined
-// there are no displacements, and only the report is returned.
+// that fit the original K, p, A and g, and certifies the result.
 Solution solve_plainly(const Model& model, const Condensed& condensed, const Solver& solver,
                        Ledger ledger, const SolverOptions& options) {
   RefinedEnd end = in_these_units(condensed.problem, [&] {
     return refined_solve(model.programme, condensed_programme(condensed, ledger),
                          mode_shapes(model.modes), solver, options, ledger);
   });
-  Solution solution;
-  solution.notes = model.notes;
-  solution.contact = std::move(end.state);
-  solution.certificate = end.certificate;
-  if (solution.contact.report.status == SolveStatus::Solved ||
-      end.solution.displacement.size() > 0) {
-    const Ledger::Phase phase(ledger, "recovery");
-    recover(model, std::move(end.solution), solution);
-  }
-  solution.ledger = std::move(ledger);
-  return solution;
+  return recovered(model, std::move(end), model.notes, std::move(ledger));
 }
 // Every solve() below asks the slot, so that a program that has set another way cannot get
 // the old one by mistake.

@@ -1,7 +1,10 @@
 /// \file
 /// How a condensed model is solved: the way of the library, and the place where an add-on puts its own.
 #pragma once
+#include <functional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "signorini/scene/solution.hpp"
 #include "signorini/solvers/refined_solve.hpp"
@@ -53,10 +56,14 @@ auto in_these_units(const ContactProblem& problem, Method&& method) {
   }
 }
 
-/// Makes of refined numbers what readers want: pressures, displacements of the bodies, the balance of the certificate, and notes.
-/// \param model    of them
-/// \param refined  u and forces
-/// \param[in,out] solution  with its state and certificate
-void recover(const Model& model, PrimalDual refined, Solution& solution);
+/// Makes of an end what readers want: pressures, displacements of the bodies, the balance of the certificate, and notes.
+/// \param model   that was solved
+/// \param end     of it; without displacements only its state is taken over
+/// \param notes   that are known so far
+/// \param ledger  goes on in the solution, with the phase `recovery`
+/// \param after   what else is asked of a solution in this phase, or nothing
+/// \return the solution
+[[nodiscard]] Solution recovered(const Model& model, RefinedEnd end, std::vector<std::string> notes,
+                                 Ledger ledger, const std::function<void(Solution&)>& after = {});
 
 }  // namespace signorini
