@@ -36,15 +36,16 @@ using Entry = Eigen::SparseMatrix<double>::InnerIterator;
 constexpr int most_sweeps = 4;
 constexpr int most_sparse_sweeps = 16;
 
-// Whether a friction force follows its normal force: then the matrix is not symmetric.
+// Whether a friction force follows its normal force: then the matrix is not symmetric. A pair with cohesion and
+// mu = 0 slides against a given force, which is a load and no part of the matrix.
 bool has_slopes(const ActiveSet& set) {
   for (const SlidingPair& pair : set.sliding)
     if (pair.slope != 0) return true;
   return false;
 }
 
-// Puts every friction force that is at its bound there. It is computed from the normal force of this sweep,
-// so that the law of friction holds to the last bit.
+// Puts every friction force that is at its bound there, on the side that its status tells. It is computed from
+// the normal force of this sweep, so that the law of friction holds to the last bit.
 void impose(const ActiveSet& set, VectorXd& force) {
   for (const SlidingPair& pair : set.sliding)
     force(pair.slip) = pair.friction(force(pair.gap)).value();
@@ -64,6 +65,16 @@ void begin(const ScaledProblem& problem, const Rows& support, const ActiveSetSol
 }
 
 // All movements of the forces, what rounding may have done to them, and whether the equations hold.
+//
+// A movement is the sum of a free movement and of one term per force and mode. Each addition rounds its result,
+// so a sum of n terms is wrong by at most n times epsilon times the sum of the sizes of its terms. With three
+// forces, terms of size 1 and a movement of 1e-16 nothing says whether that pair is open: its bound is
+// \f$ 4 \cdot 2.2\cdot 10^{-16} \cdot 3 = 2.7\cdot 10^{-15} \f$. The bound of a force is that of the largest one, because
+// the factor mixes all of them.
+//
+// Closed rows have movement 0 by what was assumed. If they have moved by more than the bounds, no forces close
+// them: rows that repeat each other ask for different gaps. The set is then called unsolvable, and its numbers
+// are the nearest that there are.
 void settle(const ScaledProblem& problem, const Rows& support, ActiveSetSolution& now) {
   const Index modes = problem.rigid.cols();
   now.movement = problem.free;
@@ -84,7 +95,6 @@ void settle(const ScaledProblem& problem, const Rows& support, ActiveSetSolution
     now.movement += now.amplitude(j) * problem.rigid.col(j);
     size += std::abs(now.amplitude(j)) * problem.rigid.col(j).cwiseAbs();
   }
-  // A sum of n terms is wrong by at most n roundings of the sum of their sizes.
   const double rounding = static_cast<double>(support.size() + modes + 1) * epsilon;
   now.force_rounding = rounding * largest(now.force);
   now.movement_rounding = rounding * size;
@@ -103,7 +113,9 @@ void settle(const ScaledProblem& problem, const Rows& support, ActiveSetSolution
   }
 }
 
-// How far forces move the rows of a system, summed exactly. Columns are copied once, because the sweeps use the
+// How far forces move the rows of a system, which should not move at all: the residual of a sweep. What is left
+// near the end is much smaller than its terms. A plain sum would leave its own rounding, so the products are
+// summed exactly. Columns are copied once, because the sweeps use the
 // same ones.
 class RowMovement {
  public:
@@ -134,15 +146,18 @@ class RowMovement {
 
 }  // namespace
 
-// Friction without a slope, as Tresca's, leaves the matrix symmetric.
+// Which of the three factors it is. Friction without a slope, as Tresca's, leaves the matrix symmetric, and one
+// Cholesky factor does. Where F has few entries a sparse factor is faster than either dense one, with sliding
+// or without.
 ActiveSetSystem active_set_system(const ScaledProblem& problem, const ActiveSet& set) {
   if (problem.sparse.size() > 0) return sparse_system(problem, set);
   return problem.symmetric && !has_slopes(set) ? symmetric_system(problem, set.closed)
                                                : general_system(problem, set);
 }
 
-// The first sweep solves, the next ones refine. Friction is imposed after each, so that it follows the
-// normal forces exactly.
+// The first sweep solves, the next ones refine: each asks the system for the changes that close what the rows
+// still move, and that balance what the forces still lack. Friction is imposed after each, so that it follows
+// the normal forces exactly.
 ActiveSetSolution solve_active_set(const ScaledProblem& problem, const ActiveSet& set,
                                    const ActiveSetSolution* start) {
   const ActiveSetSystem system = active_set_system(problem, set);

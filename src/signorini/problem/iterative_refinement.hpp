@@ -2,6 +2,7 @@
 /// The last step of every exact method: the equations of a known set, from the original data.
 #pragma once
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "signorini/problem/active_set_system.hpp"
@@ -49,20 +50,36 @@ struct RefinedSolution {
   bool settled = false;  ///< whether corrections have become as small as rounding
 };
 
+/// When a sequence of corrections of the relative sizes e_0, e_1, ... ends.
+///
+/// Errors shrink by the relative error of what was factored, so the rate \f$ \rho_k = \min(1, e_k / \min(1, e_{k-1})) \f$ is
+/// about the same for all k, and the next correction will be about \f$ \rho_k e_k \f$. Sweeps end where that is no more
+/// than \f$ \epsilon/4 \f$, or where three in a row were not half as large as the smallest before them.
+struct Corrections {
+  double foreseen = std::numeric_limits<double>::infinity();  ///< \f$ \rho_k e_k \f$ [-]
+  double last = std::numeric_limits<double>::infinity();      ///< e_k [-]
+  double best = std::numeric_limits<double>::infinity();      ///< the smallest so far [-]
+  int slow = 0;  ///< so many in a row were not half of `best`
+
+  /// \param size  e_k, of the next correction \return whether it is finite and corrections still shrink
+  bool next(double size);
+};
+
 /// Refines \f$ K u + A^T f = p,\ A_W u = g_W \f$ for known statuses: rows W that do not move, friction forces at
 /// their bounds, no force anywhere else.
 ///
-/// A sweep adds K^-1 times the residual of equilibrium to u, then the forces that close what W still
-/// moves, and what these move in turn,
+/// A sweep takes residuals of the original data in twice the working precision, and corrects u, then the forces, then u by
+/// what these move:
 ///
-/// \f[ M\,\Delta f_W = A_W u - g_W,\qquad u \mathrel{+}= -K^{-1} A^T \Delta f, \f]
+/// \f[ r = p - Ku - A^Tf,\quad u \mathrel{+}= K^{-1}r,\qquad h = g_W - A_Wu,\quad
+///     J\begin{pmatrix}\Delta f_W\\ \Delta b\end{pmatrix} = -\begin{pmatrix}h\\ N^Tr\end{pmatrix},\quad
+///     f_W \mathrel{+}= \Delta f_W,\quad u \mathrel{+}= N\Delta b - K^{-1}A^T\Delta f, \f]
 ///
-/// where M is the matrix of ActiveSetSystem. Residuals come from the original data in twice the working
-/// precision, so the factor and the compliance may carry relative errors up to about 1/cond. u and the
-/// forces are kept as sums of two doubles: on a slender body the last digit of a force moves the far end by
-/// many digits. What forces move, unless they are rounding, gets a solve of its own, so that corrections shrink by the
-/// errors of factor and compliance. Sweeps end when the next correction will be of rounding size, mostly behind the
-/// first, or when corrections shrink no more.
+/// where J is the matrix of ActiveSetSystem. The factor and the compliance may carry relative errors up to about 1/cond.
+/// u and the forces are kept as sums of two doubles: on a slender body the last digit of a force moves the far end by
+/// many digits. Corrections says when sweeps end: mostly behind the first. With rigid modes two sweeps move bodies as such,
+/// which rounds the rigid part of u; they leave out the last solve, and the end is one of those that follow. That solve is
+/// also left out where forces change by rounding only, and move nothing more than that.
 ///
 /// With rigid modes K is singular, and `solve_stiffness` and `condensed` belong to the grounded K_g of
 /// add_rigid_modes(). Residuals are still those of K; the amplitudes take up what only a rigid

@@ -142,7 +142,8 @@ VectorXd loads_of_systems(const QuadraticProgramme& programme, const PrimalDual&
   return load;
 }
 
-// The second part and the rigid part of u may be empty, and stay empty.
+// Picks the entries of one system out of a vector of the whole. The second part and the rigid part of u may be
+// empty, which means zero, and stay empty.
 VectorXd entries(const VectorXd& v, const std::vector<Index>& places) {
   return v.size() == 0 ? v : VectorXd(v(places));
 }
@@ -178,6 +179,7 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
 
 }  // namespace
 
+// Without friction the first rows may be equations: their forces may have any sign.
 Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                     Index equations) {
   check_sizes(programme, solution);
@@ -187,6 +189,7 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
   return certificate_of(programme, solution, {}, equations);
 }
 
+// With friction the last rows of A are slips, as many as the law has pairs.
 Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                     const FrictionLaw& law) {
   check_sizes(programme, solution);
