@@ -1,10 +1,12 @@
 // Chapter 5 - What a printed ratio says about a program that nobody has: readings of the method at the sizes of table 1.
-// Run:  make ch05     Reads: nothing     Writes: ch05_readings.results, readings.md, readings_by_size.md, fig_5_4.csv
+// Run:  make ch05     Reads: nothing     Writes: ch05_readings.results, readings.md, readings_by_size.md,
+//                                                fig_5_4.csv, fig_5_4_whole.csv
 // --full: a hundred programmes of each size in the place of ten.
+#include "readings.hpp"
+
 #include <iostream>
 
 #include "../../tests/reference/rosen_suzuki_table_1.hpp"
-#include "readings.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
@@ -13,8 +15,8 @@
 namespace {
 
 using namespace ch05;
-const std::vector<const char*> keys = {"letter",  "all",     "number",  "overlap", "most",  "once",
-                                       "met",     "loop",    "hundred", "thousand", "search"};
+const std::vector<const char*> keys = {"letter", "all",  "number",  "overlap",  "most",  "once",
+                                       "met",    "loop", "hundred", "thousand", "search"};
 
 // 1. Every reading on every programme of one size: the ratio of table 1 less one.
 std::vector<std::vector<double>> run_all(Draw draw, const reference::RandomProgramme& line,

@@ -121,7 +121,8 @@ KnownProgramme whole_number_programme(Index n, Index m, std::uint64_t seed) {
   known.force.setZero(m);
   Eigen::VectorXd gap(m);
   for (double& open : gap) open = random.whole(1, 9);
-  for (const Index i : random_choice(random, m, random.whole(1, static_cast<int>(std::min(n, m))))) {
+  for (const Index i :
+       random_choice(random, m, random.whole(1, static_cast<int>(std::min(n, m))))) {
     gap(i) = 0;
     known.force(i) = random.whole(1, 9);
   }

@@ -106,8 +106,7 @@ std::vector<MethodReading> method_readings(const ContactProblem& problem) {
       {"loop, 2/(k+2), 1000 steps each", loop_of_stopped_weights(problem, 1000, 1e-4)},
       {"weights, 2/(k+2), 100 steps", stopped_weights(problem, WeightRule::Harmonic, 100)},
       {"weights, 2/(k+2), 1000 steps", stopped_weights(problem, WeightRule::Harmonic, 1000)},
-      {"weights, line search, 1000 steps",
-       stopped_weights(problem, WeightRule::LineSearch, 1000)}};
+      {"weights, line search, 1000 steps", stopped_weights(problem, WeightRule::LineSearch, 1000)}};
 }
 
 }  // namespace signorini

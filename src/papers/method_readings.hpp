@@ -41,7 +41,7 @@ namespace signorini {
 
 /// A reading of the method: its name, and the forces at its end.
 struct MethodReading {
-  std::string name;       ///< as in the table of chapter 5
+  std::string name;       ///< as in the tables of the book
   Eigen::VectorXd force;  ///< `n_c` [force]
 };
 

@@ -43,7 +43,7 @@ struct QuasiActiveRun {
   std::vector<Eigen::Index> left_over;  ///< pairs that its solution u^{k+1} violates
   double fraction = 1;                  ///< delta of (34), 1 if none is left over
   Eigen::VectorXd moved;                ///< `n_c` forces at u^k, the sum over all steps [force]
-  Eigen::VectorXd next;                 ///< `n_c` forces at u^{k+1} of (33); empty if it was not reached
+  Eigen::VectorXd next;  ///< `n_c` forces at u^{k+1} of (33); empty if it was not reached
 };
 
 /// Solves a contact problem by the equations of the paper, one after the other.

@@ -99,7 +99,8 @@ TEST_CASE("two pairs: without eta >= 0 the open one wins, with it the one that o
 }
 
 TEST_CASE(
-    "s is not concave, but where the weighted gap overlaps and s does not rise to first order, it does not rise",
+    "s is not concave, but where the weighted gap overlaps and s does not rise to first order, it "
+    "does not rise",
     "[surrogate_dual]") {
   const ContactProblem apart{Eigen::Matrix2d::Identity(), Eigen::Vector2d(-1, 0)};
   const auto s = [&](double t) {
