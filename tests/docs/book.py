@@ -198,6 +198,9 @@ class Sources(unittest.TestCase):
         said = cxx.highlighted("int n = solve_all(1);  // solve_all", "cpp", cxx.linker(self.book))
         self.assertIn('<a href="source-papers-thing-hpp.html#solve_all">solve_all</a>(<span class="n">1</span>)', said)
         self.assertIn('<span class="c">// solve_all</span>', said)
+        for code, links in (("  return solve_all(1);", 1), ("  int solve_all(1);", 0), ("int solve_all(int a) {", 1), ("  x.solve_all(1);", 0),
+                            ("  a = b * solve_all(1);", 1), ("  f(solve_all(1));", 1)):
+            self.assertEqual(cxx.highlighted(code, "cpp", cxx.linker(self.book)).count("<a "), links, code)
 
     def test_copies_for_doxygen_keep_their_lines(self):
         for path in ["src/papers/thing.hpp"]:
